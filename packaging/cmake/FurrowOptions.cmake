@@ -1,0 +1,25 @@
+option(FURROW_TESTS "Build the tests and benchmarks" ON)
+option(FURROW_WARNINGS_ARE_ERRORS "Stop at a compiler warning; off for packagers with other compilers" OFF)
+set(FURROW_SANITIZE "" CACHE STRING "Sanitisers for every target: address,undefined or thread")
+
+set(CMAKE_CXX_STANDARD 23)
+set(CMAKE_CXX_STANDARD_REQUIRED ON)
+set(CMAKE_CXX_EXTENSIONS OFF)
+set(CMAKE_EXPORT_COMPILE_COMMANDS ON)
+set(CMAKE_RUNTIME_OUTPUT_DIRECTORY ${CMAKE_BINARY_DIR}/bin)
+
+find_program(FURROW_CCACHE ccache)
+if(FURROW_CCACHE AND NOT CMAKE_CXX_COMPILER_LAUNCHER)
+    set(CMAKE_CXX_COMPILER_LAUNCHER ${FURROW_CCACHE})
+endif()
+
+if(FURROW_SANITIZE)
+    add_compile_options(-fsanitize=${FURROW_SANITIZE} -fno-omit-frame-pointer)
+    add_link_options(-fsanitize=${FURROW_SANITIZE})
+endif()
+
+# Warnings for our own code; generated code of Qt's tools goes without.
+add_library(furrow_warnings INTERFACE)
+target_compile_options(furrow_warnings INTERFACE
+    -Wall -Wextra -Wpedantic -Wshadow -Wconversion -Wno-sign-conversion -Wold-style-cast
+    $<$<BOOL:${FURROW_WARNINGS_ARE_ERRORS}>:-Werror>)

@@ -1,0 +1,86 @@
+#pragma once
+
+#include "planner/core/result.h"
+#include "planner/geodesy/local_frame.h"
+#include "planner/geometry/polygon.h"
+#include "planner/jobs/job.h"
+
+#include <string>
+#include <vector>
+
+namespace furrow {
+
+/// Something inside a field that is not worked.
+struct Obstacle {
+    std::string name;
+    GeoPolygon outline;
+    bool passable = false;  ///< may be driven, not worked (a wet spot)
+    Length buffer;          ///< kept free around it
+
+    friend bool operator==(const Obstacle&, const Obstacle&) = default;
+};
+
+/// A place on the boundary where the machine may enter and leave.
+struct Gate {
+    std::string name;
+    GeoPoint position;
+    Length width;
+
+    friend bool operator==(const Gate&, const Gate&) = default;
+};
+
+/// A field as a file or a user gives it: not checked yet.
+struct FieldSource {
+    std::string id;
+    std::string name;
+    std::string origin;  ///< where it came from, for messages: "fields.gpkg, feature 12"
+    std::vector<GeoPolygon> parts;
+    std::vector<Obstacle> obstacles;
+    std::vector<Gate> gates;
+    Length boundaryAccuracy;
+
+    friend bool operator==(const FieldSource&, const FieldSource&) = default;
+};
+
+/// A field that can be planned: boundaries valid, outer rings counter-clockwise, holes clockwise.
+/// Immutable; share it by pointer.
+class Field {
+public:
+    /// Checks and repairs. Repaired, with a note: points twice, spikes, ring direction, rings that touch
+    /// themselves, slivers. InputRefused, with the place: fewer than 3 different points, self-crossing,
+    /// coordinates that are not finite or outside WGS84, no area, over 100 km across, over a million
+    /// points, obstacles outside the field. Cost: O(n log n) for n points. Cancelled.
+    static Result<Field> create(const FieldSource& source, const JobContext& job = {});
+
+    const std::string& id() const { return source_.id; }
+    const std::string& name() const { return source_.name; }
+    /// As repaired.
+    const FieldSource& source() const { return source_; }
+    /// What was repaired.
+    const std::vector<Note>& repairs() const { return repairs_; }
+    const LocalFrame& frame() const { return frame_; }
+
+    /// Boundary and holes, in metres.
+    const MultiPolygon& boundary() const { return boundary_; }
+    /// The boundary less every obstacle with its buffer: what is to be worked.
+    const MultiPolygon& workable() const { return workable_; }
+    /// The boundary less the obstacles that may not be driven on, with their buffers.
+    const MultiPolygon& drivable() const { return drivable_; }
+    /// Of the boundary on the ellipsoid, holes and obstacles taken out.
+    Area area() const { return area_; }
+    std::size_t vertexCount() const;
+    std::size_t holeCount() const;
+
+private:
+    Field(FieldSource source, LocalFrame frame) : source_{std::move(source)}, frame_{frame} {}
+
+    FieldSource source_;
+    LocalFrame frame_;
+    std::vector<Note> repairs_;
+    MultiPolygon boundary_;
+    MultiPolygon workable_;
+    MultiPolygon drivable_;
+    Area area_;
+};
+
+}  // namespace furrow

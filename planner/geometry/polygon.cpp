@@ -1,0 +1,71 @@
+#include "planner/geometry/polygon.h"
+
+#include <algorithm>
+
+namespace furrow {
+
+double signedAreaM2(std::span<const Point> ring) {
+    if (ring.size() < 3) {
+        return 0.0;
+    }
+    // Relative to the first point: no cancellation for rings far from the origin.
+    const Point origin = ring.front();
+    double twice = 0.0;
+    for (std::size_t i = 1; i + 1 < ring.size(); ++i) {
+        twice += cross(ring[i] - origin, ring[i + 1] - origin);
+    }
+    return 0.5 * twice;
+}
+
+Area area(const Polygon& polygon) {
+    double sum = std::abs(signedAreaM2(polygon.outer));
+    for (const Ring& hole : polygon.holes) {
+        sum -= std::abs(signedAreaM2(hole));
+    }
+    return squareMetres(sum);
+}
+
+Area area(const MultiPolygon& polygons) {
+    Area sum;
+    for (const Polygon& polygon : polygons) {
+        sum += area(polygon);
+    }
+    return sum;
+}
+
+Bounds bounds(const MultiPolygon& polygons) {
+    Bounds box;
+    bool first = true;
+    for (const Polygon& polygon : polygons) {
+        for (const Point& point : polygon.outer) {
+            if (first) {
+                box = {point, point};
+                first = false;
+            }
+            box.min = {std::min(box.min.x, point.x), std::min(box.min.y, point.y)};
+            box.max = {std::max(box.max.x, point.x), std::max(box.max.y, point.y)};
+        }
+    }
+    return box;
+}
+
+double lengthM(std::span<const Point> line) {
+    double sum = 0.0;
+    for (std::size_t i = 1; i < line.size(); ++i) {
+        sum += distance(line[i - 1], line[i]);
+    }
+    return sum;
+}
+
+std::size_t vertexCount(const MultiPolygon& polygons) {
+    std::size_t count = 0;
+    for (const Polygon& polygon : polygons) {
+        count += polygon.outer.size();
+        for (const Ring& hole : polygon.holes) {
+            count += hole.size();
+        }
+    }
+    return count;
+}
+
+}  // namespace furrow

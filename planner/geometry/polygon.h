@@ -1,0 +1,66 @@
+#pragma once
+
+#include "planner/geometry/point.h"
+#include "planner/units/quantity.h"
+
+#include <cstddef>
+#include <span>
+#include <vector>
+
+namespace furrow {
+
+/// A closed ring of at least three points in metres; the first point is not repeated at the end.
+using Ring = std::vector<Point>;
+
+/// A line of at least two points in metres.
+using Polyline = std::vector<Point>;
+
+/// Outer ring counter-clockwise, holes clockwise, nothing crosses itself. Whoever makes one keeps that.
+struct Polygon {
+    Ring outer;
+    std::vector<Ring> holes;
+
+    friend bool operator==(const Polygon&, const Polygon&) = default;
+};
+
+/// Polygons whose insides do not overlap.
+using MultiPolygon = std::vector<Polygon>;
+
+struct Bounds {
+    Point min;
+    Point max;
+
+    double width() const { return max.x - min.x; }
+    double height() const { return max.y - min.y; }
+};
+
+/// Positive for a counter-clockwise ring.
+double signedAreaM2(std::span<const Point> ring);
+
+Area area(const Polygon& polygon);
+Area area(const MultiPolygon& polygons);
+
+/// Bounds of the outer rings; zero for no polygons.
+Bounds bounds(const MultiPolygon& polygons);
+
+double lengthM(std::span<const Point> line);
+
+std::size_t vertexCount(const MultiPolygon& polygons);
+
+/// Calls `visit(from, to)` for every edge of every ring, in order.
+template <class Visit>
+void forEachEdge(const MultiPolygon& polygons, Visit&& visit) {
+    const auto walk = [&visit](const Ring& ring) {
+        for (std::size_t i = 0; i < ring.size(); ++i) {
+            visit(ring[i], ring[i + 1 == ring.size() ? 0 : i + 1]);
+        }
+    };
+    for (const Polygon& polygon : polygons) {
+        walk(polygon.outer);
+        for (const Ring& hole : polygon.holes) {
+            walk(hole);
+        }
+    }
+}
+
+}  // namespace furrow

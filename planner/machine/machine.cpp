@@ -1,0 +1,123 @@
+#include "planner/machine/machine.h"
+
+#include <algorithm>
+#include <cmath>
+#include <format>
+
+namespace furrow {
+
+namespace {
+
+Error refused(std::string_view key, std::string what, std::string remedy) {
+    return {.code = ErrorCode::InputRefused,
+            .what = std::move(what),
+            .where = std::format("machine, {}", key),
+            .remedy = std::move(remedy)};
+}
+
+struct Requirement {
+    std::string_view key;
+    double value;
+    bool mayBeZero = false;
+};
+
+}  // namespace
+
+Result<Machine> Machine::create(const MachineSpec& spec) {
+    const Tractor& tractor = spec.tractor;
+    const Implement& implement = spec.implement;
+    const Requirement requirements[] = {
+        {"operating_width_m", implement.operatingWidth.si()},
+        {"raised_width_m", implement.raisedWidth.value_or(metres(1.0)).si()},
+        {"vehicle_width_m", tractor.width.si()},
+        {"vehicle_length_m", tractor.length.si()},
+        {"rear_overhang_m", tractor.rearOverhang.si(), true},
+        {"wheelbase_m", tractor.wheelbase.si()},
+        {"min_turning_radius_m", tractor.minTurningRadius.value_or(metres(1.0)).si()},
+        {"max_curvature_rate_1pm2", tractor.maxCurvatureRate.value_or(CurvatureRate::fromSi(1.0)).si()},
+        {"steering_rate_degps", tractor.steeringRateRadps.value_or(1.0)},
+        {"working_speed_mps", tractor.workingSpeed.si()},
+        {"turning_speed_mps", tractor.turningSpeed.si()},
+        {"transfer_speed_mps", tractor.transferSpeed.si()},
+        {"reverse_speed_mps", tractor.reverseSpeed.si()},
+        {"max_acceleration_mps2", tractor.maxAcceleration.si()},
+        {"max_lateral_acceleration_mps2", tractor.maxLateralAcceleration.si()},
+        {"implement_length_m", implement.length.si(), true},
+        {"lift_time_s", implement.liftTime.si(), true},
+        {"lower_time_s", implement.lowerTime.si(), true},
+        {"run_in_m", implement.runIn.si(), true},
+    };
+    for (const Requirement& requirement : requirements) {
+        const bool largeEnough = requirement.mayBeZero ? requirement.value >= 0.0 : requirement.value > 0.0;
+        if (!std::isfinite(requirement.value) || !largeEnough) {
+            return std::unexpected(refused(requirement.key, std::format("{} cannot be worked with", requirement.value),
+                                           requirement.mayBeZero ? "give a number of 0 or more"
+                                                                 : "give a number above 0"));
+        }
+    }
+    for (const double offset : {implement.offset.si(), implement.hitchOffset.si(), implement.lateralOffset.si()}) {
+        if (!std::isfinite(offset)) {
+            return std::unexpected(refused("implement offsets", "an offset is not a finite number",
+                                           "give the offsets in metres"));
+        }
+    }
+    if (!tractor.minTurningRadius) {
+        if (!tractor.maxSteeringAngle) {
+            return std::unexpected(refused("min_turning_radius_m", "neither turning radius nor steering angle is given",
+                                           "give min_turning_radius_m or max_steering_angle_deg"));
+        }
+        if (!(*tractor.maxSteeringAngle > degrees(0.0) && *tractor.maxSteeringAngle < degrees(90.0))) {
+            return std::unexpected(refused("max_steering_angle_deg",
+                                           std::format("{} degrees cannot be steered", inDegrees(*tractor.maxSteeringAngle)),
+                                           "give an angle above 0 and below 90 degrees"));
+        }
+    }
+    return Machine{spec};
+}
+
+Length Machine::minTurningRadius() const {
+    const Tractor& tractor = spec_.tractor;
+    return tractor.minTurningRadius ? *tractor.minTurningRadius
+                                    : tractor.wheelbase / std::tan(tractor.maxSteeringAngle->si());
+}
+
+Speed Machine::turningSpeed() const {
+    const double lateral = std::sqrt(spec_.tractor.maxLateralAcceleration.si() * minTurningRadius().si());
+    return std::min(spec_.tractor.turningSpeed, metresPerSecond(lateral));
+}
+
+Length Machine::turningWidth() const {
+    return std::max(spec_.tractor.width, spec_.implement.raisedWidth.value_or(spec_.implement.operatingWidth));
+}
+
+Length Machine::workingFootprintWidth() const {
+    return std::max(spec_.tractor.width, spec_.implement.operatingWidth);
+}
+
+Ring Machine::turningFootprint() const {
+    const Tractor& tractor = spec_.tractor;
+    const Implement& implement = spec_.implement;
+    const double front = (tractor.length - tractor.rearOverhang).si();
+    const double rear = -tractor.rearOverhang.si();
+    const double half = 0.5 * tractor.width.si();
+    const double implementFront = (implement.offset + 0.5 * implement.length).si();
+    const double implementRear = (implement.offset - 0.5 * implement.length).si();
+    const double implementHalf = 0.5 * implement.raisedWidth.value_or(implement.operatingWidth).si();
+    const double left = std::max(half, implement.lateralOffset.si() + implementHalf);
+    const double right = std::min(-half, implement.lateralOffset.si() - implementHalf);
+    if (implementFront <= rear) {
+        // Behind the tractor: an eight-cornered T, seen from above with the nose to the right.
+        //     +--+
+        //     |  +-------+
+        //     |  +-------+
+        //     +--+
+        return {{implementRear, right}, {implementFront, right}, {implementFront, -half}, {front, -half},
+                {front, half},          {implementFront, half},  {implementFront, left},  {implementRear, left}};
+    }
+    // Beside or around the tractor: one box around both is close enough and never too small.
+    const double back = std::min(rear, implementRear);
+    const double nose = std::max(front, implementFront);
+    return {{back, right}, {nose, right}, {nose, left}, {back, left}};
+}
+
+}  // namespace furrow

@@ -1,0 +1,121 @@
+#pragma once
+
+#include "planner/core/result.h"
+#include "planner/geometry/polygon.h"
+#include "planner/units/quantity.h"
+
+#include <optional>
+#include <string>
+
+namespace furrow {
+
+/// What drives. Its reference point is the middle of the fixed axle.
+struct Tractor {
+    Length width = metres(2.5);
+    Length length = metres(4.5);
+    /// From the fixed axle to the tractor's rear end.
+    Length rearOverhang = metres(1.0);
+    Length wheelbase = metres(2.6);
+    /// Smallest radius the reference point can drive; from the steering angle where it is not given.
+    std::optional<Length> minTurningRadius;
+    std::optional<Angle> maxSteeringAngle;
+    /// How fast the curvature can change along the path; from the steering rate where it is not given.
+    std::optional<CurvatureRate> maxCurvatureRate;
+    /// Radians per second of the steered wheels.
+    std::optional<double> steeringRateRadps;
+    bool canReverse = true;
+    bool canTurnInPlace = false;
+    Speed workingSpeed = metresPerSecond(2.5);
+    Speed turningSpeed = metresPerSecond(1.5);
+    Speed transferSpeed = metresPerSecond(2.5);
+    Speed reverseSpeed = metresPerSecond(1.0);
+    Acceleration maxAcceleration = Acceleration::fromSi(0.5);
+    Acceleration maxLateralAcceleration = Acceleration::fromSi(2.0);
+
+    friend bool operator==(const Tractor&, const Tractor&) = default;
+};
+
+enum class Mounting { Mounted, Trailed };
+
+/// What works. Its place is given from the tractor's fixed axle, positive to the front and to the left.
+struct Implement {
+    Length operatingWidth = metres(2.5);
+    /// Width while it is lifted or folded for a turn; the operating width where it is not given.
+    std::optional<Length> raisedWidth;
+    Mounting mounting = Mounting::Mounted;
+    /// From the fixed axle to the hitch, negative behind the axle.
+    Length hitchOffset = metres(-1.0);
+    /// From the fixed axle to the middle of the working parts, negative behind the axle.
+    Length offset = metres(-2.0);
+    /// Of the middle of the operating width, positive to the left.
+    Length lateralOffset = metres(0.0);
+    /// Along the direction of travel.
+    Length length = metres(1.0);
+    std::optional<Angle> maxHitchAngle;
+    Duration liftTime = seconds(0.0);
+    Duration lowerTime = seconds(0.0);
+    /// Straight way it needs before it is lowered.
+    Length runIn = metres(0.0);
+    bool canReverse = true;
+
+    friend bool operator==(const Implement&, const Implement&) = default;
+};
+
+/// What is carried or gathered, in the user's own unit (litres, kilograms ...).
+struct Tank {
+    double capacity = 0.0;
+    double ratePerM2 = 0.0;
+
+    friend bool operator==(const Tank&, const Tank&) = default;
+};
+
+/// Litres per hour.
+struct FuelUse {
+    double workingLph = 0.0;
+    double turningLph = 0.0;
+
+    friend bool operator==(const FuelUse&, const FuelUse&) = default;
+};
+
+struct MachineSpec {
+    std::string id;
+    std::string name;
+    Tractor tractor;
+    Implement implement;
+    std::optional<Tank> tank;
+    std::optional<FuelUse> fuel;
+
+    friend bool operator==(const MachineSpec&, const MachineSpec&) = default;
+};
+
+/// A tractor with its implement; one that exists can be planned with.
+class Machine {
+public:
+    /// InputRefused, naming the key: a width, radius or speed that is not positive and finite, a steering
+    /// angle outside 0 to 90 degrees, neither radius nor steering angle.
+    static Result<Machine> create(const MachineSpec& spec);
+
+    const MachineSpec& spec() const { return spec_; }
+    const std::string& id() const { return spec_.id; }
+    const std::string& name() const { return spec_.name; }
+    Length operatingWidth() const { return spec_.implement.operatingWidth; }
+    /// As given, or wheelbase / tan(steering angle).
+    Length minTurningRadius() const;
+    /// The turning speed, or less where the lateral acceleration would be too large at the smallest radius.
+    Speed turningSpeed() const;
+    /// Width of tractor and raised implement, whichever is more.
+    Length turningWidth() const;
+    /// Width of tractor and lowered implement, whichever is more.
+    Length workingFootprintWidth() const;
+    /// What it occupies while turning, counter-clockwise, reference point at the origin, nose to +x. A
+    /// trailed implement is taken as if it were rigid: its own track is followed by the audit.
+    Ring turningFootprint() const;
+
+    friend bool operator==(const Machine&, const Machine&) = default;
+
+private:
+    explicit Machine(MachineSpec spec) : spec_{std::move(spec)} {}
+    MachineSpec spec_;
+};
+
+}  // namespace furrow

@@ -1,0 +1,60 @@
+#pragma once
+
+#include "planner/geometry/point.h"
+#include "planner/turns/turn.h"
+#include "planner/units/quantity.h"
+
+#include <optional>
+#include <string>
+#include <string_view>
+#include <vector>
+
+namespace furrow {
+
+enum class SegmentKind { Swath, Turn, HeadlandPass, Transfer, Refill, Wait };
+
+/// "swath", "turn", "headland_pass" ... as in plan files.
+std::string_view segmentKindId(SegmentKind kind);
+
+/// The vehicle at one instant.
+struct PathSample {
+    double sM = 0.0;           ///< way driven since the start, m
+    double tS = 0.0;           ///< time since the start, s
+    Point position;            ///< of the tractor's reference point
+    double headingRad = 0.0;   ///< of the nose, in [0, 2 pi)
+    double curvature1pm = 0.0; ///< positive to the left along the nose
+    double speedMps = 0.0;     ///< not negative
+
+    friend bool operator==(const PathSample&, const PathSample&) = default;
+};
+
+/// One piece of the path: a swath, a turn, ... with at least two samples.
+struct PathSegment {
+    SegmentKind kind = SegmentKind::Swath;
+    std::string turnType;      ///< of turns: "dubins", "straight"
+    int swath = 0;             ///< number of the swath that is driven, or that a turn leads away from
+    Gear gear = Gear::Forward;
+    bool implementDown = false;
+    bool drivable = true;
+    std::string reason;        ///< why it is not drivable
+    std::vector<PathSample> samples;
+
+    Length length() const { return metres(samples.back().sM - samples.front().sM); }
+    Duration duration() const { return seconds(samples.back().tS - samples.front().tS); }
+    friend bool operator==(const PathSegment&, const PathSegment&) = default;
+};
+
+/// The whole drivable line; consecutive segments share their end and start.
+struct Path {
+    std::vector<PathSegment> segments;
+
+    Length length() const;
+    Duration duration() const;
+    /// Of all segments of one kind.
+    Length length(SegmentKind kind) const;
+    int turnCount() const;
+    int undrivableCount() const;
+    friend bool operator==(const Path&, const Path&) = default;
+};
+
+}  // namespace furrow

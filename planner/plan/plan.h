@@ -1,0 +1,67 @@
+#pragma once
+
+#include "planner/field/field.h"
+#include "planner/headland/headland.h"
+#include "planner/machine/machine.h"
+#include "planner/path/path.h"
+#include "planner/route/route.h"
+#include "planner/settings/settings.h"
+#include "planner/swaths/swath.h"
+
+#include <cstdint>
+#include <memory>
+#include <string>
+#include <vector>
+
+namespace furrow {
+
+/// Everything a plan follows from.
+struct PlanRequest {
+    std::shared_ptr<const Field> field;
+    Machine machine;
+    Settings settings;
+};
+
+enum class Severity { Blocking, Note };
+
+/// Something the user must or should know about a plan, with its place.
+struct Finding {
+    Severity severity = Severity::Note;
+    std::string kind;  ///< "outside", "obstacle", "headland", "repair" ...
+    Point place;
+    std::string text;        ///< what and why
+    std::string suggestion;  ///< what would mend it
+
+    friend bool operator==(const Finding&, const Finding&) = default;
+};
+
+/// Wall time of each stage.
+struct StageTimings {
+    Duration headland;
+    Duration swaths;
+    Duration route;
+    Duration path;
+    Duration total;
+};
+
+/// One field, one machine, one set of settings, planned. Immutable; the same request gives an equal
+/// plan whatever the thread count (timings aside).
+struct Plan {
+    PlanRequest request;
+    Length margin;  ///< as used: the setting, or the boundary's accuracy
+    Headland headland;
+    SwathSet swaths;
+    Route route;
+    Path path;
+    std::vector<Finding> findings;
+    StageTimings timings;
+
+    const Field& field() const { return *request.field; }
+    bool drivable() const;
+};
+
+/// Plans a field: headland, swaths, route, path, in this order.
+/// Errors: those of the stages; InputRefused where the machine fits nowhere in the field. Cancelled.
+Result<std::shared_ptr<const Plan>> makePlan(const PlanRequest& request, const JobContext& job = {});
+
+}  // namespace furrow

@@ -1,0 +1,46 @@
+#pragma once
+
+#include <cstddef>
+#include <optional>
+#include <span>
+#include <string>
+#include <string_view>
+#include <variant>
+
+namespace furrow {
+
+enum class ParameterKind { Length, Angle, Count, Choice, Flag };
+
+/// "Auto": the planner computes the number, and the plan says which one it used.
+struct Auto {
+    friend bool operator==(Auto, Auto) = default;
+};
+
+/// Lengths in metres, angles in degrees, counts as whole numbers: what a settings file holds.
+using SettingValue = std::variant<Auto, double, bool, std::string>;
+
+/// One value that a choice may have.
+struct Choice {
+    std::string_view id;           ///< as in settings files
+    std::string_view name;         ///< as people see it
+    std::string_view description;  ///< one sentence
+};
+
+/// One setting of a stage or of a method: what the panel, the command line and the checks read.
+struct Parameter {
+    std::string_view key;          ///< "headland.width_m"
+    std::string_view name;         ///< "Width"
+    std::string_view description;  ///< one sentence for people
+    ParameterKind kind = ParameterKind::Length;
+    /// The default: a number, nothing for "auto", or the index of a choice; 0 and 1 for flags.
+    std::optional<double> standard;
+    bool canBeAuto = false;
+    double min = 0.0;   ///< smallest allowed number
+    double max = 0.0;   ///< largest allowed number
+    double step = 1.0;  ///< a sensible step for arrow keys
+    std::span<const Choice> choices;
+
+    SettingValue defaultValue() const;
+};
+
+}  // namespace furrow

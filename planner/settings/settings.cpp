@@ -1,0 +1,199 @@
+#include "planner/settings/settings.h"
+
+#include <algorithm>
+#include <charconv>
+#include <cmath>
+#include <format>
+#include <numeric>
+#include <vector>
+
+namespace furrow {
+
+namespace {
+
+std::string_view unitText(ParameterKind kind) {
+    switch (kind) {
+        case ParameterKind::Length: return " m";
+        case ParameterKind::Angle: return " degrees";
+        default: return "";
+    }
+}
+
+Error refused(const Parameter& parameter, std::string what, std::string remedy) {
+    return {.code = ErrorCode::InputRefused,
+            .what = std::move(what),
+            .where = std::string{parameter.key},
+            .remedy = std::move(remedy)};
+}
+
+Result<void> checkNumber(const Parameter& parameter, double number) {
+    const std::string range = std::format("give a number from {} to {}{}", parameter.min, parameter.max,
+                                          unitText(parameter.kind));
+    if (!std::isfinite(number) || number < parameter.min || number > parameter.max) {
+        return std::unexpected(refused(parameter, std::format("{} is out of range", number), range));
+    }
+    if (parameter.kind == ParameterKind::Count && number != std::floor(number)) {
+        return std::unexpected(refused(parameter, std::format("{} is not a whole number", number), range));
+    }
+    return {};
+}
+
+Result<void> checkChoice(const Parameter& parameter, std::string_view id) {
+    if (std::ranges::any_of(parameter.choices, [id](const Choice& choice) { return choice.id == id; })) {
+        return {};
+    }
+    std::string known;
+    for (const Choice& choice : parameter.choices) {
+        known += (known.empty() ? "" : ", ") + std::string{choice.id};
+    }
+    return std::unexpected(Error{.code = ErrorCode::Usage,
+                                 .what = std::format("there is no '{}'", id),
+                                 .where = std::string{parameter.key},
+                                 .remedy = "use one of: " + known});
+}
+
+}  // namespace
+
+Result<void> Settings::set(const Parameter& parameter, const SettingValue& value) {
+    const auto wrongKind = [&](std::string_view wanted) {
+        return std::unexpected(refused(parameter, std::format("'{}' is not {}", settingText(value), wanted),
+                                       std::format("give {}", wanted)));
+    };
+    Result<void> checked;
+    if (std::holds_alternative<Auto>(value)) {
+        if (!parameter.canBeAuto) {
+            return wrongKind(parameter.kind == ParameterKind::Choice ? "one of its choices" : "a value of its own");
+        }
+    } else if (parameter.kind == ParameterKind::Flag) {
+        if (!std::holds_alternative<bool>(value)) {
+            return wrongKind("true or false");
+        }
+    } else if (parameter.kind == ParameterKind::Choice) {
+        const auto* id = std::get_if<std::string>(&value);
+        if (id == nullptr) {
+            return wrongKind("one of its choices");
+        }
+        checked = checkChoice(parameter, *id);
+    } else {
+        const auto* number = std::get_if<double>(&value);
+        if (number == nullptr) {
+            return wrongKind("a number");
+        }
+        checked = checkNumber(parameter, *number);
+    }
+    if (!checked) {
+        return checked;
+    }
+    // Only what differs is kept, so that two requests that mean the same compare equal.
+    if (value == parameter.defaultValue()) {
+        clear(parameter);
+    } else {
+        given_.insert_or_assign(std::string{parameter.key}, value);
+    }
+    return {};
+}
+
+Result<void> Settings::setText(const Parameter& parameter, std::string_view text) {
+    if (text == "auto" && parameter.kind != ParameterKind::Choice) {
+        return set(parameter, Auto{});
+    }
+    switch (parameter.kind) {
+        case ParameterKind::Choice: return set(parameter, std::string{text});
+        case ParameterKind::Flag:
+            if (text == "true" || text == "false") {
+                return set(parameter, text == "true");
+            }
+            return set(parameter, std::string{text});
+        default: {
+            double number = 0.0;
+            const auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), number);
+            if (error != std::errc{} || end != text.data() + text.size()) {
+                return set(parameter, std::string{text});
+            }
+            return set(parameter, number);
+        }
+    }
+}
+
+void Settings::clear(const Parameter& parameter) {
+    if (const auto found = given_.find(parameter.key); found != given_.end()) {
+        given_.erase(found);
+    }
+}
+
+SettingValue Settings::value(const Parameter& parameter) const {
+    const auto found = given_.find(parameter.key);
+    return found == given_.end() ? parameter.defaultValue() : found->second;
+}
+
+bool Settings::isSet(const Parameter& parameter) const {
+    return given_.contains(parameter.key);
+}
+
+std::optional<double> Settings::number(const Parameter& parameter) const {
+    const SettingValue held = value(parameter);
+    const auto* number = std::get_if<double>(&held);
+    return number == nullptr ? std::nullopt : std::optional{*number};
+}
+
+std::optional<Length> Settings::length(const Parameter& parameter) const {
+    return number(parameter).transform(metres);
+}
+
+std::optional<Angle> Settings::angle(const Parameter& parameter) const {
+    return number(parameter).transform(degrees);
+}
+
+std::optional<int> Settings::count(const Parameter& parameter) const {
+    return number(parameter).transform([](double held) { return static_cast<int>(held); });
+}
+
+std::string Settings::choice(const Parameter& parameter) const {
+    return std::get<std::string>(value(parameter));
+}
+
+bool Settings::flag(const Parameter& parameter) const {
+    return std::get<bool>(value(parameter));
+}
+
+std::string settingText(const SettingValue& value) {
+    if (std::holds_alternative<Auto>(value)) {
+        return "auto";
+    }
+    if (const auto* flag = std::get_if<bool>(&value)) {
+        return *flag ? "true" : "false";
+    }
+    if (const auto* number = std::get_if<double>(&value)) {
+        return std::format("{}", *number);
+    }
+    return std::get<std::string>(value);
+}
+
+std::string nearestName(std::string_view name, std::span<const std::string_view> names) {
+    // Levenshtein distance, one row at a time.
+    const auto typingErrors = [](std::string_view a, std::string_view b) {
+        std::vector<std::size_t> row(b.size() + 1);
+        std::iota(row.begin(), row.end(), std::size_t{0});
+        for (std::size_t i = 1; i <= a.size(); ++i) {
+            std::size_t diagonal = row[0];
+            row[0] = i;
+            for (std::size_t j = 1; j <= b.size(); ++j) {
+                const std::size_t substituted = diagonal + (a[i - 1] == b[j - 1] ? 0 : 1);
+                diagonal = row[j];
+                row[j] = std::min({row[j] + 1, row[j - 1] + 1, substituted});
+            }
+        }
+        return row.back();
+    };
+    std::string_view best;
+    std::size_t fewest = std::max<std::size_t>(3, name.size() / 2);
+    for (const std::string_view candidate : names) {
+        if (const std::size_t errors = typingErrors(name, candidate); errors < fewest) {
+            fewest = errors;
+            best = candidate;
+        }
+    }
+    return std::string{best};
+}
+
+}  // namespace furrow

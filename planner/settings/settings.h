@@ -1,0 +1,46 @@
+#pragma once
+
+#include "planner/core/result.h"
+#include "planner/settings/parameter.h"
+#include "planner/units/quantity.h"
+
+#include <map>
+#include <optional>
+#include <string>
+#include <string_view>
+
+namespace furrow {
+
+/// The settings that differ from their defaults. What has been set fits its parameter: kind, range, choice.
+class Settings {
+public:
+    /// Sets one value. InputRefused: wrong kind, out of range. Usage: no such choice (the message lists them).
+    Result<void> set(const Parameter& parameter, const SettingValue& value);
+    /// The same from text, as in `--set key=value`.
+    Result<void> setText(const Parameter& parameter, std::string_view text);
+    /// Back to the default.
+    void clear(const Parameter& parameter);
+
+    SettingValue value(const Parameter& parameter) const;
+    bool isSet(const Parameter& parameter) const;
+
+    std::optional<Length> length(const Parameter& parameter) const;
+    std::optional<Angle> angle(const Parameter& parameter) const;
+    std::optional<int> count(const Parameter& parameter) const;
+    std::string choice(const Parameter& parameter) const;
+    bool flag(const Parameter& parameter) const;
+
+    friend bool operator==(const Settings&, const Settings&) = default;
+
+private:
+    std::optional<double> number(const Parameter& parameter) const;
+    std::map<std::string, SettingValue, std::less<>> given_;
+};
+
+/// A value as text: "24", "auto", "true", "dubins".
+std::string settingText(const SettingValue& value);
+
+/// Of these names the one with the fewest typing errors against `name`; empty where none is near.
+std::string nearestName(std::string_view name, std::span<const std::string_view> names);
+
+}  // namespace furrow

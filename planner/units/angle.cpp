@@ -1,0 +1,39 @@
+#include "planner/units/angle.h"
+
+#include <cmath>
+
+namespace furrow {
+
+namespace {
+
+constexpr double kPi = std::numbers::pi;
+
+double wrapped(double value, double period) {
+    double rest = std::fmod(value, period);
+    if (rest < 0.0) {
+        rest += period;
+    }
+    // A tiny negative rest plus the period rounds to the period itself.
+    return rest >= period ? 0.0 : rest;
+}
+
+}  // namespace
+
+Angle normalisedPoseHeading(Angle heading) {
+    return radians(wrapped(heading.si(), 2.0 * kPi));
+}
+
+Angle normalisedSwathHeading(Angle heading) {
+    return radians(wrapped(heading.si(), kPi));
+}
+
+Angle headingDifference(Angle from, Angle to) {
+    const double turn = wrapped(to.si() - from.si(), 2.0 * kPi);
+    return radians(turn > kPi ? turn - 2.0 * kPi : turn);
+}
+
+double lineBearingDeg(Angle swathHeading) {
+    return wrapped(90.0 - inDegrees(swathHeading), 180.0);
+}
+
+}  // namespace furrow

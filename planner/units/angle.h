@@ -1,0 +1,19 @@
+#pragma once
+
+#include "planner/units/quantity.h"
+
+namespace furrow {
+
+/// Into [0, 2 pi).
+Angle normalisedPoseHeading(Angle heading);
+
+/// Into [0, pi): a line has no front.
+Angle normalisedSwathHeading(Angle heading);
+
+/// Signed difference `to - from` of two pose headings, in (-pi, pi].
+Angle headingDifference(Angle from, Angle to);
+
+/// What people see for a line: degrees clockwise from north, in [0, 180).
+double lineBearingDeg(Angle swathHeading);
+
+}  // namespace furrow
