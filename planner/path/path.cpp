@@ -34,6 +34,16 @@ Length Path::length(SegmentKind kind) const {
     return sum;
 }
 
+Duration Path::duration(SegmentKind kind) const {
+    Duration sum;
+    for (const PathSegment& segment : segments) {
+        if (segment.kind == kind) {
+            sum += segment.duration();
+        }
+    }
+    return sum;
+}
+
 int Path::turnCount() const {
     return static_cast<int>(std::ranges::count(segments, SegmentKind::Turn, &PathSegment::kind));
 }
