@@ -213,7 +213,7 @@ void addPlanCommand(CLI::App& app, std::function<int()>& run) {
     plan->footer(
         "Examples:\n"
         "  furrow-cli plan field.geojson --out plan\n"
-        "  furrow-cli plan farm.gpkg --field-id 12 --machine trailed_sprayer --out plan\n"
+        "  furrow-cli plan farm.gpkg --field-id 12 --machine trailed-sprayer --out plan\n"
         "  furrow-cli plan field.kml --set swaths.method=fixed --set swaths.angle_deg=30 --out plan --json\n"
         "\n"
         "Exit status: 0 a drivable plan, 1 a plan that cannot be driven as it is (written and marked),\n"
