@@ -299,6 +299,12 @@ bool PreparedArea::covers(const std::vector<Polyline>& lines) const {
     return GEOSPreparedCovers_r(handle(), impl_->prepared().prepared, tested.get()) == 1;
 }
 
+bool PreparedArea::coversHullOf(const std::vector<Polyline>& lines) const {
+    const Geometry drawn = toGeos(lines);
+    const Geometry hull{GEOSConvexHull_r(handle(), drawn.get())};
+    return GEOSPreparedCovers_r(handle(), impl_->prepared().prepared, hull.get()) == 1;
+}
+
 std::optional<FarthestPoint> PreparedArea::farthestOutside(const std::vector<Polyline>& lines) const {
     const Geometry tested = toGeos(lines);
     const auto& area = impl_->prepared();

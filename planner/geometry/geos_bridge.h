@@ -54,6 +54,8 @@ public:
 
     /// No point of the lines lies outside; touching the edge is allowed.
     bool covers(const std::vector<Polyline>& lines) const;
+    /// Nor does any point of their convex hull: a cheaper test that says no too often.
+    bool coversHullOf(const std::vector<Polyline>& lines) const;
     /// Where the lines are farthest outside, among the ends, bends and middles of their parts outside;
     /// nothing where none is.
     std::optional<FarthestPoint> farthestOutside(const std::vector<Polyline>& lines) const;
