@@ -24,7 +24,8 @@ MultiPolygon openGates(const Field& field) {
         const Point centre = field.frame().toLocal(gate.position);
         Polygon disc;
         for (int i = 0; i < kCorners; ++i) {
-            disc.outer.push_back(centre + 0.5 * gate.width.si() * direction(2.0 * std::numbers::pi * i / kCorners));
+            disc.outer.push_back(centre +
+                                 0.5 * gate.width.si() * direction(2.0 * std::numbers::pi * i / kCorners));
         }
         discs.push_back(std::move(disc));
     }
@@ -54,7 +55,8 @@ MultiPolygon withoutHoles(const MultiPolygon& polygons) {
 std::vector<Polyline> outlinesAlong(const PathSegment& segment, const Ring& footprint) {
     std::vector<Polyline> outlines;
     for (const PathSample& sample : segment.samples) {
-        outlines.push_back(placed(footprint, {.position = sample.position, .heading = radians(sample.headingRad)}));
+        outlines.push_back(
+            placed(footprint, {.position = sample.position, .heading = radians(sample.headingRad)}));
         outlines.back().push_back(outlines.back().front());
     }
     return outlines;
