@@ -5,6 +5,7 @@
 #include "planner/turns/turn_sampling.h"
 
 #include <algorithm>
+#include <cmath>
 #include <iterator>
 #include <optional>
 #include <utility>
@@ -13,8 +14,16 @@ namespace furrow {
 
 namespace {
 
-// Footprints that touch the edge up to rounding stay inside.
-constexpr Length kTouching = metres(1e-3);
+// Taken off the footprint all round, so that touching the edge up to rounding is staying inside.
+constexpr double kTouchingM = 1e-3;
+
+Ring shrunken(Ring footprint) {
+    for (Point& corner : footprint) {
+        corner.x -= std::copysign(kTouchingM, corner.x);
+        corner.y -= std::copysign(kTouchingM, corner.y);
+    }
+    return footprint;
+}
 
 /// A disc drawn around every gate: within it the footprint may cross the boundary.
 MultiPolygon openGates(const Field& field) {
@@ -33,8 +42,8 @@ MultiPolygon openGates(const Field& field) {
 }
 
 Result<MultiPolygon> drivableArea(const Field& field, Length margin, const JobContext& job) {
-    auto area = margin > kTouching ? eroded(field.drivable(), margin - kTouching, kArcTolerance, job)
-                                   : dilated(field.drivable(), kTouching - margin, kArcTolerance, job);
+    auto area = margin > metres(0.0) ? eroded(field.drivable(), margin, kArcTolerance, job)
+                                     : Result<MultiPolygon>{field.drivable()};
     if (!area || field.source().gates.empty()) {
         return area;
     }
@@ -85,7 +94,7 @@ Result<std::vector<BlockedConnection>> blockedConnections(const Path& path, cons
     }
     const PreparedArea drivable{*area};
     const PreparedArea land{withoutHoles(*area)};
-    const Ring footprint = machine.turningFootprint();
+    const Ring footprint = shrunken(machine.turningFootprint());
     std::vector<std::size_t> connections;
     for (std::size_t i = 0; i < path.segments.size(); ++i) {
         if (path.segments[i].kind != SegmentKind::Swath) {
