@@ -22,10 +22,11 @@ namespace {
 
 /// The refusals that are meant to happen to real boundaries; anything else is a bug.
 bool isKnownReason(const Error& error) {
-    static const std::string_view known[] = {"crosses itself", "nowhere as wide as the machine", "enclose no area",
-                                             "fewer than 3 different points"};
-    return error.code == ErrorCode::InputRefused &&
-           std::ranges::any_of(known, [&](std::string_view text) { return error.what.find(text) != std::string::npos; });
+    static const std::string_view known[] = {"crosses itself", "nowhere as wide as the machine",
+                                             "enclose no area", "fewer than 3 different points"};
+    return error.code == ErrorCode::InputRefused && std::ranges::any_of(known, [&](std::string_view text) {
+               return error.what.find(text) != std::string::npos;
+           });
 }
 
 }  // namespace
@@ -79,8 +80,8 @@ void TestAllFields::everyFieldIsPlannedOrRefusedForAReason() {
     const auto quantile = [&](double share) {
         return milliseconds[static_cast<std::size_t>(share * static_cast<double>(milliseconds.size() - 1))];
     };
-    qInfo("planned %d of %zu, %d of %d over 0.3 ha, fully drivable %d, turns that stay inside %.1f %%", planned,
-          sources->size(), largePlanned, large, drivable, 100.0 * (1.0 - undrivableTurns / turns));
+    qInfo("planned %d of %zu, %d of %d over 0.3 ha, fully drivable %d, turns that stay inside %.1f %%",
+          planned, sources->size(), largePlanned, large, drivable, 100.0 * (1.0 - undrivableTurns / turns));
     qInfo("planning time: median %.1f ms, 95 %% %.1f ms, largest %.0f ms", quantile(0.5), quantile(0.95),
           quantile(1.0));
     for (const auto& [reason, count] : refusals) {
