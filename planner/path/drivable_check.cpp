@@ -71,16 +71,15 @@ std::vector<Polyline> outlinesAlong(const PathSegment& segment, const Ring& foot
     return outlines;
 }
 
-/// These outlines and the lines that their corners draw from one to the next.
-std::vector<Polyline> withTracks(std::vector<Polyline> outlines) {
+/// The lines that the corners of these outlines draw from one to the next.
+std::vector<Polyline> cornerTracks(const std::vector<Polyline>& outlines) {
     std::vector<Polyline> tracks(outlines.front().size() - 1);
     for (const Polyline& outline : outlines) {
         for (std::size_t corner = 0; corner < tracks.size(); ++corner) {
             tracks[corner].push_back(outline[corner]);
         }
     }
-    std::ranges::move(tracks, std::back_inserter(outlines));
-    return outlines;
+    return tracks;
 }
 
 }  // namespace
@@ -104,16 +103,19 @@ Result<std::vector<BlockedConnection>> blockedConnections(const Path& path, cons
     const auto checked = parallelMap<std::optional<BlockedConnection>>(
         connections.size(),
         [&](std::size_t i) -> std::optional<BlockedConnection> {
-            auto outlines = outlinesAlong(path.segments[connections[i]], footprint);
+            const auto outlines = outlinesAlong(path.segments[connections[i]], footprint);
             // Along a straight or bulging boundary the hull decides; only inward corners need more.
             if (drivable.coversHullOf(outlines)) {
                 return std::nullopt;
             }
-            const auto lines = withTracks(std::move(outlines));
-            if (drivable.covers(lines)) {
+            const auto tracks = cornerTracks(outlines);
+            const bool tracksInside = drivable.covers(tracks);
+            if (tracksInside && drivable.covers(outlines)) {
                 return std::nullopt;
             }
             BlockedConnection blocked{.segment = connections[i]};
+            // A footprint is farthest out with one of its corners, unless it straddles what is in the way.
+            const auto& lines = tracksInside ? outlines : tracks;
             const auto beyondLand = land.farthestOutside(lines);
             blocked.obstacle = !beyondLand;
             const auto farthest = beyondLand ? beyondLand : drivable.farthestOutside(lines);
