@@ -310,15 +310,21 @@ HeadingFigures ScanLine::best(Angle heading, Walk& walk) const {
 }
 
 HeadingFigures ScanLine::figures(Angle heading) const {
+    if (vertices_.empty()) {
+        return {};
+    }
     thread_local Walk walk;
     return best(heading, walk);
 }
 
 SwathSet ScanLine::swaths(Angle heading) const {
-    thread_local Walk walk;
-    const HeadingFigures figures = best(heading, walk);
     SwathSet set;
     set.heading = heading;
+    if (vertices_.empty()) {
+        return set;
+    }
+    thread_local Walk walk;
+    const HeadingFigures figures = best(heading, walk);
     set.totalLength = figures.length;
     set.coverage = figures.coverage;
     set.overlap = figures.overlap;
