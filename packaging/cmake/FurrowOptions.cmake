@@ -5,6 +5,7 @@ set(FURROW_SANITIZE "" CACHE STRING "Sanitisers for every target: address,undefi
 set(CMAKE_CXX_STANDARD 23)
 set(CMAKE_CXX_STANDARD_REQUIRED ON)
 set(CMAKE_CXX_EXTENSIONS OFF)
+set(CMAKE_CXX_SCAN_FOR_MODULES OFF)
 set(CMAKE_EXPORT_COMPILE_COMMANDS ON)
 set(CMAKE_RUNTIME_OUTPUT_DIRECTORY ${CMAKE_BINARY_DIR}/bin)
 
@@ -21,5 +22,7 @@ endif()
 # Warnings for our own code; generated code of Qt's tools goes without.
 add_library(furrow_warnings INTERFACE)
 target_compile_options(furrow_warnings INTERFACE
-    -Wall -Wextra -Wpedantic -Wshadow -Wconversion -Wno-sign-conversion -Wold-style-cast
+    -Wall -Wextra -Wpedantic -Wshadow=local -Wconversion -Wno-sign-conversion -Wold-style-cast
+    # Members that are left out of an initialiser have defaults; that is what designated ones are for.
+    -Wno-missing-field-initializers
     $<$<BOOL:${FURROW_WARNINGS_ARE_ERRORS}>:-Werror>)

@@ -52,6 +52,7 @@ struct Path {
     Duration duration() const;
     /// Of all segments of one kind.
     Length length(SegmentKind kind) const;
+    Duration duration(SegmentKind kind) const;
     int turnCount() const;
     int undrivableCount() const;
     friend bool operator==(const Path&, const Path&) = default;

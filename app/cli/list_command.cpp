@@ -1,0 +1,204 @@
+#include "app/cli/list_command.h"
+
+#include "app/cli/exit_status.h"
+#include "planner/io/boundary_import.h"
+#include "planner/io/format_registry.h"
+#include "planner/machine/machine_file.h"
+#include "planner/machine/machine_library.h"
+#include "planner/plan/method_registry.h"
+
+#include <nlohmann/json.hpp>
+
+#include <format>
+#include <memory>
+#include <print>
+#include <string>
+
+namespace furrow::cli {
+
+namespace {
+
+using Json = nlohmann::ordered_json;
+
+void printJson(const Json& json) {
+    std::println("{}", json.dump(2, ' ', false, Json::error_handler_t::replace));
+}
+
+int listFields(const std::string& file, bool asJson) {
+    const auto sources = readBoundaries(file, {});
+    if (!sources) {
+        return failWith(sources.error());
+    }
+    Json all = Json::array();
+    for (std::size_t i = 0; i < sources->size(); ++i) {
+        const FieldSource& source = (*sources)[i];
+        const auto field = Field::create(source);
+        const std::string problem = field ? std::string{} : field.error().line();
+        if (asJson) {
+            Json entry{{"number", i + 1}, {"id", source.id}, {"name", source.name}};
+            entry["area_m2"] = field ? Json(field->area().si()) : Json();
+            entry["refused"] = field ? Json() : Json(problem);
+            all.push_back(std::move(entry));
+        } else {
+            const std::string area = field ? std::format("{:.2f} ha", inHectares(field->area())) : problem;
+            std::println("{:4}  {:24}  {:24}  {}", i + 1, source.id, source.name, area);
+        }
+    }
+    if (asJson) {
+        printJson({{"fields", all}});
+    }
+    return kDrivable;
+}
+
+std::string_view kindName(ParameterKind kind) {
+    switch (kind) {
+        case ParameterKind::Length: return "length_m";
+        case ParameterKind::Angle: return "angle_deg";
+        case ParameterKind::Count: return "count";
+        case ParameterKind::Choice: return "choice";
+        case ParameterKind::Flag: return "flag";
+    }
+    return "";
+}
+
+Json parameterJson(const Parameter& parameter) {
+    Json entry{{"key", parameter.key},
+               {"name", parameter.name},
+               {"description", parameter.description},
+               {"kind", kindName(parameter.kind)},
+               {"default", settingText(parameter.defaultValue())}};
+    if (parameter.kind == ParameterKind::Choice) {
+        for (const Choice& choice : parameter.choices) {
+            entry["choices"].push_back(choice.id);
+        }
+    } else if (parameter.kind != ParameterKind::Flag) {
+        entry["min"] = parameter.min;
+        entry["max"] = parameter.max;
+    }
+    return entry;
+}
+
+std::string rangeText(const Parameter& parameter) {
+    const std::string standard = "default " + settingText(parameter.defaultValue());
+    switch (parameter.kind) {
+        case ParameterKind::Choice: {
+            std::string choices;
+            for (const Choice& choice : parameter.choices) {
+                choices += (choices.empty() ? "" : " | ") + std::string{choice.id};
+            }
+            return choices + ", " + standard;
+        }
+        case ParameterKind::Flag: return "true | false, " + standard;
+        case ParameterKind::Length: return std::format("{} to {} m, {}", parameter.min, parameter.max, standard);
+        case ParameterKind::Angle: return std::format("{} to {} degrees, {}", parameter.min, parameter.max, standard);
+        case ParameterKind::Count: return std::format("{} to {}, {}", parameter.min, parameter.max, standard);
+    }
+    return standard;
+}
+
+void printParameters(std::span<const Parameter* const> parameters, std::string_view indent) {
+    for (const Parameter* parameter : parameters) {
+        std::println("{}{:22} {}  [{}]", indent, parameter->key, parameter->description, rangeText(*parameter));
+    }
+}
+
+int listMethods(bool asJson) {
+    if (asJson) {
+        Json all = Json::array();
+        const auto parametersJson = [](std::span<const Parameter* const> parameters) {
+            Json list = Json::array();
+            for (const Parameter* parameter : parameters) {
+                list.push_back(parameterJson(*parameter));
+            }
+            return list;
+        };
+        for (const StageInfo& stage : stages()) {
+            Json methods = Json::array();
+            for (const MethodInfo& method : stage.methods) {
+                methods.push_back({{"id", method.id},
+                                   {"name", method.name},
+                                   {"description", method.description},
+                                   {"parameters", parametersJson(method.parameters)}});
+            }
+            all.push_back({{"stage", stage.id},
+                           {"name", stage.name},
+                           {"key", stage.method->key},
+                           {"methods", std::move(methods)},
+                           {"parameters", parametersJson(stage.parameters)}});
+        }
+        printJson({{"stages", std::move(all)}, {"parameters", parametersJson(generalParameters())}});
+        return kDrivable;
+    }
+    std::println("general");
+    printParameters(generalParameters(), "    ");
+    for (const StageInfo& stage : stages()) {
+        std::println("\n{} ({})", stage.id, stage.method->key);
+        for (const MethodInfo& method : stage.methods) {
+            std::println("  {:16} {}{}", method.id, method.description,
+                         method.id == stage.methods.front().id ? " (default)" : "");
+            printParameters(method.parameters, "      ");
+        }
+        printParameters(stage.parameters, "    ");
+    }
+    return kDrivable;
+}
+
+int listMachines(bool asJson) {
+    Json all = Json::array();
+    for (const Machine& machine : machineLibrary()) {
+        if (asJson) {
+            all.push_back(Json::parse(machineJson(machine.spec())));
+        } else {
+            std::println("{:22} {:44} {:5.1f} m wide, {:4.1f} m turning radius", machine.id(), machine.name(),
+                         machine.operatingWidth().si(), machine.minTurningRadius().si());
+        }
+    }
+    if (asJson) {
+        printJson({{"machines", all}});
+    }
+    return kDrivable;
+}
+
+int listFormats(bool asJson) {
+    Json all = Json::array();
+    for (const FormatInfo& format : formats()) {
+        if (asJson) {
+            all.push_back({{"id", format.id},
+                           {"name", format.name},
+                           {"extensions", format.extensions},
+                           {"read", format.read},
+                           {"write", format.write},
+                           {"carries", format.carries}});
+        } else {
+            std::println("{:12} {:24} {:5} {:6} {}", format.id, format.name, format.read ? "read" : "",
+                         format.write ? "write" : "", format.carries);
+        }
+    }
+    if (asJson) {
+        printJson({{"formats", all}});
+    }
+    return kDrivable;
+}
+
+}  // namespace
+
+void addListCommand(CLI::App& app, std::function<int()>& run) {
+    CLI::App* list = app.add_subcommand("list", "Show the fields of a file, or what there is to choose from.");
+    list->require_subcommand(1);
+    const auto asJson = std::make_shared<bool>(false);
+    const auto add = [&](const char* name, const char* description, auto action) {
+        CLI::App* command = list->add_subcommand(name, description);
+        command->add_flag("--json", *asJson, "One JSON object for programs");
+        command->callback([&run, action] { run = action; });
+        return command;
+    };
+    const auto file = std::make_shared<std::string>();
+    add("fields", "The fields of a file, with number, id, name and area", [=] { return listFields(*file, *asJson); })
+        ->add_option("FILE", *file, "A boundary file")
+        ->required();
+    add("methods", "Every method and setting, with its default", [=] { return listMethods(*asJson); });
+    add("machines", "The machines that come with Furrow", [=] { return listMachines(*asJson); });
+    add("formats", "The file formats that are read and written", [=] { return listFormats(*asJson); });
+}
+
+}  // namespace furrow::cli

@@ -1,0 +1,219 @@
+#include "app/cli/plan_command.h"
+
+#include "app/cli/exit_status.h"
+#include "app/cli/terminal.h"
+#include "planner/io/boundary_import.h"
+#include "planner/io/format_registry.h"
+#include "planner/io/plan_folder.h"
+#include "planner/io/plan_summary.h"
+#include "planner/io/settings_file.h"
+#include "planner/machine/machine_file.h"
+#include "planner/machine/machine_library.h"
+#include "planner/plan/general_parameters.h"
+#include "planner/plan/method_registry.h"
+#include "planner/units/angle.h"
+
+#include <cmath>
+#include <filesystem>
+#include <format>
+#include <memory>
+#include <optional>
+#include <print>
+#include <string>
+#include <vector>
+
+namespace furrow::cli {
+
+namespace {
+
+struct PlanArguments {
+    std::string field;
+    std::optional<std::string> fieldId;
+    std::string machine;
+    std::optional<std::string> operation;
+    std::string settingsFile;
+    std::vector<std::string> assignments;
+    int threads = 0;
+    std::string out;
+    std::vector<std::string> formats;
+    bool json = false;
+    bool quiet = false;
+};
+
+Result<Machine> machineFrom(const std::string& nameOrFile) {
+    if (nameOrFile.empty()) {
+        return machineLibrary().front();
+    }
+    if (nameOrFile.ends_with(".json") || std::filesystem::is_regular_file(nameOrFile)) {
+        return readMachineFile(nameOrFile);
+    }
+    return findMachine(nameOrFile);
+}
+
+/// Settings file first, then --set in their order, then --operation.
+Result<Settings> settingsFrom(const PlanArguments& arguments) {
+    Settings settings;
+    Result<void> applied;
+    if (!arguments.settingsFile.empty()) {
+        applied = applySettingsFile(settings, arguments.settingsFile);
+    }
+    for (const std::string& assignment : arguments.assignments) {
+        const std::size_t equals = assignment.find('=');
+        if (applied && equals == std::string::npos) {
+            applied = std::unexpected(Error{.code = ErrorCode::Usage,
+                                            .what = std::format("'{}' has no '='", assignment),
+                                            .where = "--set",
+                                            .remedy = "write key=value, for example --set headland.passes=2"});
+        }
+        if (applied) {
+            applied = applySetting(settings, assignment.substr(0, equals), assignment.substr(equals + 1));
+        }
+    }
+    if (applied && arguments.operation) {
+        applied = settings.setText(kOperationKind, *arguments.operation);
+    }
+    if (!applied) {
+        return std::unexpected(applied.error());
+    }
+    return settings;
+}
+
+std::string kilometres(Length length) {
+    return length < metres(1000.0) ? std::format("{:.0f} m", length.si())
+                                   : std::format("{:.2f} km", length.si() / 1000.0);
+}
+
+std::string hoursMinutes(Duration duration) {
+    const auto minutes = static_cast<int>(std::lround(duration.si() / 60.0));
+    return minutes < 60 ? std::format("{} min", minutes) : std::format("{} h {:02} min", minutes / 60, minutes % 60);
+}
+
+std::string counted(long long count, std::string_view one, std::string_view many) {
+    return std::format("{} {}", count, count == 1 ? one : many);
+}
+
+void printPlan(const Plan& plan, const std::vector<std::filesystem::path>& files, bool quiet) {
+    if (quiet) {
+        return;
+    }
+    const Machine& machine = plan.request.machine;
+    const Length turns = plan.path.length() - plan.path.length(SegmentKind::Swath);
+    const auto swathCount = static_cast<long long>(plan.swaths.swaths.size());
+    std::println("Field     {} · {:.2f} ha · {}", plan.field().name(), inHectares(plan.field().area()),
+                 counted(static_cast<long long>(plan.field().vertexCount()), "point", "points"));
+    std::println("Machine   {} · {} m · {} m turning radius", machine.name(), machine.operatingWidth().si(),
+                 machine.minTurningRadius().si());
+    std::println("Headland  {:.2f} m · {} · mainland {:.1f} %", plan.headland.width.si(),
+                 counted(plan.headland.passes, "pass", "passes"), 100.0 * plan.headland.mainlandRatio);
+    std::println("Swaths    {} · {} · bearing {:.1f}° · covers {:.2f} % of the mainland",
+                 counted(swathCount, "swath", "swaths"), kilometres(plan.swaths.totalLength),
+                 lineBearingDeg(plan.swaths.heading), 100.0 * plan.swaths.coverage);
+    std::println("Path      {} · {} · {:.1f} % turning · {}", kilometres(plan.path.length()),
+                 counted(plan.path.turnCount(), "turn", "turns"),
+                 plan.path.length() > metres(0.0) ? 100.0 * (turns / plan.path.length()) : 0.0,
+                 hoursMinutes(plan.path.duration()));
+    std::println("Drivable  {}", plan.drivable()
+                                     ? std::string{"yes"}
+                                     : std::format("no, {} cannot be driven",
+                                                   counted(plan.path.undrivableCount(), "connection", "connections")));
+    for (std::size_t i = 0; i < plan.findings.size(); ++i) {
+        const Finding& finding = plan.findings[i];
+        const GeoPoint place = plan.field().frame().toGeo(finding.place);
+        std::println("  {} {:3}  {} {} ({:.6f}, {:.6f})", finding.severity == Severity::Blocking ? "!" : " ", i + 1,
+                     finding.text, finding.suggestion, place.lonDeg, place.latDeg);
+    }
+    std::println("Planned in {:.1f} ms. Written:", plan.timings.total.si() * 1e3);
+    for (const std::filesystem::path& file : files) {
+        std::println("  {}", file.string());
+    }
+}
+
+int runPlan(const PlanArguments& arguments) {
+    const InterruptWatch watch;
+    const JobContext job = terminalJob(watch, arguments.threads, arguments.quiet || arguments.json);
+    const auto settings = settingsFrom(arguments);
+    if (!settings) {
+        return failWith(settings.error());
+    }
+    std::vector<std::string_view> formatIds{arguments.formats.begin(), arguments.formats.end()};
+    if (formatIds.empty()) {
+        formatIds.assign(standardPlanFormats().begin(), standardPlanFormats().end());
+    }
+    for (const std::string_view id : formatIds) {
+        if (const auto known = findPlanFormat(id); !known) {
+            return failWith(known.error());
+        }
+    }
+    const auto machine = machineFrom(arguments.machine);
+    if (!machine) {
+        return failWith(machine.error());
+    }
+    const auto sources = readBoundaries(arguments.field, job);
+    if (!sources) {
+        return failWith(sources.error());
+    }
+    const auto source = pickField(*sources, arguments.fieldId);
+    if (!source) {
+        return failWith(source.error());
+    }
+    auto field = Field::create(*source, job);
+    if (!field) {
+        return failWith(field.error());
+    }
+    const auto plan = makePlan({.field = std::make_shared<const Field>(std::move(*field)),
+                                .machine = *machine,
+                                .settings = *settings},
+                               job);
+    clearProgress(arguments.quiet || arguments.json);
+    if (!plan) {
+        return failWith(plan.error());
+    }
+    const auto written = writePlanFolder(**plan, arguments.out, formatIds, job);
+    if (!written) {
+        return failWith(written.error());
+    }
+    if (arguments.json) {
+        std::print("{}", planSummaryJson(**plan));
+    } else {
+        printPlan(**plan, *written, arguments.quiet);
+    }
+    return (*plan)->drivable() ? kDrivable : kBlockingFinding;
+}
+
+}  // namespace
+
+void addPlanCommand(CLI::App& app, std::function<int()>& run) {
+    const auto arguments = std::make_shared<PlanArguments>();
+    CLI::App* plan = app.add_subcommand("plan", "Plan a field and write the plan to a folder.");
+    plan->add_option("FIELD", arguments->field, "A boundary file; furrow-cli list formats shows what is read")
+        ->required();
+    plan->add_option("--field-id", arguments->fieldId,
+                     "Which field of the file: its id, its name, or its number from 1");
+    plan->add_option("--machine", arguments->machine,
+                     "A machine of furrow-cli list machines, or a machine file (default: the first of the list)");
+    plan->add_option("--operation", arguments->operation,
+                     "tillage, sowing, spraying, spreading, mowing or harvest");
+    plan->add_option("--settings", arguments->settingsFile, "A JSON file of settings");
+    plan->add_option("--set", arguments->assignments,
+                     "One setting, for example headland.width_m=12; may be given several times")
+        ->take_all()
+        ->allow_extra_args(false);
+    plan->add_option("--threads", arguments->threads, "Threads to plan with (default: all); the plan is the same")
+        ->check(CLI::Range(1, 1024));
+    plan->add_option("--out", arguments->out, "The folder to write to; made if it is not there")->required();
+    plan->add_option("--format", arguments->formats, "What to write besides summary.json (default: geojson,csv,isoxml)")
+        ->delimiter(',');
+    plan->add_flag("--json", arguments->json, "Print the summary as one JSON object and nothing else");
+    plan->add_flag("--quiet", arguments->quiet, "Print nothing but errors");
+    plan->footer(
+        "Examples:\n"
+        "  furrow-cli plan field.geojson --out plan\n"
+        "  furrow-cli plan farm.gpkg --field-id 12 --machine trailed_sprayer --out plan\n"
+        "  furrow-cli plan field.kml --set swaths.method=fixed --set swaths.angle_deg=30 --out plan --json\n"
+        "\n"
+        "Exit status: 0 a drivable plan, 1 a plan that cannot be driven as it is (written and marked),\n"
+        "2 wrong usage, 3 input refused, 4 could not read or write, 130 cancelled.");
+    plan->callback([&run, arguments] { run = [arguments] { return runPlan(*arguments); }; });
+}
+
+}  // namespace furrow::cli

@@ -1,0 +1,310 @@
+#include "planner/field/boundary_repair.h"
+
+#include "planner/geometry/geos_bridge.h"
+
+#include <algorithm>
+#include <format>
+#include <iterator>
+#include <utility>
+
+namespace furrow {
+
+namespace {
+
+// Points nearer than this are one point: a tenth of what the best receivers resolve.
+constexpr double kSamePointM = 1e-3;
+// An enclosed area below this is a drawing accident, not land.
+constexpr double kSliverM2 = 1.0;
+constexpr double kSliverShare = 1e-4;
+// No field, obstacle or hole is smaller.
+constexpr double kNoAreaM2 = 1e-2;
+
+/// A ring in both coordinate systems, point by point.
+struct TwinRing {
+    GeoRing geo;
+    Ring local;
+};
+
+struct TwinPolygon {
+    TwinRing outer;
+    std::vector<TwinRing> holes;
+};
+
+bool isSpike(Point before, Point tip, Point after) {
+    const Point in = tip - before;
+    const Point out = after - tip;
+    if (dot(in, out) >= 0.0) {
+        return false;
+    }
+    // The way back lies on the way there: the shorter leg's end is within a point's width of the other leg.
+    const double longer = std::max(norm(in), norm(out));
+    return std::abs(cross(in, out)) <= kSamePointM * longer;
+}
+
+class Repair {
+public:
+    Repair(const LocalFrame& frame, std::string what, const JobContext& job)
+        : frame_{frame}, what_{std::move(what)}, job_{job} {}
+
+    Result<RepairedBoundary> run(const std::vector<GeoPolygon>& parts) {
+        std::vector<TwinPolygon> cleaned;
+        for (std::size_t i = 0; i < parts.size(); ++i) {
+            auto polygon = cleanedPolygon(parts[i], i, parts.size());
+            if (!polygon) {
+                return std::unexpected(polygon.error());
+            }
+            cleaned.push_back(std::move(*polygon));
+        }
+        RepairedBoundary result;
+        for (const TwinPolygon& polygon : cleaned) {
+            Polygon local{.outer = polygon.outer.local, .holes = {}};
+            GeoPolygon geo{.outer = polygon.outer.geo, .holes = {}};
+            for (const TwinRing& hole : polygon.holes) {
+                local.holes.push_back(hole.local);
+                geo.holes.push_back(hole.geo);
+            }
+            result.local.push_back(std::move(local));
+            result.geo.push_back(std::move(geo));
+        }
+        auto problem = findInvalidPlace(result.local, job_);
+        if (!problem) {
+            return std::unexpected(problem.error());
+        }
+        if (problem->has_value()) {
+            auto untangled = untangledPolygons(result.local, **problem);
+            if (!untangled) {
+                return std::unexpected(untangled.error());
+            }
+            result.local = std::move(*untangled);
+            result.geo.clear();
+            for (const Polygon& polygon : result.local) {
+                result.geo.push_back(frame_.toGeo(polygon));
+            }
+        }
+        if (reversed_ > 0) {
+            note(std::format("{} {} the other way round and turned", reversed_, reversed_ == 1 ? "ring ran" : "rings ran"),
+                 parts.front().outer.front());
+        }
+        result.repairs = std::move(repairs_);
+        return result;
+    }
+
+private:
+    Error refused(std::string what, std::string remedy, std::optional<GeoPoint> place, std::string where) const {
+        return {.code = ErrorCode::InputRefused,
+                .what = std::move(what),
+                .where = where.empty() ? what_ : what_ + ", " + where,
+                .remedy = std::move(remedy),
+                .place = place};
+    }
+
+    void note(std::string text, GeoPoint place) { repairs_.push_back({std::move(text), what_, place}); }
+
+    Result<TwinPolygon> cleanedPolygon(const GeoPolygon& polygon, std::size_t index, std::size_t count) {
+        const std::string part = count > 1 ? std::format("part {}", index + 1) : std::string{};
+        TwinPolygon cleaned{.outer = cleanedRing(polygon.outer, true), .holes = {}};
+        const auto place = polygon.outer.empty() ? std::nullopt : std::optional{polygon.outer.front()};
+        if (cleaned.outer.local.size() < 3) {
+            return std::unexpected(refused("fewer than 3 different points enclose nothing",
+                                           "draw it again with at least 3 corners", place, part));
+        }
+        if (std::abs(signedAreaM2(cleaned.outer.local)) < kNoAreaM2 && !crossesItself(cleaned.outer.local)) {
+            return std::unexpected(refused("its points enclose no area", "draw it again", place, part));
+        }
+        for (std::size_t i = 0; i < polygon.holes.size(); ++i) {
+            TwinRing hole = cleanedRing(polygon.holes[i], false);
+            if (hole.local.size() < 3 || std::abs(signedAreaM2(hole.local)) < kNoAreaM2) {
+                note(std::format("hole {} encloses no area and was left out", i + 1),
+                     polygon.holes[i].empty() ? polygon.outer.front() : polygon.holes[i].front());
+                continue;
+            }
+            cleaned.holes.push_back(std::move(hole));
+        }
+        return cleaned;
+    }
+
+    // A bow-tie's two wings cancel out in the signed area: it is for the crossing check to judge.
+    bool crossesItself(const Ring& ring) const {
+        const auto problem = findInvalidPlace({Polygon{.outer = ring, .holes = {}}}, job_);
+        return problem && problem->has_value() && (*problem)->reason == "Self-intersection";
+    }
+
+    TwinRing cleanedRing(const GeoRing& ring, bool outer) {
+        const Ring local = frame_.toLocal(ring);
+        std::vector<std::size_t> kept;
+        int doubled = 0;
+        int spikes = 0;
+        std::size_t firstDoubled = 0;
+        std::size_t firstSpike = 0;
+        const auto drop = [](int& counter, std::size_t& first, std::size_t index) {
+            if (counter++ == 0) {
+                first = index;
+            }
+        };
+        const auto same = [&](std::size_t a, std::size_t b) { return distance(local[a], local[b]) < kSamePointM; };
+        for (std::size_t i = 0; i < ring.size(); ++i) {
+            if (i + 1 == ring.size() && ring.size() > 1 && ring[i] == ring.front()) {
+                break;  // the closing point, as most formats write it
+            }
+            kept.push_back(i);
+            // Taking a point out may make the one before it a double or a spike in turn.
+            while (kept.size() >= 2) {
+                const std::size_t n = kept.size();
+                if (same(kept[n - 2], kept[n - 1])) {
+                    drop(doubled, firstDoubled, kept[n - 1]);
+                    kept.pop_back();
+                } else if (n >= 3 && isSpike(local[kept[n - 3]], local[kept[n - 2]], local[kept[n - 1]])) {
+                    drop(spikes, firstSpike, kept[n - 2]);
+                    kept.erase(kept.end() - 2);
+                } else {
+                    break;
+                }
+            }
+        }
+        // The same across the place where the ring closes.
+        for (bool changed = true; changed && kept.size() >= 3;) {
+            const std::size_t n = kept.size();
+            changed = true;
+            if (same(kept[n - 1], kept[0])) {
+                drop(doubled, firstDoubled, kept[n - 1]);
+                kept.pop_back();
+            } else if (isSpike(local[kept[n - 2]], local[kept[n - 1]], local[kept[0]])) {
+                drop(spikes, firstSpike, kept[n - 1]);
+                kept.pop_back();
+            } else if (isSpike(local[kept[n - 1]], local[kept[0]], local[kept[1]])) {
+                drop(spikes, firstSpike, kept[0]);
+                kept.erase(kept.begin());
+            } else {
+                changed = false;
+            }
+        }
+        TwinRing cleaned;
+        for (const std::size_t index : kept) {
+            cleaned.geo.push_back(ring[index]);
+            cleaned.local.push_back(local[index]);
+        }
+        if (doubled > 0) {
+            note(std::format("{} {} given twice and taken once", doubled, doubled == 1 ? "point was" : "points were"),
+                 ring[firstDoubled]);
+        }
+        if (spikes > 0) {
+            note(std::format("{} {} without area {} removed", spikes, spikes == 1 ? "spike" : "spikes",
+                             spikes == 1 ? "was" : "were"),
+                 ring[firstSpike]);
+        }
+        if ((signedAreaM2(cleaned.local) > 0.0) != outer) {
+            std::ranges::reverse(cleaned.geo);
+            std::ranges::reverse(cleaned.local);
+            ++reversed_;
+        }
+        return cleaned;
+    }
+
+    Result<MultiPolygon> untangledPolygons(const MultiPolygon& tangled, const InvalidPlace& problem) {
+        const std::size_t repairsBefore = repairs_.size();
+        MultiPolygon shells;
+        MultiPolygon holes;
+        for (const Polygon& polygon : tangled) {
+            if (auto shell = untangledRing(polygon.outer); !shell) {
+                return shell;
+            } else {
+                std::ranges::move(*shell, std::back_inserter(shells));
+            }
+            for (const Ring& hole : polygon.holes) {
+                Ring outline = hole;
+                std::ranges::reverse(outline);
+                auto untangled = untangledRing(outline);
+                if (!untangled) {
+                    return untangled;
+                }
+                const auto inside = intersection(*untangled, {Polygon{.outer = polygon.outer, .holes = {}}}, job_);
+                if (inside && inside->empty()) {
+                    return std::unexpected(refused("a hole lies outside the boundary", "move or delete it",
+                                                   frame_.toGeo(hole.front()), ""));
+                }
+                std::ranges::move(*untangled, std::back_inserter(holes));
+            }
+        }
+        auto land = unionOf(shells, job_);
+        if (!land) {
+            return land;
+        }
+        auto taken = unionOf(holes, job_);
+        if (!taken) {
+            return taken;
+        }
+        auto result = difference(*land, *taken, job_);
+        if (!result) {
+            return result;
+        }
+        if (repairs_.size() == repairsBefore) {
+            // Each ring was sound by itself.
+            note("rings that overlap each other were joined", frame_.toGeo(problem.place));
+        }
+        dropSlivers(*result);
+        if (result->empty()) {
+            return std::unexpected(refused("its holes leave nothing of it", "delete the hole that covers it",
+                                           frame_.toGeo(problem.place), ""));
+        }
+        return result;
+    }
+
+    Result<MultiPolygon> untangledRing(const Ring& ring) {
+        const MultiPolygon alone{Polygon{.outer = ring, .holes = {}}};
+        const auto problem = findInvalidPlace(alone, job_);
+        if (!problem) {
+            return std::unexpected(problem.error());
+        }
+        if (!problem->has_value()) {
+            return alone;
+        }
+        auto untangled = madeValid(alone, job_);
+        if (!untangled) {
+            return untangled;
+        }
+        // Loops that only touch add up to the ring's signed area; wings that cross cancel, loops that
+        // overlap count twice. Only the first has one obvious meaning.
+        const double signedM2 = std::abs(signedAreaM2(ring));
+        const double enclosedM2 = area(*untangled).si();
+        const double sliverM2 = std::max(kSliverM2, kSliverShare * enclosedM2);
+        const GeoPoint place = frame_.toGeo((*problem)->place);
+        if (std::abs(signedM2 - enclosedM2) > sliverM2) {
+            return std::unexpected(refused(
+                std::format("the line crosses itself at {:.7f}, {:.7f}", place.lonDeg, place.latDeg),
+                "move one of the points there, so that it is clear which side is field", place, ""));
+        }
+        note("the line touches or crosses itself by a sliver; taken apart there", place);
+        dropSlivers(*untangled);
+        return untangled;
+    }
+
+    void dropSlivers(MultiPolygon& polygons) {
+        const double sliverM2 = std::max(kSliverM2, kSliverShare * area(polygons).si());
+        if (polygons.size() < 2) {
+            return;
+        }
+        std::erase_if(polygons, [&](const Polygon& polygon) {
+            const double m2 = area(polygon).si();
+            if (m2 >= sliverM2) {
+                return false;
+            }
+            note(std::format("a sliver of {:.2f} m² was left out", m2), frame_.toGeo(polygon.outer.front()));
+            return true;
+        });
+    }
+
+    const LocalFrame& frame_;
+    std::string what_;
+    const JobContext& job_;
+    std::vector<Note> repairs_;
+    int reversed_ = 0;
+};
+
+}  // namespace
+
+Result<RepairedBoundary> repairBoundary(const std::vector<GeoPolygon>& parts, const LocalFrame& frame,
+                                        const std::string& what, const JobContext& job) {
+    return Repair{frame, what, job}.run(parts);
+}
+
+}  // namespace furrow

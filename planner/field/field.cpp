@@ -1,0 +1,186 @@
+#include "planner/field/field.h"
+
+#include "planner/field/boundary_repair.h"
+#include "planner/geometry/geos_bridge.h"
+
+#include <algorithm>
+#include <cmath>
+#include <format>
+#include <iterator>
+
+namespace furrow {
+
+namespace {
+
+constexpr double kLargestExtentM = 100e3;
+constexpr std::size_t kMostVertices = 1'000'000;
+constexpr Length kBufferTolerance = metres(0.01);
+
+Error refused(const FieldSource& source, std::string where, std::string what, std::string remedy,
+              std::optional<GeoPoint> place = std::nullopt) {
+    std::string from = source.origin.empty() ? source.name : source.origin;
+    if (!from.empty() && !where.empty()) {
+        from += ", ";
+    }
+    return {.code = ErrorCode::InputRefused,
+            .what = std::move(what),
+            .where = from + where,
+            .remedy = std::move(remedy),
+            .place = place};
+}
+
+Result<void> checkCoordinates(const FieldSource& source, const GeoRing& ring, const std::string& ringName) {
+    for (std::size_t i = 0; i < ring.size(); ++i) {
+        const GeoPoint point = ring[i];
+        const std::string where = std::format("{}, point {}", ringName, i + 1);
+        if (!std::isfinite(point.lonDeg) || !std::isfinite(point.latDeg)) {
+            return std::unexpected(refused(source, where, "a coordinate is not a number",
+                                           "correct or delete this point in the file"));
+        }
+        if (std::abs(point.lonDeg) > 180.0 || std::abs(point.latDeg) > 90.0) {
+            return std::unexpected(
+                refused(source, where,
+                        std::format("{}, {} is outside longitude -180 to 180 and latitude -90 to 90", point.lonDeg,
+                                    point.latDeg),
+                        "check the file's coordinate system"));
+        }
+    }
+    return {};
+}
+
+Result<void> checkCoordinates(const FieldSource& source, const GeoPolygon& polygon, const std::string& name) {
+    Result<void> checked = checkCoordinates(source, polygon.outer, name);
+    for (std::size_t i = 0; checked && i < polygon.holes.size(); ++i) {
+        checked = checkCoordinates(source, polygon.holes[i], std::format("{}, hole {}", name, i + 1));
+    }
+    return checked;
+}
+
+Result<void> checkSource(const FieldSource& source) {
+    std::size_t vertices = 0;
+    for (std::size_t i = 0; i < source.parts.size(); ++i) {
+        if (auto checked = checkCoordinates(source, source.parts[i], std::format("part {}", i + 1)); !checked) {
+            return checked;
+        }
+        vertices += source.parts[i].outer.size();
+        for (const GeoRing& hole : source.parts[i].holes) {
+            vertices += hole.size();
+        }
+    }
+    for (std::size_t i = 0; i < source.obstacles.size(); ++i) {
+        const std::string name = std::format("obstacle {}", i + 1);
+        if (auto checked = checkCoordinates(source, source.obstacles[i].outline, name); !checked) {
+            return checked;
+        }
+        vertices += source.obstacles[i].outline.outer.size();
+        if (!(source.obstacles[i].buffer >= metres(0.0)) || !std::isfinite(source.obstacles[i].buffer.si())) {
+            return std::unexpected(refused(source, name, "its buffer is not a length", "give a buffer of 0 m or more"));
+        }
+    }
+    for (std::size_t i = 0; i < source.gates.size(); ++i) {
+        if (auto checked = checkCoordinates(source, GeoRing{source.gates[i].position}, std::format("gate {}", i + 1));
+            !checked) {
+            return checked;
+        }
+    }
+    if (!(source.boundaryAccuracy >= metres(0.0)) || !std::isfinite(source.boundaryAccuracy.si())) {
+        return std::unexpected(refused(source, "boundary accuracy", "it is not a length", "give 0 m or more"));
+    }
+    if (vertices > kMostVertices) {
+        return std::unexpected(refused(source, "", std::format("the boundary has {} points", vertices),
+                                       "simplify it to at most a million"));
+    }
+    if (source.parts.empty() || source.parts.front().outer.empty()) {
+        return std::unexpected(refused(source, "", "there is no boundary", "draw one or open a file that has one"));
+    }
+    return {};
+}
+
+}  // namespace
+
+Result<Field> Field::create(const FieldSource& source, const JobContext& job) {
+    if (auto checked = checkSource(source); !checked) {
+        return std::unexpected(checked.error());
+    }
+    const auto frame = LocalFrame::centredOn(middleOf(source.parts));
+    if (!frame) {
+        return std::unexpected(frame.error());
+    }
+    for (const GeoPolygon& part : source.parts) {
+        for (const Point& point : frame->toLocal(part.outer)) {
+            // Half the extent on either side of the centre; far points are not finite in the plane.
+            if (!(std::abs(point.x) <= 0.5 * kLargestExtentM && std::abs(point.y) <= 0.5 * kLargestExtentM)) {
+                return std::unexpected(refused(source, "", "the field is more than 100 km across",
+                                               "check the coordinate system, or split the field"));
+            }
+        }
+    }
+    Field field{source, *frame};
+    auto boundary = repairBoundary(source.parts, *frame, "the boundary", job);
+    if (!boundary) {
+        Error error = boundary.error();
+        if (!source.origin.empty()) {
+            error.where = source.origin + ", " + error.where;
+        }
+        return std::unexpected(error);
+    }
+    field.source_.parts = std::move(boundary->geo);
+    field.boundary_ = std::move(boundary->local);
+    field.repairs_ = std::move(boundary->repairs);
+    field.workable_ = field.boundary_;
+    field.drivable_ = field.boundary_;
+    for (std::size_t i = 0; i < source.obstacles.size(); ++i) {
+        const Obstacle& obstacle = source.obstacles[i];
+        const std::string name =
+            obstacle.name.empty() ? std::format("obstacle {}", i + 1) : std::format("obstacle '{}'", obstacle.name);
+        auto outline = repairBoundary({obstacle.outline}, *frame, name, job);
+        if (!outline) {
+            return std::unexpected(outline.error());
+        }
+        std::ranges::move(outline->repairs, std::back_inserter(field.repairs_));
+        const auto kept = dilated(outline->local, obstacle.buffer, kBufferTolerance, job);
+        const auto inside = kept ? intersection(field.boundary_, *kept, job) : kept;
+        if (!inside) {
+            return std::unexpected(inside.error());
+        }
+        if (inside->empty()) {
+            return std::unexpected(refused(source, name, "it lies outside the field", "move or delete it",
+                                           obstacle.outline.outer.front()));
+        }
+        for (MultiPolygon* land : {&field.workable_, &field.drivable_}) {
+            if (land == &field.drivable_ && obstacle.passable) {
+                continue;
+            }
+            auto rest = difference(*land, *kept, job);
+            if (!rest) {
+                return std::unexpected(rest.error());
+            }
+            *land = std::move(*rest);
+        }
+    }
+    if (field.workable_.empty()) {
+        return std::unexpected(refused(source, "", "the obstacles leave nothing of the field", "delete some of them"));
+    }
+    for (const GeoPolygon& part : field.source_.parts) {
+        field.area_ += geodesicArea(part);
+    }
+    if (!source.obstacles.empty()) {
+        // Of what the obstacles take, in the plane's share of the ellipsoid: they differ by parts in a million.
+        field.area_ = field.area_ * (furrow::area(field.workable_) / furrow::area(field.boundary_));
+    }
+    return field;
+}
+
+std::size_t Field::vertexCount() const {
+    return furrow::vertexCount(boundary_);
+}
+
+std::size_t Field::holeCount() const {
+    std::size_t count = 0;
+    for (const Polygon& polygon : boundary_) {
+        count += polygon.holes.size();
+    }
+    return count;
+}
+
+}  // namespace furrow

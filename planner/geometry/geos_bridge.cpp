@@ -1,0 +1,317 @@
+#include "planner/geometry/geos_bridge.h"
+
+#include <geos_c.h>
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <mutex>
+#include <utility>
+
+namespace furrow {
+
+namespace {
+
+// GEOS asks this callback now and then from within its long loops.
+thread_local const JobContext* runningJob = nullptr;
+
+void interruptWhenStopped() {
+    if (runningJob != nullptr && runningJob->stopRequested()) {
+        GEOS_interruptRequest();
+    }
+}
+
+struct Context {
+    GEOSContextHandle_t handle = GEOS_init_r();
+    std::string message;
+
+    Context() {
+        static std::once_flag registered;
+        std::call_once(registered, [] { GEOS_interruptRegisterCallback(interruptWhenStopped); });
+        GEOSContext_setErrorMessageHandler_r(
+            handle, [](const char* text, void* self) { static_cast<Context*>(self)->message = text; }, this);
+    }
+    ~Context() { GEOS_finish_r(handle); }
+    Context(const Context&) = delete;
+    Context& operator=(const Context&) = delete;
+};
+
+Context& context() {
+    thread_local Context instance;
+    return instance;
+}
+
+GEOSContextHandle_t handle() {
+    return context().handle;
+}
+
+struct GeometryDeleter {
+    void operator()(GEOSGeometry* geometry) const { GEOSGeom_destroy_r(handle(), geometry); }
+};
+using Geometry = std::unique_ptr<GEOSGeometry, GeometryDeleter>;
+
+GEOSCoordSequence* sequence(std::span<const Point> points, bool close) {
+    const auto count = static_cast<unsigned>(points.size() + (close ? 1 : 0));
+    GEOSCoordSequence* coordinates = GEOSCoordSeq_create_r(handle(), count, 2);
+    for (unsigned i = 0; i < count; ++i) {
+        const Point point = points[i % points.size()];
+        GEOSCoordSeq_setXY_r(handle(), coordinates, i, point.x, point.y);
+    }
+    return coordinates;
+}
+
+Geometry toGeos(const Polygon& polygon) {
+    std::vector<GEOSGeometry*> holes;
+    for (const Ring& hole : polygon.holes) {
+        holes.push_back(GEOSGeom_createLinearRing_r(handle(), sequence(hole, true)));
+    }
+    GEOSGeometry* shell = GEOSGeom_createLinearRing_r(handle(), sequence(polygon.outer, true));
+    return Geometry{GEOSGeom_createPolygon_r(handle(), shell, holes.data(), static_cast<unsigned>(holes.size()))};
+}
+
+Geometry toGeos(const MultiPolygon& polygons) {
+    std::vector<GEOSGeometry*> parts;
+    for (const Polygon& polygon : polygons) {
+        parts.push_back(toGeos(polygon).release());
+    }
+    return Geometry{GEOSGeom_createCollection_r(handle(), GEOS_MULTIPOLYGON, parts.data(),
+                                                static_cast<unsigned>(parts.size()))};
+}
+
+Geometry toGeos(const Polyline& line) {
+    return Geometry{GEOSGeom_createLineString_r(handle(), sequence(line, false))};
+}
+
+Ring ringFrom(const GEOSGeometry* ring, bool counterClockwise) {
+    const GEOSCoordSequence* coordinates = GEOSGeom_getCoordSeq_r(handle(), ring);
+    unsigned count = 0;
+    GEOSCoordSeq_getSize_r(handle(), coordinates, &count);
+    Ring points;
+    points.reserve(count);
+    for (unsigned i = 0; i + 1 < count; ++i) {
+        Point point;
+        GEOSCoordSeq_getXY_r(handle(), coordinates, i, &point.x, &point.y);
+        points.push_back(point);
+    }
+    if ((signedAreaM2(points) > 0.0) != counterClockwise) {
+        std::ranges::reverse(points);
+    }
+    return points;
+}
+
+void collect(const GEOSGeometry* geometry, MultiPolygon& polygons) {
+    if (GEOSisEmpty_r(handle(), geometry) == 1) {
+        return;
+    }
+    if (GEOSGeomTypeId_r(handle(), geometry) == GEOS_POLYGON) {
+        Polygon polygon{.outer = ringFrom(GEOSGetExteriorRing_r(handle(), geometry), true), .holes = {}};
+        const int holes = GEOSGetNumInteriorRings_r(handle(), geometry);
+        for (int i = 0; i < holes; ++i) {
+            polygon.holes.push_back(ringFrom(GEOSGetInteriorRingN_r(handle(), geometry, i), false));
+        }
+        polygons.push_back(std::move(polygon));
+        return;
+    }
+    const int type = GEOSGeomTypeId_r(handle(), geometry);
+    if (type == GEOS_MULTIPOLYGON || type == GEOS_GEOMETRYCOLLECTION) {
+        const int count = GEOSGetNumGeometries_r(handle(), geometry);
+        for (int i = 0; i < count; ++i) {
+            collect(GEOSGetGeometryN_r(handle(), geometry, i), polygons);
+        }
+    }
+}
+
+MultiPolygon fromGeos(const GEOSGeometry* geometry) {
+    MultiPolygon polygons;
+    collect(geometry, polygons);
+    std::ranges::stable_sort(polygons, std::ranges::greater{}, [](const Polygon& polygon) { return area(polygon); });
+    return polygons;
+}
+
+Error failed() {
+    return {.code = ErrorCode::InputRefused,
+            .what = "the shape could not be computed with (" + context().message + ")",
+            .remedy = "check the boundary for crossings"};
+}
+
+/// Runs one GEOS operation under the job's stop token.
+template <class Operation>
+Result<Geometry> run(const JobContext& job, const Operation& operation) {
+    if (job.stopRequested()) {
+        return std::unexpected(cancelled());
+    }
+    // GEOS's interrupt flag is one for the whole process: another planner's request may end up here, and
+    // is then no reason to give up.
+    for (int attempt = 0; attempt < 8; ++attempt) {
+        context().message.clear();
+        runningJob = &job;
+        Geometry result{operation()};
+        runningJob = nullptr;
+        if (result) {
+            return result;
+        }
+        if (job.stopRequested()) {
+            return std::unexpected(cancelled());
+        }
+        if (context().message.find("nterrupt") == std::string::npos) {
+            break;
+        }
+    }
+    return std::unexpected(failed());
+}
+
+/// Segments in a quarter circle so that the arc's chords stay within the tolerance.
+int quarterSegments(double radiusM, double toleranceM) {
+    if (radiusM <= toleranceM) {
+        return 2;
+    }
+    const double step = 2.0 * std::acos(1.0 - toleranceM / radiusM);
+    return std::clamp(static_cast<int>(std::ceil(std::numbers::pi / 2.0 / step)), 2, 64);
+}
+
+Result<MultiPolygon> buffered(const MultiPolygon& polygons, double distanceM, double toleranceM,
+                              const JobContext& job) {
+    if (polygons.empty()) {
+        return MultiPolygon{};
+    }
+    const Geometry input = toGeos(polygons);
+    return run(job, [&] {
+               return GEOSBuffer_r(handle(), input.get(), distanceM,
+                                   quarterSegments(std::abs(distanceM), toleranceM));
+           })
+        .transform([](const Geometry& result) { return fromGeos(result.get()); });
+}
+
+template <class Operation>
+Result<MultiPolygon> combined(const MultiPolygon& a, const MultiPolygon& b, const JobContext& job,
+                              const Operation& operation) {
+    const Geometry first = toGeos(a);
+    const Geometry second = toGeos(b);
+    return run(job, [&] { return operation(handle(), first.get(), second.get()); })
+        .transform([](const Geometry& result) { return fromGeos(result.get()); });
+}
+
+}  // namespace
+
+Result<MultiPolygon> eroded(const MultiPolygon& polygons, Length distance, Length tolerance, const JobContext& job) {
+    return buffered(polygons, -distance.si(), tolerance.si(), job);
+}
+
+Result<MultiPolygon> dilated(const MultiPolygon& polygons, Length distance, Length tolerance, const JobContext& job) {
+    return buffered(polygons, distance.si(), tolerance.si(), job);
+}
+
+Result<MultiPolygon> difference(const MultiPolygon& a, const MultiPolygon& b, const JobContext& job) {
+    return combined(a, b, job, GEOSDifference_r);
+}
+
+Result<MultiPolygon> intersection(const MultiPolygon& a, const MultiPolygon& b, const JobContext& job) {
+    return combined(a, b, job, GEOSIntersection_r);
+}
+
+Result<MultiPolygon> unionOf(const MultiPolygon& polygons, const JobContext& job) {
+    const Geometry input = toGeos(polygons);
+    return run(job, [&] { return GEOSUnaryUnion_r(handle(), input.get()); }).transform([](const Geometry& result) {
+        return fromGeos(result.get());
+    });
+}
+
+Result<std::optional<InvalidPlace>> findInvalidPlace(const MultiPolygon& polygons, const JobContext& job) {
+    const Geometry input = toGeos(polygons);
+    std::optional<InvalidPlace> problem;
+    const Result<Geometry> checked = run(job, [&]() -> GEOSGeometry* {
+        char* reason = nullptr;
+        GEOSGeometry* place = nullptr;
+        const char valid = GEOSisValidDetail_r(handle(), input.get(), 0, &reason, &place);
+        if (valid == 0 && place != nullptr) {
+            InvalidPlace found{.reason = reason, .place = {}};
+            GEOSGeomGetX_r(handle(), place, &found.place.x);
+            GEOSGeomGetY_r(handle(), place, &found.place.y);
+            problem = found;
+        }
+        GEOSFree_r(handle(), reason);
+        GEOSGeom_destroy_r(handle(), place);
+        // Any geometry says that the check itself went well; none says it was interrupted.
+        return valid == 2 ? nullptr : GEOSGeom_createEmptyPoint_r(handle());
+    });
+    if (!checked) {
+        return std::unexpected(checked.error());
+    }
+    return problem;
+}
+
+Result<MultiPolygon> madeValid(const MultiPolygon& polygons, const JobContext& job) {
+    const Geometry input = toGeos(polygons);
+    return run(job, [&] { return GEOSMakeValid_r(handle(), input.get()); }).transform([](const Geometry& result) {
+        return fromGeos(result.get());
+    });
+}
+
+struct PreparedArea::Impl {
+    MultiPolygon polygons;
+
+    /// Prepared geometries build their indexes on first use, which must not happen in two threads at once:
+    /// every thread prepares its own and keeps it for as long as it asks the same area.
+    const GEOSPreparedGeometry* prepared() const {
+        struct PerThread {
+            PerThread(const MultiPolygon& polygons, std::weak_ptr<const char> area)
+                : owner{std::move(area)},
+                  geometry{toGeos(polygons)},
+                  prepared{GEOSPrepare_r(handle(), geometry.get())} {}
+            ~PerThread() { GEOSPreparedGeom_destroy_r(handle(), prepared); }
+            PerThread(const PerThread&) = delete;
+            PerThread& operator=(const PerThread&) = delete;
+
+            std::weak_ptr<const char> owner;
+            Geometry geometry;
+            const GEOSPreparedGeometry* prepared;
+        };
+        // Two areas at a time: what is inside, and what is land at all.
+        thread_local std::array<std::unique_ptr<PerThread>, 2> cache;
+        for (const auto& entry : cache) {
+            if (entry && entry->owner.lock() == alive) {
+                return entry->prepared;
+            }
+        }
+        std::ranges::rotate(cache, cache.end() - 1);
+        cache.front() = std::make_unique<PerThread>(polygons, alive);
+        return cache.front()->prepared;
+    }
+
+    std::shared_ptr<const char> alive = std::make_shared<const char>();
+};
+
+PreparedArea::PreparedArea(const MultiPolygon& polygons) : impl_{std::make_unique<Impl>()} {
+    impl_->polygons = polygons;
+}
+
+PreparedArea::~PreparedArea() = default;
+PreparedArea::PreparedArea(PreparedArea&&) noexcept = default;
+PreparedArea& PreparedArea::operator=(PreparedArea&&) noexcept = default;
+
+bool PreparedArea::covers(const std::vector<Polyline>& lines) const {
+    std::vector<GEOSGeometry*> parts;
+    for (const Polyline& line : lines) {
+        parts.push_back(toGeos(line).release());
+    }
+    const Geometry tested{GEOSGeom_createCollection_r(handle(), GEOS_MULTILINESTRING, parts.data(),
+                                                      static_cast<unsigned>(parts.size()))};
+    return GEOSPreparedCovers_r(handle(), impl_->prepared(), tested.get()) == 1;
+}
+
+FarthestPoint PreparedArea::farthestOutside(const std::vector<Polyline>& lines) const {
+    FarthestPoint farthest;
+    for (const Polyline& line : lines) {
+        for (const Point& point : line) {
+            const Geometry tested{GEOSGeom_createPointFromXY_r(handle(), point.x, point.y)};
+            double away = 0.0;
+            if (GEOSPreparedDistance_r(handle(), impl_->prepared(), tested.get(), &away) == 1 &&
+                away > farthest.distance.si()) {
+                farthest = {point, metres(away)};
+            }
+        }
+    }
+    return farthest;
+}
+
+}  // namespace furrow

@@ -1,0 +1,66 @@
+#pragma once
+
+#include "planner/core/result.h"
+#include "planner/geometry/polygon.h"
+#include "planner/jobs/job.h"
+
+#include <memory>
+#include <optional>
+#include <string>
+
+namespace furrow {
+
+// The one place that sees GEOS (its re-entrant C API, one context per thread). Every function may be
+// called from any thread, answers Cancelled within milliseconds of a stop request, and returns polygons
+// in our form: outer rings counter-clockwise, holes clockwise, ordered by area, largest first.
+
+/// How far an arc that stands for a rounded corner may be from its chords.
+inline constexpr Length kArcTolerance = metres(0.01);
+
+/// What is at least `distance` inside; corners that point inwards become arcs drawn to `tolerance`.
+Result<MultiPolygon> eroded(const MultiPolygon& polygons, Length distance, Length tolerance, const JobContext& job);
+
+/// What is at most `distance` away; corners become arcs drawn to `tolerance`.
+Result<MultiPolygon> dilated(const MultiPolygon& polygons, Length distance, Length tolerance, const JobContext& job);
+
+Result<MultiPolygon> difference(const MultiPolygon& a, const MultiPolygon& b, const JobContext& job);
+Result<MultiPolygon> intersection(const MultiPolygon& a, const MultiPolygon& b, const JobContext& job);
+/// Of polygons that may overlap each other.
+Result<MultiPolygon> unionOf(const MultiPolygon& polygons, const JobContext& job);
+
+/// Why polygons break the rules of simple features, and where.
+struct InvalidPlace {
+    std::string reason;  ///< GEOS's words: "Self-intersection", "Ring Self-intersection" ...
+    Point place;
+};
+/// Nothing for valid polygons.
+Result<std::optional<InvalidPlace>> findInvalidPlace(const MultiPolygon& polygons, const JobContext& job);
+
+/// Polygons that enclose what these rings enclose, even-odd, without crossings.
+Result<MultiPolygon> madeValid(const MultiPolygon& polygons, const JobContext& job);
+
+struct FarthestPoint {
+    Point point;
+    Length distance;
+};
+
+/// A set of polygons made ready for many questions. May be asked by several threads at once.
+class PreparedArea {
+public:
+    explicit PreparedArea(const MultiPolygon& polygons);
+    ~PreparedArea();
+    PreparedArea(PreparedArea&&) noexcept;
+    PreparedArea& operator=(PreparedArea&&) noexcept;
+
+    /// No point of the lines lies outside; touching the edge is allowed.
+    bool covers(const std::vector<Polyline>& lines) const;
+    /// The vertex farthest outside; distance 0 where none is. The distance is measured to the vertex, so a
+    /// hole that a line spans from vertex to vertex may show up as 0.
+    FarthestPoint farthestOutside(const std::vector<Polyline>& lines) const;
+
+private:
+    struct Impl;
+    std::unique_ptr<Impl> impl_;
+};
+
+}  // namespace furrow

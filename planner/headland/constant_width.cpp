@@ -1,0 +1,103 @@
+#include "planner/geometry/geos_bridge.h"
+#include "planner/headland/methods.h"
+#include "planner/headland/turning_room.h"
+#include "planner/turns/dubins.h"
+
+#include <algorithm>
+#include <cmath>
+#include <format>
+
+namespace furrow {
+
+namespace {
+
+// Rounding must not turn 7.5 m / 2.5 m into two passes.
+constexpr double kPassSlack = 1e-9;
+
+int passesForTurns(const Machine& machine) {
+    const double room = roomForTurns(machine, kDubinsMethod.run) / machine.operatingWidth();
+    return std::max(1, static_cast<int>(std::ceil(room - kPassSlack)));
+}
+
+int passesWithin(Length width, Length margin, const Machine& machine) {
+    return std::max(0, static_cast<int>(std::floor((width - margin) / machine.operatingWidth() + kPassSlack)));
+}
+
+Result<Headland> constantWidth(const Field& field, const Machine& machine, const Settings& settings, Length margin,
+                               const JobContext& job) {
+    const auto givenWidth = settings.length(kHeadlandWidth);
+    const auto givenPasses = settings.count(kHeadlandPasses);
+    if (givenWidth && givenPasses) {
+        return std::unexpected(Error{.code = ErrorCode::Usage,
+                                     .what = "both headland.width_m and headland.passes are given",
+                                     .where = "settings",
+                                     .remedy = "give at most one of the two"});
+    }
+    const auto widthOf = [&](int passes) { return margin + passes * machine.operatingWidth(); };
+    Headland headland;
+    headland.passes = givenPasses ? *givenPasses
+                      : givenWidth ? passesWithin(*givenWidth, margin, machine)
+                                   : passesForTurns(machine);
+    headland.width = givenWidth ? std::max(*givenWidth, margin) : widthOf(headland.passes);
+    const Length wanted = headland.width;
+    for (;;) {
+        auto mainland = headland.width > metres(0.0)
+                            ? eroded(field.workable(), headland.width, kArcTolerance, job)
+                            : Result<MultiPolygon>{field.workable()};
+        if (!mainland) {
+            return std::unexpected(mainland.error());
+        }
+        if (!mainland->empty() || headland.width <= margin) {
+            headland.mainland = std::move(*mainland);
+            break;
+        }
+        // Too narrow for this much: fewer passes, in the end none.
+        headland.passes = std::max(0, std::min(headland.passes, passesWithin(headland.width, margin, machine)) - 1);
+        headland.width = widthOf(headland.passes);
+    }
+    if (headland.width < wanted) {
+        const std::string left = headland.passes == 0
+                                     ? std::string{"there is none"}
+                                     : std::format("it is {:.1f} m with {} {}", headland.width.si(), headland.passes,
+                                                   headland.passes == 1 ? "pass" : "passes");
+        headland.notes.push_back({std::format("The field is too narrow for {:.1f} m of headland; {}", wanted.si(), left),
+                                  "headland", {}});
+    }
+    headland.mainlandRatio = area(headland.mainland) / area(field.workable());
+    return headland;
+}
+
+constexpr const Parameter* kParameters[] = {&kHeadlandPasses, &kHeadlandWidth};
+
+}  // namespace
+
+const Parameter kHeadlandWidth{.key = "headland.width_m",
+                               .name = "Width",
+                               .description = "From the boundary to the mainland; holds as many passes as fit.",
+                               .kind = ParameterKind::Length,
+                               .standard = {},
+                               .canBeAuto = true,
+                               .min = 0.0,
+                               .max = 500.0,
+                               .step = 0.5,
+                               .choices = {}};
+
+const Parameter kHeadlandPasses{.key = "headland.passes",
+                                .name = "Passes",
+                                .description = "Width in operating widths; auto leaves room for the turns.",
+                                .kind = ParameterKind::Count,
+                                .standard = {},
+                                .canBeAuto = true,
+                                .min = 0.0,
+                                .max = 50.0,
+                                .step = 1.0,
+                                .choices = {}};
+
+const Method<HeadlandGenerator> kConstantWidthMethod{
+    .info = {.id = "constant",
+             .name = "Same width all round",
+             .description = "A strip of the same width along the boundary and around obstacles, for turning.",
+             .parameters = kParameters},
+    .run = constantWidth};
+
+}  // namespace furrow

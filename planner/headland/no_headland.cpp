@@ -1,0 +1,30 @@
+#include "planner/geometry/geos_bridge.h"
+#include "planner/headland/methods.h"
+
+namespace furrow {
+
+namespace {
+
+Result<Headland> noHeadland(const Field& field, const Machine&, const Settings&, Length margin,
+                            const JobContext& job) {
+    // The margin is kept everywhere, headland or not.
+    auto mainland = margin > metres(0.0) ? eroded(field.workable(), margin, kArcTolerance, job)
+                                         : Result<MultiPolygon>{field.workable()};
+    if (!mainland) {
+        return std::unexpected(mainland.error());
+    }
+    Headland headland{.width = margin, .passes = 0, .mainland = std::move(*mainland)};
+    headland.mainlandRatio = area(headland.mainland) / area(field.workable());
+    return headland;
+}
+
+}  // namespace
+
+const Method<HeadlandGenerator> kNoHeadlandMethod{
+    .info = {.id = "none",
+             .name = "No headland",
+             .description = "Swaths reach to the boundary; for fields with room to turn outside.",
+             .parameters = {}},
+    .run = noHeadland};
+
+}  // namespace furrow

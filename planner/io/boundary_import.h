@@ -1,0 +1,43 @@
+#pragma once
+
+#include "planner/core/result.h"
+#include "planner/field/field.h"
+#include "planner/jobs/job.h"
+
+#include <filesystem>
+#include <optional>
+#include <span>
+#include <string>
+#include <string_view>
+#include <vector>
+
+namespace furrow {
+
+/// Reads the fields of a boundary file: GeoJSON, Shapefile, KML, GeoPackage, GML, FlatGeobuf, file
+/// geodatabase, WKT, CSV (a WKT column, or longitude and latitude with one point a row), loose or zipped.
+///
+/// A feature with polygons is a field; several polygons in it are parts of one field. Where a file has no
+/// polygon, lines that end where they begin are taken. Features that say what they are in an attribute
+/// `kind`, as a written plan does, are read as that: `field`; `obstacle` (passable, buffer_m, name) and
+/// `gate` (width_m, name), which go to the field they lie in; every other kind of a plan is passed over.
+///
+/// @return at least one field, in the order of the file, not checked yet: coordinates that are not finite
+///         are still in it. Each has an id (its own, or its number in the file), a name (its own, or its
+///         id) and an origin. ReadFailed: not there, a folder, unknown format, damaged. InputRefused:
+///         empty, no polygon (says what was found), coordinates without a known system, a coordinate that
+///         is no number, an obstacle in none of the fields. Cancelled.
+/// Cost: linear in the size of the file. Thread-safe. Nothing is fetched from a network.
+Result<std::vector<FieldSource>> readBoundaries(const std::filesystem::path& path,
+                                                const JobContext& job = {});
+
+/// The field that is meant: by its id, its name, or its number in the list from 1, in this order.
+///
+/// @param fieldId  may be left out where there is only one field
+/// @return Usage, listing fields or naming near ones: several fields and no id, no such field, an id that
+///         several fields share.
+Result<FieldSource> pickField(std::span<const FieldSource> fields, std::optional<std::string_view> fieldId);
+
+/// On the ellipsoid, holes taken out, obstacles not; of what was read, before any repair.
+Area areaOf(const FieldSource& field);
+
+}  // namespace furrow

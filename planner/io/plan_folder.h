@@ -1,0 +1,26 @@
+#pragma once
+
+#include "planner/core/result.h"
+#include "planner/plan/plan.h"
+
+#include <filesystem>
+#include <span>
+#include <string_view>
+#include <vector>
+
+namespace furrow {
+
+/// The formats that are written where none are named.
+std::span<const std::string_view> standardPlanFormats();
+
+/// Writes a plan to a folder: summary.json always, plan.geojson, path.csv and TASKDATA/TASKDATA.XML as
+/// asked. The folder is made if it is not there. Everything is written and synced beside its final name
+/// first and renamed when all of it is on the disk, so that a full disk, a cancel or a crash leaves what was
+/// there before.
+///
+/// @return the files, summary.json first. Usage: unknown format. WriteFailed: with the system's reason. Cancelled.
+Result<std::vector<std::filesystem::path>> writePlanFolder(const Plan& plan, const std::filesystem::path& folder,
+                                                           std::span<const std::string_view> formatIds,
+                                                           const JobContext& job = {});
+
+}  // namespace furrow

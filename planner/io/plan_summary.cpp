@@ -1,0 +1,145 @@
+#include "planner/io/plan_summary.h"
+
+#include "planner/machine/machine_file.h"
+#include "planner/plan/general_parameters.h"
+#include "planner/plan/method_registry.h"
+#include "planner/version.h"
+
+#include <nlohmann/json.hpp>
+
+#include <algorithm>
+#include <cmath>
+
+namespace furrow {
+
+namespace {
+
+using Json = nlohmann::ordered_json;
+
+Json settingJson(const SettingValue& value) {
+    if (const auto* number = std::get_if<double>(&value)) {
+        return *number;
+    }
+    if (const auto* flag = std::get_if<bool>(&value)) {
+        return *flag;
+    }
+    return settingText(value);
+}
+
+/// Every setting with the value that was used; "auto" only where no stage needed a number.
+Json settingsJson(const Plan& plan) {
+    Json all = Json::object();
+    for (const Parameter* parameter : allParameters()) {
+        all[parameter->key] = settingJson(plan.request.settings.value(*parameter));
+    }
+    all[kMargin.key] = plan.margin.si();
+    return all;
+}
+
+Json findingsJson(const Plan& plan) {
+    Json findings = Json::array();
+    for (const Finding& finding : plan.findings) {
+        const GeoPoint place = plan.field().frame().toGeo(finding.place);
+        findings.push_back({{"severity", finding.severity == Severity::Blocking ? "blocking" : "note"},
+                            {"kind", finding.kind},
+                            {"lon_deg", place.lonDeg},
+                            {"lat_deg", place.latDeg},
+                            {"text", finding.text},
+                            {"suggestion", finding.suggestion}});
+    }
+    return findings;
+}
+
+/// The largest values of the path itself; areas come with the audit.
+Json auditJson(const Plan& plan) {
+    double curvature = 0.0;
+    for (const PathSegment& segment : plan.path.segments) {
+        for (const PathSample& sample : segment.samples) {
+            curvature = std::max(curvature, std::abs(sample.curvature1pm));
+        }
+    }
+    return {{"covered_m2", nullptr},
+            {"covered", nullptr},
+            {"covered_of_reachable", nullptr},
+            {"missed_m2", nullptr},
+            {"overlap_m2", nullptr},
+            {"overlap_headland_m2", nullptr},
+            {"outside_m2", nullptr},
+            {"min_clearance_m", nullptr},
+            {"max_curvature_1pm", curvature},
+            {"max_curvature_rate_1pm2", nullptr},
+            {"max_position_jump_m", nullptr},
+            {"max_heading_jump_rad", nullptr},
+            {"findings", findingsJson(plan)}};
+}
+
+std::string methodOf(std::string_view stageId, const Settings& settings) {
+    const auto stage = std::ranges::find(stages(), stageId, &StageInfo::id);
+    return settings.choice(*stage->method);
+}
+
+Json milliseconds(Duration duration) {
+    return duration.si() * 1e3;
+}
+
+}  // namespace
+
+std::string planSummaryJson(const Plan& plan) {
+    const Settings& settings = plan.request.settings;
+    const Json machine = Json::parse(machineJson(plan.request.machine.spec()));
+    const double workedM = plan.path.length(SegmentKind::Swath).si();
+    const Json summary{
+        {"field",
+         {{"id", plan.field().id()},
+          {"name", plan.field().name()},
+          {"area_m2", plan.field().area().si()},
+          {"vertices", plan.field().vertexCount()},
+          {"holes", plan.field().holeCount()}}},
+        {"crs", plan.field().frame().projString()},
+        {"machine", machine},
+        {"machines", Json::array({machine})},
+        {"operation", settings.choice(kOperationKind)},
+        {"settings", settingsJson(plan)},
+        {"headland",
+         {{"width_m", plan.headland.width.si()},
+          {"passes", plan.headland.passes},
+          {"mainland_ratio", plan.headland.mainlandRatio}}},
+        {"swaths",
+         {{"count", plan.swaths.swaths.size()},
+          {"total_length_m", plan.swaths.totalLength.si()},
+          {"heading_deg", Json::array({inDegrees(plan.swaths.heading)})},
+          {"proved", plan.swaths.proved},
+          {"coverage", plan.swaths.coverage},
+          {"overlap_m2", plan.swaths.overlap.si()},
+          {"shift_m", plan.swaths.shift.si()}}},
+        {"route",
+         {{"method", methodOf("route", settings)},
+          {"objective", nullptr},
+          {"length_in_place_m", plan.route.lengthInPlace.si()},
+          {"cost", plan.path.duration().si()},
+          {"non_working_cost", plan.path.duration().si() - plan.path.duration(SegmentKind::Swath).si()},
+          {"lower_bound", nullptr},
+          {"gap", nullptr},
+          {"gap_total", nullptr}}},
+        {"path",
+         {{"length_m", plan.path.length().si()},
+          {"working_length_m", workedM},
+          {"turn_length_m", plan.path.length(SegmentKind::Turn).si()},
+          {"transfer_length_m", plan.path.length(SegmentKind::Transfer).si()},
+          {"reverse_length_m", 0.0},
+          {"time_s", plan.path.duration().si()},
+          {"turns", plan.path.turnCount()},
+          {"undrivable_turns", plan.path.undrivableCount()}}},
+        {"drivable", plan.drivable()},
+        {"audit", auditJson(plan)},
+        {"timing_ms",
+         {{"headland", milliseconds(plan.timings.headland)},
+          {"swaths", milliseconds(plan.timings.swaths)},
+          {"route", milliseconds(plan.timings.route)},
+          {"path", milliseconds(plan.timings.path)},
+          {"total", milliseconds(plan.timings.total)}}},
+        {"version", kVersion}};
+    return summary.dump(2, ' ', false, Json::error_handler_t::replace) + "\n";
+}
+
+}  // namespace furrow

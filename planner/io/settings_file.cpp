@@ -1,0 +1,85 @@
+#include "planner/io/settings_file.h"
+
+#include "planner/plan/method_registry.h"
+
+#include <nlohmann/json.hpp>
+
+#include <format>
+#include <fstream>
+#include <iterator>
+
+namespace furrow {
+
+namespace {
+
+using Json = nlohmann::ordered_json;
+
+Result<void> applyValue(Settings& settings, const std::string& key, const Json& value, std::string_view origin) {
+    const auto parameter = findParameter(key);
+    Result<void> applied;
+    if (!parameter) {
+        applied = std::unexpected(parameter.error());
+    } else if (value.is_boolean()) {
+        applied = settings.set(**parameter, value.get<bool>());
+    } else if (value.is_number()) {
+        applied = settings.set(**parameter, value.get<double>());
+    } else if (value.is_string() && value.get<std::string>() == "auto") {
+        applied = settings.set(**parameter, Auto{});
+    } else if (value.is_string()) {
+        applied = settings.set(**parameter, value.get<std::string>());
+    } else {
+        applied = std::unexpected(Error{.code = ErrorCode::InputRefused,
+                                        .what = "a setting is a number, true, false or a name",
+                                        .where = key,
+                                        .remedy = "correct its value"});
+    }
+    if (!applied) {
+        Error error = applied.error();
+        error.where = std::format("{}, {}", origin, error.where);
+        return std::unexpected(error);
+    }
+    return {};
+}
+
+Result<void> applyObject(Settings& settings, const std::string& prefix, const Json& object, std::string_view origin) {
+    for (const auto& [name, value] : object.items()) {
+        const std::string key = prefix.empty() ? name : prefix + "." + name;
+        const auto applied = value.is_object() && prefix.empty() ? applyObject(settings, key, value, origin)
+                                                                 : applyValue(settings, key, value, origin);
+        if (!applied) {
+            return applied;
+        }
+    }
+    return {};
+}
+
+}  // namespace
+
+Result<void> applySettingsJson(Settings& settings, std::string_view json, std::string_view origin) {
+    const auto refused = [&](std::string what) {
+        return std::unexpected(Error{.code = ErrorCode::InputRefused,
+                                     .what = std::move(what),
+                                     .where = std::string{origin},
+                                     .remedy = "give a JSON object such as {\"headland.width_m\": 12}"});
+    };
+    try {
+        const Json parsed = Json::parse(json);
+        return parsed.is_object() ? applyObject(settings, "", parsed, origin) : refused("it is not a JSON object");
+    } catch (const Json::parse_error& error) {
+        return refused(std::format("it is not JSON (byte {})", error.byte));
+    }
+}
+
+Result<void> applySettingsFile(Settings& settings, const std::filesystem::path& path) {
+    std::ifstream file{path, std::ios::binary};
+    const std::string text{std::istreambuf_iterator<char>{file}, {}};
+    if (!file && text.empty()) {
+        return std::unexpected(Error{.code = ErrorCode::ReadFailed,
+                                     .what = "the file could not be read",
+                                     .where = path.string(),
+                                     .remedy = "check its name and that you may read it"});
+    }
+    return applySettingsJson(settings, text, path.string());
+}
+
+}  // namespace furrow

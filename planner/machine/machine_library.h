@@ -1,0 +1,19 @@
+#pragma once
+
+#include "planner/core/result.h"
+#include "planner/machine/machine.h"
+
+#include <span>
+#include <string_view>
+
+namespace furrow {
+
+/// The machines that come with the program, in the order people see them; the first one is the default.
+/// Read once, on first use. Thread-safe.
+std::span<const Machine> machineLibrary();
+
+/// The library's machine with this id or name, capitals or not. Usage: there is none; the message lists
+/// the ids and names the nearest one.
+Result<Machine> findMachine(std::string_view idOrName);
+
+}  // namespace furrow

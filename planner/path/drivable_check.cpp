@@ -1,0 +1,114 @@
+#include "planner/path/drivable_check.h"
+
+#include "planner/geometry/geos_bridge.h"
+#include "planner/jobs/parallel.h"
+#include "planner/turns/turn_sampling.h"
+
+#include <algorithm>
+#include <optional>
+
+namespace furrow {
+
+namespace {
+
+// Footprints that touch the edge up to rounding stay inside.
+constexpr Length kTouching = metres(1e-3);
+
+/// A disc drawn around every gate: within it the footprint may cross the boundary.
+MultiPolygon openGates(const Field& field) {
+    constexpr int kCorners = 32;
+    MultiPolygon discs;
+    for (const Gate& gate : field.source().gates) {
+        const Point centre = field.frame().toLocal(gate.position);
+        Polygon disc;
+        for (int i = 0; i < kCorners; ++i) {
+            disc.outer.push_back(centre + 0.5 * gate.width.si() * direction(2.0 * std::numbers::pi * i / kCorners));
+        }
+        discs.push_back(std::move(disc));
+    }
+    return discs;
+}
+
+Result<MultiPolygon> drivableArea(const Field& field, Length margin, const JobContext& job) {
+    auto area = margin > kTouching ? eroded(field.drivable(), margin - kTouching, kArcTolerance, job)
+                                   : dilated(field.drivable(), kTouching - margin, kArcTolerance, job);
+    if (!area || field.source().gates.empty()) {
+        return area;
+    }
+    std::ranges::move(openGates(field), std::back_inserter(*area));
+    return unionOf(*area, job);
+}
+
+/// The same without holes: what lies outside of this lies outside the field.
+MultiPolygon withoutHoles(const MultiPolygon& polygons) {
+    MultiPolygon filled;
+    for (const Polygon& polygon : polygons) {
+        filled.push_back({.outer = polygon.outer, .holes = {}});
+    }
+    return filled;
+}
+
+/// The outline at every sample, and the line that each corner draws from sample to sample.
+std::vector<Polyline> sweptLines(const PathSegment& segment, const Ring& footprint) {
+    std::vector<Polyline> lines;
+    std::vector<Polyline> tracks(footprint.size());
+    for (const PathSample& sample : segment.samples) {
+        Polyline outline =
+            placed(footprint, {.position = sample.position, .heading = radians(sample.headingRad)});
+        for (std::size_t corner = 0; corner < outline.size(); ++corner) {
+            tracks[corner].push_back(outline[corner]);
+        }
+        outline.push_back(outline.front());
+        lines.push_back(std::move(outline));
+    }
+    std::ranges::move(tracks, std::back_inserter(lines));
+    return lines;
+}
+
+}  // namespace
+
+Result<std::vector<BlockedConnection>> blockedConnections(const Path& path, const Field& field,
+                                                          const Machine& machine, Length margin,
+                                                          const JobContext& job) {
+    const auto area = drivableArea(field, margin, job);
+    if (!area) {
+        return std::unexpected(area.error());
+    }
+    const PreparedArea drivable{*area};
+    const PreparedArea land{withoutHoles(*area)};
+    const Ring footprint = machine.turningFootprint();
+    std::vector<std::size_t> connections;
+    for (std::size_t i = 0; i < path.segments.size(); ++i) {
+        if (path.segments[i].kind != SegmentKind::Swath) {
+            connections.push_back(i);
+        }
+    }
+    const auto checked = parallelMap<std::optional<BlockedConnection>>(
+        connections.size(),
+        [&](std::size_t i) -> std::optional<BlockedConnection> {
+            const auto lines = sweptLines(path.segments[connections[i]], footprint);
+            if (drivable.covers(lines)) {
+                return std::nullopt;
+            }
+            BlockedConnection blocked{.segment = connections[i]};
+            const FarthestPoint beyondLand = land.farthestOutside(lines);
+            blocked.obstacle = beyondLand.distance <= metres(0.0);
+            const FarthestPoint farthest = blocked.obstacle ? drivable.farthestOutside(lines) : beyondLand;
+            blocked.place = farthest.point;
+            blocked.outside = farthest.distance;
+            return blocked;
+        },
+        job);
+    if (!checked) {
+        return std::unexpected(checked.error());
+    }
+    std::vector<BlockedConnection> found;
+    for (const auto& blocked : *checked) {
+        if (blocked) {
+            found.push_back(*blocked);
+        }
+    }
+    return found;
+}
+
+}  // namespace furrow

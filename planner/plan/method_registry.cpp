@@ -1,0 +1,201 @@
+#include "planner/plan/method_registry.h"
+
+#include "planner/headland/methods.h"
+#include "planner/plan/general_parameters.h"
+#include "planner/route/methods.h"
+#include "planner/swaths/methods.h"
+#include "planner/turns/dubins.h"
+#include "planner/turns/straight_turn.h"
+
+#include <algorithm>
+#include <array>
+#include <format>
+
+namespace furrow {
+
+namespace {
+
+// The methods of each stage, the default first. A new method is one more line here.
+constexpr std::array kHeadlandMethods{
+    &kConstantWidthMethod,
+    &kNoHeadlandMethod,
+};
+constexpr std::array kSwathMethods{
+    &kBruteForceMethod,
+    &kFixedHeadingMethod,
+    &kLongestEdgeMethod,
+};
+constexpr std::array kRouteMethods{
+    &kBoustrophedonMethod,
+};
+constexpr std::array kTurnMethods{
+    &kDubinsMethod,
+    &kStraightMethod,
+};
+
+// Parameters that every method of a stage reads.
+constexpr std::array<const Parameter*, 2> kSwathParameters{&kOverlap, &kLastPass};
+constexpr std::array<const Parameter*, 1> kPathParameters{&kStayInside};
+constexpr std::array<const Parameter*, 2> kGeneralParameters{&kOperationKind, &kMargin};
+
+template <class Methods>
+std::vector<Choice> choicesFrom(const Methods& methods) {
+    std::vector<Choice> choices;
+    for (const auto* method : methods) {
+        choices.push_back({method->info.id, method->info.name, method->info.description});
+    }
+    return choices;
+}
+
+/// A stage, built once from its list of methods; the method itself is a setting like any other.
+struct StageEntry {
+    template <class Methods>
+    StageEntry(const Methods& methods, std::string_view id, std::string_view stageName, std::string_view key,
+               std::string_view name, std::string_view description, std::span<const Parameter* const> parameters)
+        : choices{choicesFrom(methods)},
+          method{.key = key,
+                 .name = name,
+                 .description = description,
+                 .kind = ParameterKind::Choice,
+                 .standard = 0.0,
+                 .choices = choices} {
+        info = {.id = id, .name = stageName, .method = &method, .methods = {}, .parameters = parameters};
+        for (const auto* entry : methods) {
+            info.methods.push_back(entry->info);
+        }
+    }
+    StageEntry(const StageEntry&) = delete;
+    StageEntry& operator=(const StageEntry&) = delete;
+
+    std::vector<Choice> choices;
+    Parameter method;
+    StageInfo info;
+};
+
+struct Registry {
+    StageEntry headland{kHeadlandMethods, "headland", "Headland", "headland.method", "Headland",
+                        "The strip kept for turning.", {}};
+    StageEntry swaths{kSwathMethods, "swaths", "Swaths", "swaths.method", "Heading",
+                      "How the direction of the swaths is found.", kSwathParameters};
+    StageEntry route{kRouteMethods, "route", "Route", "route.method", "Order",
+                     "In which order the swaths are driven.", {}};
+    StageEntry path{kTurnMethods, "path", "Turns", "path.method", "Turn",
+                    "How the machine gets from one swath to the next.", kPathParameters};
+    std::vector<StageInfo> stages{headland.info, swaths.info, route.info, path.info};
+    std::vector<const Parameter*> parameters;
+
+    Registry() {
+        const auto add = [this](std::span<const Parameter* const> more) {
+            for (const Parameter* parameter : more) {
+                if (std::ranges::find(parameters, parameter) == parameters.end()) {
+                    parameters.push_back(parameter);
+                }
+            }
+        };
+        add(kGeneralParameters);
+        for (const StageInfo& stage : stages) {
+            add({&stage.method, 1});
+            for (const MethodInfo& method : stage.methods) {
+                add(method.parameters);
+            }
+            add(stage.parameters);
+        }
+    }
+};
+
+const Registry& registry() {
+    static const Registry instance;
+    return instance;
+}
+
+template <class Methods>
+auto chosen(const Methods& methods, const StageEntry& stage, const Settings& settings) {
+    const std::string id = settings.choice(stage.method);
+    return (*std::ranges::find(methods, id, [](const auto* method) { return method->info.id; }))->run;
+}
+
+constexpr Choice kOperations[] = {
+    {"tillage", "Tillage", "Working the soil."},
+    {"sowing", "Sowing", "Drilling or planting."},
+    {"spraying", "Spraying", "Crop protection."},
+    {"spreading", "Spreading", "Fertiliser or manure."},
+    {"mowing", "Mowing", "Cutting grass."},
+    {"harvest", "Harvest", "Bringing the crop in."},
+};
+
+}  // namespace
+
+const Parameter kOperationKind{.key = "operation.kind",
+                               .name = "Operation",
+                               .description = "What the field is driven over for; named in the plan and its files.",
+                               .kind = ParameterKind::Choice,
+                               .standard = 0.0,
+                               .choices = kOperations};
+
+const Parameter kMargin{.key = "field.margin_m",
+                        .name = "Margin",
+                        .description = "What everything keeps from the boundary; auto is the boundary's accuracy.",
+                        .kind = ParameterKind::Length,
+                        .standard = {},
+                        .canBeAuto = true,
+                        .min = 0.0,
+                        .max = 50.0,
+                        .step = 0.1,
+                        .choices = {}};
+
+const Parameter kStayInside{.key = "path.stay_inside",
+                            .name = "Stay inside",
+                            .description = "Check that the machine stays inside the field while it turns.",
+                            .kind = ParameterKind::Flag,
+                            .standard = 1.0,
+                            .choices = {}};
+
+std::span<const StageInfo> stages() {
+    return registry().stages;
+}
+
+std::span<const Parameter* const> generalParameters() {
+    return kGeneralParameters;
+}
+
+std::span<const Parameter* const> allParameters() {
+    return registry().parameters;
+}
+
+Result<const Parameter*> findParameter(std::string_view key) {
+    std::vector<std::string_view> keys;
+    for (const Parameter* parameter : allParameters()) {
+        if (parameter->key == key) {
+            return parameter;
+        }
+        keys.push_back(parameter->key);
+    }
+    const std::string nearest = nearestName(key, keys);
+    return std::unexpected(Error{.code = ErrorCode::Usage,
+                                 .what = std::format("there is no setting '{}'", key),
+                                 .where = "settings",
+                                 .remedy = nearest.empty() ? "furrow-cli list methods shows all of them"
+                                                           : std::format("did you mean '{}'?", nearest)});
+}
+
+Result<void> applySetting(Settings& settings, std::string_view key, std::string_view text) {
+    return findParameter(key).and_then([&](const Parameter* found) { return settings.setText(*found, text); });
+}
+
+HeadlandGenerator* headlandMethod(const Settings& settings) {
+    return chosen(kHeadlandMethods, registry().headland, settings);
+}
+
+SwathGenerator* swathMethod(const Settings& settings) {
+    return chosen(kSwathMethods, registry().swaths, settings);
+}
+
+RoutePlanner* routeMethod(const Settings& settings) {
+    return chosen(kRouteMethods, registry().route, settings);
+}
+
+TurnPlanner* turnMethod(const Settings& settings) {
+    return chosen(kTurnMethods, registry().path, settings);
+}
+
+}  // namespace furrow

@@ -1,0 +1,175 @@
+#include "planner/plan/plan.h"
+
+#include "planner/geometry/geos_bridge.h"
+#include "planner/path/drivable_check.h"
+#include "planner/path/path_builder.h"
+#include "planner/plan/general_parameters.h"
+#include "planner/plan/method_registry.h"
+#include "planner/turns/straight_turn.h"
+
+#include <algorithm>
+#include <chrono>
+#include <format>
+
+namespace furrow {
+
+namespace {
+
+using Clock = std::chrono::steady_clock;
+
+/// Runs one stage and notes how long it took.
+template <class Run>
+auto timed(Duration& taken, const Run& run) {
+    const Clock::time_point begin = Clock::now();
+    auto result = run();
+    taken = seconds(std::chrono::duration<double>(Clock::now() - begin).count());
+    return result;
+}
+
+/// No machine fits where not even a disc of its own width does.
+Result<void> checkThatItFits(const Field& field, const Machine& machine, Length margin, const JobContext& job) {
+    const Length half = 0.5 * machine.spec().tractor.width;
+    const auto room = eroded(field.drivable(), half + margin, metres(0.05), job);
+    if (!room) {
+        return std::unexpected(room.error());
+    }
+    if (room->empty()) {
+        return std::unexpected(Error{
+            .code = ErrorCode::InputRefused,
+            .what = std::format("the field is nowhere as wide as the machine ({:.2f} m{})",
+                                machine.spec().tractor.width.si(),
+                                margin > metres(0.0) ? std::format(" and twice {:.2f} m of margin", margin.si()) : ""),
+            .where = field.source().origin.empty() ? field.name() : field.source().origin,
+            .remedy = "choose a narrower machine or check the boundary's coordinate system",
+            .place = middleOf(field.source().parts)});
+    }
+    return {};
+}
+
+std::string swathName(const Path& path, std::size_t segment) {
+    return segment < path.segments.size() ? std::to_string(path.segments[segment].swath) : std::string{"the end"};
+}
+
+Finding blockedFinding(const Path& path, const BlockedConnection& blocked, const Headland& headland,
+                       const Machine& machine) {
+    const std::string way = std::format("The way from swath {} to {}", path.segments[blocked.segment].swath,
+                                        swathName(path, blocked.segment + 1));
+    if (blocked.obstacle) {
+        return {.severity = Severity::Blocking,
+                .kind = "obstacle",
+                .place = blocked.place,
+                .text = way + " crosses an obstacle.",
+                .suggestion = "Try another direction of the swaths, or plan the sides of the obstacle apart."};
+    }
+    const double needed = (headland.width + blocked.outside).si();
+    // A turn that is a few metres short fits with more headland; one that cuts a corner of the field does not.
+    const bool widerHeadlandHelps = blocked.outside < 3.0 * machine.minTurningRadius() + machine.operatingWidth();
+    return {.severity = Severity::Blocking,
+            .kind = "outside",
+            .place = blocked.place,
+            .text = std::format("{} leaves the field by {:.1f} m.", way, blocked.outside.si()),
+            .suggestion = widerHeadlandHelps
+                              ? std::format("A headland of {:.0f} m may make room ({:.1f} m now).", std::ceil(needed),
+                                            headland.width.si())
+                              : "The field bends inwards here: try another direction of the swaths."};
+}
+
+std::string blockedReason(const BlockedConnection& blocked) {
+    return blocked.obstacle ? "crosses an obstacle"
+                            : std::format("leaves the field by {:.2f} m", blocked.outside.si());
+}
+
+}  // namespace
+
+bool Plan::drivable() const {
+    return std::ranges::none_of(findings,
+                                [](const Finding& finding) { return finding.severity == Severity::Blocking; });
+}
+
+Result<std::shared_ptr<const Plan>> makePlan(const PlanRequest& request, const JobContext& job) {
+    const Clock::time_point begin = Clock::now();
+    const Field& field = *request.field;
+    const Machine& machine = request.machine;
+    const Settings& settings = request.settings;
+    const auto plan = std::make_shared<Plan>(Plan{.request = request});
+    plan->margin = settings.length(kMargin).value_or(field.source().boundaryAccuracy);
+
+    if (auto fits = checkThatItFits(field, machine, plan->margin, job); !fits) {
+        return std::unexpected(fits.error());
+    }
+    auto headland = timed(plan->timings.headland, [&] {
+        return headlandMethod(settings)(field, machine, settings, plan->margin, job.part(0.0, 0.1));
+    });
+    if (!headland) {
+        return std::unexpected(headland.error());
+    }
+    plan->headland = std::move(*headland);
+
+    auto swaths = timed(plan->timings.swaths, [&] {
+        return swathMethod(settings)(plan->headland.mainland, machine, settings, job.part(0.1, 0.8));
+    });
+    if (!swaths) {
+        return std::unexpected(swaths.error());
+    }
+    plan->swaths = std::move(*swaths);
+
+    auto route = timed(plan->timings.route, [&] {
+        return routeMethod(settings)(plan->swaths, machine, settings, job.part(0.8, 0.85));
+    });
+    if (!route) {
+        return std::unexpected(route.error());
+    }
+    plan->route = std::move(*route);
+
+    auto path = timed(plan->timings.path, [&] {
+        return buildPath(plan->swaths, plan->route, machine, turnMethod(settings), job.part(0.85, 0.9));
+    });
+    if (!path) {
+        return std::unexpected(path.error());
+    }
+    plan->path = std::move(*path);
+
+    const Point middle = field.frame().toLocal(middleOf(field.source().parts));
+    if (settings.flag(kStayInside)) {
+        const auto blocked = blockedConnections(plan->path, field, machine, plan->margin, job.part(0.9, 1.0));
+        if (!blocked) {
+            return std::unexpected(blocked.error());
+        }
+        for (const BlockedConnection& connection : *blocked) {
+            PathSegment& segment = plan->path.segments[connection.segment];
+            segment.drivable = false;
+            segment.reason = blockedReason(connection);
+            plan->findings.push_back(blockedFinding(plan->path, connection, plan->headland, machine));
+        }
+    } else if (plan->path.turnCount() > 0) {
+        plan->findings.push_back({.severity = Severity::Note,
+                                  .kind = "unchecked",
+                                  .place = middle,
+                                  .text = "Nothing checked that the turns stay inside the field.",
+                                  .suggestion = "Switch \"Stay inside\" on to have them checked."});
+    }
+    if (turnMethod(settings) == kStraightMethod.run &&
+        !machine.spec().tractor.canTurnInPlace && plan->path.turnCount() > 0) {
+        plan->findings.push_back({.severity = Severity::Blocking,
+                                  .kind = "heading-jump",
+                                  .place = plan->path.segments[1].samples.front().position,
+                                  .text = "This machine cannot turn on the spot.",
+                                  .suggestion = "Choose forward curves, or a machine that can."});
+    }
+    for (const Note& note : plan->headland.notes) {
+        plan->findings.push_back(
+            {.severity = Severity::Note, .kind = note.where, .place = middle, .text = note.text + ".", .suggestion = ""});
+    }
+    for (const Note& repair : field.repairs()) {
+        plan->findings.push_back({.severity = Severity::Note,
+                                  .kind = "repair",
+                                  .place = repair.place ? field.frame().toLocal(*repair.place) : middle,
+                                  .text = std::format("Repaired in {}: {}.", repair.where, repair.text),
+                                  .suggestion = ""});
+    }
+    plan->timings.total = seconds(std::chrono::duration<double>(Clock::now() - begin).count());
+    job.report(1.0);
+    return std::shared_ptr<const Plan>{plan};
+}
+
+}  // namespace furrow

@@ -1,0 +1,53 @@
+#include "planner/swaths/heading_search.h"
+#include "planner/swaths/methods.h"
+
+#include <cmath>
+
+namespace furrow {
+
+namespace {
+
+Result<SwathSet> bruteForce(const MultiPolygon& mainland, const Machine& machine, const Settings& settings,
+                            const JobContext& job) {
+    const auto scanLine = scanLineFor(mainland, machine, settings);
+    if (!scanLine) {
+        return std::unexpected(scanLine.error());
+    }
+    const double stepDeg = inDegrees(*settings.angle(kStep));
+    std::vector<Angle> headings;
+    for (int i = 0; i * stepDeg < 180.0; ++i) {
+        headings.push_back(degrees(i * stepDeg));
+    }
+    const auto heading = bestHeading(*scanLine, headings, objectiveOf(settings), job);
+    if (!heading) {
+        return std::unexpected(heading.error());
+    }
+    auto set = swathsAlong(*scanLine, *heading);
+    if (set) {
+        set->headingsTried = static_cast<int>(headings.size());
+    }
+    return set;
+}
+
+constexpr const Parameter* kParameters[] = {&kObjective, &kStep};
+
+}  // namespace
+
+const Parameter kStep{.key = "swaths.step_deg",
+                      .name = "Step",
+                      .description = "Between the headings that are tried.",
+                      .kind = ParameterKind::Angle,
+                      .standard = 1.0,
+                      .min = 0.01,
+                      .max = 90.0,
+                      .step = 0.5,
+                      .choices = {}};
+
+const Method<SwathGenerator> kBruteForceMethod{
+    .info = {.id = "brute-force",
+             .name = "Best of all headings",
+             .description = "Tries every heading in steps and keeps the best (the paper's search).",
+             .parameters = kParameters},
+    .run = bruteForce};
+
+}  // namespace furrow

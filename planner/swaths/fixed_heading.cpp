@@ -1,0 +1,39 @@
+#include "planner/swaths/heading_search.h"
+#include "planner/swaths/methods.h"
+
+namespace furrow {
+
+namespace {
+
+Result<SwathSet> fixedHeading(const MultiPolygon& mainland, const Machine& machine, const Settings& settings,
+                              const JobContext& job) {
+    if (job.stopRequested()) {
+        return std::unexpected(cancelled());
+    }
+    return scanLineFor(mainland, machine, settings).and_then([&](const ScanLine& scanLine) {
+        return swathsAlong(scanLine, *settings.angle(kAngle));
+    });
+}
+
+constexpr const Parameter* kParameters[] = {&kAngle};
+
+}  // namespace
+
+const Parameter kAngle{.key = "swaths.angle_deg",
+                       .name = "Direction",
+                       .description = "Of the swaths.",
+                       .kind = ParameterKind::Angle,
+                       .standard = 0.0,
+                       .min = -360.0,
+                       .max = 360.0,
+                       .step = 1.0,
+                       .choices = {}};
+
+const Method<SwathGenerator> kFixedHeadingMethod{
+    .info = {.id = "fixed",
+             .name = "Given direction",
+             .description = "All swaths in the direction that you type.",
+             .parameters = kParameters},
+    .run = fixedHeading};
+
+}  // namespace furrow

@@ -1,0 +1,344 @@
+#include "planner/swaths/scan_line.h"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <span>
+
+namespace furrow {
+
+namespace {
+
+// Stretches shorter than this are rounding at a corner, not work.
+constexpr double kShortestSwathM = 1e-3;
+constexpr double kMostTracks = 1e6;
+// A width that fits up to rounding does fit.
+constexpr double kFitSlack = 1e-9;
+
+struct Interval {
+    double from = 0.0;
+    double to = 0.0;
+};
+
+/// Integral over y of clamp(x, from, to) - from along a straight edge, y running from y0 to y1.
+double clampedIntegral(Point p0, Point p1, Interval interval) {
+    const double span = interval.to - interval.from;
+    const double u0 = p0.x - interval.from;
+    const double u1 = p1.x - interval.from;
+    const double dy = p1.y - p0.y;
+    const double low = std::min(u0, u1);
+    const double high = std::max(u0, u1);
+    if (high <= 0.0) {
+        return 0.0;
+    }
+    if (low >= span) {
+        return span * dy;
+    }
+    if (low >= 0.0 && high <= span) {
+        return 0.5 * (u0 + u1) * dy;
+    }
+    // The edge meets a swath's end: shares of its length below, within and beyond the clamp.
+    const double length = high - low;
+    const double within = std::min(high, span) - std::max(low, 0.0);
+    const double beyond = std::max(high - span, 0.0);
+    const double middle = 0.5 * (std::min(high, span) + std::max(low, 0.0));
+    return dy * (within * middle + beyond * span) / length;
+}
+
+}  // namespace
+
+/// Everything one heading needs; kept per thread so that trying a heading allocates nothing.
+struct ScanLine::Walk {
+    std::vector<Point> rotated;
+    double lowY = 0.0;
+    double highY = 0.0;
+    std::vector<double> tracks;               // y of each centre line, rising
+    std::vector<std::size_t> firstInterval;   // of track i; one more entry than tracks
+    std::vector<double> crossings;            // sorted within a track: pairs are intervals
+    // Slabs: stretches of y over which the same tracks cover.
+    std::vector<double> slabEdges;
+    std::vector<std::size_t> firstCovered;  // of slab i, into covered; one more entry than slabs
+    std::vector<Interval> covered;          // by one swath or more, disjoint
+    std::vector<std::size_t> firstDoubled;
+    std::vector<Interval> doubled;          // by two or more, disjoint
+    std::vector<Interval> scratch;
+
+    std::span<const Interval> coveredIn(std::size_t slab) const {
+        return {covered.data() + firstCovered[slab], covered.data() + firstCovered[slab + 1]};
+    }
+    std::span<const Interval> doubledIn(std::size_t slab) const {
+        return {doubled.data() + firstDoubled[slab], doubled.data() + firstDoubled[slab + 1]};
+    }
+};
+
+namespace {
+
+/// Splits overlapping intervals into where at least one and where at least two of them lie.
+void countOverlaps(std::vector<Interval>& intervals, std::vector<Interval>& once, std::vector<Interval>& twice) {
+    std::ranges::sort(intervals, {}, &Interval::from);
+    double end = -std::numeric_limits<double>::infinity();        // of the current stretch covered once
+    double twiceEnd = -std::numeric_limits<double>::infinity();   // and twice
+    for (const Interval& interval : intervals) {
+        if (interval.from < end) {
+            const Interval both{std::max(interval.from, twiceEnd), std::min(interval.to, end)};
+            if (both.to > both.from) {
+                if (both.from == twiceEnd) {
+                    twice.back().to = both.to;
+                } else {
+                    twice.push_back(both);
+                }
+                twiceEnd = both.to;
+            }
+            if (interval.to > end) {
+                once.back().to = interval.to;
+                end = interval.to;
+            }
+        } else {
+            once.push_back(interval);
+            end = interval.to;
+        }
+    }
+}
+
+}  // namespace
+
+ScanLine::ScanLine(const MultiPolygon& mainland, const SwathSpacing& spacing) : spacing_{spacing} {
+    const Bounds box = bounds(mainland);
+    origin_ = 0.5 * (box.min + box.max);
+    diameterM_ = std::hypot(box.width(), box.height());
+    areaM2_ = area(mainland).si();
+    const auto add = [this](const Ring& ring) {
+        for (const Point& point : ring) {
+            vertices_.push_back(point - origin_);
+        }
+        ringEnds_.push_back(vertices_.size());
+    };
+    for (const Polygon& polygon : mainland) {
+        add(polygon.outer);
+        std::ranges::for_each(polygon.holes, add);
+    }
+}
+
+bool ScanLine::tooManyTracks() const {
+    return diameterM_ / (spacing_.width - spacing_.overlap).si() > kMostTracks;
+}
+
+void ScanLine::rotate(Angle heading, Walk& walk) const {
+    const double c = std::cos(heading.si());
+    const double s = std::sin(heading.si());
+    walk.rotated.resize(vertices_.size());
+    walk.lowY = std::numeric_limits<double>::infinity();
+    walk.highY = -walk.lowY;
+    for (std::size_t i = 0; i < vertices_.size(); ++i) {
+        const Point p = vertices_[i];
+        const Point turned{c * p.x + s * p.y, c * p.y - s * p.x};
+        walk.rotated[i] = turned;
+        walk.lowY = std::min(walk.lowY, turned.y);
+        walk.highY = std::max(walk.highY, turned.y);
+    }
+}
+
+void ScanLine::lay(MovedSide moved, Walk& walk) const {
+    const double width = spacing_.width.si();
+    const double height = walk.highY - walk.lowY;
+    double step = (spacing_.width - spacing_.overlap).si();
+    walk.tracks.clear();
+    if (height <= width) {
+        walk.tracks.push_back(0.5 * (walk.lowY + walk.highY));
+    } else {
+        const auto count = static_cast<std::size_t>(std::ceil((height - width) / step - kFitSlack)) + 1;
+        if (spacing_.lastPass == LastPass::Spread) {
+            step = (height - width) / static_cast<double>(count - 1);
+        }
+        const double lowest = walk.lowY + 0.5 * width;
+        const double highest = walk.highY - 0.5 * width;
+        for (std::size_t i = 0; i < count; ++i) {
+            walk.tracks.push_back(moved == MovedSide::Last ? lowest + static_cast<double>(i) * step
+                                                           : highest - static_cast<double>(count - 1 - i) * step);
+        }
+        // The outermost swaths are flush with the mainland's edges, to the last bit.
+        walk.tracks.front() = lowest;
+        walk.tracks.back() = highest;
+    }
+
+    // Crossings of every edge with every centre line, sorted into tracks by counting.
+    const std::size_t trackCount = walk.tracks.size();
+    const auto forEachCrossing = [&](auto&& visit) {
+        std::size_t begin = 0;
+        for (const std::size_t end : ringEnds_) {
+            Point a = walk.rotated[end - 1];
+            for (std::size_t i = begin; i < end; ++i) {
+                const Point b = walk.rotated[i];
+                const double low = std::min(a.y, b.y);
+                const double high = std::max(a.y, b.y);
+                // Half-open: a vertex on a centre line counts for one of its two edges.
+                auto k = static_cast<std::size_t>(std::ranges::lower_bound(walk.tracks, low) - walk.tracks.begin());
+                for (; k < trackCount && walk.tracks[k] < high; ++k) {
+                    visit(k, a, b);
+                }
+                a = b;
+            }
+            begin = end;
+        }
+    };
+    walk.firstInterval.assign(trackCount + 1, 0);
+    forEachCrossing([&](std::size_t k, Point, Point) { ++walk.firstInterval[k + 1]; });
+    for (std::size_t k = 0; k < trackCount; ++k) {
+        walk.firstInterval[k + 1] += walk.firstInterval[k];
+    }
+    walk.crossings.resize(walk.firstInterval.back());
+    forEachCrossing([&](std::size_t k, Point a, Point b) {
+        const double share = (walk.tracks[k] - a.y) / (b.y - a.y);
+        walk.crossings[walk.firstInterval[k]++] = a.x + share * (b.x - a.x);
+    });
+    // Filling moved every entry on to the next track's beginning.
+    std::ranges::move_backward(walk.firstInterval.begin(), walk.firstInterval.end() - 1, walk.firstInterval.end());
+    walk.firstInterval.front() = 0;
+    for (std::size_t k = 0; k < trackCount; ++k) {
+        std::sort(walk.crossings.begin() + static_cast<std::ptrdiff_t>(walk.firstInterval[k]),
+                  walk.crossings.begin() + static_cast<std::ptrdiff_t>(walk.firstInterval[k + 1]));
+    }
+
+    // Slabs between the edges of all strips, and what the active strips cover in each.
+    const double half = 0.5 * width;
+    walk.slabEdges.clear();
+    std::size_t starts = 0;
+    for (std::size_t ends = 0; ends < trackCount;) {
+        const double start = starts < trackCount ? walk.tracks[starts] - half : std::numeric_limits<double>::infinity();
+        const double end = walk.tracks[ends] + half;
+        const double next = std::min(start, end);
+        starts += start <= end ? 1 : 0;
+        ends += end <= start ? 1 : 0;
+        if (walk.slabEdges.empty() || next > walk.slabEdges.back()) {
+            walk.slabEdges.push_back(next);
+        }
+    }
+    walk.covered.clear();
+    walk.doubled.clear();
+    walk.firstCovered.assign(1, 0);
+    walk.firstDoubled.assign(1, 0);
+    std::size_t firstActive = 0;
+    for (std::size_t slab = 0; slab + 1 < walk.slabEdges.size(); ++slab) {
+        const double middle = 0.5 * (walk.slabEdges[slab] + walk.slabEdges[slab + 1]);
+        while (firstActive < trackCount && walk.tracks[firstActive] + half < middle) {
+            ++firstActive;
+        }
+        walk.scratch.clear();
+        for (std::size_t k = firstActive; k < trackCount && walk.tracks[k] - half < middle; ++k) {
+            for (std::size_t i = walk.firstInterval[k]; i + 1 < walk.firstInterval[k + 1]; i += 2) {
+                if (walk.crossings[i + 1] - walk.crossings[i] >= kShortestSwathM) {
+                    walk.scratch.push_back({walk.crossings[i], walk.crossings[i + 1]});
+                }
+            }
+        }
+        countOverlaps(walk.scratch, walk.covered, walk.doubled);
+        walk.firstCovered.push_back(walk.covered.size());
+        walk.firstDoubled.push_back(walk.doubled.size());
+    }
+}
+
+HeadingFigures ScanLine::measure(const Walk& walk) const {
+    HeadingFigures figures;
+    for (std::size_t k = 0; k < walk.tracks.size(); ++k) {
+        for (std::size_t i = walk.firstInterval[k]; i + 1 < walk.firstInterval[k + 1]; i += 2) {
+            const double length = walk.crossings[i + 1] - walk.crossings[i];
+            if (length >= kShortestSwathM) {
+                ++figures.count;
+                figures.length += metres(length);
+            }
+        }
+    }
+    // Green's theorem on the part of the mainland inside each rectangle: the integral of clamp(x) dy
+    // around every ring, edge by edge, slab by slab.
+    double coveredM2 = 0.0;
+    double doubledM2 = 0.0;
+    std::size_t begin = 0;
+    const std::vector<double>& edges = walk.slabEdges;
+    for (const std::size_t end : ringEnds_) {
+        Point a = walk.rotated[end - 1];
+        for (std::size_t i = begin; i < end; ++i) {
+            const Point b = walk.rotated[i];
+            if (a.y != b.y) {
+                const Point low = a.y < b.y ? a : b;
+                const Point high = a.y < b.y ? b : a;
+                const double sign = a.y < b.y ? 1.0 : -1.0;
+                const double slope = (high.x - low.x) / (high.y - low.y);
+                const auto at = [&](double y) {
+                    return y <= low.y ? low : y >= high.y ? high : Point{low.x + slope * (y - low.y), y};
+                };
+                auto slab = static_cast<std::size_t>(
+                    std::max<std::ptrdiff_t>(std::ranges::upper_bound(edges, low.y) - edges.begin() - 1, 0));
+                for (; slab + 1 < edges.size() && edges[slab] < high.y; ++slab) {
+                    const Point from = at(edges[slab]);
+                    const Point to = at(edges[slab + 1]);
+                    for (const Interval& interval : walk.coveredIn(slab)) {
+                        coveredM2 += sign * clampedIntegral(from, to, interval);
+                    }
+                    for (const Interval& interval : walk.doubledIn(slab)) {
+                        doubledM2 += sign * clampedIntegral(from, to, interval);
+                    }
+                }
+            }
+            a = b;
+        }
+        begin = end;
+    }
+    figures.coverage = areaM2_ > 0.0 ? std::clamp(coveredM2 / areaM2_, 0.0, 1.0) : 0.0;
+    figures.overlap = squareMetres(std::max(0.0, doubledM2));
+    return figures;
+}
+
+HeadingFigures ScanLine::best(Angle heading, Walk& walk) const {
+    rotate(heading, walk);
+    lay(MovedSide::Last, walk);
+    const HeadingFigures last = measure(walk);
+    if (spacing_.lastPass == LastPass::Spread || walk.tracks.size() < 2) {
+        return last;
+    }
+    lay(MovedSide::First, walk);
+    const HeadingFigures first = measure(walk);
+    // More covered, then less overlapped; differences of rounding are none.
+    const double slack = 1e-12;
+    const bool firstIsBetter =
+        first.coverage > last.coverage + slack ||
+        (first.coverage >= last.coverage - slack && first.overlap.si() < last.overlap.si() - slack * areaM2_);
+    if (firstIsBetter) {
+        return first;
+    }
+    lay(MovedSide::Last, walk);
+    return last;
+}
+
+HeadingFigures ScanLine::figures(Angle heading) const {
+    thread_local Walk walk;
+    return best(heading, walk);
+}
+
+SwathSet ScanLine::swaths(Angle heading) const {
+    thread_local Walk walk;
+    const HeadingFigures figures = best(heading, walk);
+    SwathSet set;
+    set.heading = heading;
+    set.totalLength = figures.length;
+    set.coverage = figures.coverage;
+    set.overlap = figures.overlap;
+    set.shift = metres(walk.tracks.front() - walk.lowY) - 0.5 * spacing_.width;
+    const Point along = direction(heading.si());
+    const Point left{-along.y, along.x};
+    for (std::size_t k = 0; k < walk.tracks.size(); ++k) {
+        for (std::size_t i = walk.firstInterval[k]; i + 1 < walk.firstInterval[k + 1]; i += 2) {
+            if (walk.crossings[i + 1] - walk.crossings[i] < kShortestSwathM) {
+                continue;
+            }
+            const Point track = origin_ + walk.tracks[k] * left;
+            set.swaths.push_back({.start = track + walk.crossings[i] * along,
+                                  .end = track + walk.crossings[i + 1] * along,
+                                  .number = static_cast<int>(set.swaths.size()) + 1,
+                                  .track = static_cast<int>(k),
+                                  .width = spacing_.width});
+        }
+    }
+    return set;
+}
+
+}  // namespace furrow

@@ -1,0 +1,13 @@
+#pragma once
+
+#include "planner/settings/method.h"
+#include "planner/turns/turn_method.h"
+
+namespace furrow {
+
+/// For machines that turn on the spot: straight from place to place, the heading jumping at both ends.
+Turn straightTurn(const Pose& from, const Pose& to);
+
+extern const Method<TurnPlanner> kStraightMethod;
+
+}  // namespace furrow

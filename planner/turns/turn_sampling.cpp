@@ -1,0 +1,43 @@
+#include "planner/turns/turn_sampling.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace furrow {
+
+std::vector<TurnSample> sampled(const Turn& turn, Length chordTolerance) {
+    std::vector<TurnSample> samples;
+    Pose pose = turn.start;
+    Length way;
+    for (const TurnPiece& piece : turn.pieces) {
+        const double curvature = std::abs(piece.curvature.si());
+        // A chord over the angle phi stays R (1 - cos(phi / 2)) away from its arc.
+        const double cosine = std::clamp(1.0 - chordTolerance.si() * curvature, -1.0, 1.0);
+        const double angle = piece.length.si() * curvature;
+        const int steps = std::max(1, static_cast<int>(std::ceil(angle / (2.0 * std::acos(cosine)))));
+        // A straight piece divides zero by zero: one chord is the line itself.
+        const int count = curvature > 0.0 ? steps : 1;
+        for (int i = 0; i < count; ++i) {
+            const Length part = piece.length * (static_cast<double>(i) / count);
+            samples.push_back({way + part, advanced(pose, piece, part), piece.curvature, piece.gear});
+        }
+        pose = advanced(pose, piece, piece.length);
+        way += piece.length;
+    }
+    const TurnPiece last = turn.pieces.empty() ? TurnPiece{} : turn.pieces.back();
+    samples.push_back({way, pose, last.curvature, last.gear});
+    return samples;
+}
+
+Ring placed(const Ring& shape, const Pose& pose) {
+    const Point ahead = direction(pose.heading.si());
+    const Point left{-ahead.y, ahead.x};
+    Ring moved;
+    moved.reserve(shape.size());
+    for (const Point& corner : shape) {
+        moved.push_back(pose.position + corner.x * ahead + corner.y * left);
+    }
+    return moved;
+}
+
+}  // namespace furrow

@@ -1,0 +1,27 @@
+#pragma once
+
+#include "planner/geometry/polygon.h"
+#include "planner/turns/turn.h"
+
+#include <vector>
+
+namespace furrow {
+
+/// Largest distance between a curve and the chords between its samples.
+inline constexpr Length kChordTolerance = metres(0.005);
+
+struct TurnSample {
+    Length way;  ///< driven since the turn began
+    Pose pose;
+    Curvature curvature;  ///< of the piece that begins here; at the end, of the last one
+    Gear gear = Gear::Forward;
+};
+
+/// Samples from the start to the end of a turn, at every change of piece and close enough in between.
+/// At least two. Cost: O(samples).
+std::vector<TurnSample> sampled(const Turn& turn, Length chordTolerance);
+
+/// A shape given around the reference point with the nose to +x, moved to a pose.
+Ring placed(const Ring& shape, const Pose& pose);
+
+}  // namespace furrow
