@@ -13,6 +13,7 @@
 #include "planner/plan/method_registry.h"
 #include "planner/units/angle.h"
 
+#include <algorithm>
 #include <cmath>
 #include <filesystem>
 #include <format>
@@ -116,11 +117,15 @@ void printPlan(const Plan& plan, const std::vector<std::filesystem::path>& files
                                      ? std::string{"yes"}
                                      : std::format("no, {} cannot be driven",
                                                    counted(plan.path.undrivableCount(), "connection", "connections")));
-    for (std::size_t i = 0; i < plan.findings.size(); ++i) {
+    constexpr std::size_t kMostShown = 10;
+    for (std::size_t i = 0; i < std::min(plan.findings.size(), kMostShown); ++i) {
         const Finding& finding = plan.findings[i];
         const GeoPoint place = plan.field().frame().toGeo(finding.place);
         std::println("  {} {:3}  {} {} ({:.6f}, {:.6f})", finding.severity == Severity::Blocking ? "!" : " ", i + 1,
                      finding.text, finding.suggestion, place.lonDeg, place.latDeg);
+    }
+    if (plan.findings.size() > kMostShown) {
+        std::println("       and {} more in summary.json", plan.findings.size() - kMostShown);
     }
     std::println("Planned in {:.1f} ms. Written:", plan.timings.total.si() * 1e3);
     for (const std::filesystem::path& file : files) {
@@ -208,7 +213,7 @@ void addPlanCommand(CLI::App& app, std::function<int()>& run) {
     plan->footer(
         "Examples:\n"
         "  furrow-cli plan field.geojson --out plan\n"
-        "  furrow-cli plan farm.gpkg --field-id 12 --machine trailed_sprayer --out plan\n"
+        "  furrow-cli plan farm.gpkg --field-id 12 --machine trailed-sprayer --out plan\n"
         "  furrow-cli plan field.kml --set swaths.method=fixed --set swaths.angle_deg=30 --out plan --json\n"
         "\n"
         "Exit status: 0 a drivable plan, 1 a plan that cannot be driven as it is (written and marked),\n"

@@ -82,7 +82,9 @@ public:
             }
         }
         if (reversed_ > 0) {
-            note(std::format("{} {} the other way round and turned", reversed_, reversed_ == 1 ? "ring ran" : "rings ran"),
+            note(std::format("{} the wrong way round and {} turned",
+                             reversed_ == 1 ? "1 ring ran" : std::format("{} rings ran", reversed_),
+                             reversed_ == 1 ? "was" : "were"),
                  parts.front().outer.front());
         }
         result.repairs = std::move(repairs_);

@@ -78,8 +78,13 @@ Geometry toGeos(const MultiPolygon& polygons) {
                                                 static_cast<unsigned>(parts.size()))};
 }
 
-Geometry toGeos(const Polyline& line) {
-    return Geometry{GEOSGeom_createLineString_r(handle(), sequence(line, false))};
+Geometry toGeos(const std::vector<Polyline>& lines) {
+    std::vector<GEOSGeometry*> parts;
+    for (const Polyline& line : lines) {
+        parts.push_back(GEOSGeom_createLineString_r(handle(), sequence(line, false)));
+    }
+    return Geometry{GEOSGeom_createCollection_r(handle(), GEOS_MULTILINESTRING, parts.data(),
+                                                static_cast<unsigned>(parts.size()))};
 }
 
 Ring ringFrom(const GEOSGeometry* ring, bool counterClockwise) {
@@ -252,30 +257,30 @@ struct PreparedArea::Impl {
 
     /// Prepared geometries build their indexes on first use, which must not happen in two threads at once:
     /// every thread prepares its own and keeps it for as long as it asks the same area.
-    const GEOSPreparedGeometry* prepared() const {
-        struct PerThread {
-            PerThread(const MultiPolygon& polygons, std::weak_ptr<const char> area)
-                : owner{std::move(area)},
-                  geometry{toGeos(polygons)},
-                  prepared{GEOSPrepare_r(handle(), geometry.get())} {}
-            ~PerThread() { GEOSPreparedGeom_destroy_r(handle(), prepared); }
-            PerThread(const PerThread&) = delete;
-            PerThread& operator=(const PerThread&) = delete;
+    struct PerThread {
+        PerThread(const MultiPolygon& polygons, std::weak_ptr<const char> area)
+            : owner{std::move(area)},
+              geometry{toGeos(polygons)},
+              prepared{GEOSPrepare_r(handle(), geometry.get())} {}
+        ~PerThread() { GEOSPreparedGeom_destroy_r(handle(), prepared); }
+        PerThread(const PerThread&) = delete;
+        PerThread& operator=(const PerThread&) = delete;
 
-            std::weak_ptr<const char> owner;
-            Geometry geometry;
-            const GEOSPreparedGeometry* prepared;
-        };
+        std::weak_ptr<const char> owner;
+        Geometry geometry;
+        const GEOSPreparedGeometry* prepared;
+    };
+    const PerThread& prepared() const {
         // Two areas at a time: what is inside, and what is land at all.
         thread_local std::array<std::unique_ptr<PerThread>, 2> cache;
         for (const auto& entry : cache) {
             if (entry && entry->owner.lock() == alive) {
-                return entry->prepared;
+                return *entry;
             }
         }
         std::ranges::rotate(cache, cache.end() - 1);
         cache.front() = std::make_unique<PerThread>(polygons, alive);
-        return cache.front()->prepared;
+        return *cache.front();
     }
 
     std::shared_ptr<const char> alive = std::make_shared<const char>();
@@ -290,25 +295,39 @@ PreparedArea::PreparedArea(PreparedArea&&) noexcept = default;
 PreparedArea& PreparedArea::operator=(PreparedArea&&) noexcept = default;
 
 bool PreparedArea::covers(const std::vector<Polyline>& lines) const {
-    std::vector<GEOSGeometry*> parts;
-    for (const Polyline& line : lines) {
-        parts.push_back(toGeos(line).release());
-    }
-    const Geometry tested{GEOSGeom_createCollection_r(handle(), GEOS_MULTILINESTRING, parts.data(),
-                                                      static_cast<unsigned>(parts.size()))};
-    return GEOSPreparedCovers_r(handle(), impl_->prepared(), tested.get()) == 1;
+    const Geometry tested = toGeos(lines);
+    return GEOSPreparedCovers_r(handle(), impl_->prepared().prepared, tested.get()) == 1;
 }
 
-FarthestPoint PreparedArea::farthestOutside(const std::vector<Polyline>& lines) const {
-    FarthestPoint farthest;
-    for (const Polyline& line : lines) {
-        for (const Point& point : line) {
-            const Geometry tested{GEOSGeom_createPointFromXY_r(handle(), point.x, point.y)};
-            double away = 0.0;
-            if (GEOSPreparedDistance_r(handle(), impl_->prepared(), tested.get(), &away) == 1 &&
-                away > farthest.distance.si()) {
-                farthest = {point, metres(away)};
+std::optional<FarthestPoint> PreparedArea::farthestOutside(const std::vector<Polyline>& lines) const {
+    const Geometry tested = toGeos(lines);
+    const auto& area = impl_->prepared();
+    std::optional<FarthestPoint> farthest;
+    const auto consider = [&](Point point) {
+        const Geometry place{GEOSGeom_createPointFromXY_r(handle(), point.x, point.y)};
+        double away = 0.0;
+        if (GEOSPreparedDistance_r(handle(), area.prepared, place.get(), &away) == 1 && away > 0.0 &&
+            (!farthest || away > farthest->distance.si())) {
+            farthest = {point, metres(away)};
+        }
+    };
+    const Geometry outside{GEOSDifference_r(handle(), tested.get(), area.geometry.get())};
+    const int parts = outside ? GEOSGetNumGeometries_r(handle(), outside.get()) : 0;
+    for (int i = 0; i < parts; ++i) {
+        const GEOSGeometry* part = GEOSGetGeometryN_r(handle(), outside.get(), i);
+        const GEOSCoordSequence* coordinates = GEOSGeom_getCoordSeq_r(handle(), part);
+        unsigned count = 0;
+        GEOSCoordSeq_getSize_r(handle(), coordinates, &count);
+        Point before;
+        for (unsigned k = 0; k < count; ++k) {
+            Point point;
+            GEOSCoordSeq_getXY_r(handle(), coordinates, k, &point.x, &point.y);
+            consider(point);
+            if (k > 0) {
+                // A straight line through a hole is farthest outside somewhere between its two crossings.
+                consider(0.5 * (before + point));
             }
+            before = point;
         }
     }
     return farthest;

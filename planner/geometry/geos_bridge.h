@@ -54,9 +54,9 @@ public:
 
     /// No point of the lines lies outside; touching the edge is allowed.
     bool covers(const std::vector<Polyline>& lines) const;
-    /// The vertex farthest outside; distance 0 where none is. The distance is measured to the vertex, so a
-    /// hole that a line spans from vertex to vertex may show up as 0.
-    FarthestPoint farthestOutside(const std::vector<Polyline>& lines) const;
+    /// Where the lines are farthest outside, among the ends, bends and middles of their parts outside;
+    /// nothing where none is.
+    std::optional<FarthestPoint> farthestOutside(const std::vector<Polyline>& lines) const;
 
 private:
     struct Impl;

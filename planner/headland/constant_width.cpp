@@ -23,6 +23,20 @@ int passesWithin(Length width, Length margin, const Machine& machine) {
     return std::max(0, static_cast<int>(std::floor((width - margin) / machine.operatingWidth() + kPassSlack)));
 }
 
+/// Whether the mainland is an operating width wide somewhere; less is not worth a headland around it.
+Result<bool> isWorthWorking(const MultiPolygon& mainland, const Machine& machine, const JobContext& job) {
+    const Length half = 0.5 * machine.operatingWidth();
+    double perimeterM = 0.0;
+    forEachEdge(mainland, [&](Point from, Point to) { perimeterM += distance(from, to); });
+    // A disc of area / perimeter fits into every shape, which settles nearly all cases without geometry.
+    if (area(mainland).si() >= half.si() * perimeterM && perimeterM > 0.0) {
+        return true;
+    }
+    return eroded(mainland, half - kArcTolerance, kArcTolerance, job).transform([](const MultiPolygon& core) {
+        return !core.empty();
+    });
+}
+
 Result<Headland> constantWidth(const Field& field, const Machine& machine, const Settings& settings, Length margin,
                                const JobContext& job) {
     const auto givenWidth = settings.length(kHeadlandWidth);
@@ -47,7 +61,11 @@ Result<Headland> constantWidth(const Field& field, const Machine& machine, const
         if (!mainland) {
             return std::unexpected(mainland.error());
         }
-        if (!mainland->empty() || headland.width <= margin) {
+        const auto useful = isWorthWorking(*mainland, machine, job);
+        if (!useful) {
+            return std::unexpected(useful.error());
+        }
+        if (*useful || headland.width <= margin) {
             headland.mainland = std::move(*mainland);
             break;
         }

@@ -323,12 +323,10 @@ Error noPolygon(const VectorFile& file, const std::string& name) {
     if (lines > 0) {
         found += (found.empty() ? "" : " and ") + counted(lines, "open line", "open lines");
     }
-    if (found.empty()) {
-        found = file.features.empty()
-                    ? "nothing"
-                    : counted(file.features.size(), "entry without a shape", "entries without a shape");
+    if (found.empty() && !file.features.empty()) {
+        found = counted(file.features.size(), "entry without a shape", "entries without a shape");
     }
-    return refused(name, std::format("there is no field boundary in it, only {}", found),
+    return refused(name, "there is no field boundary in it" + (found.empty() ? "" : ", only " + found),
                    "export the boundary as a polygon");
 }
 

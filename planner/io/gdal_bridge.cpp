@@ -515,6 +515,18 @@ std::string keyOf(const OGRFeature& feature, const std::string& fidColumn) {
     return fidColumn.empty() ? std::string{} : std::to_string(feature.GetFID());
 }
 
+/// Empty for a column that is not there; of a list its first entry.
+std::string textOf(const OGRFeature& feature, int column) {
+    if (column < 0 || !feature.IsFieldSetAndNotNull(column)) {
+        return {};
+    }
+    if (feature.GetFieldDefnRef(column)->GetType() == OFTStringList) {
+        char** list = feature.GetFieldAsStringList(column);
+        return list == nullptr || *list == nullptr ? std::string{} : std::string{*list};
+    }
+    return feature.GetFieldAsString(column);
+}
+
 Result<void> readLayer(OGRLayer& layer, bool isGeoJson, const Source& source, const Messages& messages,
                        const Reading& reading) {
     const Result<ToWgs84> toWgs84 = ToWgs84::from(layer.GetSpatialRef(), source.name);
@@ -535,8 +547,7 @@ Result<void> readLayer(OGRLayer& layer, bool isGeoJson, const Source& source, co
         VectorFeature feature;
         feature.key = keyOf(*read, fidColumn);
         for (const int column : columns) {
-            const bool given = column >= 0 && read->IsFieldSetAndNotNull(column);
-            feature.attributes.emplace_back(given ? read->GetFieldAsString(column) : "");
+            feature.attributes.push_back(textOf(*read, column));
         }
         if (const OGRGeometry* geometry = read->GetGeometryRef()) {
             addGeometry(*geometry, *toWgs84, feature);
@@ -620,19 +631,40 @@ Result<void> readWkt(const Source& source, const Reading& reading) {
     }
 }
 
-/// GML polygons inside an XML document of another kind, as the field files of Fields2Cover have them.
-Result<void> readLooseGml(const Source& source, const Reading& reading) {
+/// The name of what this element belongs to: a child `name` of one of its ancestors.
+std::string nameAround(pugi::xml_node node) {
+    for (pugi::xml_node around = node.parent(); around; around = around.parent()) {
+        if (const pugi::xml_node name = around.child("name")) {
+            return name.text().as_string();
+        }
+    }
+    return {};
+}
+
+/// Polygon elements of an XML document that its driver makes no layers of: field files of Fields2Cover,
+/// KML without the element kml. (Polygons of KML and of GML 2 are written alike.)
+Result<void> readLoosePolygons(const Source& source, const Reading& reading) {
     const std::optional<std::string> text = textOf(source.path);
     pugi::xml_document document;
-    if (!text || !document.load_buffer(text->data(), text->size())) {
-        return {};
+    if (!text) {
+        return std::unexpected(
+            readFailed(source.name, "the file cannot be read", "check that you may read it"));
     }
+    if (const pugi::xml_parse_result parsed = document.load_buffer(text->data(), text->size()); !parsed) {
+        return std::unexpected(readFailed(
+            std::format("{}, {}", source.name, lineAndColumn(*text, static_cast<std::size_t>(parsed.offset))),
+            "this is not XML from here on", "the file may be cut off or damaged; export it again"));
+    }
+    const auto nameColumn = std::ranges::find(reading.attributes, "name") - reading.attributes.begin();
     for (const pugi::xpath_node& found : document.select_nodes("//*[local-name()='Polygon']")) {
         std::ostringstream gml;
         found.node().print(gml, "", pugi::format_raw);
         const std::unique_ptr<OGRGeometry> geometry{OGRGeometryFactory::createFromGML(gml.str().c_str())};
         if (!geometry) {
-            continue;
+            return std::unexpected(refused(
+                std::format("{}, {}", source.name,
+                            lineAndColumn(*text, static_cast<std::size_t>(found.node().offset_debug()))),
+                "this polygon cannot be read", "check its coordinates"));
         }
         const Result<ToWgs84> toWgs84 = ToWgs84::from(geometry->getSpatialReference(), source.name);
         if (!toWgs84) {
@@ -640,6 +672,9 @@ Result<void> readLooseGml(const Source& source, const Reading& reading) {
         }
         VectorFeature feature;
         feature.attributes.resize(reading.attributes.size());
+        if (std::cmp_less(nameColumn, reading.attributes.size())) {
+            feature.attributes[static_cast<std::size_t>(nameColumn)] = nameAround(found.node());
+        }
         addGeometry(*geometry, *toWgs84, feature);
         if (auto inRange = checkRange(feature, *toWgs84, source.name); !inRange) {
             return inRange;
@@ -663,6 +698,9 @@ Result<void> readSource(const Source& source, const Reading& reading) {
             if (auto error = explainGeoJson(source.path, source.name)) {
                 return std::unexpected(*std::move(error));
             }
+        }
+        if (extension == ".kml") {
+            return readLoosePolygons(source, reading);
         }
         if (extension == ".shp") {
             VSIStatBufL status;
@@ -689,7 +727,7 @@ Result<void> readSource(const Source& source, const Reading& reading) {
         }
     }
     if (driver == "GML" && dataset->GetLayerCount() == 0) {
-        return readLooseGml(source, reading);
+        return readLoosePolygons(source, reading);
     }
     return {};
 }

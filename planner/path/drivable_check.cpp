@@ -91,11 +91,15 @@ Result<std::vector<BlockedConnection>> blockedConnections(const Path& path, cons
                 return std::nullopt;
             }
             BlockedConnection blocked{.segment = connections[i]};
-            const FarthestPoint beyondLand = land.farthestOutside(lines);
-            blocked.obstacle = beyondLand.distance <= metres(0.0);
-            const FarthestPoint farthest = blocked.obstacle ? drivable.farthestOutside(lines) : beyondLand;
-            blocked.place = farthest.point;
-            blocked.outside = farthest.distance;
+            const auto beyondLand = land.farthestOutside(lines);
+            blocked.obstacle = !beyondLand;
+            const auto farthest = beyondLand ? beyondLand : drivable.farthestOutside(lines);
+            // Outside by less than rounding can tell: covered after all.
+            if (!farthest) {
+                return std::nullopt;
+            }
+            blocked.place = farthest->point;
+            blocked.outside = farthest->distance;
             return blocked;
         },
         job);

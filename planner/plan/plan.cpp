@@ -64,14 +64,18 @@ Finding blockedFinding(const Path& path, const BlockedConnection& blocked, const
     const double needed = (headland.width + blocked.outside).si();
     // A turn that is a few metres short fits with more headland; one that cuts a corner of the field does not.
     const bool widerHeadlandHelps = blocked.outside < 3.0 * machine.minTurningRadius() + machine.operatingWidth();
+    std::string suggestion = "The field bends inwards here: try another direction of the swaths.";
+    if (!headland.notes.empty()) {
+        suggestion = "The field is too narrow for this machine to turn in: turn outside, or take a smaller machine.";
+    } else if (widerHeadlandHelps) {
+        suggestion = std::format("A headland of {:.0f} m may make room ({:.1f} m now).", std::ceil(needed),
+                                 headland.width.si());
+    }
     return {.severity = Severity::Blocking,
             .kind = "outside",
             .place = blocked.place,
             .text = std::format("{} leaves the field by {:.1f} m.", way, blocked.outside.si()),
-            .suggestion = widerHeadlandHelps
-                              ? std::format("A headland of {:.0f} m may make room ({:.1f} m now).", std::ceil(needed),
-                                            headland.width.si())
-                              : "The field bends inwards here: try another direction of the swaths."};
+            .suggestion = std::move(suggestion)};
 }
 
 std::string blockedReason(const BlockedConnection& blocked) {

@@ -1,0 +1,25 @@
+# Sourced by run and test, after environment.sh. build TARGET...: configures and builds the release preset,
+# quietly unless something fails.
+
+# A build folder that was made elsewhere (moved, or by another system's CMake) is of no use here.
+configured_here() {
+    [ -f "$project/build/release/build.ninja" ] &&
+        grep -qx "CMAKE_HOME_DIRECTORY:INTERNAL=$project" "$project/build/release/CMakeCache.txt"
+}
+
+build() {
+    local log="$project/build/build.log" begin=$SECONDS
+    mkdir -p "$project/build"
+    configured_here || rm -rf "$project/build/release"
+    say "building ..."
+    if ! "$project/packaging/shell" bash -c '
+            set -e
+            cd "$1"; shift
+            cmake --preset release
+            cmake --build --preset release --target "$@"' build "$project" "$@" >"$log" 2>&1 </dev/null; then
+        grep -E -A6 'error:|CMake Error|undefined reference|FAILED:' "$log" | head -n 40 >&2 || tail -n 20 "$log" >&2
+        fail "failed: building (all of it: $log)" \
+             "If packages were updated, remove build/release and try again."
+    fi
+    say "built in $((SECONDS - begin)) s"
+}

@@ -1,0 +1,256 @@
+#include "planner/io/isoxml.h"
+
+#include "planner/units/angle.h"
+
+#include <pugixml.hpp>
+
+#include <algorithm>
+#include <cmath>
+#include <cstdint>
+#include <format>
+#include <numbers>
+#include <optional>
+#include <set>
+#include <sstream>
+#include <string_view>
+#include <vector>
+
+namespace furrow {
+
+namespace {
+
+// ISO 11783-10 names everything by letters; the values used here.
+constexpr const char* kFieldBoundary = "1";
+constexpr const char* kObstacle = "6";
+constexpr const char* kOtherArea = "8";
+constexpr const char* kOuterRing = "1";
+constexpr const char* kInnerRing = "2";
+constexpr const char* kGuidanceLine = "5";
+constexpr const char* kRingPoint = "2";
+constexpr const char* kFieldAccess = "3";
+constexpr const char* kReferenceA = "6";
+constexpr const char* kReferenceB = "7";
+constexpr const char* kAbLine = "1";
+constexpr const char* kBothSides = "1";
+constexpr const char* kBothEnds = "1";
+constexpr const char* kMadeOnDesktop = "16";
+
+constexpr std::size_t kLongestName = 32;
+
+// Lines whose directions differ by less than this (1 cm over 100 m) are one direction to a terminal.
+constexpr double kSameDirectionRad = 1e-4;
+
+/// How many bytes the character at the front takes; 0 where these bytes are not UTF-8.
+std::size_t characterBytes(std::string_view text) {
+    const auto byte = [&text](std::size_t i) { return static_cast<unsigned char>(text[i]); };
+    const unsigned char lead = byte(0);
+    const std::size_t count = lead < 0x80                   ? 1
+                              : lead >= 0xC2 && lead < 0xE0 ? 2
+                              : lead >= 0xE0 && lead < 0xF0 ? 3
+                              : lead >= 0xF0 && lead < 0xF5 ? 4
+                                                            : 0;
+    if (count == 0 || text.size() < count) {
+        return 0;
+    }
+    for (std::size_t i = 1; i < count; ++i) {
+        if ((byte(i) & 0xC0) != 0x80) {
+            return 0;
+        }
+    }
+    // Forms that say the same with too many bytes, halves of pairs, beyond the last character.
+    if ((lead == 0xE0 && byte(1) < 0xA0) || (lead == 0xED && byte(1) >= 0xA0) ||
+        (lead == 0xF0 && byte(1) < 0x90) || (lead == 0xF4 && byte(1) >= 0x90)) {
+        return 0;
+    }
+    return count;
+}
+
+/// The first `longest` characters, without what XML cannot hold.
+std::string cut(std::string_view text, std::size_t longest) {
+    std::string kept;
+    for (std::size_t characters = 0; !text.empty() && characters < longest;) {
+        const std::size_t bytes = characterBytes(text);
+        const std::string_view character = text.substr(0, std::max<std::size_t>(bytes, 1));
+        text.remove_prefix(character.size());
+        const bool isControl =
+            bytes == 1 && (static_cast<unsigned char>(character[0]) < 0x20 || character[0] == 0x7F);
+        const bool isNoCharacter = character == "\xEF\xBF\xBE" || character == "\xEF\xBF\xBF";
+        if (isControl || isNoCharacter) {
+            continue;
+        }
+        kept += bytes == 0 ? std::string_view{"?"} : character;
+        ++characters;
+    }
+    while (kept.ends_with(' ')) {
+        kept.pop_back();
+    }
+    return kept;
+}
+
+/// Names of one list, unequal even after they were cut.
+class Names {
+public:
+    std::string unique(std::string_view wanted, std::string_view otherwise) {
+        std::string name = cut(wanted, kLongestName);
+        if (name.empty()) {
+            name = otherwise;
+        }
+        std::string tried = name;
+        for (int number = 2; !used_.insert(tried).second; ++number) {
+            const std::string suffix = std::format(" {}", number);
+            tried = cut(name, kLongestName - suffix.size()) + suffix;
+        }
+        return tried;
+    }
+
+private:
+    std::set<std::string> used_;
+};
+
+void addPoint(pugi::xml_node parent, const char* type, GeoPoint point) {
+    pugi::xml_node node = parent.append_child("PNT");
+    node.append_attribute("A") = type;
+    node.append_attribute("C") = std::format("{:.9f}", point.latDeg).c_str();
+    node.append_attribute("D") = std::format("{:.9f}", point.lonDeg).c_str();
+}
+
+bool isCounterClockwise(const GeoRing& ring) {
+    double twiceArea = 0.0;
+    for (std::size_t i = 0, j = ring.size() - 1; i < ring.size(); j = i++) {
+        const double fromLon = std::remainder(ring[j].lonDeg - ring[0].lonDeg, 360.0);
+        const double toLon = std::remainder(ring[i].lonDeg - ring[0].lonDeg, 360.0);
+        twiceArea += fromLon * (ring[i].latDeg - ring[0].latDeg) - toLon * (ring[j].latDeg - ring[0].latDeg);
+    }
+    return twiceArea > 0.0;
+}
+
+void addRing(pugi::xml_node polygon, const char* type, const GeoRing& ring, bool counterClockwise) {
+    if (ring.empty()) {
+        return;
+    }
+    pugi::xml_node line = polygon.append_child("LSG");
+    line.append_attribute("A") = type;
+    const auto add = [line](const GeoPoint& point) { addPoint(line, kRingPoint, point); };
+    if (isCounterClockwise(ring) == counterClockwise) {
+        std::ranges::for_each(ring, add);
+        add(ring.front());
+    } else {
+        add(ring.front());
+        std::for_each(ring.rbegin(), ring.rend(), add);
+    }
+}
+
+std::string wholeNumber(double value) {
+    return std::format("{}", std::llround(value));
+}
+
+void addPolygon(pugi::xml_node field, const char* type, const std::string& name, const GeoPolygon& polygon) {
+    pugi::xml_node node = field.append_child("PLN");
+    node.append_attribute("A") = type;
+    node.append_attribute("B") = name.c_str();
+    node.append_attribute("C") = wholeNumber(geodesicArea(polygon).si()).c_str();
+    addRing(node, kOuterRing, polygon.outer, true);
+    for (const GeoRing& hole : polygon.holes) {
+        addRing(node, kInnerRing, hole, false);
+    }
+}
+
+double directionRad(const Swath& swath) {
+    const Point along = swath.end - swath.start;
+    return normalisedSwathHeading(radians(std::atan2(along.y, along.x))).si();
+}
+
+/// For each direction the longest swath of its first track, in the order in which directions first come.
+std::vector<const Swath*> guidanceSwaths(const SwathSet& set) {
+    std::vector<const Swath*> chosen;
+    for (const Swath& swath : set.swaths) {
+        const double direction = directionRad(swath);
+        const auto same = std::ranges::find_if(chosen, [direction](const Swath* other) {
+            return std::abs(std::remainder(directionRad(*other) - direction, std::numbers::pi)) <
+                   kSameDirectionRad;
+        });
+        if (same == chosen.end()) {
+            chosen.push_back(&swath);
+        } else if (swath.track == (*same)->track && swath.length() > (*same)->length()) {
+            *same = &swath;
+        }
+    }
+    return chosen;
+}
+
+void addGuidance(pugi::xml_node field, const Plan& plan) {
+    const LocalFrame& frame = plan.field().frame();
+    Names names;
+    int number = 0;
+    for (const Swath* swath : guidanceSwaths(plan.swaths)) {
+        ++number;
+        const Point along = swath->end - swath->start;
+        const double eastDeg = inDegrees(radians(std::atan2(along.y, along.x)));
+        // From A to B, so in the full circle; what is rounded up to 360 is north again.
+        const double bearingDeg = std::fmod(std::round((450.0 - eastDeg) * 1e4) / 1e4, 360.0);
+        const std::string name = names.unique(std::format("AB {:.1f}", bearingDeg), "AB");
+        // A group of its own for each line: there are terminals that take the first line of a group only.
+        pugi::xml_node group = field.append_child("GGP");
+        group.append_attribute("A") = std::format("GGP{}", number).c_str();
+        group.append_attribute("B") = name.c_str();
+        pugi::xml_node pattern = group.append_child("GPN");
+        pattern.append_attribute("A") = std::format("GPN{}", number).c_str();
+        pattern.append_attribute("B") = name.c_str();
+        pattern.append_attribute("C") = kAbLine;
+        pattern.append_attribute("E") = kBothSides;
+        pattern.append_attribute("F") = kBothEnds;
+        pattern.append_attribute("G") = std::format("{:.4f}", bearingDeg).c_str();
+        pattern.append_attribute("I") = kMadeOnDesktop;
+        pugi::xml_node line = pattern.append_child("LSG");
+        line.append_attribute("A") = kGuidanceLine;
+        line.append_attribute("B") = name.c_str();
+        line.append_attribute("C") = wholeNumber(plan.request.machine.operatingWidth().si() * 1000.0).c_str();
+        addPoint(line, kReferenceA, frame.toGeo(swath->start));
+        addPoint(line, kReferenceB, frame.toGeo(swath->end));
+    }
+}
+
+}  // namespace
+
+std::string isoxmlTaskData(const Plan& plan) {
+    const Field& field = plan.field();
+    const FieldSource& source = field.source();
+
+    pugi::xml_document document;
+    pugi::xml_node declaration = document.append_child(pugi::node_declaration);
+    declaration.append_attribute("version") = "1.0";
+    declaration.append_attribute("encoding") = "UTF-8";
+    pugi::xml_node root = document.append_child("ISO11783_TaskData");
+    root.append_attribute("VersionMajor") = "4";
+    root.append_attribute("VersionMinor") = "3";
+    root.append_attribute("ManagementSoftwareManufacturer") = "Furrow";
+    root.append_attribute("ManagementSoftwareVersion") = FURROW_VERSION;
+    root.append_attribute("DataTransferOrigin") = "1";
+
+    Names names;
+    const std::string fieldName = names.unique(field.name(), "Field");
+    pugi::xml_node node = root.append_child("PFD");
+    node.append_attribute("A") = "PFD1";
+    node.append_attribute("C") = fieldName.c_str();
+    node.append_attribute("D") = wholeNumber(field.area().si()).c_str();
+    for (std::size_t i = 0; i < source.parts.size(); ++i) {
+        // The first part is called like the field.
+        const std::string name = i == 0 ? fieldName : names.unique(field.name(), "Field");
+        addPolygon(node, kFieldBoundary, name, source.parts[i]);
+    }
+    for (const Obstacle& obstacle : source.obstacles) {
+        const std::string name = names.unique(obstacle.name, "Obstacle");
+        addPolygon(node, obstacle.passable ? kOtherArea : kObstacle, name, obstacle.outline);
+    }
+    for (const Gate& gate : source.gates) {
+        addPoint(node, kFieldAccess, gate.position);
+        node.last_child().append_attribute("B") = names.unique(gate.name, "Gate").c_str();
+    }
+    addGuidance(node, plan);
+
+    std::ostringstream text;
+    document.save(text, "  ", pugi::format_default, pugi::encoding_utf8);
+    return text.str();
+}
+
+}  // namespace furrow
