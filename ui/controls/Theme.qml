@@ -8,10 +8,14 @@ QtObject {
 
     enum Mode { System, Light, Dark, Sunlight }
 
+    /// What the user chose; remembered.
     property int mode: Theme.System
+    /// In its place for this run, where it is not System.
+    property int forced: Theme.System
+    readonly property int effective: forced !== Theme.System ? forced : mode
     readonly property bool systemDark: Application.styleHints.colorScheme === Qt.ColorScheme.Dark
-    readonly property bool dark: mode === Theme.Dark || (mode === Theme.System && systemDark)
-    readonly property bool sunlight: mode === Theme.Sunlight
+    readonly property bool dark: effective === Theme.Dark || (effective === Theme.System && systemDark)
+    readonly property bool sunlight: effective === Theme.Sunlight
 
     readonly property color background: pick("#F4F6F2", "#111714", "#FFFFFF")
     readonly property color panel: pick("#FFFFFF", "#1A221E", "#FFFFFF")

@@ -154,6 +154,13 @@ void addPath(PlanGeometry& geometry, const MapFrame& frame, const Path& path) {
     }
 }
 
+void addProblem(PlanGeometry& geometry, const std::optional<GeoPoint>& problem) {
+    if (problem) {
+        geometry.findings.push_back(mapPoint(worldPoint(*problem), geometry.origin));
+        geometry.findingPlaces.push_back(coordinate(*problem));
+    }
+}
+
 PlanGeometry boundaryGeometry(const Field& field, const MapFrame& frame) {
     PlanGeometry geometry;
     geometry.origin = frame.origin();
@@ -180,8 +187,38 @@ PlanGeometry boundaryGeometry(const Field& field, const MapFrame& frame) {
 
 }  // namespace
 
-PlanGeometry fieldGeometry(const Field& field) {
-    return boundaryGeometry(field, MapFrame{field.frame()});
+PlanGeometry outlineGeometry(const FieldSource& source, const std::optional<GeoPoint>& problem) {
+    PlanGeometry geometry;
+    geometry.rings = editableRings(source);
+    std::erase_if(geometry.rings, [](const EditableRing& ring) {
+        return ring.points.size() < 2 || !std::ranges::all_of(ring.points, [](WorldPoint point) {
+            return std::isfinite(point.x) && std::isfinite(point.y) && point.x >= 0.0 && point.x <= 1.0;
+        });
+    });
+    if (geometry.rings.empty()) {
+        return geometry;
+    }
+    geometry.origin = geometry.rings.front().points.front();
+    WorldPoint low = geometry.origin;
+    WorldPoint high = geometry.origin;
+    for (const EditableRing& ring : geometry.rings) {
+        std::vector<MapPoint> line;
+        for (const WorldPoint point : ring.points) {
+            line.push_back(mapPoint(point, geometry.origin));
+            low = {std::min(low.x, point.x), std::min(low.y, point.y)};
+            high = {std::max(high.x, point.x), std::max(high.y, point.y)};
+        }
+        geometry.boundary.add(line, true);
+    }
+    geometry.bounds = QGeoRectangle{coordinate(low), coordinate(high)};
+    addProblem(geometry, problem);
+    return geometry;
+}
+
+PlanGeometry fieldGeometry(const Field& field, const std::optional<GeoPoint>& problem) {
+    PlanGeometry geometry = boundaryGeometry(field, MapFrame{field.frame()});
+    addProblem(geometry, problem);
+    return geometry;
 }
 
 PlanGeometry planGeometry(const Plan& plan) {

@@ -70,8 +70,10 @@ struct PlanGeometry {
     std::size_t pathPoints = 0;
 };
 
-/// A field without a plan.
-PlanGeometry fieldGeometry(const Field& field);
+/// A boundary that could not be used, as far as it can be drawn, and where the problem is.
+PlanGeometry outlineGeometry(const FieldSource& source, const std::optional<GeoPoint>& problem);
+/// A field without a plan, and where the problem is.
+PlanGeometry fieldGeometry(const Field& field, const std::optional<GeoPoint>& problem);
 /// A field with its plan. Cost: O(n log n) for n points.
 PlanGeometry planGeometry(const Plan& plan);
 

@@ -51,7 +51,7 @@ QVariant FindingsModel::data(const QModelIndex& index, int role) const {
 
 QHash<int, QByteArray> FindingsModel::roleNames() const {
     return {{NumberRole, "number"},
-            {TextRole, "text"},
+            {TextRole, "finding"},
             {SuggestionRole, "suggestion"},
             {BlockingRole, "blocking"},
             {PlaceRole, "place"}};

@@ -6,6 +6,8 @@ namespace {
 /// What takes longer shows its progress.
 constexpr int kSlowMs = 100;
 constexpr int kTickMs = 50;
+/// While the user drags, a piece that takes longer than this is not worth waiting for.
+constexpr int kPatienceMs = 1500;
 }  // namespace
 
 JobRunner::JobRunner(QObject* parent) : QObject{parent} {
@@ -29,7 +31,7 @@ void JobRunner::submit(Work work, Replace replace) {
     {
         const std::scoped_lock lock{mutex_};
         waiting_ = std::move(work);
-        if (replace == Replace::Now) {
+        if (replace == Replace::Now || (busy_ && since_.elapsed() > kPatienceMs)) {
             stopSource_.request_stop();
         }
     }

@@ -107,7 +107,7 @@ QVariant ParameterModel::value(const Parameter& parameter, int role) const {
         case KeyRole: return fromStd(parameter.key);
         case NameRole: return fromStd(parameter.name);
         case DescriptionRole: return fromStd(parameter.description);
-        case KindRole: return QVariant::fromValue(kindOf(parameter));
+        case KindRole: return static_cast<int>(kindOf(parameter));
         case ValueRole: {
             if (!isNumber) {
                 return 0.0;

@@ -152,7 +152,7 @@ QVariant StepsModel::data(const QModelIndex& index, int role) const {
         case NameRole: return step.name;
         case ChoiceRole: return step.choice;
         case ResultRole: return step.result;
-        case StatusRole: return QVariant::fromValue(step.status);
+        case StatusRole: return static_cast<int>(step.status);
         case ParametersRole: return QVariant::fromValue(step.parameters);
         default: return {};
     }
