@@ -89,8 +89,10 @@ std::string rangeText(const Parameter& parameter) {
             return choices + ", " + standard;
         }
         case ParameterKind::Flag: return "true | false, " + standard;
-        case ParameterKind::Length: return std::format("{} to {} m, {}", parameter.min, parameter.max, standard);
-        case ParameterKind::Angle: return std::format("{} to {} degrees, {}", parameter.min, parameter.max, standard);
+        case ParameterKind::Length:
+            return std::format("{} to {} m, {}", parameter.min, parameter.max, standard);
+        case ParameterKind::Angle:
+            return std::format("{} to {} degrees, {}", parameter.min, parameter.max, standard);
         case ParameterKind::Count: return std::format("{} to {}, {}", parameter.min, parameter.max, standard);
     }
     return standard;
@@ -98,7 +100,8 @@ std::string rangeText(const Parameter& parameter) {
 
 void printParameters(std::span<const Parameter* const> parameters, std::string_view indent) {
     for (const Parameter* parameter : parameters) {
-        std::println("{}{:22} {}  [{}]", indent, parameter->key, parameter->description, rangeText(*parameter));
+        std::println("{}{:22} {}  [{}]", indent, parameter->key, parameter->description,
+                     rangeText(*parameter));
     }
 }
 
@@ -183,7 +186,8 @@ int listFormats(bool asJson) {
 }  // namespace
 
 void addListCommand(CLI::App& app, std::function<int()>& run) {
-    CLI::App* list = app.add_subcommand("list", "Show the fields of a file, or what there is to choose from.");
+    CLI::App* list =
+        app.add_subcommand("list", "Show the fields of a file, or what there is to choose from.");
     list->require_subcommand(1);
     const auto asJson = std::make_shared<bool>(false);
     const auto add = [&](const char* name, const char* description, auto action) {
@@ -193,7 +197,8 @@ void addListCommand(CLI::App& app, std::function<int()>& run) {
         return command;
     };
     const auto file = std::make_shared<std::string>();
-    add("fields", "The fields of a file, with number, id, name and area", [=] { return listFields(*file, *asJson); })
+    add("fields", "The fields of a file, with number, id, name and area",
+        [=] { return listFields(*file, *asJson); })
         ->add_option("FILE", *file, "A boundary file")
         ->required();
     add("methods", "Every method and setting, with its default", [=] { return listMethods(*asJson); });

@@ -61,10 +61,11 @@ Result<Settings> settingsFrom(const PlanArguments& arguments) {
     for (const std::string& assignment : arguments.assignments) {
         const std::size_t equals = assignment.find('=');
         if (applied && equals == std::string::npos) {
-            applied = std::unexpected(Error{.code = ErrorCode::Usage,
-                                            .what = std::format("'{}' has no '='", assignment),
-                                            .where = "--set",
-                                            .remedy = "write key=value, for example --set headland.passes=2"});
+            applied =
+                std::unexpected(Error{.code = ErrorCode::Usage,
+                                      .what = std::format("'{}' has no '='", assignment),
+                                      .where = "--set",
+                                      .remedy = "write key=value, for example --set headland.passes=2"});
         }
         if (applied) {
             applied = applySetting(settings, assignment.substr(0, equals), assignment.substr(equals + 1));
@@ -86,7 +87,8 @@ std::string kilometres(Length length) {
 
 std::string hoursMinutes(Duration duration) {
     const auto minutes = static_cast<int>(std::lround(duration.si() / 60.0));
-    return minutes < 60 ? std::format("{} min", minutes) : std::format("{} h {:02} min", minutes / 60, minutes % 60);
+    return minutes < 60 ? std::format("{} min", minutes)
+                        : std::format("{} h {:02} min", minutes / 60, minutes % 60);
 }
 
 std::string counted(long long count, std::string_view one, std::string_view many) {
@@ -113,16 +115,16 @@ void printPlan(const Plan& plan, const std::vector<std::filesystem::path>& files
                  counted(plan.path.turnCount(), "turn", "turns"),
                  plan.path.length() > metres(0.0) ? 100.0 * (turns / plan.path.length()) : 0.0,
                  hoursMinutes(plan.path.duration()));
-    std::println("Drivable  {}", plan.drivable()
-                                     ? std::string{"yes"}
-                                     : std::format("no, {} cannot be driven",
-                                                   counted(plan.path.undrivableCount(), "connection", "connections")));
+    std::println("Drivable  {}", plan.drivable() ? std::string{"yes"}
+                                                 : std::format("no, {} cannot be driven",
+                                                               counted(plan.path.undrivableCount(),
+                                                                       "connection", "connections")));
     constexpr std::size_t kMostShown = 10;
     for (std::size_t i = 0; i < std::min(plan.findings.size(), kMostShown); ++i) {
         const Finding& finding = plan.findings[i];
         const GeoPoint place = plan.field().frame().toGeo(finding.place);
-        std::println("  {} {:3}  {} {} ({:.6f}, {:.6f})", finding.severity == Severity::Blocking ? "!" : " ", i + 1,
-                     finding.text, finding.suggestion, place.lonDeg, place.latDeg);
+        std::println("  {} {:3}  {} {} ({:.6f}, {:.6f})", finding.severity == Severity::Blocking ? "!" : " ",
+                     i + 1, finding.text, finding.suggestion, place.lonDeg, place.latDeg);
     }
     if (plan.findings.size() > kMostShown) {
         std::println("       and {} more in summary.json", plan.findings.size() - kMostShown);
@@ -194,8 +196,9 @@ void addPlanCommand(CLI::App& app, std::function<int()>& run) {
         ->required();
     plan->add_option("--field-id", arguments->fieldId,
                      "Which field of the file: its id, its name, or its number from 1");
-    plan->add_option("--machine", arguments->machine,
-                     "A machine of furrow-cli list machines, or a machine file (default: the first of the list)");
+    plan->add_option(
+        "--machine", arguments->machine,
+        "A machine of furrow-cli list machines, or a machine file (default: the first of the list)");
     plan->add_option("--operation", arguments->operation,
                      "tillage, sowing, spraying, spreading, mowing or harvest");
     plan->add_option("--settings", arguments->settingsFile, "A JSON file of settings");
@@ -203,10 +206,12 @@ void addPlanCommand(CLI::App& app, std::function<int()>& run) {
                      "One setting, for example headland.width_m=12; may be given several times")
         ->take_all()
         ->allow_extra_args(false);
-    plan->add_option("--threads", arguments->threads, "Threads to plan with (default: all); the plan is the same")
+    plan->add_option("--threads", arguments->threads,
+                     "Threads to plan with (default: all); the plan is the same")
         ->check(CLI::Range(1, 1024));
     plan->add_option("--out", arguments->out, "The folder to write to; made if it is not there")->required();
-    plan->add_option("--format", arguments->formats, "What to write besides summary.json (default: geojson,csv,isoxml)")
+    plan->add_option("--format", arguments->formats,
+                     "What to write besides summary.json (default: geojson,csv,isoxml)")
         ->delimiter(',');
     plan->add_flag("--json", arguments->json, "Print the summary as one JSON object and nothing else");
     plan->add_flag("--quiet", arguments->quiet, "Print nothing but errors");

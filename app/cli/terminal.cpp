@@ -52,8 +52,8 @@ JobContext terminalJob(const InterruptWatch& watch, int threads, bool quiet) {
             int before = shown->load();
             while (percent > before) {
                 if (shown->compare_exchange_weak(before, percent)) {
-                    std::print(stderr, "\r[{:<40}] {:3} %", std::string(static_cast<std::size_t>(percent) * 40 / 100, '='),
-                               percent);
+                    std::print(stderr, "\r[{:<40}] {:3} %",
+                               std::string(static_cast<std::size_t>(percent) * 40 / 100, '='), percent);
                     std::fflush(stderr);
                     break;
                 }

@@ -92,7 +92,8 @@ public:
     }
 
 private:
-    Error refused(std::string what, std::string remedy, std::optional<GeoPoint> place, std::string where) const {
+    Error refused(std::string what, std::string remedy, std::optional<GeoPoint> place,
+                  std::string where) const {
         return {.code = ErrorCode::InputRefused,
                 .what = std::move(what),
                 .where = where.empty() ? what_ : what_ + ", " + where,
@@ -143,7 +144,9 @@ private:
                 first = index;
             }
         };
-        const auto same = [&](std::size_t a, std::size_t b) { return distance(local[a], local[b]) < kSamePointM; };
+        const auto same = [&](std::size_t a, std::size_t b) {
+            return distance(local[a], local[b]) < kSamePointM;
+        };
         for (std::size_t i = 0; i < ring.size(); ++i) {
             if (i + 1 == ring.size() && ring.size() > 1 && ring[i] == ring.front()) {
                 break;  // the closing point, as most formats write it
@@ -186,7 +189,8 @@ private:
             cleaned.local.push_back(local[index]);
         }
         if (doubled > 0) {
-            note(std::format("{} {} given twice and taken once", doubled, doubled == 1 ? "point was" : "points were"),
+            note(std::format("{} {} given twice and taken once", doubled,
+                             doubled == 1 ? "point was" : "points were"),
                  ring[firstDoubled]);
         }
         if (spikes > 0) {
@@ -219,7 +223,8 @@ private:
                 if (!untangled) {
                     return untangled;
                 }
-                const auto inside = intersection(*untangled, {Polygon{.outer = polygon.outer, .holes = {}}}, job_);
+                const auto inside =
+                    intersection(*untangled, {Polygon{.outer = polygon.outer, .holes = {}}}, job_);
                 if (inside && inside->empty()) {
                     return std::unexpected(refused("a hole lies outside the boundary", "move or delete it",
                                                    frame_.toGeo(hole.front()), ""));
@@ -271,9 +276,9 @@ private:
         const double sliverM2 = std::max(kSliverM2, kSliverShare * enclosedM2);
         const GeoPoint place = frame_.toGeo((*problem)->place);
         if (std::abs(signedM2 - enclosedM2) > sliverM2) {
-            return std::unexpected(refused(
-                std::format("the line crosses itself at {:.7f}, {:.7f}", place.lonDeg, place.latDeg),
-                "move one of the points there, so that it is clear which side is field", place, ""));
+            return std::unexpected(
+                refused(std::format("the line crosses itself at {:.7f}, {:.7f}", place.lonDeg, place.latDeg),
+                        "move one of the points there, so that it is clear which side is field", place, ""));
         }
         note("the line touches or crosses itself by a sliver; taken apart there", place);
         dropSlivers(*untangled);

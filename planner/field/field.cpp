@@ -40,8 +40,8 @@ Result<void> checkCoordinates(const FieldSource& source, const GeoRing& ring, co
         if (std::abs(point.lonDeg) > 180.0 || std::abs(point.latDeg) > 90.0) {
             return std::unexpected(
                 refused(source, where,
-                        std::format("{}, {} is outside longitude -180 to 180 and latitude -90 to 90", point.lonDeg,
-                                    point.latDeg),
+                        std::format("{}, {} is outside longitude -180 to 180 and latitude -90 to 90",
+                                    point.lonDeg, point.latDeg),
                         "check the file's coordinate system"));
         }
     }
@@ -59,7 +59,8 @@ Result<void> checkCoordinates(const FieldSource& source, const GeoPolygon& polyg
 Result<void> checkSource(const FieldSource& source) {
     std::size_t vertices = 0;
     for (std::size_t i = 0; i < source.parts.size(); ++i) {
-        if (auto checked = checkCoordinates(source, source.parts[i], std::format("part {}", i + 1)); !checked) {
+        if (auto checked = checkCoordinates(source, source.parts[i], std::format("part {}", i + 1));
+            !checked) {
             return checked;
         }
         vertices += source.parts[i].outer.size();
@@ -74,24 +75,28 @@ Result<void> checkSource(const FieldSource& source) {
         }
         vertices += source.obstacles[i].outline.outer.size();
         if (!(source.obstacles[i].buffer >= metres(0.0)) || !std::isfinite(source.obstacles[i].buffer.si())) {
-            return std::unexpected(refused(source, name, "its buffer is not a length", "give a buffer of 0 m or more"));
+            return std::unexpected(
+                refused(source, name, "its buffer is not a length", "give a buffer of 0 m or more"));
         }
     }
     for (std::size_t i = 0; i < source.gates.size(); ++i) {
-        if (auto checked = checkCoordinates(source, GeoRing{source.gates[i].position}, std::format("gate {}", i + 1));
+        if (auto checked =
+                checkCoordinates(source, GeoRing{source.gates[i].position}, std::format("gate {}", i + 1));
             !checked) {
             return checked;
         }
     }
     if (!(source.boundaryAccuracy >= metres(0.0)) || !std::isfinite(source.boundaryAccuracy.si())) {
-        return std::unexpected(refused(source, "boundary accuracy", "it is not a length", "give 0 m or more"));
+        return std::unexpected(
+            refused(source, "boundary accuracy", "it is not a length", "give 0 m or more"));
     }
     if (vertices > kMostVertices) {
         return std::unexpected(refused(source, "", std::format("the boundary has {} points", vertices),
                                        "simplify it to at most a million"));
     }
     if (source.parts.empty() || source.parts.front().outer.empty()) {
-        return std::unexpected(refused(source, "", "there is no boundary", "draw one or open a file that has one"));
+        return std::unexpected(
+            refused(source, "", "there is no boundary", "draw one or open a file that has one"));
     }
     return {};
 }
@@ -131,8 +136,8 @@ Result<Field> Field::create(const FieldSource& source, const JobContext& job) {
     field.drivable_ = field.boundary_;
     for (std::size_t i = 0; i < source.obstacles.size(); ++i) {
         const Obstacle& obstacle = source.obstacles[i];
-        const std::string name =
-            obstacle.name.empty() ? std::format("obstacle {}", i + 1) : std::format("obstacle '{}'", obstacle.name);
+        const std::string name = obstacle.name.empty() ? std::format("obstacle {}", i + 1)
+                                                       : std::format("obstacle '{}'", obstacle.name);
         auto outline = repairBoundary({obstacle.outline}, *frame, name, job);
         if (!outline) {
             return std::unexpected(outline.error());
@@ -159,13 +164,15 @@ Result<Field> Field::create(const FieldSource& source, const JobContext& job) {
         }
     }
     if (field.workable_.empty()) {
-        return std::unexpected(refused(source, "", "the obstacles leave nothing of the field", "delete some of them"));
+        return std::unexpected(
+            refused(source, "", "the obstacles leave nothing of the field", "delete some of them"));
     }
     for (const GeoPolygon& part : field.source_.parts) {
         field.area_ += geodesicArea(part);
     }
     if (!source.obstacles.empty()) {
-        // Of what the obstacles take, in the plane's share of the ellipsoid: they differ by parts in a million.
+        // Of what the obstacles take, in the plane's share of the ellipsoid: they differ by parts in a
+        // million.
         field.area_ = field.area_ * (furrow::area(field.workable_) / furrow::area(field.boundary_));
     }
     return field;

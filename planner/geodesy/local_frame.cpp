@@ -48,9 +48,10 @@ double toRadians(double degrees) {
 
 Result<LocalFrame> LocalFrame::centredOn(GeoPoint centre) {
     if (!(std::abs(centre.lonDeg) <= 180.0) || !(std::abs(centre.latDeg) <= 90.0)) {
-        return std::unexpected(Error{.code = ErrorCode::InputRefused,
-                                     .what = "the coordinates lie outside longitude -180 to 180 and latitude -90 to 90",
-                                     .remedy = "check the file's coordinate system"});
+        return std::unexpected(
+            Error{.code = ErrorCode::InputRefused,
+                  .what = "the coordinates lie outside longitude -180 to 180 and latitude -90 to 90",
+                  .remedy = "check the file's coordinate system"});
     }
     return LocalFrame{centre};
 }
@@ -65,8 +66,8 @@ Ring LocalFrame::toLocal(std::span<const GeoPoint> points) const {
     Ring local;
     local.reserve(points.size());
     for (const GeoPoint& point : points) {
-        const PJ_COORD out = proj_trans(transform, PJ_FWD,
-                                        proj_coord(toRadians(point.lonDeg), toRadians(point.latDeg), 0.0, 0.0));
+        const PJ_COORD out = proj_trans(
+            transform, PJ_FWD, proj_coord(toRadians(point.lonDeg), toRadians(point.latDeg), 0.0, 0.0));
         local.push_back({out.xy.x, out.xy.y});
     }
     return local;

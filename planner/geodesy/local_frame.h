@@ -1,7 +1,7 @@
 #pragma once
 
-#include "planner/core/result.h"
 #include "planner/core/geo_point.h"
+#include "planner/core/result.h"
 #include "planner/geometry/polygon.h"
 
 #include <span>

@@ -66,7 +66,8 @@ Geometry toGeos(const Polygon& polygon) {
         holes.push_back(GEOSGeom_createLinearRing_r(handle(), sequence(hole, true)));
     }
     GEOSGeometry* shell = GEOSGeom_createLinearRing_r(handle(), sequence(polygon.outer, true));
-    return Geometry{GEOSGeom_createPolygon_r(handle(), shell, holes.data(), static_cast<unsigned>(holes.size()))};
+    return Geometry{
+        GEOSGeom_createPolygon_r(handle(), shell, holes.data(), static_cast<unsigned>(holes.size()))};
 }
 
 Geometry toGeos(const MultiPolygon& polygons) {
@@ -129,7 +130,8 @@ void collect(const GEOSGeometry* geometry, MultiPolygon& polygons) {
 MultiPolygon fromGeos(const GEOSGeometry* geometry) {
     MultiPolygon polygons;
     collect(geometry, polygons);
-    std::ranges::stable_sort(polygons, std::ranges::greater{}, [](const Polygon& polygon) { return area(polygon); });
+    std::ranges::stable_sort(polygons, std::ranges::greater{},
+                             [](const Polygon& polygon) { return area(polygon); });
     return polygons;
 }
 
@@ -180,10 +182,11 @@ Result<MultiPolygon> buffered(const MultiPolygon& polygons, double distanceM, do
         return MultiPolygon{};
     }
     const Geometry input = toGeos(polygons);
-    return run(job, [&] {
-               return GEOSBuffer_r(handle(), input.get(), distanceM,
-                                   quarterSegments(std::abs(distanceM), toleranceM));
-           })
+    return run(job,
+               [&] {
+                   return GEOSBuffer_r(handle(), input.get(), distanceM,
+                                       quarterSegments(std::abs(distanceM), toleranceM));
+               })
         .transform([](const Geometry& result) { return fromGeos(result.get()); });
 }
 
@@ -198,11 +201,13 @@ Result<MultiPolygon> combined(const MultiPolygon& a, const MultiPolygon& b, cons
 
 }  // namespace
 
-Result<MultiPolygon> eroded(const MultiPolygon& polygons, Length distance, Length tolerance, const JobContext& job) {
+Result<MultiPolygon> eroded(const MultiPolygon& polygons, Length distance, Length tolerance,
+                            const JobContext& job) {
     return buffered(polygons, -distance.si(), tolerance.si(), job);
 }
 
-Result<MultiPolygon> dilated(const MultiPolygon& polygons, Length distance, Length tolerance, const JobContext& job) {
+Result<MultiPolygon> dilated(const MultiPolygon& polygons, Length distance, Length tolerance,
+                             const JobContext& job) {
     return buffered(polygons, distance.si(), tolerance.si(), job);
 }
 
@@ -216,9 +221,8 @@ Result<MultiPolygon> intersection(const MultiPolygon& a, const MultiPolygon& b, 
 
 Result<MultiPolygon> unionOf(const MultiPolygon& polygons, const JobContext& job) {
     const Geometry input = toGeos(polygons);
-    return run(job, [&] { return GEOSUnaryUnion_r(handle(), input.get()); }).transform([](const Geometry& result) {
-        return fromGeos(result.get());
-    });
+    return run(job, [&] { return GEOSUnaryUnion_r(handle(), input.get()); })
+        .transform([](const Geometry& result) { return fromGeos(result.get()); });
 }
 
 Result<std::optional<InvalidPlace>> findInvalidPlace(const MultiPolygon& polygons, const JobContext& job) {
@@ -247,9 +251,8 @@ Result<std::optional<InvalidPlace>> findInvalidPlace(const MultiPolygon& polygon
 
 Result<MultiPolygon> madeValid(const MultiPolygon& polygons, const JobContext& job) {
     const Geometry input = toGeos(polygons);
-    return run(job, [&] { return GEOSMakeValid_r(handle(), input.get()); }).transform([](const Geometry& result) {
-        return fromGeos(result.get());
-    });
+    return run(job, [&] { return GEOSMakeValid_r(handle(), input.get()); })
+        .transform([](const Geometry& result) { return fromGeos(result.get()); });
 }
 
 struct PreparedArea::Impl {
@@ -297,6 +300,12 @@ PreparedArea& PreparedArea::operator=(PreparedArea&&) noexcept = default;
 bool PreparedArea::covers(const std::vector<Polyline>& lines) const {
     const Geometry tested = toGeos(lines);
     return GEOSPreparedCovers_r(handle(), impl_->prepared().prepared, tested.get()) == 1;
+}
+
+bool PreparedArea::coversHullOf(const std::vector<Polyline>& lines) const {
+    const Geometry drawn = toGeos(lines);
+    const Geometry hull{GEOSConvexHull_r(handle(), drawn.get())};
+    return GEOSPreparedCovers_r(handle(), impl_->prepared().prepared, hull.get()) == 1;
 }
 
 std::optional<FarthestPoint> PreparedArea::farthestOutside(const std::vector<Polyline>& lines) const {

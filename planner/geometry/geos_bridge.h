@@ -18,10 +18,12 @@ namespace furrow {
 inline constexpr Length kArcTolerance = metres(0.01);
 
 /// What is at least `distance` inside; corners that point inwards become arcs drawn to `tolerance`.
-Result<MultiPolygon> eroded(const MultiPolygon& polygons, Length distance, Length tolerance, const JobContext& job);
+Result<MultiPolygon> eroded(const MultiPolygon& polygons, Length distance, Length tolerance,
+                            const JobContext& job);
 
 /// What is at most `distance` away; corners become arcs drawn to `tolerance`.
-Result<MultiPolygon> dilated(const MultiPolygon& polygons, Length distance, Length tolerance, const JobContext& job);
+Result<MultiPolygon> dilated(const MultiPolygon& polygons, Length distance, Length tolerance,
+                             const JobContext& job);
 
 Result<MultiPolygon> difference(const MultiPolygon& a, const MultiPolygon& b, const JobContext& job);
 Result<MultiPolygon> intersection(const MultiPolygon& a, const MultiPolygon& b, const JobContext& job);
@@ -54,6 +56,8 @@ public:
 
     /// No point of the lines lies outside; touching the edge is allowed.
     bool covers(const std::vector<Polyline>& lines) const;
+    /// Nor does any point of their convex hull: a cheaper test that says no too often.
+    bool coversHullOf(const std::vector<Polyline>& lines) const;
     /// Where the lines are farthest outside, among the ends, bends and middles of their parts outside;
     /// nothing where none is.
     std::optional<FarthestPoint> farthestOutside(const std::vector<Polyline>& lines) const;

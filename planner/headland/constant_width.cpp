@@ -20,7 +20,8 @@ int passesForTurns(const Machine& machine) {
 }
 
 int passesWithin(Length width, Length margin, const Machine& machine) {
-    return std::max(0, static_cast<int>(std::floor((width - margin) / machine.operatingWidth() + kPassSlack)));
+    return std::max(0,
+                    static_cast<int>(std::floor((width - margin) / machine.operatingWidth() + kPassSlack)));
 }
 
 /// Whether the mainland is an operating width wide somewhere; less is not worth a headland around it.
@@ -37,8 +38,8 @@ Result<bool> isWorthWorking(const MultiPolygon& mainland, const Machine& machine
     });
 }
 
-Result<Headland> constantWidth(const Field& field, const Machine& machine, const Settings& settings, Length margin,
-                               const JobContext& job) {
+Result<Headland> constantWidth(const Field& field, const Machine& machine, const Settings& settings,
+                               Length margin, const JobContext& job) {
     const auto givenWidth = settings.length(kHeadlandWidth);
     const auto givenPasses = settings.count(kHeadlandPasses);
     if (givenWidth && givenPasses) {
@@ -49,7 +50,7 @@ Result<Headland> constantWidth(const Field& field, const Machine& machine, const
     }
     const auto widthOf = [&](int passes) { return margin + passes * machine.operatingWidth(); };
     Headland headland;
-    headland.passes = givenPasses ? *givenPasses
+    headland.passes = givenPasses  ? *givenPasses
                       : givenWidth ? passesWithin(*givenWidth, margin, machine)
                                    : passesForTurns(machine);
     headland.width = givenWidth ? std::max(*givenWidth, margin) : widthOf(headland.passes);
@@ -70,16 +71,19 @@ Result<Headland> constantWidth(const Field& field, const Machine& machine, const
             break;
         }
         // Too narrow for this much: fewer passes, in the end none.
-        headland.passes = std::max(0, std::min(headland.passes, passesWithin(headland.width, margin, machine)) - 1);
+        headland.passes =
+            std::max(0, std::min(headland.passes, passesWithin(headland.width, margin, machine)) - 1);
         headland.width = widthOf(headland.passes);
     }
     if (headland.width < wanted) {
         const std::string left = headland.passes == 0
                                      ? std::string{"there is none"}
-                                     : std::format("it is {:.1f} m with {} {}", headland.width.si(), headland.passes,
-                                                   headland.passes == 1 ? "pass" : "passes");
-        headland.notes.push_back({std::format("The field is too narrow for {:.1f} m of headland; {}", wanted.si(), left),
-                                  "headland", {}});
+                                     : std::format("it is {:.1f} m with {} {}", headland.width.si(),
+                                                   headland.passes, headland.passes == 1 ? "pass" : "passes");
+        headland.notes.push_back(
+            {std::format("The field is too narrow for {:.1f} m of headland; {}", wanted.si(), left),
+             "headland",
+             {}});
     }
     headland.mainlandRatio = area(headland.mainland) / area(field.workable());
     return headland;
@@ -89,16 +93,17 @@ constexpr const Parameter* kParameters[] = {&kHeadlandPasses, &kHeadlandWidth};
 
 }  // namespace
 
-const Parameter kHeadlandWidth{.key = "headland.width_m",
-                               .name = "Width",
-                               .description = "From the boundary to the mainland; holds as many passes as fit.",
-                               .kind = ParameterKind::Length,
-                               .standard = {},
-                               .canBeAuto = true,
-                               .min = 0.0,
-                               .max = 500.0,
-                               .step = 0.5,
-                               .choices = {}};
+const Parameter kHeadlandWidth{
+    .key = "headland.width_m",
+    .name = "Width",
+    .description = "From the boundary to the mainland; holds as many passes as fit.",
+    .kind = ParameterKind::Length,
+    .standard = {},
+    .canBeAuto = true,
+    .min = 0.0,
+    .max = 500.0,
+    .step = 0.5,
+    .choices = {}};
 
 const Parameter kHeadlandPasses{.key = "headland.passes",
                                 .name = "Passes",

@@ -10,9 +10,9 @@ namespace furrow {
 
 /// The strip kept for turning and what is left inside it.
 struct Headland {
-    Length width;          ///< from the boundary; 0 without a headland
-    int passes = 0;        ///< operating widths that fit into it
-    MultiPolygon mainland; ///< the field without headland, in metres
+    Length width;                ///< from the boundary; 0 without a headland
+    int passes = 0;              ///< operating widths that fit into it
+    MultiPolygon mainland;       ///< the field without headland, in metres
     double mainlandRatio = 0.0;  ///< A_r = area(mainland) / area(field)
     std::vector<Note> notes;     ///< what was given up, and why
 };
@@ -23,7 +23,7 @@ struct Headland {
 /// @param machine   for widths and the room its turns need
 /// @param margin    what everything keeps from the boundary
 /// @return a headland whose mainland is not empty. InputRefused: nothing of the field is left. Cancelled.
-using HeadlandGenerator = Result<Headland>(const Field& field, const Machine& machine, const Settings& settings,
-                                           Length margin, const JobContext& job);
+using HeadlandGenerator = Result<Headland>(const Field& field, const Machine& machine,
+                                           const Settings& settings, Length margin, const JobContext& job);
 
 }  // namespace furrow

@@ -8,9 +8,12 @@ namespace furrow {
 namespace {
 
 constexpr FormatInfo kFormats[] = {
-    {"geojson", "GeoJSON", "geojson json", true, true, "Boundary, obstacles, swaths, path and findings of a plan."},
-    {"csv", "CSV table", "csv", true, true, "Every sample of the path; reading: a WKT column or lon and lat columns."},
-    {"isoxml", "ISOXML v4", "xml", false, true, "Boundary, holes and AB lines for terminals; no driving order."},
+    {"geojson", "GeoJSON", "geojson json", true, true,
+     "Boundary, obstacles, swaths, path and findings of a plan."},
+    {"csv", "CSV table", "csv", true, true,
+     "Every sample of the path; reading: a WKT column or lon and lat columns."},
+    {"isoxml", "ISOXML v4", "xml", false, true,
+     "Boundary, holes and AB lines for terminals; no driving order."},
     {"shapefile", "Shapefile, also zipped", "shp zip", true, false, "Boundaries."},
     {"kml", "KML", "kml", true, false, "Boundaries."},
     {"kmz", "KMZ", "kmz", true, false, "Boundaries."},

@@ -77,7 +77,9 @@ public:
         }
     }
     PendingFile(PendingFile&& other) noexcept
-        : target_{std::move(other.target_)}, part_{std::exchange(other.part_, {})}, problem_{other.problem_} {}
+        : target_{std::move(other.target_)},
+          part_{std::exchange(other.part_, {})},
+          problem_{other.problem_} {}
     PendingFile& operator=(PendingFile&&) = delete;
 
     const fs::path& target() const { return target_; }
@@ -105,7 +107,8 @@ std::span<const std::string_view> standardPlanFormats() {
 }
 
 Result<std::vector<fs::path>> writePlanFolder(const Plan& plan, const fs::path& folder,
-                                              std::span<const std::string_view> formatIds, const JobContext& job) {
+                                              std::span<const std::string_view> formatIds,
+                                              const JobContext& job) {
     for (const std::string_view id : formatIds) {
         if (const auto known = findPlanFormat(id); !known) {
             return std::unexpected(known.error());

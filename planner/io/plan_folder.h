@@ -18,8 +18,10 @@ std::span<const std::string_view> standardPlanFormats();
 /// first and renamed when all of it is on the disk, so that a full disk, a cancel or a crash leaves what was
 /// there before.
 ///
-/// @return the files, summary.json first. Usage: unknown format. WriteFailed: with the system's reason. Cancelled.
-Result<std::vector<std::filesystem::path>> writePlanFolder(const Plan& plan, const std::filesystem::path& folder,
+/// @return the files, summary.json first. Usage: unknown format. WriteFailed: with the system's reason.
+/// Cancelled.
+Result<std::vector<std::filesystem::path>> writePlanFolder(const Plan& plan,
+                                                           const std::filesystem::path& folder,
                                                            std::span<const std::string_view> formatIds,
                                                            const JobContext& job = {});
 

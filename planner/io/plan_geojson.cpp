@@ -74,7 +74,8 @@ private:
     void add(std::string_view kind, Json properties, Json geometry) {
         Json all{{"kind", kind}};
         all.update(properties);
-        features_.push_back({{"type", "Feature"}, {"properties", std::move(all)}, {"geometry", std::move(geometry)}});
+        features_.push_back(
+            {{"type", "Feature"}, {"properties", std::move(all)}, {"geometry", std::move(geometry)}});
     }
 
     std::vector<GeoPolygon> inWgs84(const MultiPolygon& polygons) const {
@@ -91,7 +92,9 @@ private:
             polygonGeometry(source.parts));
         for (const Obstacle& obstacle : source.obstacles) {
             add("obstacle",
-                {{"name", obstacle.name}, {"passable", obstacle.passable}, {"buffer_m", obstacle.buffer.si()}},
+                {{"name", obstacle.name},
+                 {"passable", obstacle.passable},
+                 {"buffer_m", obstacle.buffer.si()}},
                 polygonGeometry({obstacle.outline}));
         }
         for (const Gate& gate : source.gates) {
@@ -115,7 +118,8 @@ private:
         for (std::size_t order = 0; order < plan_.route.steps.size(); ++order) {
             const RouteStep& step = plan_.route.steps[order];
             const Swath& swath = plan_.swaths.swaths[step.swath];
-            const Point line[] = {startPose(step, plan_.swaths).position, endPose(step, plan_.swaths).position};
+            const Point line[] = {startPose(step, plan_.swaths).position,
+                                  endPose(step, plan_.swaths).position};
             add("swath",
                 {{"number", swath.number},
                  {"order", order},

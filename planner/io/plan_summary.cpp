@@ -58,18 +58,12 @@ Json auditJson(const Plan& plan) {
             curvature = std::max(curvature, std::abs(sample.curvature1pm));
         }
     }
-    return {{"covered_m2", nullptr},
-            {"covered", nullptr},
-            {"covered_of_reachable", nullptr},
-            {"missed_m2", nullptr},
-            {"overlap_m2", nullptr},
-            {"overlap_headland_m2", nullptr},
-            {"outside_m2", nullptr},
-            {"min_clearance_m", nullptr},
-            {"max_curvature_1pm", curvature},
-            {"max_curvature_rate_1pm2", nullptr},
-            {"max_position_jump_m", nullptr},
-            {"max_heading_jump_rad", nullptr},
+    return {{"covered_m2", nullptr},           {"covered", nullptr},
+            {"covered_of_reachable", nullptr}, {"missed_m2", nullptr},
+            {"overlap_m2", nullptr},           {"overlap_headland_m2", nullptr},
+            {"outside_m2", nullptr},           {"min_clearance_m", nullptr},
+            {"max_curvature_1pm", curvature},  {"max_curvature_rate_1pm2", nullptr},
+            {"max_position_jump_m", nullptr},  {"max_heading_jump_rad", nullptr},
             {"findings", findingsJson(plan)}};
 }
 

@@ -14,7 +14,8 @@ namespace {
 
 using Json = nlohmann::ordered_json;
 
-Result<void> applyValue(Settings& settings, const std::string& key, const Json& value, std::string_view origin) {
+Result<void> applyValue(Settings& settings, const std::string& key, const Json& value,
+                        std::string_view origin) {
     const auto parameter = findParameter(key);
     Result<void> applied;
     if (!parameter) {
@@ -41,7 +42,8 @@ Result<void> applyValue(Settings& settings, const std::string& key, const Json& 
     return {};
 }
 
-Result<void> applyObject(Settings& settings, const std::string& prefix, const Json& object, std::string_view origin) {
+Result<void> applyObject(Settings& settings, const std::string& prefix, const Json& object,
+                         std::string_view origin) {
     for (const auto& [name, value] : object.items()) {
         const std::string key = prefix.empty() ? name : prefix + "." + name;
         const auto applied = value.is_object() && prefix.empty() ? applyObject(settings, key, value, origin)
@@ -64,7 +66,8 @@ Result<void> applySettingsJson(Settings& settings, std::string_view json, std::s
     };
     try {
         const Json parsed = Json::parse(json);
-        return parsed.is_object() ? applyObject(settings, "", parsed, origin) : refused("it is not a JSON object");
+        return parsed.is_object() ? applyObject(settings, "", parsed, origin)
+                                  : refused("it is not a JSON object");
     } catch (const Json::parse_error& error) {
         return refused(std::format("it is not JSON (byte {})", error.byte));
     }

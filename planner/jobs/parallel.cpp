@@ -9,7 +9,8 @@
 
 namespace furrow {
 
-Result<void> parallelFor(std::size_t count, const std::function<void(std::size_t)>& body, const JobContext& job) {
+Result<void> parallelFor(std::size_t count, const std::function<void(std::size_t)>& body,
+                         const JobContext& job) {
     if (job.stopRequested()) {
         return std::unexpected(cancelled());
     }

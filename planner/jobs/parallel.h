@@ -12,7 +12,8 @@ namespace furrow {
 /// Runs `body(i)` for every i in [0, count) on the job's threads and reports progress.
 /// The body must not throw and must write only to what belongs to its own i.
 /// Cancelled: a stop was requested; some bodies may not have run.
-Result<void> parallelFor(std::size_t count, const std::function<void(std::size_t)>& body, const JobContext& job);
+Result<void> parallelFor(std::size_t count, const std::function<void(std::size_t)>& body,
+                         const JobContext& job);
 
 /// The values of `make(i)` in the order of i, whatever the thread count. T needs a default.
 template <class T, class Make>

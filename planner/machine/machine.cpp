@@ -50,12 +50,13 @@ Result<Machine> Machine::create(const MachineSpec& spec) {
     for (const Requirement& requirement : requirements) {
         const bool largeEnough = requirement.mayBeZero ? requirement.value >= 0.0 : requirement.value > 0.0;
         if (!std::isfinite(requirement.value) || !largeEnough) {
-            return std::unexpected(refused(requirement.key, std::format("{} cannot be worked with", requirement.value),
-                                           requirement.mayBeZero ? "give a number of 0 or more"
-                                                                 : "give a number above 0"));
+            return std::unexpected(
+                refused(requirement.key, std::format("{} cannot be worked with", requirement.value),
+                        requirement.mayBeZero ? "give a number of 0 or more" : "give a number above 0"));
         }
     }
-    for (const double offset : {implement.offset.si(), implement.hitchOffset.si(), implement.lateralOffset.si()}) {
+    for (const double offset :
+         {implement.offset.si(), implement.hitchOffset.si(), implement.lateralOffset.si()}) {
         if (!std::isfinite(offset)) {
             return std::unexpected(refused("implement offsets", "an offset is not a finite number",
                                            "give the offsets in metres"));
@@ -63,13 +64,15 @@ Result<Machine> Machine::create(const MachineSpec& spec) {
     }
     if (!tractor.minTurningRadius) {
         if (!tractor.maxSteeringAngle) {
-            return std::unexpected(refused("min_turning_radius_m", "neither turning radius nor steering angle is given",
+            return std::unexpected(refused("min_turning_radius_m",
+                                           "neither turning radius nor steering angle is given",
                                            "give min_turning_radius_m or max_steering_angle_deg"));
         }
         if (!(*tractor.maxSteeringAngle > degrees(0.0) && *tractor.maxSteeringAngle < degrees(90.0))) {
-            return std::unexpected(refused("max_steering_angle_deg",
-                                           std::format("{} degrees cannot be steered", inDegrees(*tractor.maxSteeringAngle)),
-                                           "give an angle above 0 and below 90 degrees"));
+            return std::unexpected(
+                refused("max_steering_angle_deg",
+                        std::format("{} degrees cannot be steered", inDegrees(*tractor.maxSteeringAngle)),
+                        "give an angle above 0 and below 90 degrees"));
         }
     }
     return Machine{spec};
@@ -87,7 +90,8 @@ Speed Machine::turningSpeed() const {
 }
 
 Length Machine::turningWidth() const {
-    return std::max(spec_.tractor.width, spec_.implement.raisedWidth.value_or(spec_.implement.operatingWidth));
+    return std::max(spec_.tractor.width,
+                    spec_.implement.raisedWidth.value_or(spec_.implement.operatingWidth));
 }
 
 Length Machine::workingFootprintWidth() const {
@@ -111,8 +115,9 @@ Ring Machine::turningFootprint() const {
         //     |  +-------+
         //     |  +-------+
         //     +--+
-        return {{implementRear, right}, {implementFront, right}, {implementFront, -half}, {front, -half},
-                {front, half},          {implementFront, half},  {implementFront, left},  {implementRear, left}};
+        return {{implementRear, right}, {implementFront, right}, {implementFront, -half},
+                {front, -half},         {front, half},           {implementFront, half},
+                {implementFront, left}, {implementRear, left}};
     }
     // Beside or around the tractor: one box around both is close enough and never too small.
     const double back = std::min(rear, implementRear);

@@ -5,7 +5,9 @@
 #include "planner/turns/turn_sampling.h"
 
 #include <algorithm>
+#include <iterator>
 #include <optional>
+#include <utility>
 
 namespace furrow {
 
@@ -22,7 +24,8 @@ MultiPolygon openGates(const Field& field) {
         const Point centre = field.frame().toLocal(gate.position);
         Polygon disc;
         for (int i = 0; i < kCorners; ++i) {
-            disc.outer.push_back(centre + 0.5 * gate.width.si() * direction(2.0 * std::numbers::pi * i / kCorners));
+            disc.outer.push_back(centre +
+                                 0.5 * gate.width.si() * direction(2.0 * std::numbers::pi * i / kCorners));
         }
         discs.push_back(std::move(disc));
     }
@@ -48,21 +51,27 @@ MultiPolygon withoutHoles(const MultiPolygon& polygons) {
     return filled;
 }
 
-/// The outline at every sample, and the line that each corner draws from sample to sample.
-std::vector<Polyline> sweptLines(const PathSegment& segment, const Ring& footprint) {
-    std::vector<Polyline> lines;
-    std::vector<Polyline> tracks(footprint.size());
+/// The outline of the footprint at every sample.
+std::vector<Polyline> outlinesAlong(const PathSegment& segment, const Ring& footprint) {
+    std::vector<Polyline> outlines;
     for (const PathSample& sample : segment.samples) {
-        Polyline outline =
-            placed(footprint, {.position = sample.position, .heading = radians(sample.headingRad)});
-        for (std::size_t corner = 0; corner < outline.size(); ++corner) {
+        outlines.push_back(
+            placed(footprint, {.position = sample.position, .heading = radians(sample.headingRad)}));
+        outlines.back().push_back(outlines.back().front());
+    }
+    return outlines;
+}
+
+/// These outlines and the lines that their corners draw from one to the next.
+std::vector<Polyline> withTracks(std::vector<Polyline> outlines) {
+    std::vector<Polyline> tracks(outlines.front().size() - 1);
+    for (const Polyline& outline : outlines) {
+        for (std::size_t corner = 0; corner < tracks.size(); ++corner) {
             tracks[corner].push_back(outline[corner]);
         }
-        outline.push_back(outline.front());
-        lines.push_back(std::move(outline));
     }
-    std::ranges::move(tracks, std::back_inserter(lines));
-    return lines;
+    std::ranges::move(tracks, std::back_inserter(outlines));
+    return outlines;
 }
 
 }  // namespace
@@ -86,7 +95,12 @@ Result<std::vector<BlockedConnection>> blockedConnections(const Path& path, cons
     const auto checked = parallelMap<std::optional<BlockedConnection>>(
         connections.size(),
         [&](std::size_t i) -> std::optional<BlockedConnection> {
-            const auto lines = sweptLines(path.segments[connections[i]], footprint);
+            auto outlines = outlinesAlong(path.segments[connections[i]], footprint);
+            // Along a straight or bulging boundary the hull decides; only inward corners need more.
+            if (drivable.coversHullOf(outlines)) {
+                return std::nullopt;
+            }
+            const auto lines = withTracks(std::move(outlines));
             if (drivable.covers(lines)) {
                 return std::nullopt;
             }

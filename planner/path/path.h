@@ -18,12 +18,12 @@ std::string_view segmentKindId(SegmentKind kind);
 
 /// The vehicle at one instant.
 struct PathSample {
-    double sM = 0.0;           ///< way driven since the start, m
-    double tS = 0.0;           ///< time since the start, s
-    Point position;            ///< of the tractor's reference point
-    double headingRad = 0.0;   ///< of the nose, in [0, 2 pi)
-    double curvature1pm = 0.0; ///< positive to the left along the nose
-    double speedMps = 0.0;     ///< not negative
+    double sM = 0.0;            ///< way driven since the start, m
+    double tS = 0.0;            ///< time since the start, s
+    Point position;             ///< of the tractor's reference point
+    double headingRad = 0.0;    ///< of the nose, in [0, 2 pi)
+    double curvature1pm = 0.0;  ///< positive to the left along the nose
+    double speedMps = 0.0;      ///< not negative
 
     friend bool operator==(const PathSample&, const PathSample&) = default;
 };
@@ -31,12 +31,12 @@ struct PathSample {
 /// One piece of the path: a swath, a turn, ... with at least two samples.
 struct PathSegment {
     SegmentKind kind = SegmentKind::Swath;
-    std::string turnType;      ///< of turns: "dubins", "straight"
-    int swath = 0;             ///< number of the swath that is driven, or that a turn leads away from
+    std::string turnType;  ///< of turns: "dubins", "straight"
+    int swath = 0;         ///< number of the swath that is driven, or that a turn leads away from
     Gear gear = Gear::Forward;
     bool implementDown = false;
     bool drivable = true;
-    std::string reason;        ///< why it is not drivable
+    std::string reason;  ///< why it is not drivable
     std::vector<PathSample> samples;
 
     Length length() const { return metres(samples.back().sM - samples.front().sM); }

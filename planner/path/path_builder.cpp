@@ -11,14 +11,16 @@ namespace {
 class PathWriter {
 public:
     void addSwath(const Swath& swath, const Pose& from, const Pose& to, Speed speed) {
-        PathSegment segment{.kind = SegmentKind::Swath, .turnType = {}, .swath = swath.number, .implementDown = true};
+        PathSegment segment{
+            .kind = SegmentKind::Swath, .turnType = {}, .swath = swath.number, .implementDown = true};
         const Length length = swath.length();
         segment.samples = {sample(from, metres(0.0), {}, speed), sample(to, length, {}, speed)};
         append(std::move(segment), length, speed);
     }
 
     void addTurn(const Turn& turn, int fromSwath, Speed speed) {
-        PathSegment segment{.kind = SegmentKind::Turn, .turnType = std::string{turn.type}, .swath = fromSwath};
+        PathSegment segment{
+            .kind = SegmentKind::Turn, .turnType = std::string{turn.type}, .swath = fromSwath};
         for (const TurnSample& at : sampled(turn, kChordTolerance)) {
             segment.samples.push_back(sample(at.pose, at.way, at.curvature, speed));
         }

@@ -51,7 +51,8 @@ std::vector<Choice> choicesFrom(const Methods& methods) {
 struct StageEntry {
     template <class Methods>
     StageEntry(const Methods& methods, std::string_view id, std::string_view stageName, std::string_view key,
-               std::string_view name, std::string_view description, std::span<const Parameter* const> parameters)
+               std::string_view name, std::string_view description,
+               std::span<const Parameter* const> parameters)
         : choices{choicesFrom(methods)},
           method{.key = key,
                  .name = name,
@@ -73,14 +74,26 @@ struct StageEntry {
 };
 
 struct Registry {
-    StageEntry headland{kHeadlandMethods, "headland", "Headland", "headland.method", "Headland",
-                        "The strip kept for turning.", {}};
-    StageEntry swaths{kSwathMethods, "swaths", "Swaths", "swaths.method", "Heading",
-                      "How the direction of the swaths is found.", kSwathParameters};
-    StageEntry route{kRouteMethods, "route", "Route", "route.method", "Order",
-                     "In which order the swaths are driven.", {}};
-    StageEntry path{kTurnMethods, "path", "Turns", "path.method", "Turn",
-                    "How the machine gets from one swath to the next.", kPathParameters};
+    StageEntry headland{kHeadlandMethods,
+                        "headland",
+                        "Headland",
+                        "headland.method",
+                        "Headland",
+                        "The strip kept for turning.",
+                        {}};
+    StageEntry swaths{kSwathMethods,   "swaths",  "Swaths",
+                      "swaths.method", "Heading", "How the direction of the swaths is found.",
+                      kSwathParameters};
+    StageEntry route{kRouteMethods,
+                     "route",
+                     "Route",
+                     "route.method",
+                     "Order",
+                     "In which order the swaths are driven.",
+                     {}};
+    StageEntry path{kTurnMethods,   "path", "Turns",
+                    "path.method",  "Turn", "How the machine gets from one swath to the next.",
+                    kPathParameters};
     std::vector<StageInfo> stages{headland.info, swaths.info, route.info, path.info};
     std::vector<const Parameter*> parameters;
 
@@ -115,33 +128,32 @@ auto chosen(const Methods& methods, const StageEntry& stage, const Settings& set
 }
 
 constexpr Choice kOperations[] = {
-    {"tillage", "Tillage", "Working the soil."},
-    {"sowing", "Sowing", "Drilling or planting."},
-    {"spraying", "Spraying", "Crop protection."},
-    {"spreading", "Spreading", "Fertiliser or manure."},
-    {"mowing", "Mowing", "Cutting grass."},
-    {"harvest", "Harvest", "Bringing the crop in."},
+    {"tillage", "Tillage", "Working the soil."},  {"sowing", "Sowing", "Drilling or planting."},
+    {"spraying", "Spraying", "Crop protection."}, {"spreading", "Spreading", "Fertiliser or manure."},
+    {"mowing", "Mowing", "Cutting grass."},       {"harvest", "Harvest", "Bringing the crop in."},
 };
 
 }  // namespace
 
-const Parameter kOperationKind{.key = "operation.kind",
-                               .name = "Operation",
-                               .description = "What the field is driven over for; named in the plan and its files.",
-                               .kind = ParameterKind::Choice,
-                               .standard = 0.0,
-                               .choices = kOperations};
+const Parameter kOperationKind{
+    .key = "operation.kind",
+    .name = "Operation",
+    .description = "What the field is driven over for; named in the plan and its files.",
+    .kind = ParameterKind::Choice,
+    .standard = 0.0,
+    .choices = kOperations};
 
-const Parameter kMargin{.key = "field.margin_m",
-                        .name = "Margin",
-                        .description = "What everything keeps from the boundary; auto is the boundary's accuracy.",
-                        .kind = ParameterKind::Length,
-                        .standard = {},
-                        .canBeAuto = true,
-                        .min = 0.0,
-                        .max = 50.0,
-                        .step = 0.1,
-                        .choices = {}};
+const Parameter kMargin{
+    .key = "field.margin_m",
+    .name = "Margin",
+    .description = "What everything keeps from the boundary; auto is the boundary's accuracy.",
+    .kind = ParameterKind::Length,
+    .standard = {},
+    .canBeAuto = true,
+    .min = 0.0,
+    .max = 50.0,
+    .step = 0.1,
+    .choices = {}};
 
 const Parameter kStayInside{.key = "path.stay_inside",
                             .name = "Stay inside",
@@ -179,7 +191,8 @@ Result<const Parameter*> findParameter(std::string_view key) {
 }
 
 Result<void> applySetting(Settings& settings, std::string_view key, std::string_view text) {
-    return findParameter(key).and_then([&](const Parameter* found) { return settings.setText(*found, text); });
+    return findParameter(key).and_then(
+        [&](const Parameter* found) { return settings.setText(*found, text); });
 }
 
 HeadlandGenerator* headlandMethod(const Settings& settings) {

@@ -16,9 +16,9 @@ namespace furrow {
 
 /// One stage of the pipeline with its methods; the first method is the default.
 struct StageInfo {
-    std::string_view id;    ///< "headland", "swaths", "route", "path"
-    std::string_view name;  ///< "Headland"
-    const Parameter* method;                       ///< the setting that picks the method
+    std::string_view id;      ///< "headland", "swaths", "route", "path"
+    std::string_view name;    ///< "Headland"
+    const Parameter* method;  ///< the setting that picks the method
     std::vector<MethodInfo> methods;
     std::span<const Parameter* const> parameters;  ///< those that every method of the stage reads
 };

@@ -27,7 +27,8 @@ auto timed(Duration& taken, const Run& run) {
 }
 
 /// No machine fits where not even a disc of its own width does.
-Result<void> checkThatItFits(const Field& field, const Machine& machine, Length margin, const JobContext& job) {
+Result<void> checkThatItFits(const Field& field, const Machine& machine, Length margin,
+                             const JobContext& job) {
     const Length half = 0.5 * machine.spec().tractor.width;
     const auto room = eroded(field.drivable(), half + margin, metres(0.05), job);
     if (!room) {
@@ -36,9 +37,9 @@ Result<void> checkThatItFits(const Field& field, const Machine& machine, Length 
     if (room->empty()) {
         return std::unexpected(Error{
             .code = ErrorCode::InputRefused,
-            .what = std::format("the field is nowhere as wide as the machine ({:.2f} m{})",
-                                machine.spec().tractor.width.si(),
-                                margin > metres(0.0) ? std::format(" and twice {:.2f} m of margin", margin.si()) : ""),
+            .what = std::format(
+                "the field is nowhere as wide as the machine ({:.2f} m{})", machine.spec().tractor.width.si(),
+                margin > metres(0.0) ? std::format(" and twice {:.2f} m of margin", margin.si()) : ""),
             .where = field.source().origin.empty() ? field.name() : field.source().origin,
             .remedy = "choose a narrower machine or check the boundary's coordinate system",
             .place = middleOf(field.source().parts)});
@@ -47,7 +48,8 @@ Result<void> checkThatItFits(const Field& field, const Machine& machine, Length 
 }
 
 std::string swathName(const Path& path, std::size_t segment) {
-    return segment < path.segments.size() ? std::to_string(path.segments[segment].swath) : std::string{"the end"};
+    return segment < path.segments.size() ? std::to_string(path.segments[segment].swath)
+                                          : std::string{"the end"};
 }
 
 Finding blockedFinding(const Path& path, const BlockedConnection& blocked, const Headland& headland,
@@ -55,18 +57,22 @@ Finding blockedFinding(const Path& path, const BlockedConnection& blocked, const
     const std::string way = std::format("The way from swath {} to {}", path.segments[blocked.segment].swath,
                                         swathName(path, blocked.segment + 1));
     if (blocked.obstacle) {
-        return {.severity = Severity::Blocking,
-                .kind = "obstacle",
-                .place = blocked.place,
-                .text = way + " crosses an obstacle.",
-                .suggestion = "Try another direction of the swaths, or plan the sides of the obstacle apart."};
+        return {
+            .severity = Severity::Blocking,
+            .kind = "obstacle",
+            .place = blocked.place,
+            .text = way + " crosses an obstacle.",
+            .suggestion = "Try another direction of the swaths, or plan the sides of the obstacle apart."};
     }
     const double needed = (headland.width + blocked.outside).si();
-    // A turn that is a few metres short fits with more headland; one that cuts a corner of the field does not.
-    const bool widerHeadlandHelps = blocked.outside < 3.0 * machine.minTurningRadius() + machine.operatingWidth();
+    // A turn that is a few metres short fits with more headland; one that cuts a corner of the field does
+    // not.
+    const bool widerHeadlandHelps =
+        blocked.outside < 3.0 * machine.minTurningRadius() + machine.operatingWidth();
     std::string suggestion = "The field bends inwards here: try another direction of the swaths.";
     if (!headland.notes.empty()) {
-        suggestion = "The field is too narrow for this machine to turn in: turn outside, or take a smaller machine.";
+        suggestion =
+            "The field is too narrow for this machine to turn in: turn outside, or take a smaller machine.";
     } else if (widerHeadlandHelps) {
         suggestion = std::format("A headland of {:.0f} m may make room ({:.1f} m now).", std::ceil(needed),
                                  headland.width.si());
@@ -86,8 +92,8 @@ std::string blockedReason(const BlockedConnection& blocked) {
 }  // namespace
 
 bool Plan::drivable() const {
-    return std::ranges::none_of(findings,
-                                [](const Finding& finding) { return finding.severity == Severity::Blocking; });
+    return std::ranges::none_of(
+        findings, [](const Finding& finding) { return finding.severity == Severity::Blocking; });
 }
 
 Result<std::shared_ptr<const Plan>> makePlan(const PlanRequest& request, const JobContext& job) {
@@ -152,8 +158,8 @@ Result<std::shared_ptr<const Plan>> makePlan(const PlanRequest& request, const J
                                   .text = "Nothing checked that the turns stay inside the field.",
                                   .suggestion = "Switch \"Stay inside\" on to have them checked."});
     }
-    if (turnMethod(settings) == kStraightMethod.run &&
-        !machine.spec().tractor.canTurnInPlace && plan->path.turnCount() > 0) {
+    if (turnMethod(settings) == kStraightMethod.run && !machine.spec().tractor.canTurnInPlace &&
+        plan->path.turnCount() > 0) {
         plan->findings.push_back({.severity = Severity::Blocking,
                                   .kind = "heading-jump",
                                   .place = plan->path.segments[1].samples.front().position,
@@ -161,8 +167,11 @@ Result<std::shared_ptr<const Plan>> makePlan(const PlanRequest& request, const J
                                   .suggestion = "Choose forward curves, or a machine that can."});
     }
     for (const Note& note : plan->headland.notes) {
-        plan->findings.push_back(
-            {.severity = Severity::Note, .kind = note.where, .place = middle, .text = note.text + ".", .suggestion = ""});
+        plan->findings.push_back({.severity = Severity::Note,
+                                  .kind = note.where,
+                                  .place = middle,
+                                  .text = note.text + ".",
+                                  .suggestion = ""});
     }
     for (const Note& repair : field.repairs()) {
         plan->findings.push_back({.severity = Severity::Note,

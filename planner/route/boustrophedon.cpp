@@ -48,7 +48,8 @@ Result<Route> boustrophedon(const SwathSet& swaths, const Machine& machine, cons
     if (settings.choice(kCorner) == "best") {
         // All four corners; the earliest of equally short ones.
         Length shortest = turningLength(route.steps, swaths, machine.minTurningRadius());
-        for (const auto& [lastTrackFirst, firstReversed] : {std::pair{false, true}, {true, false}, {true, true}}) {
+        for (const auto& [lastTrackFirst, firstReversed] :
+             {std::pair{false, true}, {true, false}, {true, true}}) {
             if (job.stopRequested()) {
                 return std::unexpected(cancelled());
             }

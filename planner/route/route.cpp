@@ -27,7 +27,8 @@ Length lengthInPlace(const std::vector<RouteStep>& steps, const SwathSet& swaths
     for (std::size_t i = 0; i < steps.size(); ++i) {
         sum += swaths.swaths[steps[i].swath].length();
         if (i > 0) {
-            sum += metres(distance(endPose(steps[i - 1], swaths).position, startPose(steps[i], swaths).position));
+            sum += metres(
+                distance(endPose(steps[i - 1], swaths).position, startPose(steps[i], swaths).position));
         }
     }
     return sum;

@@ -9,9 +9,9 @@ namespace furrow {
 
 /// One method as people and programs see it.
 struct MethodInfo {
-    std::string_view id;           ///< as in settings: "brute-force"
-    std::string_view name;         ///< "Every heading"
-    std::string_view description;  ///< one sentence
+    std::string_view id;                           ///< as in settings: "brute-force"
+    std::string_view name;                         ///< "Every heading"
+    std::string_view description;                  ///< one sentence
     std::span<const Parameter* const> parameters;  ///< those that only this method (or a few) reads
 };
 

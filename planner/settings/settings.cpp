@@ -27,8 +27,8 @@ Error refused(const Parameter& parameter, std::string what, std::string remedy) 
 }
 
 Result<void> checkNumber(const Parameter& parameter, double number) {
-    const std::string range = std::format("give a number from {} to {}{}", parameter.min, parameter.max,
-                                          unitText(parameter.kind));
+    const std::string range =
+        std::format("give a number from {} to {}{}", parameter.min, parameter.max, unitText(parameter.kind));
     if (!std::isfinite(number) || number < parameter.min || number > parameter.max) {
         return std::unexpected(refused(parameter, std::format("{} is out of range", number), range));
     }
@@ -62,7 +62,8 @@ Result<void> Settings::set(const Parameter& parameter, const SettingValue& value
     Result<void> checked;
     if (std::holds_alternative<Auto>(value)) {
         if (!parameter.canBeAuto) {
-            return wrongKind(parameter.kind == ParameterKind::Choice ? "one of its choices" : "a value of its own");
+            return wrongKind(parameter.kind == ParameterKind::Choice ? "one of its choices"
+                                                                     : "a value of its own");
         }
     } else if (parameter.kind == ParameterKind::Flag) {
         if (!std::holds_alternative<bool>(value)) {

@@ -14,7 +14,8 @@ namespace furrow {
 /// The settings that differ from their defaults. What has been set fits its parameter: kind, range, choice.
 class Settings {
 public:
-    /// Sets one value. InputRefused: wrong kind, out of range. Usage: no such choice (the message lists them).
+    /// Sets one value. InputRefused: wrong kind, out of range. Usage: no such choice (the message lists
+    /// them).
     Result<void> set(const Parameter& parameter, const SettingValue& value);
     /// The same from text, as in `--set key=value`.
     Result<void> setText(const Parameter& parameter, std::string_view text);

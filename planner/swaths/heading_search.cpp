@@ -59,11 +59,11 @@ Result<ScanLine> scanLineFor(const MultiPolygon& mainland, const Machine& machin
         .overlap = *settings.length(kOverlap),
         .lastPass = settings.choice(kLastPass) == "spread" ? LastPass::Spread : LastPass::Overlap};
     if (spacing.overlap >= spacing.width) {
-        return std::unexpected(Error{
-            .code = ErrorCode::InputRefused,
-            .what = std::format("an overlap of {} m leaves nothing of {} m", spacing.overlap.si(), spacing.width.si()),
-            .where = std::string{kOverlap.key},
-            .remedy = "give less than the operating width"});
+        return std::unexpected(Error{.code = ErrorCode::InputRefused,
+                                     .what = std::format("an overlap of {} m leaves nothing of {} m",
+                                                         spacing.overlap.si(), spacing.width.si()),
+                                     .where = std::string{kOverlap.key},
+                                     .remedy = "give less than the operating width"});
     }
     ScanLine scanLine{mainland, spacing};
     if (scanLine.tooManyTracks()) {
@@ -78,7 +78,7 @@ Result<ScanLine> scanLineFor(const MultiPolygon& mainland, const Machine& machin
 
 SwathObjective objectiveOf(const Settings& settings) {
     const std::string id = settings.choice(kObjective);
-    return id == "coverage" ? SwathObjective::Coverage
+    return id == "coverage"       ? SwathObjective::Coverage
            : id == "swath-length" ? SwathObjective::Length
                                   : SwathObjective::Count;
 }

@@ -52,15 +52,15 @@ struct ScanLine::Walk {
     std::vector<Point> rotated;
     double lowY = 0.0;
     double highY = 0.0;
-    std::vector<double> tracks;               // y of each centre line, rising
-    std::vector<std::size_t> firstInterval;   // of track i; one more entry than tracks
-    std::vector<double> crossings;            // sorted within a track: pairs are intervals
+    std::vector<double> tracks;              // y of each centre line, rising
+    std::vector<std::size_t> firstInterval;  // of track i; one more entry than tracks
+    std::vector<double> crossings;           // sorted within a track: pairs are intervals
     // Slabs: stretches of y over which the same tracks cover.
     std::vector<double> slabEdges;
     std::vector<std::size_t> firstCovered;  // of slab i, into covered; one more entry than slabs
     std::vector<Interval> covered;          // by one swath or more, disjoint
     std::vector<std::size_t> firstDoubled;
-    std::vector<Interval> doubled;          // by two or more, disjoint
+    std::vector<Interval> doubled;  // by two or more, disjoint
     std::vector<Interval> scratch;
 
     std::span<const Interval> coveredIn(std::size_t slab) const {
@@ -74,10 +74,11 @@ struct ScanLine::Walk {
 namespace {
 
 /// Splits overlapping intervals into where at least one and where at least two of them lie.
-void countOverlaps(std::vector<Interval>& intervals, std::vector<Interval>& once, std::vector<Interval>& twice) {
+void countOverlaps(std::vector<Interval>& intervals, std::vector<Interval>& once,
+                   std::vector<Interval>& twice) {
     std::ranges::sort(intervals, {}, &Interval::from);
-    double end = -std::numeric_limits<double>::infinity();        // of the current stretch covered once
-    double twiceEnd = -std::numeric_limits<double>::infinity();   // and twice
+    double end = -std::numeric_limits<double>::infinity();       // of the current stretch covered once
+    double twiceEnd = -std::numeric_limits<double>::infinity();  // and twice
     for (const Interval& interval : intervals) {
         if (interval.from < end) {
             const Interval both{std::max(interval.from, twiceEnd), std::min(interval.to, end)};
@@ -153,8 +154,9 @@ void ScanLine::lay(MovedSide moved, Walk& walk) const {
         const double lowest = walk.lowY + 0.5 * width;
         const double highest = walk.highY - 0.5 * width;
         for (std::size_t i = 0; i < count; ++i) {
-            walk.tracks.push_back(moved == MovedSide::Last ? lowest + static_cast<double>(i) * step
-                                                           : highest - static_cast<double>(count - 1 - i) * step);
+            walk.tracks.push_back(moved == MovedSide::Last
+                                      ? lowest + static_cast<double>(i) * step
+                                      : highest - static_cast<double>(count - 1 - i) * step);
         }
         // The outermost swaths are flush with the mainland's edges, to the last bit.
         walk.tracks.front() = lowest;
@@ -172,7 +174,8 @@ void ScanLine::lay(MovedSide moved, Walk& walk) const {
                 const double low = std::min(a.y, b.y);
                 const double high = std::max(a.y, b.y);
                 // Half-open: a vertex on a centre line counts for one of its two edges.
-                auto k = static_cast<std::size_t>(std::ranges::lower_bound(walk.tracks, low) - walk.tracks.begin());
+                auto k = static_cast<std::size_t>(std::ranges::lower_bound(walk.tracks, low) -
+                                                  walk.tracks.begin());
                 for (; k < trackCount && walk.tracks[k] < high; ++k) {
                     visit(k, a, b);
                 }
@@ -192,7 +195,8 @@ void ScanLine::lay(MovedSide moved, Walk& walk) const {
         walk.crossings[walk.firstInterval[k]++] = a.x + share * (b.x - a.x);
     });
     // Filling moved every entry on to the next track's beginning.
-    std::ranges::move_backward(walk.firstInterval.begin(), walk.firstInterval.end() - 1, walk.firstInterval.end());
+    std::ranges::move_backward(walk.firstInterval.begin(), walk.firstInterval.end() - 1,
+                               walk.firstInterval.end());
     walk.firstInterval.front() = 0;
     for (std::size_t k = 0; k < trackCount; ++k) {
         std::sort(walk.crossings.begin() + static_cast<std::ptrdiff_t>(walk.firstInterval[k]),
@@ -204,7 +208,8 @@ void ScanLine::lay(MovedSide moved, Walk& walk) const {
     walk.slabEdges.clear();
     std::size_t starts = 0;
     for (std::size_t ends = 0; ends < trackCount;) {
-        const double start = starts < trackCount ? walk.tracks[starts] - half : std::numeric_limits<double>::infinity();
+        const double start =
+            starts < trackCount ? walk.tracks[starts] - half : std::numeric_limits<double>::infinity();
         const double end = walk.tracks[ends] + half;
         const double next = std::min(start, end);
         starts += start <= end ? 1 : 0;

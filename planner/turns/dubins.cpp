@@ -75,9 +75,10 @@ std::optional<Word> innerTangent(const Scaled& s, int side) {
     if (!middle) {
         return std::nullopt;
     }
-    const double axis = std::atan2(-k * (s.cosA + s.cosB), s.d + k * (s.sinA + s.sinB)) +
-                        k * std::atan2(2.0, *middle);
-    return Word{positiveAngle(k * (axis - s.alpha)), *middle, positiveAngle(k * (axis - s.beta)), {side, 0, -side}};
+    const double axis =
+        std::atan2(-k * (s.cosA + s.cosB), s.d + k * (s.sinA + s.sinB)) + k * std::atan2(2.0, *middle);
+    return Word{
+        positiveAngle(k * (axis - s.alpha)), *middle, positiveAngle(k * (axis - s.beta)), {side, 0, -side}};
 }
 
 std::optional<Word> threeArcs(const Scaled& s, int side) {
@@ -119,8 +120,8 @@ Turn dubinsTurn(const Pose& from, const Pose& to, Length radius) {
     const double parts[] = {word.first, word.middle, word.last};
     for (int i = 0; i < 3; ++i) {
         if (parts[i] > 0.0) {
-            turn.pieces.push_back({.length = radius * parts[i],
-                                   .curvature = Curvature::fromSi(word.turns[i] / radius.si())});
+            turn.pieces.push_back(
+                {.length = radius * parts[i], .curvature = Curvature::fromSi(word.turns[i] / radius.si())});
         }
     }
     return turn;

@@ -16,7 +16,8 @@ Turn straightTurn(const Pose& from, const Pose& to) {
 const Method<TurnPlanner> kStraightMethod{
     .info = {.id = "straight",
              .name = "On the spot",
-             .description = "Turns in place and drives straight to the next swath; only for machines that can.",
+             .description =
+                 "Turns in place and drives straight to the next swath; only for machines that can.",
              .parameters = {}},
     .run = [](const Pose& from, const Pose& to, const Machine&) { return straightTurn(from, to); }};
 

@@ -22,7 +22,8 @@ struct TurnPiece {
 /// A manoeuvre from one pose to another.
 struct Turn {
     std::string_view type;  ///< "dubins", "straight"
-    /// Where it begins; its heading differs from the pose it was asked for only where the vehicle turns in place.
+    /// Where it begins; its heading differs from the pose it was asked for only where the vehicle turns in
+    /// place.
     Pose start;
     std::vector<TurnPiece> pieces;
 

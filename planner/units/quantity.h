@@ -44,13 +44,29 @@ using Curvature = Quantity<struct CurvatureTag>;
 /// 1/m², change of curvature along the path.
 using CurvatureRate = Quantity<struct CurvatureRateTag>;
 
-constexpr Length metres(double value) { return Length::fromSi(value); }
-constexpr Area squareMetres(double value) { return Area::fromSi(value); }
-constexpr Speed metresPerSecond(double value) { return Speed::fromSi(value); }
-constexpr Duration seconds(double value) { return Duration::fromSi(value); }
-constexpr Angle radians(double value) { return Angle::fromSi(value); }
-constexpr Angle degrees(double value) { return Angle::fromSi(value * std::numbers::pi / 180.0); }
-constexpr double inDegrees(Angle angle) { return angle.si() * 180.0 / std::numbers::pi; }
-constexpr double inHectares(Area area) { return area.si() / 1e4; }
+constexpr Length metres(double value) {
+    return Length::fromSi(value);
+}
+constexpr Area squareMetres(double value) {
+    return Area::fromSi(value);
+}
+constexpr Speed metresPerSecond(double value) {
+    return Speed::fromSi(value);
+}
+constexpr Duration seconds(double value) {
+    return Duration::fromSi(value);
+}
+constexpr Angle radians(double value) {
+    return Angle::fromSi(value);
+}
+constexpr Angle degrees(double value) {
+    return Angle::fromSi(value * std::numbers::pi / 180.0);
+}
+constexpr double inDegrees(Angle angle) {
+    return angle.si() * 180.0 / std::numbers::pi;
+}
+constexpr double inHectares(Area area) {
+    return area.si() / 1e4;
+}
 
 }  // namespace furrow

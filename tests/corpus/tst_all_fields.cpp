@@ -1,0 +1,94 @@
+// Two thousand real fields, none of them drawn by the authors: every one is planned or refused for a reason.
+
+#include "planner/io/boundary_import.h"
+#include "planner/machine/machine_library.h"
+#include "planner/plan/plan.h"
+
+#include <QTest>
+
+#include <filesystem>
+#include <map>
+
+using namespace furrow;
+
+class TestAllFields : public QObject {
+    Q_OBJECT
+
+private slots:
+    void everyFieldIsPlannedOrRefusedForAReason();
+};
+
+namespace {
+
+/// The refusals that are meant to happen to real boundaries; anything else is a bug.
+bool isKnownReason(const Error& error) {
+    static const std::string_view known[] = {"crosses itself", "nowhere as wide as the machine",
+                                             "enclose no area", "fewer than 3 different points"};
+    return error.code == ErrorCode::InputRefused && std::ranges::any_of(known, [&](std::string_view text) {
+               return error.what.find(text) != std::string::npos;
+           });
+}
+
+}  // namespace
+
+void TestAllFields::everyFieldIsPlannedOrRefusedForAReason() {
+    const std::filesystem::path file = FURROW_SHARED_DATA_DIR "/fields/all_fields.geojson";
+    if (!std::filesystem::exists(file)) {
+        QSKIP("the collection of real fields is not beside the project");
+    }
+    const auto sources = readBoundaries(file, {});
+    QVERIFY2(sources.has_value(), sources ? "" : sources.error().line().c_str());
+    QCOMPARE(sources->size(), std::size_t{2005});
+
+    int planned = 0;
+    int drivable = 0;
+    int large = 0;
+    int largePlanned = 0;
+    double turns = 0.0;
+    double undrivableTurns = 0.0;
+    std::vector<double> milliseconds;
+    std::map<std::string, int> refusals;
+    for (const FieldSource& source : *sources) {
+        auto field = Field::create(source);
+        const bool valid = field.has_value();
+        const bool isLarge = valid && inHectares(field->area()) > 0.3;
+        large += isLarge ? 1 : 0;
+        if (!valid) {
+            QVERIFY2(isKnownReason(field.error()), qPrintable(QString::fromStdString(field.error().line())));
+            ++refusals[field.error().what.substr(0, 30)];
+            continue;
+        }
+        const auto plan = makePlan({.field = std::make_shared<const Field>(std::move(*field)),
+                                    .machine = machineLibrary().front(),
+                                    .settings = {}});
+        if (!plan) {
+            QVERIFY2(isKnownReason(plan.error()), qPrintable(QString::fromStdString(plan.error().line())));
+            ++refusals[plan.error().what.substr(0, 30)];
+            continue;
+        }
+        ++planned;
+        largePlanned += isLarge ? 1 : 0;
+        drivable += (*plan)->drivable() ? 1 : 0;
+        turns += (*plan)->path.turnCount();
+        undrivableTurns += (*plan)->path.undrivableCount();
+        milliseconds.push_back((*plan)->timings.total.si() * 1e3);
+        QVERIFY2(!(*plan)->swaths.swaths.empty(), source.id.c_str());
+        QVERIFY2((*plan)->swaths.coverage > 0.0 && (*plan)->swaths.coverage <= 1.0, source.id.c_str());
+        QCOMPARE((*plan)->route.steps.size(), (*plan)->swaths.swaths.size());
+    }
+    std::ranges::sort(milliseconds);
+    const auto quantile = [&](double share) {
+        return milliseconds[static_cast<std::size_t>(share * static_cast<double>(milliseconds.size() - 1))];
+    };
+    qInfo("planned %d of %zu, %d of %d over 0.3 ha, fully drivable %d, turns that stay inside %.1f %%",
+          planned, sources->size(), largePlanned, large, drivable, 100.0 * (1.0 - undrivableTurns / turns));
+    qInfo("planning time: median %.1f ms, 95 %% %.1f ms, largest %.0f ms", quantile(0.5), quantile(0.95),
+          quantile(1.0));
+    for (const auto& [reason, count] : refusals) {
+        qInfo("refused %d: %s ...", count, reason.c_str());
+    }
+    QVERIFY(largePlanned >= 0.98 * large);
+}
+
+QTEST_APPLESS_MAIN(TestAllFields)
+#include "tst_all_fields.moc"
