@@ -30,7 +30,7 @@ Rectangle {
             width: parent.width
             text: root.text
             wrapMode: Text.WordWrap
-            font.pixelSize: 12.5
+            font.pixelSize: 13
             lineHeight: 1.2
         }
         BodyText {

@@ -52,7 +52,7 @@ QtObject {
 
     readonly property string family: "Inter"
     readonly property int bodySize: 13
-    readonly property real labelSize: 11.5
+    readonly property int labelSize: 12
     readonly property int titleSize: 14
     readonly property int controlHeight: 34
     readonly property int radius: 8

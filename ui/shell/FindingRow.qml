@@ -61,7 +61,7 @@ T.Button {
                 width: parent.width
                 text: root.finding
                 wrapMode: Text.WordWrap
-                font.pixelSize: 12.5
+                font.pixelSize: 13
                 lineHeight: 1.15
             }
             Caption {

@@ -64,7 +64,7 @@ Rectangle {
                     anchors.centerIn: parent
                     text: root.number
                     color: Theme.accent
-                    font.pixelSize: 11.5
+                    font.pixelSize: 12
                     font.weight: Font.DemiBold
                 }
             }
@@ -77,7 +77,7 @@ Rectangle {
 
                 BodyText {
                     text: root.name
-                    font.pixelSize: 13.5
+                    font.pixelSize: 14
                     font.weight: Font.DemiBold
                 }
                 BodyText {
