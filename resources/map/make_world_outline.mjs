@@ -3,7 +3,7 @@
 //
 // The file: "FWO1", then two lists (land rings, border lines). A list is the number of lines, then for each
 // line the number of points and the points as differences; all numbers are zigzag varints. A point is
-// longitude and latitude in steps of 0.005 degrees.
+// longitude and latitude in steps of 0.005 degrees; longitudes may go beyond 180.
 import { readFileSync, writeFileSync } from "node:fs";
 
 const [input, output] = process.argv.slice(2);
@@ -24,12 +24,29 @@ const arcPoints = index => index < 0 ? [...arcs[~index]].reverse() : arcs[index]
 
 const withoutRepeats = line => line.filter((p, i) => i === 0 || p[0] !== line[i - 1][0] || p[1] !== line[i - 1][1]);
 
+const world = 360 * stepsPerDegree;
+
+// Rings that cross the antimeridian go on beyond 180 degrees instead of jumping back; one that runs around
+// the pole is closed along it.
+const unwrapped = ring => {
+    let turns = 0;
+    const points = ring.map(([x, y], i) => {
+        if (i > 0) turns -= Math.round((x - ring[i - 1][0]) / world);
+        return [x + turns * world, y];
+    });
+    const [first, last] = [points[0], points.at(-1)];
+    if (Math.abs(last[0] - first[0]) < world / 2) return points;
+    const pole = (last[1] < 0 ? -90 : 90) * stepsPerDegree;
+    return [...points, [first[0] + Math.round((last[0] - first[0]) / world) * world, first[1]],
+            [first[0] + Math.round((last[0] - first[0]) / world) * world, pole], [first[0], pole]];
+};
+
 const polygonsOf = geometry => geometry.type === "GeometryCollection" ? geometry.geometries.flatMap(polygonsOf)
     : geometry.type === "MultiPolygon" ? geometry.arcs
     : geometry.type === "Polygon" ? [geometry.arcs] : [];
 
 const rings = polygonsOf(atlas.objects.land)
-    .flatMap(polygon => polygon.map(ring => withoutRepeats(ring.flatMap(arcPoints)).slice(0, -1)))
+    .flatMap(polygon => polygon.map(ring => unwrapped(withoutRepeats(ring.flatMap(arcPoints)).slice(0, -1))))
     .filter(ring => ring.length >= 3);
 
 const users = new Map();

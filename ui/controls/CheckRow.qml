@@ -33,7 +33,7 @@ T.CheckBox {
             width: 14
             height: 14
             name: "check"
-            color: Theme.onAccent
+            color: Theme.accentInk
             visible: root.checked
         }
         Focusable { control: root; radius: 6 }

@@ -27,7 +27,7 @@ T.TextField {
     verticalAlignment: TextInput.AlignVCenter
     color: Theme.ink
     selectionColor: Theme.accent
-    selectedTextColor: Theme.onAccent
+    selectedTextColor: Theme.accentInk
     placeholderTextColor: Theme.muted
     selectByMouse: true
     inputMethodHints: Qt.ImhFormattedNumbersOnly

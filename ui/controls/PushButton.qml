@@ -49,7 +49,7 @@ T.Button {
                 anchors.verticalCenter: parent.verticalCenter
                 text: root.text
                 font: root.font
-                color: root.primary ? Theme.onAccent : Theme.ink
+                color: root.primary ? Theme.accentInk : Theme.ink
                 opacity: root.enabled ? 1 : 0.6
             }
         }

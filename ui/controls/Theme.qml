@@ -1,4 +1,5 @@
 pragma Singleton
+pragma ComponentBehavior: Bound
 import QtQuick
 import QtCore
 
@@ -25,14 +26,14 @@ QtObject {
     readonly property color line: pick("#DCE3DD", "#2B3731", "#000000")
     readonly property color accent: pick("#1B6B43", "#57C48A", "#00441F")
     readonly property color accentHover: pick("#175C3A", "#6BD09B", "#003317")
-    readonly property color onAccent: pick("#FFFFFF", "#0C1811", "#FFFFFF")
+    readonly property color accentInk: pick("#FFFFFF", "#0C1811", "#FFFFFF")
     readonly property color softAccent: pick("#E7F1EA", "#20332A", "#FFFFFF")
     readonly property color hover: pick("#F0F3EF", "#222C27", "#EEEEEE")
     readonly property color warning: pick("#9A5B00", "#F0B35A", "#5C3600")
     readonly property color warningGround: pick("#FFF3DC", "#33291A", "#FFFFFF")
     readonly property color failure: pick("#A3262A", "#FF8F87", "#7A0006")
     readonly property color failureGround: pick("#FDECEA", "#371F1E", "#FFFFFF")
-    readonly property color shadow: pick("#2617231C", "#66000000", "#00000000")
+    readonly property color shadow: pick("#0A17231C", "#22000000", "#00000000")
 
     readonly property color mapGround: pick("#E9EDE4", "#161D19", "#FFFFFF")
     readonly property color mapSea: pick("#D9E3E4", "#0F1618", "#E4F0FF")

@@ -20,12 +20,7 @@ Rectangle {
     border.width: Theme.hairline
     border.color: Theme.line
 
-    Rectangle {
-        anchors { fill: parent; topMargin: 2; bottomMargin: -3; leftMargin: -1; rightMargin: -1 }
-        z: -1
-        radius: Theme.cardRadius + 1
-        color: Theme.shadow
-    }
+    SoftShadow { radius: root.radius }
     Column {
         id: column
 

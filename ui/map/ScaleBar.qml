@@ -6,10 +6,8 @@ Rectangle {
     id: root
 
     required property MapCamera camera
-    readonly property real metres: {
-        void camera.metresPerPixel;
-        return camera.roundLengthFor(120);
-    }
+    // The call alone would not be made again when the camera moves.
+    readonly property real metres: camera.metresPerPixel > 0 ? camera.roundLengthFor(120) : 1
 
     objectName: "scaleBar"
     width: 148

@@ -65,6 +65,16 @@ QImage diamondImage(const QString& text, const MarkStyle& style, bool selected, 
     return image;
 }
 
+QImage squareImage(const QColor& face, const QColor& edge, double devicePixelRatio) {
+    QImage image = emptyImage({16.0, 16.0}, devicePixelRatio);
+    QPainter painter{&image};
+    painter.setRenderHint(QPainter::Antialiasing);
+    painter.setPen(QPen{edge, 2.0, Qt::SolidLine, Qt::SquareCap, Qt::MiterJoin});
+    painter.setBrush(face);
+    painter.drawRoundedRect(QRectF{2.0, 2.0, 12.0, 12.0}, 1.5, 1.5);
+    return image;
+}
+
 void MarkNode::begin(QQuickWindow* window, const MarkStyle& style, double devicePixelRatio) {
     if (style != style_ || devicePixelRatio != devicePixelRatio_) {
         // Nodes hold textures, so they go first.
@@ -84,6 +94,11 @@ void MarkNode::begin(QQuickWindow* window, const MarkStyle& style, double device
 void MarkNode::addPill(int number, QPointF middle) {
     const QString key = QStringLiteral("p%1").arg(number);
     add(key, pictures_.contains(key) ? QImage{} : pillImage(QString::number(number), style_, devicePixelRatio_), middle);
+}
+
+void MarkNode::addSquare(QPointF middle) {
+    const QString key = QStringLiteral("end");
+    add(key, pictures_.contains(key) ? QImage{} : squareImage(style_.end, style_.pill, devicePixelRatio_), middle);
 }
 
 void MarkNode::addDiamond(int number, QPointF middle, bool selected) {

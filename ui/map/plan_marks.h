@@ -19,6 +19,7 @@ struct MarkStyle {
     QColor pillLine;
     QColor finding;
     QColor findingText;
+    QColor end;
 
     friend bool operator==(const MarkStyle&, const MarkStyle&) = default;
 };
@@ -28,12 +29,16 @@ QImage pillImage(const QString& text, const MarkStyle& style, double devicePixel
 /// A number in a diamond, as drawn at a finding.
 QImage diamondImage(const QString& text, const MarkStyle& style, bool selected, double devicePixelRatio);
 
+/// Where the path ends.
+QImage squareImage(const QColor& face, const QColor& edge, double devicePixelRatio);
+
 /// Small pictures at places of the item, each painted once. Lives in the render thread.
 class MarkNode : public QSGNode {
 public:
     /// Starts a frame with nothing shown; pictures of another style are forgotten.
     void begin(QQuickWindow* window, const MarkStyle& style, double devicePixelRatio);
     void addPill(int number, QPointF middle);
+    void addSquare(QPointF middle);
     void addDiamond(int number, QPointF middle, bool selected);
     /// Removes what was not used.
     void end();

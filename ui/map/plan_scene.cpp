@@ -12,6 +12,8 @@ namespace {
 /// Arrows at most, so that a zoomed-out plan stays readable and quick.
 constexpr std::size_t kMostArrows = 400;
 constexpr std::size_t kMostPills = 120;
+/// Turns are drawn with an arrow from this zoom on.
+constexpr double kTurnArrowPxPerM = 5.0;
 
 LineStyle pathStyle(PathKind kind, const PlanStyle& style) {
     const double factor = style.lineFactor;
@@ -89,9 +91,8 @@ PlanScene::PlanScene() {
     swaths_ = newLine(transform_);
     transform_->appendChildNode(chunkParent_);
     appendChildNode(directions_);
-    for (LineNode*& node : ends_) {
-        node = newLine(transform_);
-    }
+    startEdge_ = newLine(transform_);
+    startFace_ = newLine(transform_);
     appendChildNode(marks_);
 }
 
@@ -127,14 +128,12 @@ void PlanScene::setGeometry(std::shared_ptr<const PlanGeometry> geometry) {
         chunks_.push_back({node, &chunk, PathChunk::kLevels});
         styleChunk(chunks_.back());
     }
-    for (int i = 0; i < 4; ++i) {
-        LineMesh disc;
-        const std::optional<MapPoint>& place = i < 2 ? shown.end : shown.start;
-        if (place) {
-            disc.add(std::span{&*place, 1});
-        }
-        ends_[i]->setMesh(disc);
+    LineMesh disc;
+    if (shown.start) {
+        disc.add(std::span{&*shown.start, 1});
     }
+    startEdge_->setMesh(disc);
+    startFace_->setMesh(disc);
 }
 
 void PlanScene::styleChunk(const ChunkNode& chunk) const {
@@ -162,10 +161,8 @@ void PlanScene::setStyle(const PlanStyle& style) {
     for (const ChunkNode& chunk : chunks_) {
         styleChunk(chunk);
     }
-    ends_[0]->setStyle({.color = style.ground, .widthPx = 17.0});
-    ends_[1]->setStyle({.color = style.end, .widthPx = 12.0});
-    ends_[2]->setStyle({.color = style.ground, .widthPx = 19.0});
-    ends_[3]->setStyle({.color = style.start, .widthPx = 14.5});
+    startEdge_->setStyle({.color = style.ground, .widthPx = 19.0});
+    startFace_->setStyle({.color = style.start, .widthPx = 14.5});
 }
 
 void PlanScene::setView(const PlanView& view, QQuickWindow* window) {
@@ -211,7 +208,7 @@ void PlanScene::showDirections(const PlanView& view) {
         for (const DirectionMark& mark : geometry_->directions) {
             const double lengthPx = double{lengthOf(mark)} * view.pixelsPerUnit;
             const bool wanted = mark.onSwath ? lengthPx > 70.0 && (mark.order - 1) % every == 0
-                                             : view.pixelsPerUnit * geometry_->unitsPerMetre > 1.6;
+                                             : view.pixelsPerUnit * geometry_->unitsPerMetre > kTurnArrowPxPerM;
             const bool layerShown = mark.onSwath ? style_.showSwaths : style_.showTurns;
             if (!wanted || !layerShown || lengthPx <= 0.0) {
                 continue;
@@ -240,7 +237,8 @@ void PlanScene::showMarks(const PlanView& view, QQuickWindow* window) {
                    .pillText = style_.ink,
                    .pillLine = style_.swath,
                    .finding = style_.finding,
-                   .findingText = style_.ground},
+                   .findingText = style_.ground,
+                   .end = style_.end},
                   view.devicePixelRatio);
     if (geometry_ && style_.showNumbers) {
         const int step = numberStep(geometry_->numbers, view.pixelsPerUnit);
@@ -252,6 +250,9 @@ void PlanScene::showMarks(const PlanView& view, QQuickWindow* window) {
                 ++count;
             }
         }
+    }
+    if (geometry_ && geometry_->end) {
+        marks_->addSquare(view.toItem(*geometry_->end));
     }
     if (geometry_ && style_.showFindings) {
         const int count = static_cast<int>(geometry_->findings.size());

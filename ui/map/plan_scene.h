@@ -106,7 +106,8 @@ private:
     std::vector<LineNode*> lines_;
     std::vector<ChunkNode> chunks_;
     LineNode* directions_ = new LineNode;
-    LineNode* ends_[4];
+    LineNode* startEdge_;
+    LineNode* startFace_;
     MarkNode* marks_ = new MarkNode;
 };
 

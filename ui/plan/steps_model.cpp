@@ -111,8 +111,7 @@ void StepsModel::show(const Field* field, const Machine& machine, const Settings
     }
     first.result = field == nullptr ? tr("Open a file or draw a boundary") : parts.join(kSeparator);
     first.status = field == nullptr ? (failed ? Status::Failed : Status::None)
-                   : field->repairs().empty() ? Status::Good
-                                              : Status::Warning;
+                                     : Status::Good;
     const auto general = generalParameters();
     first.parameters->show({general.begin(), general.end()}, settings, plan);
 

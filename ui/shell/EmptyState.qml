@@ -20,12 +20,7 @@ Rectangle {
     border.width: Theme.hairline
     border.color: Theme.line
 
-    Rectangle {
-        anchors { fill: parent; topMargin: 4; bottomMargin: -6; leftMargin: -2; rightMargin: -2 }
-        z: -1
-        radius: 16
-        color: Theme.shadow
-    }
+    SoftShadow { radius: root.radius }
     Column {
         id: column
 

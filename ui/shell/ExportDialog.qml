@@ -101,7 +101,7 @@ T.Popup {
                     verticalAlignment: TextInput.AlignVCenter
                     color: Theme.ink
                     selectionColor: Theme.accent
-                    selectedTextColor: Theme.onAccent
+                    selectedTextColor: Theme.accentInk
                     selectByMouse: true
                     font.family: Theme.family
                     font.pixelSize: Theme.bodySize

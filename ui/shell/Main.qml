@@ -33,7 +33,7 @@ ApplicationWindow {
         button: Theme.panel
         buttonText: Theme.ink
         highlight: Theme.accent
-        highlightedText: Theme.onAccent
+        highlightedText: Theme.accentInk
         mid: Theme.line
         dark: Theme.line
         light: Theme.hover
@@ -161,16 +161,12 @@ ApplicationWindow {
 
         anchors { right: parent.right; top: topBar.bottom; bottom: parent.bottom; rightMargin: root.panelOpen ? 0 : -width }
         width: 308
-        visible: anchors.rightMargin > -width
+        visible: root.panelOpen
         session: root.session
         currentFinding: root.currentFinding
         onFindingRequested: index => {
             root.currentFinding = index;
             page.camera.centreOn(root.session.findings.placeOf(index), 17, true);
-        }
-
-        Behavior on anchors.rightMargin {
-            NumberAnimation { duration: Theme.motion; easing.type: Easing.OutCubic }
         }
     }
     ExportDialog {

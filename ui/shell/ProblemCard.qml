@@ -21,12 +21,7 @@ Rectangle {
     Accessible.role: Accessible.AlertMessage
     Accessible.name: root.session.problem
 
-    Rectangle {
-        anchors { fill: parent; topMargin: 3; bottomMargin: -4; leftMargin: -1; rightMargin: -1 }
-        z: -1
-        radius: Theme.cardRadius + 1
-        color: Theme.shadow
-    }
+    SoftShadow { radius: root.radius }
     Column {
         id: column
 

@@ -21,12 +21,7 @@ Rectangle {
     Accessible.role: Accessible.StaticText
     Accessible.name: text.text
 
-    Rectangle {
-        anchors { fill: parent; topMargin: 2; bottomMargin: -3; leftMargin: -1; rightMargin: -1 }
-        z: -1
-        radius: 18
-        color: Theme.shadow
-    }
+    SoftShadow { radius: root.radius }
     Row {
         id: row
 

@@ -3,7 +3,9 @@
 #include <QDir>
 #include <QFontDatabase>
 #include <QGuiApplication>
+#include <QLocale>
 #include <QQuickStyle>
+#include <QTranslator>
 
 namespace furrow {
 
@@ -16,6 +18,12 @@ void prepareWindow() {
     const QDir fonts{QStringLiteral(":/furrow/fonts")};
     for (const QString& file : fonts.entryList()) {
         QFontDatabase::addApplicationFont(fonts.filePath(file));
+    }
+    auto* translator = new QTranslator{QCoreApplication::instance()};
+    // English plurals where there is no translation for the user's language.
+    if (translator->load(QLocale{}, QStringLiteral("furrow"), QStringLiteral("_"), QStringLiteral(":/furrow/translations")) ||
+        translator->load(QStringLiteral(":/furrow/translations/furrow_en.qm"))) {
+        QCoreApplication::installTranslator(translator);
     }
     QFont font{QStringLiteral("Inter")};
     font.setPixelSize(13);
