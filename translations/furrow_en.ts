@@ -12,16 +12,6 @@
     </message>
 </context>
 <context>
-    <name>ExportModel</name>
-    <message numerus="yes">
-        <source>%n file(s) written to %1</source>
-        <translation>
-            <numerusform>%n file written to %1</numerusform>
-            <numerusform>%n files written to %1</numerusform>
-        </translation>
-    </message>
-</context>
-<context>
     <name>FieldChooser</name>
     <message numerus="yes">
         <source>Which of the %n field(s)?</source>
@@ -32,7 +22,27 @@
     </message>
 </context>
 <context>
-    <name>PlanSession</name>
+    <name>ResultsPanel</name>
+    <message numerus="yes">
+        <source>%n finding(s)</source>
+        <translation>
+            <numerusform>%n finding</numerusform>
+            <numerusform>%n findings</numerusform>
+        </translation>
+    </message>
+</context>
+<context>
+    <name>furrow::ExportModel</name>
+    <message numerus="yes">
+        <source>%n file(s) written to %1</source>
+        <translation>
+            <numerusform>%n file written to %1</numerusform>
+            <numerusform>%n files written to %1</numerusform>
+        </translation>
+    </message>
+</context>
+<context>
+    <name>furrow::PlanSession</name>
     <message numerus="yes">
         <source>%n field(s) in this file</source>
         <translation>
@@ -49,17 +59,7 @@
     </message>
 </context>
 <context>
-    <name>ResultsPanel</name>
-    <message numerus="yes">
-        <source>%n finding(s)</source>
-        <translation>
-            <numerusform>%n finding</numerusform>
-            <numerusform>%n findings</numerusform>
-        </translation>
-    </message>
-</context>
-<context>
-    <name>StepsModel</name>
+    <name>furrow::StepsModel</name>
     <message numerus="yes">
         <source>%n pass(es)</source>
         <translation>

@@ -18,6 +18,8 @@ constexpr double kReachPx = 11.0;
 constexpr double kDragPx = 4.0;
 /// Handles closer together than this would hide the boundary.
 constexpr double kCrowdedPx = 12.0;
+/// Handles are shown around the pointer only: a surveyed boundary would be all handles.
+constexpr double kHandlesPx = 130.0;
 /// Levels of zoom for one notch of the wheel.
 constexpr double kLevelsPerNotch = 0.5;
 
@@ -220,6 +222,9 @@ void EditLayer::hoverMoveEvent(QHoverEvent* event) {
         emit draftChanged();
     } else if (!grabbed_) {
         setHovered(vertexAt(pointer_));
+        if (!rings_.empty()) {
+            update();
+        }
     }
     event->ignore();
 }
@@ -271,7 +276,6 @@ QSGNode* EditLayer::updatePaintNode(QSGNode* old, UpdatePaintNodeData*) {
             active.add(std::array{pixels.front()});
         }
     } else {
-        const QRectF view = QRectF{QPointF{}, size()}.adjusted(-20.0, -20.0, 20.0, 20.0);
         for (std::size_t ring = 0; ring < rings_.size(); ++ring) {
             const std::vector<MapPoint> pixels = toPixels(rings_[ring].points);
             if (grabbed_ && grabbed_->ring == ring) {
@@ -285,7 +289,7 @@ QSGNode* EditLayer::updatePaintNode(QSGNode* old, UpdatePaintNodeData*) {
                                               std::hypot(last.x - pixels[i].x, last.y - pixels[i].y)) < kCrowdedPx;
                 if (hovered_ == Vertex{ring, i} || grabbed_ == Vertex{ring, i}) {
                     addDisc(active, pixel);
-                } else if (!crowded && view.contains(pixel)) {
+                } else if (pointerInside_ && !crowded && QLineF{pixel, pointer_}.length() < kHandlesPx) {
                     addDisc(handles, pixel);
                 }
             }

@@ -10,20 +10,22 @@ MapCamera::MapCamera(QObject* parent) : QObject{parent}, center_{worldPoint(GeoP
     animation_.setStartValue(0.0);
     animation_.setEndValue(1.0);
     animation_.setEasingCurve(QEasingCurve::OutCubic);
-    connect(&animation_, &QVariantAnimation::valueChanged, this, [this](const QVariant& value) {
-        const double share = value.toDouble();
-        const double zoom = fromZoom_ + share * (toZoom_ - fromZoom_);
-        if (anchored_) {
-            const double pixels = 256.0 * std::exp2(zoom);
-            set({anchorPlace_.x - (anchorPixel_.x() - viewport_.width() / 2.0) / pixels,
-                 anchorPlace_.y - (anchorPixel_.y() - viewport_.height() / 2.0) / pixels},
-                zoom);
-        } else {
-            set({fromCenter_.x + share * (toCenter_.x - fromCenter_.x),
-                 fromCenter_.y + share * (toCenter_.y - fromCenter_.y)},
-                zoom);
-        }
-    });
+    connect(&animation_, &QVariantAnimation::valueChanged, this,
+            [this](const QVariant& value) { show(value.toDouble()); });
+}
+
+void MapCamera::show(double share) {
+    const double zoom = fromZoom_ + share * (toZoom_ - fromZoom_);
+    if (anchored_) {
+        const double pixels = 256.0 * std::exp2(zoom);
+        set({anchorPlace_.x - (anchorPixel_.x() - viewport_.width() / 2.0) / pixels,
+             anchorPlace_.y - (anchorPixel_.y() - viewport_.height() / 2.0) / pixels},
+            zoom);
+    } else {
+        set({fromCenter_.x + share * (toCenter_.x - fromCenter_.x),
+             fromCenter_.y + share * (toCenter_.y - fromCenter_.y)},
+            zoom);
+    }
 }
 
 double MapCamera::metresPerPixel() const {
@@ -81,7 +83,11 @@ void MapCamera::zoomAt(QPointF pixel, double levels, bool animated) {
     anchored_ = true;
     fromZoom_ = zoom_;
     toZoom_ = target;
-    animation_.setDuration(animated ? motion_ : 0);
+    if (!animated || motion_ <= 0) {
+        show(1.0);
+        return;
+    }
+    animation_.setDuration(motion_);
     animation_.start();
 }
 

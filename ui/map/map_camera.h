@@ -63,6 +63,8 @@ signals:
 
 private:
     void set(WorldPoint center, double zoom);
+    /// Of the way of the running movement.
+    void show(double share);
     void moveTo(WorldPoint center, double zoom, bool animated);
     double leastZoom() const;
 

@@ -232,6 +232,7 @@ PlanGeometry planGeometry(const Plan& plan) {
         strip.insert(strip.end(), mainland.begin(), mainland.end());
         geometry.headland = evenOddTriangles(strip);
     }
+    geometry.swathSpacing = plan.request.machine.operatingWidth().si() * geometry.unitsPerMetre;
     for (const Swath& swath : plan.swaths.swaths) {
         geometry.swaths.add(std::array{frame.map(swath.start), frame.map(swath.end)});
     }

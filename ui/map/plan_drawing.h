@@ -60,6 +60,7 @@ struct PlanGeometry {
     FillMesh headland;
     LineMesh mainlandEdge;
     LineMesh swaths;
+    double swathSpacing = 0.0;
     std::vector<PathChunk> chunks;
     std::vector<DirectionMark> directions;
     std::vector<NumberMark> numbers;

@@ -1,5 +1,7 @@
 #include "ui/map/plan_scene.h"
 
+#include <QLineF>
+
 #include <algorithm>
 #include <array>
 #include <cmath>
@@ -15,8 +17,7 @@ constexpr std::size_t kMostPills = 120;
 /// Turns are drawn with an arrow from this zoom on.
 constexpr double kTurnArrowPxPerM = 5.0;
 
-LineStyle pathStyle(PathKind kind, const PlanStyle& style) {
-    const double factor = style.lineFactor;
+LineStyle pathStyle(PathKind kind, const PlanStyle& style, double factor) {
     switch (kind) {
         case PathKind::Work: return {.color = style.swath, .widthPx = 1.5 * factor};
         case PathKind::HeadlandPass:
@@ -42,6 +43,28 @@ bool isShown(PathKind kind, const PlanStyle& style) {
 
 float lengthOf(const DirectionMark& mark) {
     return std::hypot(mark.to.x - mark.from.x, mark.to.y - mark.from.y);
+}
+
+/// Those in view that have room beside the ones before them and the selected one, the last first.
+std::vector<int> shownFindings(const std::vector<MapPoint>& findings, const PlanView& view, int selected) {
+    constexpr double kRoomPx = 22.0;
+    std::vector<QPointF> taken;
+    if (selected >= 0 && selected < static_cast<int>(findings.size())) {
+        taken.push_back(view.toItem(findings[static_cast<std::size_t>(selected)]));
+    }
+    std::vector<int> shown;
+    for (int i = 0; i < static_cast<int>(findings.size()); ++i) {
+        const MapPoint place = findings[static_cast<std::size_t>(i)];
+        const QPointF pixel = view.toItem(place);
+        if (i == selected || !view.visible.contains(QPointF{double{place.x}, double{place.y}}) ||
+            std::ranges::any_of(taken, [&](QPointF other) { return QLineF{other, pixel}.length() < kRoomPx; })) {
+            continue;
+        }
+        taken.push_back(pixel);
+        shown.push_back(i);
+    }
+    std::ranges::reverse(shown);
+    return shown;
 }
 
 void addArrow(LineMesh& mesh, QPointF tip, QPointF along) {
@@ -137,7 +160,7 @@ void PlanScene::setGeometry(std::shared_ptr<const PlanGeometry> geometry) {
 }
 
 void PlanScene::styleChunk(const ChunkNode& chunk) const {
-    chunk.node->setStyle(pathStyle(chunk.chunk->kind, style_));
+    chunk.node->setStyle(pathStyle(chunk.chunk->kind, style_, style_.lineFactor * density_));
 }
 
 void PlanScene::setStyle(const PlanStyle& style) {
@@ -151,22 +174,33 @@ void PlanScene::setStyle(const PlanStyle& style) {
     casing_->setStyle({.color = style.casing, .widthPx = 4.6 * factor});
     boundary_->setStyle({.color = style.boundary, .widthPx = 2.4 * factor});
     obstacleEdges_->setStyle({.color = style.obstacle, .widthPx = 1.6 * factor});
-    swaths_->setStyle({.color = style.swath, .widthPx = 1.5 * factor});
     headland_->setShown(style.showHeadland);
     mainlandEdge_->setShown(style.showHeadland);
     casing_->setShown(style.showBoundary);
     boundary_->setShown(style.showBoundary);
     swaths_->setShown(style.showSwaths);
     directions_->setStyle({.color = style.ink, .widthPx = 1.5 * factor});
-    for (const ChunkNode& chunk : chunks_) {
-        styleChunk(chunk);
-    }
+    styleDensity();
     startEdge_->setStyle({.color = style.ground, .widthPx = 19.0});
     startFace_->setStyle({.color = style.start, .widthPx = 14.5});
 }
 
+void PlanScene::styleDensity() {
+    swaths_->setStyle({.color = style_.swath, .widthPx = 1.5 * style_.lineFactor * density_});
+    for (const ChunkNode& chunk : chunks_) {
+        styleChunk(chunk);
+    }
+}
+
 void PlanScene::setView(const PlanView& view, QQuickWindow* window) {
     transform_->setMatrix(view.matrix);
+    // Swaths a few pixels apart would run into one area at their full width.
+    const double spacingPx = geometry_ ? geometry_->swathSpacing * view.pixelsPerUnit : 10.0;
+    const double density = std::clamp(spacingPx / 5.0, 0.45, 1.0);
+    if (density != density_) {
+        density_ = density;
+        styleDensity();
+    }
     headland_->setScale(view.pixelsPerUnit, view.devicePixelRatio);
     obstacles_->setScale(view.pixelsPerUnit, view.devicePixelRatio);
     for (LineNode* line : lines_) {
@@ -256,19 +290,12 @@ void PlanScene::showMarks(const PlanView& view, QQuickWindow* window) {
     }
     if (geometry_ && style_.showFindings) {
         const int count = static_cast<int>(geometry_->findings.size());
-        const auto add = [&](int i) {
-            const MapPoint place = geometry_->findings[static_cast<std::size_t>(i)];
-            if (view.visible.contains(QPointF{double{place.x}, double{place.y}})) {
-                marks_->addDiamond(i + 1, view.toItem(place), i == style_.selectedFinding);
-            }
-        };
-        for (int i = std::min(count, 200) - 1; i >= 0; --i) {
-            if (i != style_.selectedFinding) {
-                add(i);
-            }
+        const auto placeOf = [&](int i) { return view.toItem(geometry_->findings[static_cast<std::size_t>(i)]); };
+        for (const int i : shownFindings(geometry_->findings, view, style_.selectedFinding)) {
+            marks_->addDiamond(i + 1, placeOf(i), false);
         }
         if (style_.selectedFinding >= 0 && style_.selectedFinding < count) {
-            add(style_.selectedFinding);
+            marks_->addDiamond(style_.selectedFinding + 1, placeOf(style_.selectedFinding), true);
         }
     }
     marks_->end();

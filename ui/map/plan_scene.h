@@ -87,6 +87,7 @@ private:
         std::size_t level;
     };
     void styleChunk(const ChunkNode& chunk) const;
+    void styleDensity();
     void showChunks(const PlanView& view);
     void showDirections(const PlanView& view);
     void showMarks(const PlanView& view, QQuickWindow* window);
@@ -94,6 +95,8 @@ private:
 
     std::shared_ptr<const PlanGeometry> geometry_;
     PlanStyle style_;
+    /// Of line widths, 1 where lines have room.
+    double density_ = 1.0;
     QSGTransformNode* transform_ = new QSGTransformNode;
     FillNode* headland_ = new FillNode;
     FillNode* obstacles_ = new FillNode;

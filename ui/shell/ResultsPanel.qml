@@ -10,6 +10,8 @@ Rectangle {
 
     required property PlanSession session
     property int currentFinding: -1
+    property bool allFindings: false
+    readonly property int fewFindings: 4
     readonly property alias layers: layers
     signal findingRequested(index: int)
 
@@ -106,11 +108,19 @@ Rectangle {
                         required property int index
 
                         objectName: "finding." + index
+                        visible: root.allFindings || index < root.fewFindings || current
                         width: column.width
                         current: index === root.currentFinding
                         onClicked: root.findingRequested(index)
                     }
                 }
+            }
+            SmallButton {
+                objectName: "allFindings"
+                visible: root.session.findings.count > root.fewFindings
+                text: root.allFindings ? qsTr("Show the first %1 only").arg(root.fewFindings) : qsTr("Show all %1").arg(root.session.findings.count)
+                height: 32
+                onClicked: root.allFindings = !root.allFindings
             }
             Item { width: 1; height: 24 }
             Title { text: qsTr("Layers") }

@@ -105,7 +105,7 @@ private slots:
             arc.push_back({static_cast<float>(1000.0 * std::cos(angle)), static_cast<float>(1000.0 * std::sin(angle))});
         }
         const std::vector<MapPoint> fewer = simplified(arc, 1.0F);
-        QVERIFY(fewer.size() >= 8 && fewer.size() < 30);
+        QVERIFY(fewer.size() >= 8 && fewer.size() < 40);
         QCOMPARE(fewer.front(), arc.front());
         QCOMPARE(fewer.back(), arc.back());
         // The middle of a chord of a circle is as far off as it gets.

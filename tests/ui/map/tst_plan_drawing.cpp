@@ -86,7 +86,8 @@ private slots:
             QVERIFY(step <= last);
             last = step;
         }
-        QCOMPARE(last, 1);
+        // The last swath may lie on the one before it, to end flush with the edge.
+        QVERIFY(last <= 2);
     }
     void brokenBoundaryIsDrawnAsFarAsItGoes() {
         FieldSource source{.id = "x", .name = "x", .origin = {}, .parts = {}, .obstacles = {}, .gates = {}, .boundaryAccuracy = {}};
