@@ -65,7 +65,8 @@ bind /dev
 bind /sys
 [ ! -d "/run/user/$uid" ] || bind "/run/user/$uid"
 mount --rbind /proc "$root/proc"
-for file in /etc/passwd /etc/group /etc/hosts /etc/resolv.conf /etc/localtime /etc/machine-id; do
+for file in /etc/passwd /etc/group /etc/hosts /etc/resolv.conf /etc/localtime /etc/machine-id \
+            /etc/ssl/certs/ca-certificates.crt; do
     [ -f "$file" ] || continue
     [ -e "$root$file" ] || : > "$root$file" 2>/dev/null || continue
     mount --bind "$(readlink -f "$file")" "$(readlink -f "$root$file" || echo "$root$file")" 2>/dev/null || true

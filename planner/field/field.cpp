@@ -85,6 +85,10 @@ Result<void> checkSource(const FieldSource& source) {
             !checked) {
             return checked;
         }
+        if (!(source.gates[i].width >= metres(0.0)) || !std::isfinite(source.gates[i].width.si())) {
+            return std::unexpected(refused(source, std::format("gate {}", i + 1), "its width is not a length",
+                                           "give a width of 0 m or more"));
+        }
     }
     if (!(source.boundaryAccuracy >= metres(0.0)) || !std::isfinite(source.boundaryAccuracy.si())) {
         return std::unexpected(
@@ -121,13 +125,15 @@ Result<Field> Field::create(const FieldSource& source, const JobContext& job) {
         }
     }
     Field field{source, *frame};
-    auto boundary = repairBoundary(source.parts, *frame, "the boundary", job);
-    if (!boundary) {
-        Error error = boundary.error();
-        if (!source.origin.empty()) {
+    const auto withOrigin = [&source](Error error) {
+        if (!source.origin.empty() && !error.where.empty()) {
             error.where = source.origin + ", " + error.where;
         }
-        return std::unexpected(error);
+        return std::unexpected(std::move(error));
+    };
+    auto boundary = repairBoundary(source.parts, *frame, "the boundary", job);
+    if (!boundary) {
+        return withOrigin(boundary.error());
     }
     field.source_.parts = std::move(boundary->geo);
     field.boundary_ = std::move(boundary->local);
@@ -140,7 +146,7 @@ Result<Field> Field::create(const FieldSource& source, const JobContext& job) {
                                                        : std::format("obstacle '{}'", obstacle.name);
         auto outline = repairBoundary({obstacle.outline}, *frame, name, job);
         if (!outline) {
-            return std::unexpected(outline.error());
+            return withOrigin(outline.error());
         }
         std::ranges::move(outline->repairs, std::back_inserter(field.repairs_));
         const auto kept = dilated(outline->local, obstacle.buffer, kBufferTolerance, job);

@@ -167,6 +167,11 @@ Result<Geometry> run(const JobContext& job, const Operation& operation) {
     return std::unexpected(failed());
 }
 
+// Beyond this many vertices a boundary is thinned before it is moved inwards.
+constexpr std::size_t kDenseVertices = 50'000;
+constexpr double kLeastSlackM = 0.01;
+constexpr double kMostSlackM = 0.05;
+
 /// Segments in a quarter circle so that the arc's chords stay within the tolerance.
 int quarterSegments(double radiusM, double toleranceM) {
     if (radiusM <= toleranceM) {
@@ -203,7 +208,18 @@ Result<MultiPolygon> combined(const MultiPolygon& a, const MultiPolygon& b, cons
 
 Result<MultiPolygon> eroded(const MultiPolygon& polygons, Length distance, Length tolerance,
                             const JobContext& job) {
-    return buffered(polygons, -distance.si(), tolerance.si(), job);
+    if (vertexCount(polygons) <= kDenseVertices) {
+        return buffered(polygons, -distance.si(), tolerance.si(), job);
+    }
+    // Where points lie closer than the offset by orders of magnitude, their offsets cross each other by the
+    // hundred million. A line within `slack` of the boundary, moved in by that much more, stays on the safe side.
+    const double slackM = std::clamp(distance.si() / 200.0, kLeastSlackM, kMostSlackM);
+    const Geometry input = toGeos(polygons);
+    const auto simple = run(job, [&] { return GEOSSimplify_r(handle(), input.get(), slackM); });
+    if (!simple) {
+        return std::unexpected(simple.error());
+    }
+    return buffered(fromGeos(simple->get()), -(distance.si() + slackM), tolerance.si(), job);
 }
 
 Result<MultiPolygon> dilated(const MultiPolygon& polygons, Length distance, Length tolerance,

@@ -129,7 +129,7 @@ Result<std::vector<VectorFeature>> fieldsFromRows(const std::vector<VectorFeatur
         }
         if (std::isfinite(*lon) && std::isfinite(*lat) && (std::abs(*lon) > 180.0 || std::abs(*lat) > 90.0)) {
             return std::unexpected(
-                refused(where, std::format("{}, {} is no longitude and latitude", *lon, *lat),
+                refused(where, std::format("{:.3f}, {:.3f} is no longitude and latitude", *lon, *lat),
                         "give the points in degrees (WGS84), longitude in lon and latitude in lat"));
         }
         const bool sameField = i > 0 && (!idsGroup || idOf(row) == idOf(rows[i - 1]));

@@ -357,7 +357,7 @@ Result<void> checkRange(const VectorFeature& feature, const ToWgs84& toWgs84, co
     if (const auto point = firstOutOfRange(feature)) {
         return std::unexpected(
             refused(where,
-                    std::format("{}, {} is no longitude and latitude, and the file does not say "
+                    std::format("{:.3f}, {:.3f} is no longitude and latitude, and the file does not say "
                                 "which coordinate system it uses",
                                 point->lonDeg, point->latDeg),
                     "add the .prj file that belongs to it, or export the field again in WGS84"));
@@ -380,98 +380,151 @@ struct Reading {
     VectorFile& file;
 };
 
-std::string placeOf(const nlohmann::json& geometry, std::span<const std::size_t> indices) {
-    // From the inside out: vertex, ring, part.
-    constexpr std::string_view kLevels[] = {"vertex", "ring", "part"};
-    const bool isLine = geometry.value("type", "").ends_with("LineString");
-    std::string place;
-    for (std::size_t i = 0; i < indices.size(); ++i) {
-        const std::size_t level = std::min<std::size_t>(indices.size() - 1 - i, 2);
-        place += std::format("{}{} {}", i == 0 ? "" : ", ", isLine && level == 1 ? "line" : kLevels[level],
-                             indices[i] + 1);
-    }
-    return place;
-}
+/// Follows a GeoJSON text without keeping it, to find what GDAL leaves out without a word: positions with
+/// something else than two numbers.
+class CoordinateCheck final : public nlohmann::json_sax<nlohmann::json> {
+public:
+    bool foundBad() const { return bad_; }
+    /// "feature 2, part 1, ring 1, vertex 3"; only what there is of it.
+    const std::string& place() const { return place_; }
+    bool brokeOff() const { return brokeOff_.has_value(); }
+    std::size_t brokeOffAt() const { return *brokeOff_; }
 
-/// Where the first coordinate is that is not a number; the indices lead to it.
-bool findBadCoordinate(const nlohmann::json& coordinates, std::vector<std::size_t>& indices) {
-    if (!coordinates.is_array()) {
+    bool null() override { return scalar(false); }
+    bool boolean(bool) override { return scalar(false); }
+    bool number_integer(number_integer_t) override { return scalar(true); }
+    bool number_unsigned(number_unsigned_t) override { return scalar(true); }
+    bool number_float(number_float_t, const string_t&) override { return scalar(true); }
+    bool string(string_t&) override { return scalar(false); }
+    bool binary(binary_t&) override { return scalar(false); }
+
+    bool start_object(std::size_t) override {
+        if (!levels_.empty()) {
+            return scalar(false);
+        }
+        ++depth_;
+        if (key_ == "properties" && propertiesDepth_ == 0) {
+            propertiesDepth_ = depth_;
+        }
+        if (depth_ == featuresDepth_ + 1 && featuresDepth_ > 0) {
+            ++feature_;
+        }
+        key_.clear();
         return true;
     }
-    const bool isPosition = std::ranges::none_of(coordinates, &nlohmann::json::is_array);
-    if (isPosition) {
-        // An empty array stands for an empty geometry, which is allowed.
-        return !coordinates.empty() &&
-               (coordinates.size() < 2 || !coordinates[0].is_number() || !coordinates[1].is_number());
+    bool end_object() override {
+        if (propertiesDepth_ == depth_) {
+            propertiesDepth_ = 0;
+        }
+        --depth_;
+        return true;
     }
-    for (std::size_t i = 0; i < coordinates.size(); ++i) {
-        indices.push_back(i);
-        if (findBadCoordinate(coordinates[i], indices)) {
+    bool key(string_t& name) override {
+        key_ = name;
+        return true;
+    }
+    bool start_array(std::size_t) override {
+        ++depth_;
+        if (!levels_.empty()) {
+            ++levels_.back().members;
+            levels_.back().hasArrays = true;
+            levels_.emplace_back();
+        } else if (key_ == "coordinates" && propertiesDepth_ == 0) {
+            levels_.emplace_back();
+        } else if (key_ == "features" && featuresDepth_ == 0 && propertiesDepth_ == 0) {
+            featuresDepth_ = depth_;
+        }
+        key_.clear();
+        return true;
+    }
+    bool end_array() override {
+        --depth_;
+        if (!levels_.empty()) {
+            const Level closed = levels_.back();
+            // An empty array stands for an empty geometry, which is allowed.
+            if (closed.members == 1 && !closed.hasArrays) {
+                return bad();
+            }
+            levels_.pop_back();
+        }
+        return true;
+    }
+    bool parse_error(std::size_t position, const std::string&, const nlohmann::detail::exception&) override {
+        brokeOff_ = position > 0 ? position - 1 : 0;
+        return false;
+    }
+
+private:
+    struct Level {
+        std::size_t members = 0;
+        bool hasArrays = false;
+    };
+
+    bool scalar(bool isNumber) {
+        key_.clear();
+        if (levels_.empty()) {
             return true;
         }
-        indices.pop_back();
-    }
-    return false;
-}
-
-std::optional<std::string> findBadGeometry(const nlohmann::json& geometry) {
-    if (!geometry.is_object()) {
-        return std::nullopt;
-    }
-    if (const auto members = geometry.find("geometries"); members != geometry.end() && members->is_array()) {
-        for (const nlohmann::json& member : *members) {
-            if (auto place = findBadGeometry(member)) {
-                return place;
-            }
+        if (!isNumber || levels_.back().hasArrays) {
+            return bad();
         }
+        ++levels_.back().members;
+        return true;
     }
-    std::vector<std::size_t> indices;
-    if (const auto coordinates = geometry.find("coordinates");
-        coordinates != geometry.end() && findBadCoordinate(*coordinates, indices)) {
-        return placeOf(geometry, indices);
-    }
-    return std::nullopt;
-}
 
-/// Why GDAL could not make geometry of a GeoJSON text, with the place; nothing where the text is sound.
-std::optional<Error> explainGeoJson(const std::string& path, const std::string& where) {
-    const std::optional<std::string> text = textOf(path);
+    bool bad() {
+        bad_ = true;
+        if (feature_ > 0) {
+            place_ = std::format("feature {}", feature_);
+        }
+        // Among positions a member that is none counts itself; inside one the arrays around it count.
+        if (levels_.back().hasArrays) {
+            ++levels_.back().members;
+        } else {
+            levels_.pop_back();
+        }
+        constexpr std::string_view kNames[] = {"vertex", "ring", "part"};
+        const std::size_t first = levels_.size() > 3 ? levels_.size() - 3 : 0;
+        for (std::size_t i = first; i < levels_.size(); ++i) {
+            place_ += std::format("{}{} {}", place_.empty() ? "" : ", ", kNames[levels_.size() - 1 - i],
+                                  levels_[i].members);
+        }
+        return false;
+    }
+
+    std::string key_;
+    std::size_t depth_ = 0;
+    std::size_t propertiesDepth_ = 0;
+    std::size_t featuresDepth_ = 0;
+    std::size_t feature_ = 0;
+    std::vector<Level> levels_;  ///< the arrays of "coordinates" around the current place
+    bool bad_ = false;
+    std::string place_;
+    std::optional<std::size_t> brokeOff_;
+};
+
+/// Refuses a GeoJSON text with a coordinate that is no number. NaN and Infinity, which JSON does not know
+/// but GDAL reads, are left to the check of the field, which names their place.
+///
+/// @param opened  GDAL could read the text; where it could not, and it is no JSON, the place is told
+Result<void> checkGeoJson(const Source& source, bool opened) {
+    const std::optional<std::string> text = textOf(source.path);
     if (!text) {
-        return std::nullopt;
+        return {};
     }
-    nlohmann::json json;
-    try {
-        json = nlohmann::json::parse(*text);
-    } catch (const nlohmann::json::parse_error& error) {
-        return readFailed(
-            std::format("{}, {}", where, lineAndColumn(*text, error.byte > 0 ? error.byte - 1 : 0)),
-            "this is not JSON from here on", "the file may be cut off or damaged; export it again");
-    } catch (const nlohmann::json::exception&) {
-        return refused(where, "a coordinate is too large to be read", "check the file's numbers");
+    CoordinateCheck check;
+    nlohmann::json::sax_parse(*text, &check);
+    if (check.foundBad()) {
+        return std::unexpected(
+            refused(check.place().empty() ? source.name : std::format("{}, {}", source.name, check.place()),
+                    "a coordinate is not a number", "give each point as [longitude, latitude]"));
     }
-    if (!json.is_object()) {
-        return std::nullopt;
+    if (!opened && check.brokeOff()) {
+        return std::unexpected(readFailed(
+            std::format("{}, {}", source.name, lineAndColumn(*text, check.brokeOffAt())),
+            "this is not JSON from here on", "the file may be cut off or damaged; export it again"));
     }
-    const auto describe = [&where](std::string_view feature, const std::string& place) {
-        return refused(std::format("{}{}{}{}", where, feature, place.empty() ? "" : ", ", place),
-                       "a coordinate is not a number", "give each point as [longitude, latitude]");
-    };
-    if (const auto features = json.find("features"); features != json.end() && features->is_array()) {
-        std::size_t number = 0;
-        for (const nlohmann::json& feature : *features) {
-            ++number;
-            if (feature.is_object() && feature.contains("geometry")) {
-                if (const auto place = findBadGeometry(feature["geometry"])) {
-                    return describe(std::format(", feature {}", number), *place);
-                }
-            }
-        }
-        return std::nullopt;
-    }
-    if (const auto place = findBadGeometry(json.contains("geometry") ? json["geometry"] : json)) {
-        return describe("", *place);
-    }
-    return std::nullopt;
+    return {};
 }
 
 Dataset openWith(const std::string& path, const char* const* drivers) {
@@ -527,7 +580,7 @@ std::string textOf(const OGRFeature& feature, int column) {
     return feature.GetFieldAsString(column);
 }
 
-Result<void> readLayer(OGRLayer& layer, bool isGeoJson, const Source& source, const Messages& messages,
+Result<void> readLayer(OGRLayer& layer, const Source& source, const Messages& messages,
                        const Reading& reading) {
     const Result<ToWgs84> toWgs84 = ToWgs84::from(layer.GetSpatialRef(), source.name);
     if (!toWgs84) {
@@ -551,11 +604,6 @@ Result<void> readLayer(OGRLayer& layer, bool isGeoJson, const Source& source, co
         }
         if (const OGRGeometry* geometry = read->GetGeometryRef()) {
             addGeometry(*geometry, *toWgs84, feature);
-        } else if (isGeoJson) {
-            // GDAL leaves out a geometry with a coordinate that is no number, without a word.
-            if (auto error = explainGeoJson(source.path, source.name)) {
-                return std::unexpected(*std::move(error));
-            }
         }
         if (auto inRange = checkRange(feature, *toWgs84, source.name); !inRange) {
             return inRange;
@@ -695,8 +743,8 @@ Result<void> readSource(const Source& source, const Reading& reading) {
     const Dataset dataset = openDataset(source.path, messages);
     if (!dataset) {
         if (withoutBlanks(withoutMark(start)).starts_with('{')) {
-            if (auto error = explainGeoJson(source.path, source.name)) {
-                return std::unexpected(*std::move(error));
+            if (auto checked = checkGeoJson(source, false); !checked) {
+                return checked;
             }
         }
         if (extension == ".kml") {
@@ -719,10 +767,15 @@ Result<void> readSource(const Source& source, const Reading& reading) {
     }
     const std::string driver = dataset->GetDriverName();
     reading.file.isTable = reading.file.isTable || driver == "CSV";
+    if (driver == "GeoJSON") {
+        if (auto checked = checkGeoJson(source, true); !checked) {
+            return checked;
+        }
+    }
     // What was said while one driver after the other was tried does not matter once one has opened it.
     messages.forget();
     for (OGRLayer* layer : dataset->GetLayers()) {
-        if (auto read = readLayer(*layer, driver == "GeoJSON", source, messages, reading); !read) {
+        if (auto read = readLayer(*layer, source, messages, reading); !read) {
             return read;
         }
     }

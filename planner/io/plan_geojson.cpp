@@ -88,7 +88,8 @@ private:
 
     void addField() {
         const FieldSource& source = plan_.field().source();
-        add("field", {{"id", source.id}, {"name", source.name}, {"area_m2", plan_.field().area().si()}},
+        add("field", {{"id", source.id}, {"name", source.name}, {"area_m2", plan_.field().area().si()},
+             {"boundary_accuracy_m", source.boundaryAccuracy.si()}},
             polygonGeometry(source.parts));
         for (const Obstacle& obstacle : source.obstacles) {
             add("obstacle",

@@ -5,6 +5,7 @@
 #include "planner/turns/turn_sampling.h"
 
 #include <algorithm>
+#include <cmath>
 #include <iterator>
 #include <optional>
 #include <utility>
@@ -13,8 +14,16 @@ namespace furrow {
 
 namespace {
 
-// Footprints that touch the edge up to rounding stay inside.
-constexpr Length kTouching = metres(1e-3);
+// Taken off the footprint all round, so that touching the edge up to rounding is staying inside.
+constexpr double kTouchingM = 1e-3;
+
+Ring shrunken(Ring footprint) {
+    for (Point& corner : footprint) {
+        corner.x -= std::copysign(kTouchingM, corner.x);
+        corner.y -= std::copysign(kTouchingM, corner.y);
+    }
+    return footprint;
+}
 
 /// A disc drawn around every gate: within it the footprint may cross the boundary.
 MultiPolygon openGates(const Field& field) {
@@ -33,8 +42,8 @@ MultiPolygon openGates(const Field& field) {
 }
 
 Result<MultiPolygon> drivableArea(const Field& field, Length margin, const JobContext& job) {
-    auto area = margin > kTouching ? eroded(field.drivable(), margin - kTouching, kArcTolerance, job)
-                                   : dilated(field.drivable(), kTouching - margin, kArcTolerance, job);
+    auto area = margin > metres(0.0) ? eroded(field.drivable(), margin, kArcTolerance, job)
+                                     : Result<MultiPolygon>{field.drivable()};
     if (!area || field.source().gates.empty()) {
         return area;
     }
@@ -62,16 +71,15 @@ std::vector<Polyline> outlinesAlong(const PathSegment& segment, const Ring& foot
     return outlines;
 }
 
-/// These outlines and the lines that their corners draw from one to the next.
-std::vector<Polyline> withTracks(std::vector<Polyline> outlines) {
+/// The lines that the corners of these outlines draw from one to the next.
+std::vector<Polyline> cornerTracks(const std::vector<Polyline>& outlines) {
     std::vector<Polyline> tracks(outlines.front().size() - 1);
     for (const Polyline& outline : outlines) {
         for (std::size_t corner = 0; corner < tracks.size(); ++corner) {
             tracks[corner].push_back(outline[corner]);
         }
     }
-    std::ranges::move(tracks, std::back_inserter(outlines));
-    return outlines;
+    return tracks;
 }
 
 }  // namespace
@@ -85,7 +93,7 @@ Result<std::vector<BlockedConnection>> blockedConnections(const Path& path, cons
     }
     const PreparedArea drivable{*area};
     const PreparedArea land{withoutHoles(*area)};
-    const Ring footprint = machine.turningFootprint();
+    const Ring footprint = shrunken(machine.turningFootprint());
     std::vector<std::size_t> connections;
     for (std::size_t i = 0; i < path.segments.size(); ++i) {
         if (path.segments[i].kind != SegmentKind::Swath) {
@@ -95,16 +103,19 @@ Result<std::vector<BlockedConnection>> blockedConnections(const Path& path, cons
     const auto checked = parallelMap<std::optional<BlockedConnection>>(
         connections.size(),
         [&](std::size_t i) -> std::optional<BlockedConnection> {
-            auto outlines = outlinesAlong(path.segments[connections[i]], footprint);
+            const auto outlines = outlinesAlong(path.segments[connections[i]], footprint);
             // Along a straight or bulging boundary the hull decides; only inward corners need more.
             if (drivable.coversHullOf(outlines)) {
                 return std::nullopt;
             }
-            const auto lines = withTracks(std::move(outlines));
-            if (drivable.covers(lines)) {
+            const auto tracks = cornerTracks(outlines);
+            const bool tracksInside = drivable.covers(tracks);
+            if (tracksInside && drivable.covers(outlines)) {
                 return std::nullopt;
             }
             BlockedConnection blocked{.segment = connections[i]};
+            // A footprint is farthest out with one of its corners, unless it straddles what is in the way.
+            const auto& lines = tracksInside ? outlines : tracks;
             const auto beyondLand = land.farthestOutside(lines);
             blocked.obstacle = !beyondLand;
             const auto farthest = beyondLand ? beyondLand : drivable.farthestOutside(lines);

@@ -24,6 +24,10 @@ std::vector<TurnSample> sampled(const Turn& turn, Length chordTolerance) {
         pose = advanced(pose, piece, piece.length);
         way += piece.length;
     }
+    if (samples.empty()) {
+        // A turn to where one already is: its start and its end.
+        samples.push_back({way, pose, {}, Gear::Forward});
+    }
     const TurnPiece last = turn.pieces.empty() ? TurnPiece{} : turn.pieces.back();
     samples.push_back({way, pose, last.curvature, last.gear});
     return samples;

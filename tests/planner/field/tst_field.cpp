@@ -1,0 +1,558 @@
+#include "planner/field/field.h"
+#include "tests/support/field_generator.h"
+#include "tests/support/result_check.h"
+#include "tests/support/wkt.h"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <numbers>
+#include <stop_token>
+
+using namespace furrow;
+using test::fieldSourceFromLocal;
+using test::polygonsAsInFile;
+
+namespace {
+
+constexpr double kNan = std::numeric_limits<double>::quiet_NaN();
+constexpr double kInfinity = std::numeric_limits<double>::infinity();
+constexpr GeoPoint kCentre{9.2, 51.3};
+
+// Rows are drawn in metres around the centre; the corners are on the ground, so that a field's own frame,
+// centred on its bounding box, shows the same shape within a millimetre.
+FieldSource sourceFromWkt(const QString& wkt, GeoPoint centre = kCentre) {
+    return fieldSourceFromLocal(polygonsAsInFile(wkt.toStdString()), centre);
+}
+
+/// The place of an error or a note, in the metres of the row.
+Point placeOf(const std::optional<GeoPoint>& place, GeoPoint centre = kCentre) {
+    return place ? LocalFrame::centredOn(centre)->toLocal(*place) : Point{kNan, kNan};
+}
+
+/// The same set of points, wherever each ring begins, after being moved into the row's metres.
+bool sameRings(const Field& field, const MultiPolygon& expected, double toleranceM) {
+    const LocalFrame frame = LocalFrame::centredOn(kCentre).value();
+    const auto inRow = [&](const Ring& ring) {
+        GeoRing geo = field.frame().toGeo(ring);
+        return frame.toLocal(geo);
+    };
+    const auto same = [&](const Ring& ours, const Ring& wanted) {
+        if (ours.size() != wanted.size()) {
+            return false;
+        }
+        for (std::size_t shift = 0; shift < ours.size(); ++shift) {
+            bool all = true;
+            for (std::size_t i = 0; all && i < ours.size(); ++i) {
+                all = distance(ours[(i + shift) % ours.size()], wanted[i]) <= toleranceM;
+            }
+            if (all) {
+                return true;
+            }
+        }
+        return false;
+    };
+    const auto samePolygon = [&](const Polygon& ours, const Polygon& wanted) {
+        return ours.holes.size() == wanted.holes.size() && same(inRow(ours.outer), wanted.outer) &&
+               std::ranges::all_of(wanted.holes, [&](const Ring& hole) {
+                   return std::ranges::any_of(ours.holes, [&](const Ring& own) { return same(inRow(own), hole); });
+               });
+    };
+    return field.boundary().size() == expected.size() &&
+           std::ranges::all_of(expected, [&](const Polygon& wanted) {
+               return std::ranges::any_of(field.boundary(), [&](const Polygon& own) { return samePolygon(own, wanted); });
+           });
+}
+
+std::string allNotes(const Field& field) {
+    std::string text;
+    for (const Note& note : field.repairs()) {
+        text += note.where + ": " + note.text + "\n";
+    }
+    return text;
+}
+
+GeoRing circle(std::size_t count, double radiusM) {
+    const LocalFrame frame = LocalFrame::centredOn(kCentre).value();
+    Ring ring;
+    for (std::size_t i = 0; i < count; ++i) {
+        ring.push_back(radiusM * direction(2.0 * std::numbers::pi * static_cast<double>(i) / static_cast<double>(count)));
+    }
+    return frame.toGeo(ring);
+}
+
+Obstacle obstacle(const QString& wkt, bool passable, double bufferM) {
+    return {.name = "pond",
+            .outline = sourceFromWkt(wkt).parts.front(),
+            .passable = passable,
+            .buffer = metres(bufferM)};
+}
+
+}  // namespace
+
+class FieldTest : public QObject {
+    Q_OBJECT
+
+private slots:
+    void refuses_data() {
+        QTest::addColumn<QString>("wkt");
+        QTest::addColumn<QString>("part");
+        QTest::addColumn<QString>("where");
+        QTest::addColumn<double>("x");
+        QTest::addColumn<double>("y");
+        const QString boundary = QStringLiteral("the boundary");
+        QTest::newRow("one point") << "POLYGON((5 6))" << "fewer than 3" << boundary << 5.0 << 6.0;
+        QTest::newRow("two points") << "POLYGON((5 6, 90 90))" << "fewer than 3" << boundary << 5.0 << 6.0;
+        QTest::newRow("two different points among five")
+            << "POLYGON((5 6, 90 90, 5 6, 90 90, 5 6))" << "fewer than 3" << boundary << 5.0 << 6.0;
+        QTest::newRow("points within half a millimetre of each other")
+            << "POLYGON((5 6, 5.0002 6, 5.0002 6.0002, 5 6))" << "fewer than 3" << boundary << 5.0 << 6.0;
+        // Collinear points are spikes upon spikes; what is left are its two ends.
+        QTest::newRow("all points on one line") << "POLYGON((0 0, 30 30, 90 90, 60 60, 0 0))" << "" << boundary << 0.0 << 0.0;
+        QTest::newRow("a triangle thinner than a point")
+            << "POLYGON((0 0, 50 0, 100 0.0001, 0 0))" << "" << boundary << 0.0 << 0.0;
+        QTest::newRow("bow-tie") << "POLYGON((0 0, 100 100, 100 0, 0 100, 0 0))" << "crosses itself" << boundary << 50.0
+                                 << 50.0;
+        QTest::newRow("uneven bow-tie") << "POLYGON((0 0, 150 50, 150 0, 0 100, 0 0))" << "crosses itself" << boundary
+                                        << 100.0 << 100.0 / 3.0;
+        // A loop that runs round a second time: the inner square is enclosed twice.
+        QTest::newRow("loop over itself")
+            << "POLYGON((0 0, 100 0, 100 100, 20 100, 20 -30, 60 -30, 60 60, 0 60, 0 0))" << "crosses itself" << boundary
+            << kNan << kNan;
+        QTest::newRow("second part is a bow-tie")
+            << "MULTIPOLYGON(((0 0, 100 0, 100 100, 0 100, 0 0)), ((200 0, 300 100, 300 0, 200 100, 200 0)))"
+            << "crosses itself" << boundary << 250.0 << 50.0;
+        QTest::newRow("second part has two points")
+            << "MULTIPOLYGON(((0 0, 100 0, 100 100, 0 100, 0 0)), ((200 0, 300 100, 200 0)))" << "fewer than 3"
+            << "part 2" << 200.0 << 0.0;
+        QTest::newRow("hole outside the boundary")
+            << "POLYGON((0 0, 100 0, 100 100, 0 100, 0 0), (200 20, 200 40, 240 40, 240 20, 200 20))" << "hole lies outside"
+            << boundary << kNan << kNan;
+        QTest::newRow("hole the same as the boundary")
+            << "POLYGON((0 0, 100 0, 100 100, 0 100, 0 0), (0 0, 100 0, 100 100, 0 100, 0 0))" << "leave nothing" << boundary
+            << kNan << kNan;
+        QTest::newRow("hole larger than the boundary")
+            << "POLYGON((0 0, 100 0, 100 100, 0 100, 0 0), (-10 -10, -10 110, 110 110, 110 -10, -10 -10))" << "leave nothing"
+            << boundary << kNan << kNan;
+        QTest::newRow("hole that crosses itself")
+            << "POLYGON((0 0, 100 0, 100 100, 0 100, 0 0), (20 20, 60 80, 60 20, 20 60, 20 20))" << "crosses itself"
+            << boundary << kNan << kNan;
+    }
+    void refuses() {
+        QFETCH(QString, wkt);
+        QFETCH(QString, part);
+        QFETCH(QString, where);
+        QFETCH(double, x);
+        QFETCH(double, y);
+        FieldSource source = sourceFromWkt(wkt);
+        source.origin = "fields.gpkg, feature 12";
+        const auto field = Field::create(source);
+        QVERIFY(!field);
+        QCOMPARE(field.error().code, ErrorCode::InputRefused);
+        const std::string line = field.error().line();
+        QVERIFY2(QString::fromStdString(line).contains(part), line.c_str());
+        QVERIFY2(QString::fromStdString(field.error().where).contains(where), line.c_str());
+        QVERIFY2(field.error().where.starts_with("fields.gpkg, feature 12"), line.c_str());
+        QVERIFY2(!field.error().remedy.empty(), line.c_str());
+        QVERIFY2(field.error().place.has_value(), line.c_str());
+        if (!std::isnan(x)) {
+            COMPARE_WITHIN(placeOf(field.error().place).x, x, 0.01);
+            COMPARE_WITHIN(placeOf(field.error().place).y, y, 0.01);
+        }
+    }
+
+    void refusesCoordinates_data() {
+        QTest::addColumn<double>("lonDeg");
+        QTest::addColumn<double>("latDeg");
+        QTest::addColumn<QString>("part");
+        QTest::newRow("longitude is not a number") << kNan << 51.3 << "not a number";
+        QTest::newRow("latitude is not a number") << 9.2 << kNan << "not a number";
+        QTest::newRow("longitude is infinite") << kInfinity << 51.3 << "not a number";
+        QTest::newRow("latitude is minus infinite") << 9.2 << -kInfinity << "not a number";
+        QTest::newRow("longitude 200") << 200.0 << 51.3 << "200, 51.3 is outside";
+        QTest::newRow("latitude -91") << 9.2 << -91.0 << "9.2, -91 is outside";
+        QTest::newRow("metres of UTM") << 513'000.0 << 5'683'000.0 << "outside longitude";
+        QTest::newRow("a hundred kilometres away") << 9.2 << 52.3 << "100 km";
+        QTest::newRow("on the other side of the world") << -170.0 << -51.0 << "100 km";
+        QTest::newRow("at the pole") << 0.0 << 90.0 << "100 km";
+        QTest::newRow("a quarter of the world away") << 99.2 << 51.3 << "100 km";
+    }
+    void refusesCoordinates() {
+        QFETCH(double, lonDeg);
+        QFETCH(double, latDeg);
+        QFETCH(QString, part);
+        FieldSource source = fieldSourceFromLocal({test::centredRectangle(200.0, 100.0)}, kCentre);
+        source.origin = "fields.gpkg";
+        source.parts.front().outer[2] = {lonDeg, latDeg};
+        const auto field = Field::create(source);
+        QVERIFY(!field);
+        QCOMPARE(field.error().code, ErrorCode::InputRefused);
+        const std::string line = field.error().line();
+        QVERIFY2(QString::fromStdString(line).contains(part), line.c_str());
+        QVERIFY2(!field.error().remedy.empty(), line.c_str());
+        if (part != "100 km") {
+            // The place cannot be shown on the map; the message counts the points as people do.
+            QVERIFY2(line.find("part 1, point 3") != std::string::npos, line.c_str());
+        }
+    }
+
+    void refusesCoordinatesAnywhere() {
+        FieldSource hole = sourceFromWkt(
+            "POLYGON((0 0, 100 0, 100 100, 0 100, 0 0), (40 40, 40 60, 60 60, 60 40, 40 40))");
+        hole.parts.front().holes.front()[1].latDeg = kNan;
+        const auto inHole = Field::create(hole);
+        QVERIFY(!inHole);
+        QVERIFY2(inHole.error().where.contains("hole 1, point 2"), inHole.error().line().c_str());
+
+        FieldSource withPond = sourceFromWkt("POLYGON((0 0, 100 0, 100 100, 0 100, 0 0))");
+        withPond.obstacles = {obstacle("POLYGON((40 40, 60 40, 60 60, 40 40))", false, 0.0)};
+        withPond.obstacles.front().outline.outer[2].lonDeg = 500.0;
+        const auto inObstacle = Field::create(withPond);
+        QVERIFY(!inObstacle);
+        QVERIFY2(inObstacle.error().where.contains("obstacle 1"), inObstacle.error().line().c_str());
+
+        FieldSource withGate = sourceFromWkt("POLYGON((0 0, 100 0, 100 100, 0 100, 0 0))");
+        withGate.gates = {{.name = "north", .position = {kNan, 51.3}, .width = metres(6.0)}};
+        const auto atGate = Field::create(withGate);
+        QVERIFY(!atGate);
+        QVERIFY2(atGate.error().where.contains("gate 1"), atGate.error().line().c_str());
+    }
+
+    void refusesLengthsThatAreNone_data() {
+        QTest::addColumn<double>("lengthM");
+        QTest::newRow("negative") << -1.0;
+        QTest::newRow("not a number") << kNan;
+        QTest::newRow("infinite") << kInfinity;
+    }
+    void refusesLengthsThatAreNone() {
+        QFETCH(double, lengthM);
+        FieldSource source = sourceFromWkt("POLYGON((0 0, 100 0, 100 100, 0 100, 0 0))");
+        source.boundaryAccuracy = metres(lengthM);
+        const auto accuracy = Field::create(source);
+        QVERIFY(!accuracy && accuracy.error().code == ErrorCode::InputRefused);
+        source.boundaryAccuracy = metres(0.0);
+        source.obstacles = {obstacle("POLYGON((40 40, 60 40, 60 60, 40 40))", false, lengthM)};
+        const auto buffer = Field::create(source);
+        QVERIFY(!buffer && buffer.error().code == ErrorCode::InputRefused);
+        source.obstacles.clear();
+        source.gates = {{.name = "north", .position = source.parts.front().outer.front(), .width = metres(lengthM)}};
+        const auto gate = Field::create(source);
+        QVERIFY(!gate && gate.error().code == ErrorCode::InputRefused);
+    }
+
+    void refusesNothingAtAll() {
+        const auto none = Field::create({});
+        QVERIFY(!none && none.error().code == ErrorCode::InputRefused);
+        const auto emptyPart = Field::create({.parts = {GeoPolygon{}}});
+        QVERIFY(!emptyPart && emptyPart.error().code == ErrorCode::InputRefused);
+        FieldSource second = sourceFromWkt("POLYGON((0 0, 100 0, 100 100, 0 100, 0 0))");
+        second.parts.emplace_back();
+        const auto emptySecond = Field::create(second);
+        QVERIFY(!emptySecond && emptySecond.error().code == ErrorCode::InputRefused);
+    }
+
+    void sizeLimits() {
+        const auto create = [](const GeoRing& ring) {
+            return Field::create({.id = "1", .name = "large", .parts = {{.outer = ring, .holes = {}}}});
+        };
+        const auto tooMany = create(circle(1'000'001, 1000.0));
+        QVERIFY(!tooMany);
+        QCOMPARE(tooMany.error().code, ErrorCode::InputRefused);
+        QVERIFY2(tooMany.error().what.contains("1000001 points"), tooMany.error().line().c_str());
+        VERIFY_RESULT(create(circle(100'000, 5000.0)));
+        VERIFY_RESULT(create(circle(64, 49'900.0)));
+        const auto tooWide = create(circle(64, 50'200.0));
+        QVERIFY(!tooWide);
+        QVERIFY2(tooWide.error().what.contains("100 km"), tooWide.error().line().c_str());
+    }
+
+    void aCleanFieldIsLeftAsItIs_data() {
+        QTest::addColumn<QString>("wkt");
+        QTest::newRow("rectangle") << "POLYGON((0 0, 100 0, 100 60, 0 60, 0 0))";
+        QTest::newRow("closing point left out") << "POLYGON((0 0, 100 0, 100 60, 0 60))";
+        QTest::newRow("with a hole")
+            << "POLYGON((0 0, 100 0, 100 100, 0 100, 0 0), (40 40, 40 60, 60 60, 60 40, 40 40))";
+        QTest::newRow("two parts")
+            << "MULTIPOLYGON(((0 0, 100 0, 100 100, 0 100, 0 0)), ((120 0, 180 0, 150 60, 120 0)))";
+        QTest::newRow("points on a straight edge") << "POLYGON((0 0, 50 0, 100 0, 100 60, 0 60, 0 0))";
+        QTest::newRow("a corner of one degree") << "POLYGON((0 0, 1000 0, 1000 17.455, 0 0))";
+        QTest::newRow("hole touches the boundary in a vertex")
+            << "POLYGON((0 0, 100 0, 100 100, 0 100, 0 0), (0 0, 30 60, 60 30, 0 0))";
+        QTest::newRow("a second field within the hole of the first")
+            << "MULTIPOLYGON(((0 0, 100 0, 100 100, 0 100, 0 0), (30 30, 30 70, 70 70, 70 30, 30 30)), "
+               "((40 40, 60 40, 60 60, 40 60, 40 40)))";
+    }
+    void aCleanFieldIsLeftAsItIs() {
+        QFETCH(QString, wkt);
+        const FieldSource source = sourceFromWkt(wkt);
+        const auto field = Field::create(source);
+        VERIFY_RESULT(field);
+        QVERIFY2(field->repairs().empty(), allNotes(*field).c_str());
+        QVERIFY2(sameRings(*field, test::polygonsFromWkt(wkt.toStdString()), 1e-6), "rings differ");
+        // Points on the ground are the given ones to the last bit.
+        for (std::size_t i = 0; i < source.parts.size(); ++i) {
+            for (const GeoPoint& point : field->source().parts[i].outer) {
+                QVERIFY(std::ranges::find(source.parts[i].outer, point) != source.parts[i].outer.end());
+            }
+        }
+        COMPARE_WITHIN(area(field->boundary()).si() / area(test::polygonsFromWkt(wkt.toStdString())).si(), 1.0, 1e-6);
+        COMPARE_WITHIN(field->area().si() / area(field->boundary()).si(), 1.0, 1e-6);
+        QVERIFY(field->workable() == field->boundary());
+        QVERIFY(field->drivable() == field->boundary());
+    }
+
+    void repairs_data() {
+        QTest::addColumn<QString>("wkt");
+        QTest::addColumn<QString>("note");
+        QTest::addColumn<double>("x");
+        QTest::addColumn<double>("y");
+        QTest::addColumn<QString>("repaired");
+        const QString square = QStringLiteral("POLYGON((0 0, 100 0, 100 100, 0 100, 0 0))");
+        QTest::newRow("point twice") << "POLYGON((0 0, 100 0, 100 0, 100 100, 0 100, 0 0))" << "1 point was given twice"
+                                     << 100.0 << 0.0 << square;
+        QTest::newRow("points twice at several places")
+            << "POLYGON((0 0, 100 0, 100 0, 100 0, 100 100, 0 100, 0 100, 0 0))" << "3 points were given twice" << 100.0
+            << 0.0 << square;
+        QTest::newRow("closing point twice") << "POLYGON((0 0, 100 0, 100 100, 0 100, 0 0, 0 0))" << "given twice" << 0.0
+                                             << 0.0 << square;
+        QTest::newRow("closing point off by half a millimetre")
+            << "POLYGON((0 0, 100 0, 100 100, 0 100, 0.0003 0.0004))" << "given twice" << 0.0 << 0.0 << square;
+        QTest::newRow("spike outwards") << "POLYGON((0 0, 50 0, 50 -30, 50 0, 100 0, 100 100, 0 100, 0 0))" << "spike" << 50.0
+                                        << -30.0 << "POLYGON((0 0, 50 0, 100 0, 100 100, 0 100, 0 0))";
+        QTest::newRow("spike inwards") << "POLYGON((0 0, 50 0, 50 40, 50 0, 100 0, 100 100, 0 100, 0 0))" << "spike" << 50.0
+                                       << 40.0 << "POLYGON((0 0, 50 0, 100 0, 100 100, 0 100, 0 0))";
+        QTest::newRow("spike at a corner") << "POLYGON((0 0, 130 0, 100 0, 100 100, 0 100, 0 0))" << "spike" << 130.0 << 0.0
+                                           << square;
+        QTest::newRow("spike where the ring closes") << "POLYGON((0 0, 100 0, 100 100, 0 100, 0 -20, 0 0))" << "spike" << 0.0
+                                                     << -20.0 << square;
+        QTest::newRow("spike at the first point") << "POLYGON((-20 0, 0 0, 100 0, 100 100, 0 100, 0 0, -20 0))" << "spike"
+                                                  << -20.0 << 0.0 << square;
+        QTest::newRow("spike with a bend")
+            << "POLYGON((0 0, 50 0, 50 -30, 80 -30, 50 -30, 50 0, 100 0, 100 100, 0 100, 0 0))" << "spike" << 80.0 << -30.0
+            << "POLYGON((0 0, 50 0, 100 0, 100 100, 0 100, 0 0))";
+        QTest::newRow("ring the wrong way round") << "POLYGON((0 0, 0 100, 100 100, 100 0, 0 0))"
+                                                  << "1 ring ran the wrong way round" << kNan << kNan << square;
+        QTest::newRow("hole the wrong way round")
+            << "POLYGON((0 0, 100 0, 100 100, 0 100, 0 0), (40 40, 60 40, 60 60, 40 60, 40 40))"
+            << "1 ring ran the wrong way round" << kNan << kNan
+            << "POLYGON((0 0, 100 0, 100 100, 0 100, 0 0), (40 40, 40 60, 60 60, 60 40, 40 40))";
+        QTest::newRow("both the wrong way round")
+            << "POLYGON((0 0, 0 100, 100 100, 100 0, 0 0), (40 40, 60 40, 60 60, 40 60, 40 40))"
+            << "2 rings ran the wrong way round" << kNan << kNan
+            << "POLYGON((0 0, 100 0, 100 100, 0 100, 0 0), (40 40, 40 60, 60 60, 60 40, 40 40))";
+        // One line that goes round two squares in the same direction and touches itself where they meet.
+        QTest::newRow("figure of eight that touches in a point")
+            << "POLYGON((0 0, 50 0, 50 50, 100 50, 100 100, 50 100, 50 50, 0 50, 0 0))" << "taken apart" << 50.0 << 50.0
+            << "MULTIPOLYGON(((0 0, 50 0, 50 50, 0 50, 0 0)), ((50 50, 100 50, 100 100, 50 100, 50 50)))";
+        QTest::newRow("a hole drawn into the outer ring touches it in a point")
+            << "POLYGON((0 0, 100 0, 100 100, 0 100, 0 0, 30 60, 60 30, 0 0))" << "taken apart" << 0.0 << 0.0
+            << "POLYGON((0 0, 100 0, 100 100, 0 100, 0 0), (0 0, 30 60, 60 30, 0 0))";
+        QTest::newRow("crossing by a sliver")
+            << "POLYGON((0 0, 100 0, 100 100, 50 -0.001, 0 100, 0 0))" << "crosses itself by a sliver" << 50.0 << 0.0
+            << "MULTIPOLYGON(((0 0, 50 0, 0 100, 0 0)), ((50 0, 100 0, 100 100, 50 0)))";
+        QTest::newRow("hole partly outside the boundary")
+            << "POLYGON((0 0, 100 0, 100 100, 0 100, 0 0), (80 40, 80 60, 120 60, 120 40, 80 40))" << "joined" << kNan << kNan
+            << "POLYGON((0 0, 100 0, 100 40, 80 40, 80 60, 100 60, 100 100, 0 100, 0 0))";
+        QTest::newRow("hole with an edge on the boundary")
+            << "POLYGON((0 0, 100 0, 100 40, 100 60, 100 100, 0 100, 0 0), (80 40, 80 60, 100 60, 100 40, 80 40))" << "joined" << kNan << kNan
+            << "POLYGON((0 0, 100 0, 100 40, 80 40, 80 60, 100 60, 100 100, 0 100, 0 0))";
+        QTest::newRow("two holes that overlap")
+            << "POLYGON((0 0, 100 0, 100 100, 0 100, 0 0), (20 20, 20 40, 40 40, 40 20, 20 20), "
+               "(30 25, 30 45, 60 45, 60 25, 30 25))"
+            << "joined" << kNan << kNan
+            << "POLYGON((0 0, 100 0, 100 100, 0 100, 0 0), (20 20, 20 40, 30 40, 30 45, 60 45, 60 25, 40 25, 40 20, 20 20))";
+        QTest::newRow("the same hole twice")
+            << "POLYGON((0 0, 100 0, 100 100, 0 100, 0 0), (20 20, 20 40, 40 40, 40 20, 20 20), "
+               "(20 20, 20 40, 40 40, 40 20, 20 20))"
+            << "joined" << kNan << kNan
+            << "POLYGON((0 0, 100 0, 100 100, 0 100, 0 0), (20 20, 20 40, 40 40, 40 20, 20 20))";
+        QTest::newRow("parts that overlap")
+            << "MULTIPOLYGON(((0 0, 100 0, 100 100, 0 100, 0 0)), ((80 10, 180 10, 180 90, 80 90, 80 10)))" << "joined" << kNan
+            << kNan << "POLYGON((0 0, 100 0, 100 10, 180 10, 180 90, 100 90, 100 100, 0 100, 0 0))";
+        QTest::newRow("hole without area")
+            << "POLYGON((0 0, 100 0, 100 100, 0 100, 0 0), (20 20, 40 40, 20 20))" << "hole 1 encloses no area" << 20.0
+            << 20.0 << square;
+    }
+    void repairs() {
+        QFETCH(QString, wkt);
+        QFETCH(QString, note);
+        QFETCH(double, x);
+        QFETCH(double, y);
+        QFETCH(QString, repaired);
+        const auto field = Field::create(sourceFromWkt(wkt));
+        VERIFY_RESULT(field);
+        const auto said = std::ranges::find_if(field->repairs(), [&](const Note& one) {
+            return QString::fromStdString(one.text).contains(note);
+        });
+        QVERIFY2(said != field->repairs().end(), allNotes(*field).c_str());
+        QCOMPARE(said->where, std::string{"the boundary"});
+        QVERIFY(said->place.has_value());
+        if (!std::isnan(x)) {
+            COMPARE_WITHIN(placeOf(said->place).x, x, 0.01);
+            COMPARE_WITHIN(placeOf(said->place).y, y, 0.01);
+        }
+        if (!repaired.isEmpty()) {
+            const MultiPolygon expected = test::polygonsFromWkt(repaired.toStdString());
+            COMPARE_WITHIN(area(field->boundary()).si(), area(expected).si(), 0.1);
+            QVERIFY2(sameRings(*field, expected, 0.002), allNotes(*field).c_str());
+        }
+        // What was repaired needs no further repair, and is the source of the field from now on.
+        const auto again = Field::create(field->source());
+        VERIFY_RESULT(again);
+        QVERIFY2(again->repairs().empty(), allNotes(*again).c_str());
+        COMPARE_WITHIN(area(again->boundary()).si(), area(field->boundary()).si(), 1e-3);
+    }
+
+    void sliverPartsAreLeftOut() {
+        // 20 m by 1 cm beside a hectare.
+        const auto field = Field::create(sourceFromWkt(
+            "POLYGON((0 0, 100 0, 100 100, 60 100, 60 130.01, 60.01 130, 60.01 99.9, 0 100, 0 0))"));
+        VERIFY_RESULT(field);
+        QCOMPARE(field->boundary().size(), std::size_t{1});
+        COMPARE_WITHIN(area(field->boundary()).si(), 10'000.0, 5.0);
+    }
+
+    void oneErrorIsOneLine() {
+        const auto field = Field::create(sourceFromWkt("POLYGON((0 0, 100 100, 100 0, 0 100, 0 0))"));
+        QVERIFY(!field);
+        QVERIFY(!field.error().line().contains('\n'));
+        // The place is in the text too, for those without a map.
+        QVERIFY2(field.error().line().contains("9.2"), field.error().line().c_str());
+    }
+
+    // planner.md section 2: they work like any other field.
+    void anywhereOnEarth_data() {
+        QTest::addColumn<double>("lonDeg");
+        QTest::addColumn<double>("latDeg");
+        QTest::newRow("across the antimeridian") << 180.0 << -16.5;
+        QTest::newRow("across the antimeridian, mostly west") << -179.9995 << 66.0;
+        QTest::newRow("80 degrees north") << 15.0 << 80.0;
+        QTest::newRow("89.9 degrees north") << 15.0 << 89.9;
+        QTest::newRow("80 degrees south") << 15.0 << -80.0;
+        QTest::newRow("across the equator and Greenwich") << 0.0 << 0.0;
+        QTest::newRow("across a UTM zone border") << 6.0 << 52.0;
+    }
+    void anywhereOnEarth() {
+        QFETCH(double, lonDeg);
+        QFETCH(double, latDeg);
+        const MultiPolygon drawn = test::polygonsFromWkt(
+            "POLYGON((-100 -60, 100 -60, 100 60, -100 60, -100 -60), (-20 -10, -20 10, 20 10, 20 -10, -20 -10))");
+        FieldSource source = fieldSourceFromLocal(drawn, {lonDeg, latDeg});
+        source.obstacles = {{.name = "pond",
+                             .outline = LocalFrame::centredOn({lonDeg, latDeg})->toGeo(test::rectangle(20.0, 10.0, {50.0, 20.0})),
+                             .passable = false,
+                             .buffer = metres(0.0)}};
+        const auto field = Field::create(source);
+        VERIFY_RESULT(field);
+        QVERIFY2(field->repairs().empty(), allNotes(*field).c_str());
+        COMPARE_WITHIN(area(field->boundary()).si(), 200.0 * 120.0 - 800.0, 0.01);
+        COMPARE_WITHIN(area(field->workable()).si(), 200.0 * 120.0 - 800.0 - 200.0, 0.01);
+        COMPARE_WITHIN(field->area().si(), 200.0 * 120.0 - 800.0 - 200.0, 0.01);
+        const Bounds box = bounds(field->boundary());
+        COMPARE_WITHIN(box.width(), 200.0, 0.02);
+        COMPARE_WITHIN(box.height(), 120.0, 0.02);
+        QCOMPARE(field->vertexCount(), std::size_t{8});
+        QCOMPARE(field->holeCount(), std::size_t{1});
+    }
+
+    void obstacles_data() {
+        QTest::addColumn<QString>("outline");
+        QTest::addColumn<bool>("passable");
+        QTest::addColumn<double>("bufferM");
+        QTest::addColumn<double>("workableM2");
+        QTest::addColumn<double>("drivableM2");
+        QTest::addColumn<double>("toleranceM2");
+        // In a square of 100 m. A buffer of 5 m around a square of 20 m takes 400 + 4 x 20 x 5 + 25 pi.
+        const double withBuffer = 400.0 + 400.0 + 25.0 * std::numbers::pi;
+        const QString middle = QStringLiteral("POLYGON((40 40, 60 40, 60 60, 40 60, 40 40))");
+        QTest::newRow("may not be driven on") << middle << false << 0.0 << 9600.0 << 9600.0 << 0.01;
+        QTest::newRow("may be driven on") << middle << true << 0.0 << 9600.0 << 10'000.0 << 0.01;
+        QTest::newRow("with a buffer") << middle << false << 5.0 << 10'000.0 - withBuffer << 10'000.0 - withBuffer << 0.5;
+        QTest::newRow("passable with a buffer") << middle << true << 5.0 << 10'000.0 - withBuffer << 10'000.0 << 0.5;
+        QTest::newRow("half outside the field") << "POLYGON((90 40, 110 40, 110 60, 90 60, 90 40))" << false << 0.0 << 9800.0
+                                                << 9800.0 << 0.01;
+        QTest::newRow("drawn clockwise") << "POLYGON((40 40, 40 60, 60 60, 60 40, 40 40))" << false << 0.0 << 9600.0 << 9600.0
+                                         << 0.01;
+        QTest::newRow("right across the field") << "POLYGON((45 -10, 55 -10, 55 110, 45 110, 45 -10))" << false << 0.0
+                                                << 9000.0 << 9000.0 << 0.01;
+        // 5 m by 20 m, and of each quarter circle what lies 2 m to 7 m from its centre's line: the integral of
+        // sqrt(49 - u²) is 49 pi / 4 - sqrt(45) - 24.5 asin(2/7).
+        const double reachesIn = 100.0 + 2.0 * (12.25 * std::numbers::pi - std::sqrt(45.0) - 24.5 * std::asin(2.0 / 7.0));
+        QTest::newRow("outside, but its buffer reaches in") << "POLYGON((102 40, 120 40, 120 60, 102 60, 102 40))" << false
+                                                            << 7.0 << 10'000.0 - reachesIn << 10'000.0 - reachesIn << 0.5;
+    }
+    void obstacles() {
+        QFETCH(QString, outline);
+        QFETCH(bool, passable);
+        QFETCH(double, bufferM);
+        QFETCH(double, workableM2);
+        QFETCH(double, drivableM2);
+        QFETCH(double, toleranceM2);
+        FieldSource source = sourceFromWkt("POLYGON((0 0, 100 0, 100 100, 0 100, 0 0))");
+        source.obstacles = {obstacle(outline, passable, bufferM)};
+        const auto field = Field::create(source);
+        VERIFY_RESULT(field);
+        COMPARE_WITHIN(area(field->boundary()).si(), 10'000.0, 0.01);
+        COMPARE_WITHIN(area(field->workable()).si(), workableM2, toleranceM2);
+        COMPARE_WITHIN(area(field->drivable()).si(), drivableM2, toleranceM2);
+        COMPARE_WITHIN(field->area().si(), workableM2, toleranceM2);
+    }
+
+    void refusesObstacles_data() {
+        QTest::addColumn<QString>("outline");
+        QTest::addColumn<QString>("part");
+        QTest::newRow("outside the field") << "POLYGON((200 40, 220 40, 220 60, 200 60, 200 40))" << "outside the field";
+        QTest::newRow("a centimetre outside the field") << "POLYGON((100.01 40, 120 40, 120 60, 100.01 60, 100.01 40))"
+                                                        << "outside the field";
+        QTest::newRow("crosses itself") << "POLYGON((20 20, 60 60, 60 20, 20 60, 20 20))" << "crosses itself";
+        QTest::newRow("two points") << "POLYGON((20 20, 60 60, 20 20))" << "fewer than 3";
+        QTest::newRow("covers the field") << "POLYGON((-10 -10, 110 -10, 110 110, -10 110, -10 -10))" << "leave nothing";
+    }
+    void refusesObstacles() {
+        QFETCH(QString, outline);
+        QFETCH(QString, part);
+        FieldSource source = sourceFromWkt("POLYGON((0 0, 100 0, 100 100, 0 100, 0 0))");
+        source.origin = "farm.kml";
+        source.obstacles = {obstacle(outline, false, 0.0)};
+        const auto field = Field::create(source);
+        QVERIFY(!field);
+        QCOMPARE(field.error().code, ErrorCode::InputRefused);
+        const std::string line = field.error().line();
+        QVERIFY2(QString::fromStdString(line).contains(part), line.c_str());
+        QVERIFY2(field.error().where.contains("farm.kml"), line.c_str());
+        if (part != "leave nothing") {
+            QVERIFY2(field.error().where.contains("pond"), line.c_str());
+            QVERIFY2(field.error().place.has_value(), line.c_str());
+        }
+    }
+
+    void aStoppedJobIsCancelled() {
+        std::stop_source stop;
+        stop.request_stop();
+        const auto field =
+            Field::create(sourceFromWkt("POLYGON((0 0, 100 0, 100 100, 0 100, 0 0))"), {.stop = stop.get_token()});
+        QVERIFY(!field);
+        QCOMPARE(field.error().code, ErrorCode::Cancelled);
+    }
+
+    // Valid polygons of every kind pass unchanged.
+    void generatedFieldsNeedNoRepair() {
+        constexpr std::uint64_t kSeed = 77;
+        std::mt19937_64 random{kSeed};
+        for (int i = 0; i < 200; ++i) {
+            const test::Shape shape = test::kShapes[static_cast<std::size_t>(i) % test::kShapes.size()];
+            const MultiPolygon drawn = test::moved(test::randomPolygons(random, shape, test::uniform(random, 30.0, 600.0)),
+                                                   radians(0.0), {});
+            const GeoPoint centre{test::uniform(random, -180.0, 180.0), test::uniform(random, -75.0, 75.0)};
+            const auto field = Field::create(fieldSourceFromLocal(drawn, centre));
+            const QByteArray told = QStringLiteral("seed %1, field %2").arg(kSeed).arg(i).toUtf8();
+            VERIFY_TOLD(field.has_value(), told + ": " + field.error().line().c_str());
+            VERIFY_TOLD(field->repairs().empty(), told + ": " + allNotes(*field).c_str());
+            VERIFY_TOLD(std::abs(field->area().si() / area(drawn).si() - 1.0) < 1e-6, told);
+            VERIFY_TOLD(field->vertexCount() == vertexCount(drawn), told);
+        }
+    }
+};
+
+QTEST_APPLESS_MAIN(FieldTest)
+#include "tst_field.moc"
