@@ -16,7 +16,8 @@ T.Button {
 
     background: Rectangle {
         radius: Theme.radius
-        color: root.checked ? Theme.softAccent : root.hovered ? Theme.hover : "transparent"
+        // Not "transparent": that is black, and would show on the way.
+        color: root.checked ? Theme.softAccent : root.hovered ? Theme.hover : Qt.alpha(Theme.hover, 0)
 
         Behavior on color {
             ColorAnimation { duration: Theme.motion }

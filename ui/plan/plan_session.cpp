@@ -318,6 +318,7 @@ void PlanSession::fail(const Error& error) {
         return;
     }
     error_ = error;
+    showModels();
     updateState();
 }
 

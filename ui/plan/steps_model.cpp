@@ -97,7 +97,7 @@ StepsModel::StepsModel(QObject* parent) : QAbstractListModel{parent} {
 void StepsModel::show(const Field* field, const Machine& machine, const Settings& settings, const Plan* plan,
                       bool failed) {
     Step& first = steps_[0];
-    first.choice = field == nullptr ? tr("No field yet")
+    first.choice = field == nullptr ? (failed ? tr("No usable boundary") : tr("No field yet"))
                                     : QStringList{fromStd(field->name()), areaText(field->area())}.join(kSeparator);
     QStringList parts;
     if (field != nullptr) {
@@ -109,7 +109,7 @@ void StepsModel::show(const Field* field, const Machine& machine, const Settings
         }
         parts << tr("%n boundary point(s)", nullptr, static_cast<int>(field->vertexCount()));
     }
-    first.result = field == nullptr ? tr("Open a file or draw a boundary") : parts.join(kSeparator);
+    first.result = field == nullptr ? (failed ? tr("The message on the map says why") : tr("Open a file or draw a boundary")) : parts.join(kSeparator);
     first.status = field == nullptr ? (failed ? Status::Failed : Status::None)
                                      : Status::Good;
     const auto general = generalParameters();

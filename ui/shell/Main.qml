@@ -124,7 +124,7 @@ ApplicationWindow {
         }
         FieldChooser {
             anchors.centerIn: parent
-            height: Math.min(parent.height - 80, 92 + 52 * root.session.choices.count)
+            height: Math.min(parent.height - 80, 84 + 52 * root.session.choices.count)
             visible: root.session.state === PlanSession.Choosing
             session: root.session
         }

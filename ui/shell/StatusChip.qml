@@ -11,7 +11,7 @@ Rectangle {
     readonly property bool slow: working && session.slow
 
     objectName: "statusChip"
-    visible: session.state !== PlanSession.Empty && text.text.length > 0
+    visible: session.state !== PlanSession.Empty && session.state !== PlanSession.Choosing && text.text.length > 0
     width: row.width + 28
     height: 34
     radius: 17

@@ -18,6 +18,8 @@ Rectangle {
     required property ParameterModel parameters
     required property PlanSession session
     property bool open: false
+    /// Only opening and closing are shown as a motion, not a line more or less in the header.
+    property bool moving: false
     signal toggled()
     signal openRequested()
     signal drawRequested()
@@ -30,9 +32,22 @@ Rectangle {
     clip: true
 
     Behavior on implicitHeight {
+        enabled: root.moving
+
         NumberAnimation { duration: Theme.motion; easing.type: Easing.OutCubic }
     }
 
+    onOpenChanged: {
+        moving = true;
+        settled.restart();
+    }
+
+    Timer {
+        id: settled
+
+        interval: Theme.motion * 2
+        onTriggered: root.moving = false
+    }
     T.Button {
         id: header
 

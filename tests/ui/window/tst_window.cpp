@@ -19,6 +19,7 @@
 
 #include <algorithm>
 #include <memory>
+#include <utility>
 
 using namespace furrow;
 
@@ -164,9 +165,9 @@ private slots:
         click(QStringLiteral("exportButton"));
         QTRY_VERIFY(item(QStringLiteral("export.folder")) != nullptr && item(QStringLiteral("export.folder"))->isVisible());
         item(QStringLiteral("export.folder"))->setProperty("text", folder.filePath(QStringLiteral("out")));
-        picture(QStringLiteral("export"));
         click(QStringLiteral("export.write"));
         QTRY_COMPARE(session_->exporter()->state(), ExportModel::State::Done);
+        picture(QStringLiteral("export"));
         QFile summary{folder.filePath(QStringLiteral("out/summary.json"))};
         QVERIFY(summary.open(QIODevice::ReadOnly));
         const QJsonObject root = QJsonDocument::fromJson(summary.readAll()).object();
@@ -217,7 +218,10 @@ private slots:
         click(QStringLiteral("step.headland"));
         QTRY_VERIFY(item(QStringLiteral("headland.width_m.slider")) != nullptr);
         QQuickItem* slider = item(QStringLiteral("headland.width_m.slider"));
-        QTRY_VERIFY(slider->width() > 100.0 && slider->isVisible());
+        QPointF last;
+        // Steps open and close in motion: the slider must have come to rest.
+        QTRY_VERIFY(slider->isVisible() && std::exchange(last, slider->mapToScene({})) == slider->mapToScene({}) &&
+                    last.y() < 700.0);
         std::vector<double> gaps;
         QElapsedTimer clock;
         const auto connection = connect(window_, &QQuickWindow::frameSwapped, window_, [&] {
