@@ -46,8 +46,15 @@ private:
     /// Items made by views are children in the scene only.
     QQuickItem* item(const QString& name) const { return below(window_->contentItem(), name); }
     QPoint middleOf(const QQuickItem& of) const { return of.mapToScene({of.width() / 2.0, of.height() / 2.0}).toPoint(); }
+    /// Steps open and close in motion: a click must not go where the item was.
+    void waitForRest(const QQuickItem& moving) const {
+        QPoint last{-1, -1};
+        int still = 0;
+        QTRY_VERIFY((still = std::exchange(last, middleOf(moving)) == middleOf(moving) ? still + 1 : 0) >= 4);
+    }
     void click(const QString& name) {
         QTRY_VERIFY2(item(name) != nullptr && item(name)->isVisible(), qPrintable(name));
+        waitForRest(*item(name));
         QTest::mouseClick(window_, Qt::LeftButton, {}, middleOf(*item(name)));
     }
     QQuickItem* map() const { return item(QStringLiteral("editLayer")); }
@@ -218,10 +225,8 @@ private slots:
         click(QStringLiteral("step.headland"));
         QTRY_VERIFY(item(QStringLiteral("headland.width_m.slider")) != nullptr);
         QQuickItem* slider = item(QStringLiteral("headland.width_m.slider"));
-        QPointF last;
-        // Steps open and close in motion: the slider must have come to rest.
-        QTRY_VERIFY(slider->isVisible() && std::exchange(last, slider->mapToScene({})) == slider->mapToScene({}) &&
-                    last.y() < 700.0);
+        QTRY_VERIFY(slider->isVisible());
+        waitForRest(*slider);
         std::vector<double> gaps;
         QElapsedTimer clock;
         const auto connection = connect(window_, &QQuickWindow::frameSwapped, window_, [&] {
