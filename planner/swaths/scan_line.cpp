@@ -400,16 +400,22 @@ std::pair<int, HeadingFigures> ScanLine::best(Angle heading, SwathObjective obje
 }
 
 HeadingFigures ScanLine::figures(Angle heading, SwathObjective objective) const {
+    if (vertices_.empty()) {
+        return {};
+    }
     thread_local Walk walk;
     return best(heading, objective, walk).second;
 }
 
 SwathSet ScanLine::swaths(Angle heading, SwathObjective objective) const {
+    SwathSet set;
+    set.heading = heading;
+    if (vertices_.empty()) {
+        return set;
+    }
     thread_local Walk walk;
     const auto [layout, figures] = best(heading, objective, walk);
     lay(layout, walk);
-    SwathSet set;
-    set.heading = heading;
     set.totalLength = figures.length;
     set.coverage = figures.coverage;
     set.overlap = figures.overlap;

@@ -50,10 +50,10 @@ public:
     /// Exact figures of one heading, with the layout that is best for the objective: with LastPass::Overlap
     /// the side that carries the moved swath, with LastPass::Gap the shift. Cost: O(n log n + swaths) for n
     /// vertices and each of the layouts (2, 1 and 9), no allocation after the first call on a thread.
-    HeadingFigures figures(Angle heading, SwathObjective objective) const;
+    HeadingFigures figures(Angle heading, SwathObjective objective = SwathObjective::Coverage) const;
 
     /// The swaths behind these figures, ordered by track, then along the heading.
-    SwathSet swaths(Angle heading, SwathObjective objective) const;
+    SwathSet swaths(Angle heading, SwathObjective objective = SwathObjective::Coverage) const;
 
     /// How many tracks a mainland of this height across the heading needs: a lower bound of the number of
     /// swaths of a mainland in one piece.
