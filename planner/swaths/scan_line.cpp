@@ -320,6 +320,35 @@ void ScanLine::findSlabs(Walk& walk) const {
     }
 }
 
+template <class TurnLength>
+Duration ScanLine::drivingTime(const Walk& walk, const TurnLength& turnLength) const {
+    double swathsM = 0.0;
+    double turnsM = 0.0;
+    std::optional<Pose> from;
+    const auto drive = [&](double startX, double endX, double y, bool back) {
+        const Pose to{.position = {back ? endX : startX, y}, .heading = degrees(back ? 180.0 : 0.0)};
+        if (from) {
+            // Pieces of one track lie straight ahead of each other.
+            turnsM += from->position.y == y ? std::abs(to.position.x - from->position.x)
+                                            : turnLength(*from, to);
+        }
+        swathsM += endX - startX;
+        from = Pose{.position = {back ? startX : endX, y}, .heading = to.heading};
+    };
+    for (std::size_t k = 0; k < walk.tracks.size(); ++k) {
+        const bool back = k % 2 == 1;
+        const std::size_t begin = walk.firstInterval[k];
+        const std::size_t pairs = (walk.firstInterval[k + 1] - begin) / 2;
+        for (std::size_t i = 0; i < pairs; ++i) {
+            const std::size_t at = begin + 2 * (back ? pairs - 1 - i : i);
+            if (walk.crossings[at + 1] - walk.crossings[at] >= kShortestSwathM) {
+                drive(walk.crossings[at], walk.crossings[at + 1], walk.tracks[k], back);
+            }
+        }
+    }
+    return seconds(swathsM / driving_->working.si() + turnsM / driving_->turning.si());
+}
+
 HeadingFigures ScanLine::measure(SwathObjective objective, const Walk& walk) const {
     HeadingFigures figures;
     for (std::size_t k = 0; k < walk.tracks.size(); ++k) {
@@ -369,7 +398,10 @@ HeadingFigures ScanLine::measure(SwathObjective objective, const Walk& walk) con
     figures.coverage = areaM2_ > 0.0 ? std::clamp(coveredM2 / areaM2_, 0.0, 1.0) : 0.0;
     figures.overlap = squareMetres(std::max(0.0, doubledM2));
     if (objective == SwathObjective::Time && driving_) {
-        figures.time = drivingTime(walk) + missedTime(figures);
+        const auto curve = [this](const Pose& from, const Pose& to) {
+            return dubinsLength(from, to, driving_->radius).si();
+        };
+        figures.time = drivingTime(walk, curve) + missedTime(figures);
     }
     return figures;
 }
@@ -390,53 +422,17 @@ Duration ScanLine::timeBound(Angle heading) const {
     for (int layout = 0; layout < layouts; ++layout) {
         lay(layout, walk);
         const HeadingFigures figures = measure(SwathObjective::Length, walk);
-        int turns = -1;
-        double spansM = 0.0;  // of the tracks, holes and bays included: those are driven straight
-        for (std::size_t k = 0; k < walk.tracks.size(); ++k) {
-            if (walk.firstInterval[k + 1] > walk.firstInterval[k]) {
-                ++turns;
-                spansM += walk.crossings[walk.firstInterval[k + 1] - 1] - walk.crossings[walk.firstInterval[k]];
-            }
-        }
-        const Length straight = metres(std::max(0.0, spansM - figures.length.si() - kShortestSwathM * figures.count));
-        // Only neighbours at the full spacing are known to be at least so far apart.
-        const bool even = spacing_.lastPass != LastPass::Spread;
-        const int full = even ? std::max(0, turns - 1) : 0;
-        const int other = std::max(0, turns - full);
-        const Length turning = full * shortestTurn_ + other * std::numbers::pi * driving_->radius;
-        least = std::min(least, seconds(figures.length.si() / driving_->working.si() +
-                                        (turning + straight).si() / driving_->turning.si()) +
-                                    missedTime(figures));
+        // Neighbours at the full spacing are known to be at least so far apart; and no turn is shorter than
+        // the straight line.
+        const auto atLeast = [this](const Pose& from, const Pose& to) {
+            const Point way = to.position - from.position;
+            const bool spaced = std::abs(way.y) >= (spacing_.width - spacing_.overlap).si() - kFitSlack;
+            const double turning = spaced ? shortestTurn_.si() : std::numbers::pi * driving_->radius.si();
+            return std::max(turning, norm(way));
+        };
+        least = std::min(least, drivingTime(walk, atLeast) + missedTime(figures));
     }
     return least;
-}
-
-Duration ScanLine::drivingTime(const Walk& walk) const {
-    double swathsM = 0.0;
-    double turnsM = 0.0;
-    std::optional<Pose> from;
-    const auto drive = [&](double startX, double endX, double y, bool back) {
-        const Pose to{.position = {back ? endX : startX, y}, .heading = degrees(back ? 180.0 : 0.0)};
-        if (from) {
-            // Pieces of one track lie straight ahead of each other.
-            turnsM += from->position.y == y ? std::abs(to.position.x - from->position.x)
-                                            : dubinsLength(*from, to, driving_->radius).si();
-        }
-        swathsM += endX - startX;
-        from = Pose{.position = {back ? startX : endX, y}, .heading = to.heading};
-    };
-    for (std::size_t k = 0; k < walk.tracks.size(); ++k) {
-        const bool back = k % 2 == 1;
-        const std::size_t begin = walk.firstInterval[k];
-        const std::size_t pairs = (walk.firstInterval[k + 1] - begin) / 2;
-        for (std::size_t i = 0; i < pairs; ++i) {
-            const std::size_t at = begin + 2 * (back ? pairs - 1 - i : i);
-            if (walk.crossings[at + 1] - walk.crossings[at] >= kShortestSwathM) {
-                drive(walk.crossings[at], walk.crossings[at + 1], walk.tracks[k], back);
-            }
-        }
-    }
-    return seconds(swathsM / driving_->working.si() + turnsM / driving_->turning.si());
 }
 
 std::pair<int, HeadingFigures> ScanLine::best(Angle heading, SwathObjective objective, Walk& walk) const {

@@ -76,7 +76,9 @@ private:
     void findCrossings(Walk& walk) const;
     void findSlabs(Walk& walk) const;
     HeadingFigures measure(SwathObjective objective, const Walk& walk) const;
-    Duration drivingTime(const Walk& walk) const;
+    /// To and fro with turns of the length that `turnLength(from, to)` gives in metres.
+    template <class TurnLength>
+    Duration drivingTime(const Walk& walk, const TurnLength& turnLength) const;
     Duration missedTime(const HeadingFigures& figures) const;
     /// The best layout's number and figures; `walk` is rotated and holds any of them.
     std::pair<int, HeadingFigures> best(Angle heading, SwathObjective objective, Walk& walk) const;
