@@ -5,6 +5,7 @@
 #include "planner/route/methods.h"
 #include "planner/swaths/methods.h"
 #include "planner/turns/dubins.h"
+#include "planner/turns/reeds_shepp.h"
 #include "planner/turns/straight_turn.h"
 
 #include <algorithm>
@@ -30,6 +31,7 @@ constexpr std::array kRouteMethods{
 };
 constexpr std::array kTurnMethods{
     &kDubinsMethod,
+    &kReedsSheppMethod,
     &kStraightMethod,
 };
 
