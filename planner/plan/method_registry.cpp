@@ -4,6 +4,7 @@
 #include "planner/plan/general_parameters.h"
 #include "planner/route/methods.h"
 #include "planner/swaths/methods.h"
+#include "planner/turns/continuous_curvature.h"
 #include "planner/turns/dubins.h"
 #include "planner/turns/reeds_shepp.h"
 #include "planner/turns/straight_turn.h"
@@ -30,8 +31,7 @@ constexpr std::array kRouteMethods{
     &kBoustrophedonMethod,
 };
 constexpr std::array kTurnMethods{
-    &kDubinsMethod,
-    &kReedsSheppMethod,
+    &kDubinsMethod,   &kReedsSheppMethod, &kContinuousDubinsMethod, &kContinuousReedsSheppMethod,
     &kStraightMethod,
 };
 
