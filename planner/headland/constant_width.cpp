@@ -75,6 +75,9 @@ Result<Headland> constantWidth(const Field& field, const Machine& machine, const
             std::max(0, std::min(headland.passes, passesWithin(headland.width, margin, machine)) - 1);
         headland.width = widthOf(headland.passes);
     }
+    if (headland.mainland.empty()) {
+        return std::unexpected(nothingLeft(margin));
+    }
     if (headland.width < wanted) {
         const std::string left = headland.passes == 0
                                      ? std::string{"there is none"}

@@ -17,6 +17,9 @@ struct Headland {
     std::vector<Note> notes;     ///< what was given up, and why
 };
 
+/// InputRefused: the margin alone leaves nothing of the field.
+Error nothingLeft(Length margin);
+
 /// The common signature of all headland methods.
 ///
 /// @param field     a checked field

@@ -13,6 +13,9 @@ Result<Headland> noHeadland(const Field& field, const Machine&, const Settings&,
     if (!mainland) {
         return std::unexpected(mainland.error());
     }
+    if (mainland->empty()) {
+        return std::unexpected(nothingLeft(margin));
+    }
     Headland headland{.width = margin, .passes = 0, .mainland = std::move(*mainland)};
     headland.mainlandRatio = area(headland.mainland) / area(field.workable());
     return headland;

@@ -23,6 +23,7 @@ constexpr std::array kHeadlandMethods{
     &kNoHeadlandMethod,
 };
 constexpr std::array kSwathMethods{
+    &kExactMethod,
     &kBruteForceMethod,
     &kFixedHeadingMethod,
     &kLongestEdgeMethod,

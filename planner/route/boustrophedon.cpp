@@ -44,6 +44,9 @@ Length turningLength(const std::vector<RouteStep>& steps, const SwathSet& swaths
 
 Result<Route> boustrophedon(const SwathSet& swaths, const Machine& machine, const Settings& settings,
                             const JobContext& job) {
+    if (job.stopRequested()) {
+        return std::unexpected(cancelled());
+    }
     Route route{.steps = toAndFro(swaths, false, false), .lengthInPlace = {}};
     if (settings.choice(kCorner) == "best") {
         // All four corners; the earliest of equally short ones.

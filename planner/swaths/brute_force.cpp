@@ -22,7 +22,7 @@ Result<SwathSet> bruteForce(const MultiPolygon& mainland, const Machine& machine
     if (!heading) {
         return std::unexpected(heading.error());
     }
-    auto set = swathsAlong(*scanLine, *heading);
+    auto set = swathsAlong(*scanLine, heading->heading, objectiveOf(settings));
     if (set) {
         set->headingsTried = static_cast<int>(headings.size());
     }

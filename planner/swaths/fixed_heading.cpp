@@ -11,7 +11,7 @@ Result<SwathSet> fixedHeading(const MultiPolygon& mainland, const Machine& machi
         return std::unexpected(cancelled());
     }
     return scanLineFor(mainland, machine, settings).and_then([&](const ScanLine& scanLine) {
-        return swathsAlong(scanLine, *settings.angle(kAngle));
+        return swathsAlong(scanLine, *settings.angle(kAngle), SwathObjective::Coverage);
     });
 }
 

@@ -26,7 +26,7 @@ Result<SwathSet> longestEdge(const MultiPolygon& mainland, const Machine& machin
         return std::unexpected(cancelled());
     }
     return scanLineFor(mainland, machine, settings).and_then([&](const ScanLine& scanLine) {
-        return swathsAlong(scanLine, longestEdgeHeading(mainland));
+        return swathsAlong(scanLine, longestEdgeHeading(mainland), SwathObjective::Coverage);
     });
 }
 

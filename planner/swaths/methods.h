@@ -1,12 +1,11 @@
 #pragma once
 
 #include "planner/settings/method.h"
+#include "planner/swaths/objective.h"
 #include "planner/swaths/swath.h"
 
 namespace furrow {
 
-/// What a search for the best heading looks for.
-extern const Parameter kObjective;
 /// How much neighbouring swaths overlap.
 extern const Parameter kOverlap;
 /// What becomes of the width that is left over.
@@ -14,6 +13,7 @@ extern const Parameter kLastPass;
 extern const Parameter kStep;
 extern const Parameter kAngle;
 
+extern const Method<SwathGenerator> kExactMethod;
 extern const Method<SwathGenerator> kBruteForceMethod;
 extern const Method<SwathGenerator> kFixedHeadingMethod;
 extern const Method<SwathGenerator> kLongestEdgeMethod;

@@ -1,5 +1,7 @@
 #include "planner/swaths/scan_line.h"
 
+#include "planner/turns/dubins.h"
+
 #include <algorithm>
 #include <cmath>
 #include <limits>
@@ -14,6 +16,10 @@ constexpr double kShortestSwathM = 1e-3;
 constexpr double kMostTracks = 1e6;
 // A width that fits up to rounding does fit.
 constexpr double kFitSlack = 1e-9;
+// Land that no swath covers costs its time at least; in bits and pieces, several times that.
+constexpr double kPiecemealFactor = 5.0;
+// How many shifts are tried where the shift is free.
+constexpr int kShifts = 9;
 
 struct Interval {
     double from = 0.0;
@@ -103,7 +109,9 @@ void countOverlaps(std::vector<Interval>& intervals, std::vector<Interval>& once
 
 }  // namespace
 
-ScanLine::ScanLine(const MultiPolygon& mainland, const SwathSpacing& spacing) : spacing_{spacing} {
+ScanLine::ScanLine(const MultiPolygon& mainland, const SwathSpacing& spacing,
+                   const std::optional<DrivingModel>& driving)
+    : spacing_{spacing}, driving_{driving} {
     const Bounds box = bounds(mainland);
     origin_ = 0.5 * (box.min + box.max);
     diameterM_ = std::hypot(box.width(), box.height());
@@ -139,31 +147,75 @@ void ScanLine::rotate(Angle heading, Walk& walk) const {
     }
 }
 
-void ScanLine::lay(MovedSide moved, Walk& walk) const {
+int ScanLine::trackCount(Length height) const {
+    const Length rest = height - spacing_.width;
+    if (rest <= metres(0.0)) {
+        return 1;
+    }
+    const double steps = rest / (spacing_.width - spacing_.overlap);
+    return 1 + static_cast<int>(spacing_.lastPass == LastPass::Gap ? std::floor(steps + kFitSlack)
+                                                                   : std::ceil(steps - kFitSlack));
+}
+
+Length ScanLine::heightAcross(Angle heading) const {
+    const Point across{-std::sin(heading.si()), std::cos(heading.si())};
+    double low = std::numeric_limits<double>::infinity();
+    double high = -low;
+    for (const Point& vertex : vertices_) {
+        low = std::min(low, dot(across, vertex));
+        high = std::max(high, dot(across, vertex));
+    }
+    return metres(high - low);
+}
+
+int ScanLine::layoutCount(const Walk& walk) const {
+    if (walk.highY - walk.lowY <= spacing_.width.si()) {
+        return 1;
+    }
+    switch (spacing_.lastPass) {
+        case LastPass::Overlap: return 2;
+        case LastPass::Spread: return 1;
+        case LastPass::Gap: return kShifts;
+    }
+    return 1;
+}
+
+void ScanLine::lay(int layout, Walk& walk) const {
     const double width = spacing_.width.si();
     const double height = walk.highY - walk.lowY;
-    double step = (spacing_.width - spacing_.overlap).si();
+    const double lowest = walk.lowY + 0.5 * width;
+    const double highest = walk.highY - 0.5 * width;
+    const auto count = static_cast<std::size_t>(trackCount(metres(height)));
+    const auto last = static_cast<double>(count - 1);
+    const double step = spacing_.lastPass == LastPass::Spread && count > 1
+                            ? (highest - lowest) / last
+                            : (spacing_.width - spacing_.overlap).si();
     walk.tracks.clear();
     if (height <= width) {
         walk.tracks.push_back(0.5 * (walk.lowY + walk.highY));
-    } else {
-        const auto count = static_cast<std::size_t>(std::ceil((height - width) / step - kFitSlack)) + 1;
-        if (spacing_.lastPass == LastPass::Spread) {
-            step = (height - width) / static_cast<double>(count - 1);
-        }
-        const double lowest = walk.lowY + 0.5 * width;
-        const double highest = walk.highY - 0.5 * width;
+    } else if (spacing_.lastPass == LastPass::Gap) {
+        // From flush with one edge to flush with the other.
+        const double free = std::max(0.0, highest - lowest - last * step);
+        const double first = lowest + free * layout / (kShifts - 1);
         for (std::size_t i = 0; i < count; ++i) {
-            walk.tracks.push_back(moved == MovedSide::Last
-                                      ? lowest + static_cast<double>(i) * step
-                                      : highest - static_cast<double>(count - 1 - i) * step);
+            walk.tracks.push_back(first + static_cast<double>(i) * step);
+        }
+    } else {
+        // Layout 0 moves the last swath back, layout 1 the first.
+        for (std::size_t i = 0; i < count; ++i) {
+            walk.tracks.push_back(layout == 0 ? lowest + static_cast<double>(i) * step
+                                              : highest - (last - static_cast<double>(i)) * step);
         }
         // The outermost swaths are flush with the mainland's edges, to the last bit.
         walk.tracks.front() = lowest;
         walk.tracks.back() = highest;
     }
+    findCrossings(walk);
+    findSlabs(walk);
+}
 
-    // Crossings of every edge with every centre line, sorted into tracks by counting.
+/// Crossings of every edge with every centre line, sorted into tracks by counting.
+void ScanLine::findCrossings(Walk& walk) const {
     const std::size_t trackCount = walk.tracks.size();
     const auto forEachCrossing = [&](auto&& visit) {
         std::size_t begin = 0;
@@ -203,8 +255,12 @@ void ScanLine::lay(MovedSide moved, Walk& walk) const {
                   walk.crossings.begin() + static_cast<std::ptrdiff_t>(walk.firstInterval[k + 1]));
     }
 
-    // Slabs between the edges of all strips, and what the active strips cover in each.
-    const double half = 0.5 * width;
+}
+
+/// Slabs between the edges of all strips, and what the active strips cover in each.
+void ScanLine::findSlabs(Walk& walk) const {
+    const std::size_t trackCount = walk.tracks.size();
+    const double half = 0.5 * spacing_.width.si();
     walk.slabEdges.clear();
     std::size_t starts = 0;
     for (std::size_t ends = 0; ends < trackCount;) {
@@ -242,7 +298,7 @@ void ScanLine::lay(MovedSide moved, Walk& walk) const {
     }
 }
 
-HeadingFigures ScanLine::measure(const Walk& walk) const {
+HeadingFigures ScanLine::measure(SwathObjective objective, const Walk& walk) const {
     HeadingFigures figures;
     for (std::size_t k = 0; k < walk.tracks.size(); ++k) {
         for (std::size_t i = walk.firstInterval[k]; i + 1 < walk.firstInterval[k + 1]; i += 2) {
@@ -290,40 +346,76 @@ HeadingFigures ScanLine::measure(const Walk& walk) const {
     }
     figures.coverage = areaM2_ > 0.0 ? std::clamp(coveredM2 / areaM2_, 0.0, 1.0) : 0.0;
     figures.overlap = squareMetres(std::max(0.0, doubledM2));
+    if (objective == SwathObjective::Time && driving_) {
+        const double missedM = (1.0 - figures.coverage) * areaM2_ / spacing_.width.si();
+        figures.time = drivingTime(walk) + seconds(kPiecemealFactor * missedM / driving_->working.si());
+    }
     return figures;
 }
 
-HeadingFigures ScanLine::best(Angle heading, Walk& walk) const {
+Duration ScanLine::drivingTime(const Walk& walk) const {
+    double swathsM = 0.0;
+    double turnsM = 0.0;
+    std::optional<Pose> from;
+    const auto drive = [&](double startX, double endX, double y, bool back) {
+        const Pose to{.position = {back ? endX : startX, y}, .heading = degrees(back ? 180.0 : 0.0)};
+        if (from) {
+            // Pieces of one track lie straight ahead of each other.
+            turnsM += from->position.y == y ? std::abs(to.position.x - from->position.x)
+                                            : dubinsLength(*from, to, driving_->radius).si();
+        }
+        swathsM += endX - startX;
+        from = Pose{.position = {back ? startX : endX, y}, .heading = to.heading};
+    };
+    for (std::size_t k = 0; k < walk.tracks.size(); ++k) {
+        const bool back = k % 2 == 1;
+        const std::size_t begin = walk.firstInterval[k];
+        const std::size_t pairs = (walk.firstInterval[k + 1] - begin) / 2;
+        for (std::size_t i = 0; i < pairs; ++i) {
+            const std::size_t at = begin + 2 * (back ? pairs - 1 - i : i);
+            if (walk.crossings[at + 1] - walk.crossings[at] >= kShortestSwathM) {
+                drive(walk.crossings[at], walk.crossings[at + 1], walk.tracks[k], back);
+            }
+        }
+    }
+    return seconds(swathsM / driving_->working.si() + turnsM / driving_->turning.si());
+}
+
+std::pair<int, HeadingFigures> ScanLine::best(Angle heading, SwathObjective objective, Walk& walk) const {
     rotate(heading, walk);
-    lay(MovedSide::Last, walk);
-    const HeadingFigures last = measure(walk);
-    if (spacing_.lastPass == LastPass::Spread || walk.tracks.size() < 2) {
-        return last;
+    std::pair<int, HeadingFigures> chosen;
+    const int layouts = layoutCount(walk);
+    for (int layout = 0; layout < layouts; ++layout) {
+        lay(layout, walk);
+        const HeadingFigures figures = measure(objective, walk);
+        // Of layouts that are as good the one with less overlap; then the first.
+        const bool better = isBetter(objective, figures, chosen.second) ||
+                            (!isBetter(objective, chosen.second, figures) &&
+                             isBetter(SwathObjective::Overlap, figures, chosen.second));
+        if (layout == 0 || better) {
+            chosen = {layout, figures};
+        }
     }
-    lay(MovedSide::First, walk);
-    const HeadingFigures first = measure(walk);
-    // More covered, then less overlapped; differences of rounding are none.
-    const double slack = 1e-12;
-    const bool firstIsBetter =
-        first.coverage > last.coverage + slack ||
-        (first.coverage >= last.coverage - slack && first.overlap.si() < last.overlap.si() - slack * areaM2_);
-    if (firstIsBetter) {
-        return first;
-    }
-    lay(MovedSide::Last, walk);
-    return last;
+    return chosen;
 }
 
-HeadingFigures ScanLine::figures(Angle heading) const {
+HeadingFigures ScanLine::figures(Angle heading, SwathObjective objective) const {
+    if (vertices_.empty()) {
+        return {};
+    }
     thread_local Walk walk;
-    return best(heading, walk);
+    return best(heading, objective, walk).second;
 }
 
-SwathSet ScanLine::swaths(Angle heading) const {
-    thread_local Walk walk;
-    const HeadingFigures figures = best(heading, walk);
+SwathSet ScanLine::swaths(Angle heading, SwathObjective objective) const {
     SwathSet set;
     set.heading = heading;
+    if (vertices_.empty()) {
+        return set;
+    }
+    thread_local Walk walk;
+    const auto [layout, figures] = best(heading, objective, walk);
+    lay(layout, walk);
     set.totalLength = figures.length;
     set.coverage = figures.coverage;
     set.overlap = figures.overlap;

@@ -2,9 +2,12 @@
 
 #include "planner/core/result.h"
 #include "planner/geometry/polygon.h"
+#include "planner/swaths/objective.h"
 #include "planner/swaths/swath.h"
 #include "planner/units/quantity.h"
 
+#include <optional>
+#include <utility>
 #include <vector>
 
 namespace furrow {
@@ -13,6 +16,7 @@ namespace furrow {
 enum class LastPass {
     Overlap,  ///< spacing kept, the last swath is moved back to the edge and overlaps its neighbour
     Spread,   ///< spacing reduced evenly so that all fit
+    Gap,      ///< spacing kept, as many as fit, the shift is free; the rest stays uncovered
 };
 
 struct SwathSpacing {
@@ -21,12 +25,11 @@ struct SwathSpacing {
     LastPass lastPass = LastPass::Overlap;
 };
 
-/// Every objective of one heading.
-struct HeadingFigures {
-    int count = 0;
-    Length length;          ///< of all swaths
-    double coverage = 0.0;  ///< A_cov, flat ends
-    Area overlap;           ///< of the mainland, covered at least twice
+/// What the time of a heading is estimated with: to and fro, with the machine's own curves in between.
+struct DrivingModel {
+    Speed working;
+    Speed turning;
+    Length radius;
 };
 
 /// The swaths of one mainland in any heading, by walking its edges with a scan line: vertices are rotated
@@ -36,30 +39,42 @@ struct HeadingFigures {
 class ScanLine {
 public:
     /// @param mainland  valid polygons in metres; not kept
-    ScanLine(const MultiPolygon& mainland, const SwathSpacing& spacing);
+    /// @param driving   for the time; without it times are 0
+    ScanLine(const MultiPolygon& mainland, const SwathSpacing& spacing,
+             const std::optional<DrivingModel>& driving = {});
 
     /// Whether any heading needs more swaths than can be told apart on screen or on the land: a width of
     /// centimetres on a field of kilometres.
     bool tooManyTracks() const;
 
-    /// Exact figures of one heading. With LastPass::Overlap the side that covers more (then: overlaps
-    /// less) carries the last swath. Cost: O(n log n + swaths) for n vertices, no allocation after the
-    /// first call on a thread.
-    HeadingFigures figures(Angle heading) const;
+    /// Exact figures of one heading, with the layout that is best for the objective: with LastPass::Overlap
+    /// the side that carries the moved swath, with LastPass::Gap the shift. Cost: O(n log n + swaths) for n
+    /// vertices and each of the layouts (2, 1 and 9), no allocation after the first call on a thread.
+    HeadingFigures figures(Angle heading, SwathObjective objective = SwathObjective::Coverage) const;
 
     /// The swaths behind these figures, ordered by track, then along the heading.
-    SwathSet swaths(Angle heading) const;
+    SwathSet swaths(Angle heading, SwathObjective objective = SwathObjective::Coverage) const;
+
+    /// How many tracks a mainland of this height across the heading needs: a lower bound of the number of
+    /// swaths of a mainland in one piece.
+    int trackCount(Length height) const;
+
+    /// Of the mainland across a heading. Cost: O(n).
+    Length heightAcross(Angle heading) const;
 
 private:
     struct Walk;
-    /// On which side of the mainland the swath lies that was moved.
-    enum class MovedSide { Last, First };
 
-    void lay(MovedSide moved, Walk& walk) const;
     void rotate(Angle heading, Walk& walk) const;
-    HeadingFigures measure(const Walk& walk) const;
-    /// The better of both sides; `walk` then holds it.
-    HeadingFigures best(Angle heading, Walk& walk) const;
+    /// The layouts there are to choose from are numbered from 0.
+    int layoutCount(const Walk& walk) const;
+    void lay(int layout, Walk& walk) const;
+    void findCrossings(Walk& walk) const;
+    void findSlabs(Walk& walk) const;
+    HeadingFigures measure(SwathObjective objective, const Walk& walk) const;
+    Duration drivingTime(const Walk& walk) const;
+    /// The best layout's number and figures; `walk` is rotated and holds any of them.
+    std::pair<int, HeadingFigures> best(Angle heading, SwathObjective objective, Walk& walk) const;
 
     // Rings one after the other; ringEnds_[i] is one past the last vertex of ring i.
     std::vector<Point> vertices_;
@@ -68,6 +83,7 @@ private:
     double areaM2_ = 0.0;
     double diameterM_ = 0.0;
     SwathSpacing spacing_;
+    std::optional<DrivingModel> driving_;
 };
 
 }  // namespace furrow

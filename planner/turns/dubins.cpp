@@ -12,6 +12,8 @@ namespace {
 constexpr double kTwoPi = 2.0 * std::numbers::pi;
 // An arc this much short of a full circle is no arc that rounding turned into a circle.
 constexpr double kFullCircleSlack = 1e-9;
+// A piece shorter than this, in radii, is rounding: picometres.
+constexpr double kNoPiece = 1e-12;
 
 double positiveAngle(double angle) {
     const double rest = angle - kTwoPi * std::floor(angle / kTwoPi);
@@ -119,9 +121,9 @@ Turn dubinsTurn(const Pose& from, const Pose& to, Length radius) {
     Turn turn{.type = "dubins", .start = from, .pieces = {}};
     const double parts[] = {word.first, word.middle, word.last};
     for (int i = 0; i < 3; ++i) {
-        if (parts[i] > 0.0) {
-            turn.pieces.push_back(
-                {.length = radius * parts[i], .curvature = Curvature::fromSi(word.turns[i] / radius.si())});
+        if (parts[i] > kNoPiece) {
+            turn.pieces.push_back({.length = radius * parts[i],
+                                   .curvature = Curvature::fromSi(word.turns[i] / radius.si())});
         }
     }
     return turn;

@@ -1,0 +1,97 @@
+#include "app/window/screenshot.h"
+#include "app/window/self_test.h"
+#include "ui/plan/plan_session.h"
+#include "ui/shell/window_tools.h"
+
+#include <QCommandLineParser>
+#include <QGuiApplication>
+#include <QQmlApplicationEngine>
+#include <QQuickWindow>
+
+#include <cstdio>
+
+namespace {
+
+struct Arguments {
+    QString file;
+    QString fieldId;
+    QString screenshot;
+    QString theme;
+    QSize size;
+    bool selfTest = false;
+};
+
+QSize sizeFrom(const QString& text) {
+    const QStringList parts = text.split(QLatin1Char('x'));
+    return parts.size() == 2 ? QSize{parts[0].toInt(), parts[1].toInt()} : QSize{};
+}
+
+Arguments argumentsOf(const QGuiApplication& application) {
+    QCommandLineParser parser;
+    parser.setApplicationDescription(QStringLiteral("Plans how a machine covers a farm field."));
+    parser.addHelpOption();
+    parser.addVersionOption();
+    parser.addPositionalArgument(QStringLiteral("file"), QStringLiteral("Boundary file to open."), QStringLiteral("[FILE]"));
+    const QCommandLineOption fieldId{QStringLiteral("field-id"), QStringLiteral("The field of FILE: its id, name or number."),
+                                     QStringLiteral("ID")};
+    const QCommandLineOption selfTest{QStringLiteral("self-test"), QStringLiteral("Go through every page and end.")};
+    const QCommandLineOption screenshot{QStringLiteral("screenshot"),
+                                        QStringLiteral("Save a picture of the window when it is ready and end."),
+                                        QStringLiteral("PNG")};
+    const QCommandLineOption size{QStringLiteral("size"), QStringLiteral("Size of the window."), QStringLiteral("WxH")};
+    const QCommandLineOption theme{QStringLiteral("colours"), QStringLiteral("light, dark or sunlight, this time only."),
+                                   QStringLiteral("NAME")};
+    parser.addOptions({fieldId, selfTest, screenshot, size, theme});
+    parser.process(application);
+    return {.file = parser.positionalArguments().value(0),
+            .fieldId = parser.value(fieldId),
+            .screenshot = parser.value(screenshot),
+            .theme = parser.value(theme),
+            .size = sizeFrom(parser.value(size)),
+            .selfTest = parser.isSet(selfTest)};
+}
+
+/// As Theme.Mode; 0 is what the system says.
+int themeMode(const QString& name) {
+    return static_cast<int>(QStringList{QString{}, QStringLiteral("light"), QStringLiteral("dark"), QStringLiteral("sunlight")}
+                                .indexOf(name));
+}
+
+}  // namespace
+
+int main(int argc, char* argv[]) {
+    QGuiApplication application{argc, argv};
+    furrow::prepareWindow();
+    const Arguments arguments = argumentsOf(application);
+    if (arguments.selfTest) {
+        furrow::countMessages();
+    }
+
+    furrow::PlanSession session;
+    QQmlApplicationEngine engine;
+    engine.setInitialProperties({{QStringLiteral("session"), QVariant::fromValue(&session)}});
+    engine.loadFromModule("Furrow.Shell", "Main");
+    auto* window = engine.rootObjects().isEmpty() ? nullptr : qobject_cast<QQuickWindow*>(engine.rootObjects().first());
+    if (window == nullptr) {
+        std::fputs("furrow: the window cannot be made\n", stderr);
+        return 1;
+    }
+    if (!arguments.size.isEmpty()) {
+        window->resize(arguments.size);
+    }
+    if (const int mode = themeMode(arguments.theme); mode > 0) {
+        if (auto* theme = engine.singletonInstance<QObject*>("Furrow.Controls", "Theme")) {
+            theme->setProperty("forced", mode);
+        }
+    }
+    if (!arguments.file.isEmpty()) {
+        session.open(arguments.file, arguments.fieldId);
+    }
+    if (!arguments.screenshot.isEmpty()) {
+        furrow::saveScreenshotWhenReady(*window, session, arguments.screenshot);
+    }
+    if (arguments.selfTest) {
+        furrow::runSelfTest(*window, session);
+    }
+    return QGuiApplication::exec();
+}

@@ -1,0 +1,154 @@
+#include "planner/geometry/convex_hull.h"
+#include "planner/swaths/heading_search.h"
+#include "planner/swaths/methods.h"
+#include "planner/units/angle.h"
+
+#include <algorithm>
+#include <cmath>
+#include <iterator>
+#include <vector>
+
+namespace furrow {
+
+namespace {
+
+constexpr double kGridDeg = 0.1;
+// Edges whose directions differ by less count as one.
+constexpr double kSameDirectionDeg = 1e-4;
+// Of a boundary with more edges than this only the hull's and the longest are tried.
+constexpr std::size_t kMostEdges = 2000;
+// The refinement stops at a step that moves the end of a kilometre by 2 cm.
+constexpr double kFinestDeg = 1e-3;
+
+Angle headingOf(Point edge) {
+    return normalisedSwathHeading(radians(std::atan2(edge.y, edge.x)));
+}
+
+void addEdgeHeadings(const Ring& ring, std::vector<Angle>& headings) {
+    for (std::size_t i = 0; i < ring.size(); ++i) {
+        headings.push_back(headingOf(ring[(i + 1) % ring.size()] - ring[i]));
+    }
+}
+
+void sortAndThin(std::vector<Angle>& headings) {
+    std::ranges::sort(headings);
+    const auto same = [](Angle a, Angle b) { return inDegrees(b - a) < kSameDirectionDeg; };
+    headings.erase(std::unique(headings.begin(), headings.end(), same), headings.end());
+}
+
+std::vector<Point> outerPoints(const MultiPolygon& mainland) {
+    std::vector<Point> points;
+    for (const Polygon& polygon : mainland) {
+        points.insert(points.end(), polygon.outer.begin(), polygon.outer.end());
+    }
+    return points;
+}
+
+/// The directions of the hull's edges and of all edges as long as a swath is wide: shorter ones are pieces
+/// of curves.
+std::vector<Angle> edgeHeadings(const MultiPolygon& mainland, const Ring& hull, Length width) {
+    std::vector<Angle> headings;
+    addEdgeHeadings(hull, headings);
+    std::vector<Point> edges;
+    forEachEdge(mainland, [&](Point from, Point to) {
+        if (distance(from, to) >= width.si()) {
+            edges.push_back(to - from);
+        }
+    });
+    if (edges.size() > kMostEdges) {
+        std::ranges::stable_sort(edges, std::ranges::greater{}, norm);
+        edges.resize(kMostEdges);
+    }
+    std::ranges::transform(edges, std::back_inserter(headings), headingOf);
+    sortAndThin(headings);
+    return headings;
+}
+
+struct Search {
+    const ScanLine& scanLine;
+    SwathObjective objective;
+    int tried = 0;
+
+    Result<BestHeading> best(const std::vector<Angle>& headings, const JobContext& job) {
+        tried += static_cast<int>(headings.size());
+        return bestHeading(scanLine, headings, objective, job);
+    }
+
+    /// Halves the step around the best heading for as long as that can matter.
+    Result<BestHeading> refined(BestHeading from, const JobContext& job) {
+        for (double stepDeg = 0.5 * kGridDeg; stepDeg > kFinestDeg; stepDeg *= 0.5) {
+            const auto next = best({from.heading, normalisedSwathHeading(from.heading - degrees(stepDeg)),
+                                    normalisedSwathHeading(from.heading + degrees(stepDeg))},
+                                   job);
+            if (!next) {
+                return next;
+            }
+            from = *next;
+        }
+        return from;
+    }
+};
+
+Result<SwathSet> exactSearch(const MultiPolygon& mainland, const Machine& machine, const Settings& settings,
+                             const JobContext& job) {
+    const auto scanLine = scanLineFor(mainland, machine, settings);
+    if (!scanLine) {
+        return std::unexpected(scanLine.error());
+    }
+    Search search{.scanLine = *scanLine, .objective = objectiveOf(settings)};
+    const bool byCount = search.objective == SwathObjective::Count;
+    const bool onePiece = mainland.size() == 1;
+    const Ring hull = convexHull(outerPoints(mainland));
+    // Every track crosses a mainland in one piece, and none of its heights is below the hull's width.
+    const int fewestTracks = scanLine->trackCount(minimumWidth(hull));
+    const bool gap = settings.choice(kLastPass) == "gap";
+
+    Result<BestHeading> best;
+    if (byCount && onePiece && !gap && mainland[0].holes.empty() && isConvex(mainland[0].outer)) {
+        std::vector<Angle> headings;
+        addEdgeHeadings(hull, headings);
+        sortAndThin(headings);
+        best = search.best(headings, job);
+    } else {
+        // The edges' directions first: whatever they reach makes the grid cheaper.
+        best = search.best(edgeHeadings(mainland, hull, machine.operatingWidth()), job.part(0.0, 0.3));
+        if (!best) {
+            return std::unexpected(best.error());
+        }
+        std::vector<Angle> headings{best->heading};
+        for (int i = 0; i * kGridDeg < 180.0 - 1e-9; ++i) {
+            const Angle heading = degrees(i * kGridDeg);
+            const bool hopeless = byCount && onePiece && !gap &&
+                                  scanLine->trackCount(scanLine->heightAcross(heading)) > best->figures.count;
+            if (!hopeless) {
+                headings.push_back(heading);
+            }
+        }
+        best = search.best(headings, job.part(0.3, 0.95));
+        if (best && !byCount) {
+            best = search.refined(*best, job.part(0.95, 1.0));
+        }
+    }
+    if (!best) {
+        return std::unexpected(best.error());
+    }
+    auto set = swathsAlong(*scanLine, best->heading, search.objective);
+    if (set) {
+        set->headingsTried = search.tried;
+        set->proved = byCount && onePiece && !gap && best->figures.count == fewestTracks;
+    }
+    return set;
+}
+
+constexpr const Parameter* kParameters[] = {&kObjective};
+
+}  // namespace
+
+const Method<SwathGenerator> kExactMethod{
+    .info = {.id = "exact",
+             .name = "Best heading",
+             .description = "Edge directions and every tenth of a degree, refined; says when nothing better exists.",
+             .parameters = kParameters},
+    .run = exactSearch};
+
+}  // namespace furrow

@@ -1,0 +1,31 @@
+#pragma once
+
+#include "planner/settings/settings.h"
+#include "planner/units/quantity.h"
+
+namespace furrow {
+
+/// What makes one heading better than another. Count, length and coverage are the paper's.
+enum class SwathObjective { Time, Count, Length, Coverage, Overlap };
+
+/// Every objective of one heading.
+struct HeadingFigures {
+    int count = 0;          ///< swaths
+    Length length;          ///< of all swaths
+    double coverage = 0.0;  ///< A_cov, flat ends
+    Area overlap;           ///< of the mainland, covered at least twice
+    /// To work the mainland to and fro: swaths, the turns between them, and what stays missed as if it were
+    /// worked piecemeal at a fifth of the pace. Only where time is the objective.
+    Duration time;
+};
+
+/// Whether a is strictly better than b; ties are broken by coverage, then by fewer metres.
+bool isBetter(SwathObjective objective, const HeadingFigures& a, const HeadingFigures& b);
+
+/// What a search for the best heading looks for.
+extern const Parameter kObjective;
+
+/// The objective that the settings name.
+SwathObjective objectiveOf(const Settings& settings);
+
+}  // namespace furrow

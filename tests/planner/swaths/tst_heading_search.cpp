@@ -1,0 +1,251 @@
+#include "planner/machine/machine_library.h"
+#include "planner/swaths/heading_search.h"
+#include "planner/swaths/methods.h"
+#include "planner/units/angle.h"
+#include "tests/support/field_generator.h"
+#include "tests/support/result_check.h"
+#include "tests/support/wkt.h"
+
+#include <array>
+#include <cmath>
+#include <stop_token>
+
+using namespace furrow;
+
+namespace {
+
+Machine machineOf(double operatingWidthM) {
+    MachineSpec spec = findMachine("agbot")->spec();
+    spec.implement.operatingWidth = metres(operatingWidthM);
+    return Machine::create(spec).value();
+}
+
+Settings settingsOf(std::initializer_list<std::pair<const Parameter*, std::string_view>> given) {
+    Settings settings;
+    for (const auto& [parameter, text] : given) {
+        settings.setText(*parameter, text).value();
+    }
+    return settings;
+}
+
+double between(Angle a, Angle b) {
+    return std::abs(std::remainder(inDegrees(a) - inDegrees(b), 180.0));
+}
+
+}  // namespace
+
+class HeadingSearchTest : public QObject {
+    Q_OBJECT
+
+private slots:
+    void bruteForceFinds_data() {
+        QTest::addColumn<QString>("wkt");
+        QTest::addColumn<double>("turnedDeg");
+        QTest::addColumn<QString>("objective");
+        QTest::addColumn<QString>("stepDeg");
+        QTest::addColumn<double>("headingDeg");
+        QTest::addColumn<int>("count");
+        QTest::addColumn<int>("tried");
+        // 100 m x 50 m at 2.5 m: 20 along, 40 across, more at every angle between.
+        const QString rectangle = QStringLiteral("POLYGON((0 0, 100 0, 100 50, 0 50, 0 0))");
+        QTest::newRow("fewest lie along the long side") << rectangle << 0.0 << "swath-count" << "1" << 0.0 << 20 << 180;
+        QTest::newRow("long side to the north") << rectangle << 90.0 << "swath-count" << "1" << 90.0 << 20 << 180;
+        QTest::newRow("turned by 30 degrees") << rectangle << 30.0 << "swath-count" << "1" << 30.0 << 20 << 180;
+        QTest::newRow("turned by 179 degrees") << rectangle << 179.0 << "swath-count" << "1" << 179.0 << 20 << 180;
+        QTest::newRow("turned by half a step more") << rectangle << 30.5 << "swath-count" << "0.5" << 30.5 << 20 << 360;
+        QTest::newRow("steps that do not divide half a circle") << rectangle << 14.0 << "swath-count" << "7" << 14.0 << 20 << 26;
+        // 100 m x 51 m: along, 21 swaths of 100 m; across, 40 of 51 m, which also cover all of it with less way.
+        QTest::newRow("best coverage with the least way lies across")
+            << "POLYGON((0 0, 100 0, 100 51, 0 51, 0 0))" << 37.0 << "coverage" << "1" << 127.0 << 40 << 180;
+        // The paper: best coverage lies along or across an edge. A right triangle, 50 m high at 10 m: along
+        // its legs it misses 5 x 10 x 5 m / 2 on the long one; every other heading misses at more edges.
+        QTest::newRow("best coverage of a parallelogram lies along its long edges")
+            << "POLYGON((0 0, 200 0, 220 25, 20 25, 0 0))" << 12.0 << "coverage" << "1" << 12.0 << 10 << 180;
+    }
+    void bruteForceFinds() {
+        QFETCH(QString, wkt);
+        QFETCH(double, turnedDeg);
+        QFETCH(QString, objective);
+        QFETCH(QString, stepDeg);
+        QFETCH(double, headingDeg);
+        QFETCH(int, count);
+        QFETCH(int, tried);
+        const MultiPolygon mainland = test::moved(test::polygonsFromWkt(wkt.toStdString()), degrees(turnedDeg), {300.0, -200.0});
+        const Settings settings = settingsOf({{&kObjective, objective.toStdString()}, {&kStep, stepDeg.toStdString()}});
+        const auto set = kBruteForceMethod.run(mainland, machineOf(2.5), settings, {});
+        VERIFY_RESULT(set);
+        COMPARE_WITHIN(between(set->heading, degrees(headingDeg)), 0.0, 1e-9);
+        QCOMPARE(static_cast<int>(set->swaths.size()), count);
+        QCOMPARE(set->headingsTried, tried);
+        QVERIFY(set->heading >= degrees(0.0) && set->heading < degrees(180.0));
+        QVERIFY(!set->proved);
+    }
+
+    // No heading of the grid beats the one that was found, over fields of every kind.
+    void nothingOnTheGridIsBetter() {
+        constexpr std::uint64_t kSeed = 99;
+        std::mt19937_64 random{kSeed};
+        for (int i = 0; i < 60; ++i) {
+            const MultiPolygon mainland = test::randomPolygons(random, test::kShapes[static_cast<std::size_t>(i) % 5], 80.0);
+            for (const auto& [id, objective] : {std::pair{"swath-count", SwathObjective::Count},
+                                                {"swath-length", SwathObjective::Length},
+                                                {"coverage", SwathObjective::Coverage},
+                                                {"overlap", SwathObjective::Overlap}}) {
+                const Settings settings = settingsOf({{&kObjective, id}, {&kStep, "5"}});
+                const auto found = kBruteForceMethod.run(mainland, machineOf(6.0), settings, {});
+                VERIFY_RESULT(found);
+                const ScanLine scanLine{mainland, {.width = metres(6.0), .overlap = {}}};
+                for (int k = 0; k < 36; ++k) {
+                    const HeadingFigures other = scanLine.figures(degrees(5.0 * k), objective);
+                    const QByteArray told = QStringLiteral("seed %1, field %2, %3").arg(kSeed).arg(i).arg(QLatin1String(id)).toUtf8();
+                    switch (objective) {
+                        case SwathObjective::Count:
+                            VERIFY_TOLD(other.count >= static_cast<int>(found->swaths.size()), told);
+                            break;
+                        case SwathObjective::Length:
+                            VERIFY_TOLD(other.length.si() >= found->totalLength.si() - 1e-4, told);
+                            break;
+                        case SwathObjective::Coverage:
+                            VERIFY_TOLD(other.coverage <= found->coverage + 1e-9, told);
+                            break;
+                        case SwathObjective::Overlap:
+                            VERIFY_TOLD(other.overlap.si() >= found->overlap.si() - 1e-4, told);
+                            break;
+                        case SwathObjective::Time: break;  // not among the figures of a set
+                    }
+                }
+            }
+        }
+    }
+
+    void equallyGoodKeepsTheFirst_data() {
+        QTest::addColumn<int>("threads");
+        QTest::newRow("1 thread") << 1;
+        QTest::newRow("2 threads") << 2;
+        QTest::newRow("8 threads") << 8;
+    }
+    void equallyGoodKeepsTheFirst() {
+        QFETCH(int, threads);
+        const JobContext job{.stop = {}, .progress = {}, .threads = threads};
+        const ScanLine square{{test::centredRectangle(50.0, 50.0)}, {.width = metres(2.5), .overlap = {}}};
+        for (const SwathObjective objective : {SwathObjective::Count, SwathObjective::Length, SwathObjective::Coverage}) {
+            const std::array eastFirst{degrees(45.0), degrees(0.0), degrees(90.0), degrees(180.0)};
+            const auto east = bestHeading(square, eastFirst, objective, job);
+            VERIFY_RESULT(east);
+            const std::array northFirst{degrees(90.0), degrees(0.0), degrees(45.0)};
+            const auto north = bestHeading(square, northFirst, objective, job);
+            VERIFY_RESULT(north);
+            if (objective != SwathObjective::Length) {
+                QCOMPARE(inDegrees(east->heading), 0.0);
+                QCOMPARE(inDegrees(north->heading), 90.0);
+            }
+        }
+    }
+
+    void comparesFigures_data() {
+        QTest::addColumn<int>("objective");
+        QTest::addColumn<HeadingFigures>("better");
+        QTest::addColumn<HeadingFigures>("worse");
+        const auto figures = [](int count, double length, double coverage) {
+            return HeadingFigures{.count = count, .length = metres(length), .coverage = coverage, .overlap = {}};
+        };
+        const int count = static_cast<int>(SwathObjective::Count);
+        const int length = static_cast<int>(SwathObjective::Length);
+        const int coverage = static_cast<int>(SwathObjective::Coverage);
+        QTest::newRow("fewer") << count << figures(3, 500, 0.8) << figures(4, 100, 1.0);
+        QTest::newRow("as many, more covered") << count << figures(3, 500, 0.9) << figures(3, 100, 0.8);
+        QTest::newRow("as many, as much covered, shorter") << count << figures(3, 100, 0.9) << figures(3, 101, 0.9);
+        QTest::newRow("shorter") << length << figures(9, 100, 0.8) << figures(3, 101, 1.0);
+        QTest::newRow("as short, more covered") << length << figures(9, 100, 0.9) << figures(3, 100, 0.8);
+        QTest::newRow("more covered") << coverage << figures(9, 900, 0.9) << figures(3, 100, 0.8);
+        QTest::newRow("as much covered, shorter") << coverage << figures(9, 100, 0.9) << figures(3, 101, 0.9);
+        QTest::newRow("none at all is never better") << length << figures(9, 900, 0.1) << figures(0, 0, 0.0);
+        QTest::newRow("none at all is not fewer") << count << figures(9, 900, 0.1) << figures(0, 0, 0.0);
+    }
+    void comparesFigures() {
+        QFETCH(int, objective);
+        QFETCH(HeadingFigures, better);
+        QFETCH(HeadingFigures, worse);
+        const auto by = static_cast<SwathObjective>(objective);
+        QVERIFY(isBetter(by, better, worse));
+        QVERIFY(!isBetter(by, worse, better));
+        QVERIFY(!isBetter(by, better, better));
+    }
+
+    void otherHeadings_data() {
+        QTest::addColumn<QString>("method");
+        QTest::addColumn<QString>("angleDeg");
+        QTest::addColumn<double>("headingDeg");
+        QTest::newRow("as given") << "fixed" << "20" << 20.0;
+        QTest::newRow("given the other way round") << "fixed" << "200" << 20.0;
+        QTest::newRow("given clockwise") << "fixed" << "-30" << 150.0;
+        QTest::newRow("half a circle") << "fixed" << "180" << 0.0;
+        // The edges are 60, 50 and sqrt(30² + 40²) = 50 from the corner at 40: the first one is the longest.
+        QTest::newRow("along the longest edge") << "longest-edge" << "0" << 25.0;
+    }
+    void otherHeadings() {
+        QFETCH(QString, method);
+        QFETCH(QString, angleDeg);
+        QFETCH(double, headingDeg);
+        const MultiPolygon mainland =
+            test::moved(test::polygonsFromWkt("POLYGON((0 0, 60 0, 30 40, 0 0))"), degrees(25.0), {10.0, 20.0});
+        const auto& run = method == "fixed" ? *kFixedHeadingMethod.run : *kLongestEdgeMethod.run;
+        const auto set = run(mainland, machineOf(2.5), settingsOf({{&kAngle, angleDeg.toStdString()}}), {});
+        VERIFY_RESULT(set);
+        COMPARE_WITHIN(inDegrees(set->heading), headingDeg, 1e-9);
+    }
+
+    void spacingFollowsTheSettings() {
+        const MultiPolygon mainland{test::rectangle(100.0, 51.0)};
+        const Settings settings = settingsOf({{&kLastPass, "spread"}, {&kOverlap, "0.5"}});
+        const auto set = kFixedHeadingMethod.run(mainland, machineOf(2.5), settings, {});
+        VERIFY_RESULT(set);
+        // (51 - 2.5) / 2 = 24.25: 25 gaps of 1.94 m.
+        QCOMPARE(set->swaths.size(), std::size_t{26});
+        COMPARE_WITHIN(set->swaths[1].start.y - set->swaths[0].start.y, 48.5 / 25.0, 1e-9);
+        COMPARE_WITHIN(set->swaths[25].start.y - set->swaths[24].start.y, 48.5 / 25.0, 1e-9);
+    }
+
+    void refuses_data() {
+        QTest::addColumn<double>("widthM");
+        QTest::addColumn<QString>("overlap");
+        QTest::addColumn<double>("fieldM");
+        QTest::addColumn<QString>("where");
+        QTest::newRow("overlap of the whole width") << 2.5 << "2.5" << 100.0 << "swaths.overlap_m";
+        QTest::newRow("overlap of more than the width") << 2.5 << "3" << 100.0 << "swaths.overlap_m";
+        QTest::newRow("over a million tracks") << 0.001 << "0" << 2000.0 << "operating_width_m";
+        QTest::newRow("over a million tracks by overlap") << 2.5 << "2.4999" << 2000.0 << "operating_width_m";
+        QTest::newRow("no mainland") << 2.5 << "0" << 0.0 << "swaths";
+    }
+    void refuses() {
+        QFETCH(double, widthM);
+        QFETCH(QString, overlap);
+        QFETCH(double, fieldM);
+        QFETCH(QString, where);
+        const MultiPolygon mainland = fieldM > 0.0 ? MultiPolygon{test::rectangle(fieldM, fieldM)} : MultiPolygon{};
+        const Settings settings = settingsOf({{&kOverlap, overlap.toStdString()}});
+        for (const auto* method : {&kBruteForceMethod, &kFixedHeadingMethod, &kLongestEdgeMethod}) {
+            const auto set = method->run(mainland, machineOf(widthM), settings, {});
+            QVERIFY(!set);
+            QCOMPARE(set.error().code, ErrorCode::InputRefused);
+            QCOMPARE(QString::fromStdString(set.error().where), where);
+            QVERIFY(!set.error().remedy.empty());
+        }
+    }
+
+    void aStoppedJobIsCancelled() {
+        std::stop_source stop;
+        stop.request_stop();
+        for (const int threads : {1, 4}) {
+            for (const auto* method : {&kBruteForceMethod, &kFixedHeadingMethod, &kLongestEdgeMethod}) {
+                const auto set = method->run({test::rectangle(100.0, 50.0)}, machineOf(2.5), {},
+                                             {.stop = stop.get_token(), .progress = {}, .threads = threads});
+                QVERIFY(!set);
+                QCOMPARE(set.error().code, ErrorCode::Cancelled);
+            }
+        }
+    }
+};
+
+QTEST_APPLESS_MAIN(HeadingSearchTest)
+#include "tst_heading_search.moc"

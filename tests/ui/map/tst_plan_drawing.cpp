@@ -1,0 +1,105 @@
+#include "planner/machine/machine_library.h"
+#include "ui/map/plan_drawing.h"
+#include "ui/map/plan_scene.h"
+
+#include <QTest>
+
+#include <cmath>
+
+using namespace furrow;
+
+namespace {
+
+/// A rectangle of this size with its south-west corner at 22.5 E, 58.25 N.
+std::shared_ptr<const Plan> planOf(double widthDeg, double heightDeg) {
+    const GeoRing ring{{22.5, 58.25}, {22.5 + widthDeg, 58.25}, {22.5 + widthDeg, 58.25 + heightDeg}, {22.5, 58.25 + heightDeg}};
+    const auto field = Field::create({.id = "f",
+                                      .name = "F",
+                                      .origin = {},
+                                      .parts = {{.outer = ring, .holes = {}}},
+                                      .obstacles = {},
+                                      .gates = {},
+                                      .boundaryAccuracy = {}});
+    return makePlan({.field = std::make_shared<const Field>(field.value()), .machine = machineLibrary().front(), .settings = {}})
+        .value();
+}
+
+}  // namespace
+
+class TestPlanDrawing : public QObject {
+    Q_OBJECT
+
+private slots:
+    void framesAgree_data() {
+        QTest::addColumn<double>("x");
+        QTest::addColumn<double>("y");
+        QTest::newRow("origin") << 0.0 << 0.0;
+        QTest::newRow("a kilometre east") << 1000.0 << 0.0;
+        QTest::newRow("three kilometres south-west") << -2100.0 << -2200.0;
+    }
+    void framesAgree() {
+        QFETCH(double, x);
+        QFETCH(double, y);
+        const LocalFrame local = LocalFrame::centredOn({.lonDeg = 22.5, .latDeg = 58.25}).value();
+        const MapFrame frame{local};
+        const MapPoint point = frame.map(Point{x, y});
+        // Against the straight way: degrees to Mercator in double precision.
+        const WorldPoint world = worldPoint(local.toGeo(Point{x, y}));
+        QVERIFY(std::abs((world.x - frame.origin().x) * kUnitsPerWorld - double{point.x}) * 1.0 < 0.02);
+        QVERIFY(std::abs((world.y - frame.origin().y) * kUnitsPerWorld - double{point.y}) * 1.0 < 0.02);
+        // North is up, and a metre is as long as it says near the origin.
+        if (x == 1000.0) {
+            QVERIFY(std::abs(double{point.x} / frame.unitsPerMetre() - 1000.0) < 4.0);
+        }
+    }
+    void hasEverythingOfThePlan() {
+        const auto plan = planOf(0.01, 0.004);
+        const PlanGeometry geometry = planGeometry(*plan);
+        QCOMPARE(geometry.swaths.vertices().size(), 4 * plan->swaths.swaths.size());
+        QCOMPARE(geometry.numbers.size(), plan->swaths.swaths.size());
+        QCOMPARE(geometry.rings.size(), std::size_t{1});
+        QCOMPARE(geometry.rings.front().points.size(), std::size_t{4});
+        QCOMPARE(geometry.findings.size(), plan->findings.size());
+        QVERIFY(geometry.start && geometry.end);
+        QVERIFY(!geometry.headland.empty());
+        std::size_t samples = 0;
+        for (const PathSegment& segment : plan->path.segments) {
+            samples += segment.samples.size();
+        }
+        QCOMPARE(geometry.pathPoints, samples);
+    }
+    void coarserLevelsHaveFewerPoints() {
+        const PlanGeometry geometry = planGeometry(*planOf(0.01, 0.004));
+        QVERIFY(!geometry.chunks.empty());
+        for (const PathChunk& chunk : geometry.chunks) {
+            QVERIFY(!chunk.box.isNull());
+            for (std::size_t level = 1; level < PathChunk::kLevels; ++level) {
+                QVERIFY(chunk.levels[level].vertices().size() <= chunk.levels[level - 1].vertices().size());
+            }
+        }
+    }
+    void numbersThinOut() {
+        const PlanGeometry geometry = planGeometry(*planOf(0.01, 0.004));
+        int last = 1000000;
+        for (const double zoom : {12.0, 14.0, 16.0, 18.0, 20.0, 22.0}) {
+            const int step = numberStep(geometry.numbers, std::exp2(zoom - 22.0));
+            QVERIFY(step <= last);
+            last = step;
+        }
+        // The last swath may lie on the one before it, to end flush with the edge.
+        QVERIFY(last <= 2);
+    }
+    void brokenBoundaryIsDrawnAsFarAsItGoes() {
+        FieldSource source{.id = "x", .name = "x", .origin = {}, .parts = {}, .obstacles = {}, .gates = {}, .boundaryAccuracy = {}};
+        QVERIFY(outlineGeometry(source, {}).rings.empty());
+        source.parts = {{.outer = {{22.5, 58.25}, {22.51, 58.26}, {22.51, 58.25}, {22.5, 58.26}}, .holes = {}},
+                        {.outer = {{std::nan(""), 1.0}, {2.0, 2.0}, {3.0, 1.0}}, .holes = {}}};
+        const PlanGeometry geometry = outlineGeometry(source, GeoPoint{.lonDeg = 22.505, .latDeg = 58.255});
+        QCOMPARE(geometry.rings.size(), std::size_t{1});
+        QCOMPARE(geometry.findings.size(), std::size_t{1});
+        QVERIFY(geometry.bounds.contains(QGeoCoordinate(58.255, 22.505)));
+    }
+};
+
+QTEST_GUILESS_MAIN(TestPlanDrawing)
+#include "tst_plan_drawing.moc"

@@ -1,0 +1,257 @@
+#include "ui/plan/plan_session.h"
+
+#include <QAbstractItemModelTester>
+#include <QFile>
+#include <QSignalSpy>
+#include <QTemporaryDir>
+#include <QTest>
+
+using namespace furrow;
+
+namespace {
+
+QList<QGeoCoordinate> rectangle() {
+    return {{58.25, 22.5}, {58.25, 22.507}, {58.2535, 22.507}, {58.2535, 22.5}};
+}
+
+int rowOf(const ParameterModel& model, const QString& key) {
+    for (int row = 0; row < model.rowCount(); ++row) {
+        if (model.data(model.index(row), ParameterModel::KeyRole).toString() == key) {
+            return row;
+        }
+    }
+    return -1;
+}
+
+QVariant roleOf(const ParameterModel& model, const QString& key, int role) {
+    return model.data(model.index(rowOf(model, key)), role);
+}
+
+QString figure(PlanSession& session, int row) {
+    return session.figures()->data(session.figures()->index(row), FiguresModel::ValueRole).toString();
+}
+
+QString twoFields() {
+    return QStringLiteral(R"({"type": "FeatureCollection", "features": [
+        {"type": "Feature", "properties": {"id": "a", "name": "North"}, "geometry": {"type": "Polygon", "coordinates":
+          [[[22.5, 58.25], [22.505, 58.25], [22.505, 58.252], [22.5, 58.252], [22.5, 58.25]]]}},
+        {"type": "Feature", "properties": {"id": "b", "name": "South"}, "geometry": {"type": "Polygon", "coordinates":
+          [[[22.5, 58.24], [22.503, 58.24], [22.503, 58.242], [22.5, 58.242], [22.5, 58.24]]]}}]})");
+}
+
+QString written(const QTemporaryDir& folder, const QString& name, const QString& text) {
+    const QString path = folder.filePath(name);
+    QFile file{path};
+    if (!file.open(QIODevice::WriteOnly) || file.write(text.toUtf8()) < 0) {
+        qFatal("the test file cannot be written");
+    }
+    return path;
+}
+
+}  // namespace
+
+class TestPlanSession : public QObject {
+    Q_OBJECT
+
+private slots:
+    void modelsKeepTheirPromises() {
+        PlanSession session;
+        QAbstractItemModelTester steps{session.steps()};
+        QAbstractItemModelTester machine{session.machine()};
+        QAbstractItemModelTester figures{session.figures()};
+        QAbstractItemModelTester findings{session.findings()};
+        QAbstractItemModelTester choices{session.choices()};
+        QAbstractItemModelTester exporter{session.exporter()};
+        std::vector<std::unique_ptr<QAbstractItemModelTester>> parameters;
+        for (const char* step : {"field", "headland", "swaths", "route", "path"}) {
+            parameters.push_back(
+                std::make_unique<QAbstractItemModelTester>(session.steps()->parameters(QLatin1String{step})));
+        }
+        session.setBoundary(rectangle());
+        QTRY_COMPARE(session.state(), PlanSession::State::Ready);
+        ParameterModel* headland = session.steps()->parameters(QStringLiteral("headland"));
+        headland->setChoice(rowOf(*headland, QStringLiteral("headland.method")), 1);
+        QTRY_COMPARE(session.plan()->headland.width.si(), 0.0);
+        session.closeField();
+        QCOMPARE(session.figures()->rowCount(), 0);
+    }
+    void beginsEmpty() {
+        PlanSession session;
+        QCOMPARE(session.state(), PlanSession::State::Empty);
+        QVERIFY(!session.hasField());
+        QVERIFY(!session.hasPlan());
+        QVERIFY(session.drawing().isEmpty());
+        QCOMPARE(session.steps()->rowCount(), 6);
+    }
+    void plansADrawnBoundary() {
+        PlanSession session;
+        QSignalSpy opened{&session, &PlanSession::fieldOpened};
+        session.setBoundary(rectangle());
+        QCOMPARE(session.state(), PlanSession::State::Planning);
+        QTRY_COMPARE(session.state(), PlanSession::State::Ready);
+        QCOMPARE(opened.count(), 1);
+        QVERIFY(!session.drawing().isEmpty());
+        QVERIFY(session.statusText().startsWith(QStringLiteral("Plan ready")));
+        // 0.007 by 0.0035 degrees at 58.25 north are some 411 by 390 metres.
+        QVERIFY(figure(session, 0).startsWith(QStringLiteral("16.")));
+    }
+    void aNumberChangesThePlan() {
+        PlanSession session;
+        session.setBoundary(rectangle());
+        QTRY_COMPARE(session.state(), PlanSession::State::Ready);
+        ParameterModel* headland = session.steps()->parameters(QStringLiteral("headland"));
+        const QString width = QStringLiteral("headland.width_m");
+        QVERIFY(roleOf(*headland, width, ParameterModel::AutoTextRole).toString().startsWith(QStringLiteral("auto · ")));
+        headland->setNumber(rowOf(*headland, width), 30.0);
+        QTRY_COMPARE(session.plan()->headland.width.si(), 30.0);
+        QCOMPARE(roleOf(*headland, width, ParameterModel::AutoTextRole).toString(), QString{});
+        QCOMPARE(roleOf(*headland, width, ParameterModel::ValueRole).toDouble(), 30.0);
+        // At most one of width and passes is given: the later one counts.
+        headland->setNumber(rowOf(*headland, QStringLiteral("headland.passes")), 2.0);
+        QTRY_COMPARE(session.plan()->headland.passes, 2);
+        QVERIFY(!roleOf(*headland, width, ParameterModel::AutoTextRole).toString().isEmpty());
+        headland->setAuto(rowOf(*headland, QStringLiteral("headland.passes")));
+        QTRY_VERIFY(session.settings() == Settings{} || session.plan()->headland.passes != 2);
+    }
+    void directionsAreBearings_data() {
+        QTest::addColumn<double>("bearing");
+        QTest::addColumn<double>("degreesFromEast");
+        QTest::newRow("north") << 0.0 << 90.0;
+        QTest::newRow("east") << 90.0 << 0.0;
+        QTest::newRow("north-east") << 45.0 << 45.0;
+        QTest::newRow("south-east") << 135.0 << 135.0;
+    }
+    void directionsAreBearings() {
+        QFETCH(double, bearing);
+        QFETCH(double, degreesFromEast);
+        PlanSession session;
+        session.setBoundary(rectangle());
+        ParameterModel* swaths = session.steps()->parameters(QStringLiteral("swaths"));
+        swaths->setChoice(rowOf(*swaths, QStringLiteral("swaths.method")), 1);
+        const int row = rowOf(*swaths, QStringLiteral("swaths.angle_deg"));
+        QVERIFY(row >= 0);
+        swaths->setNumber(row, bearing);
+        QCOMPARE(swaths->data(swaths->index(row), ParameterModel::ValueRole).toDouble(), bearing);
+        QTRY_VERIFY(session.plan() && std::abs(inDegrees(session.plan()->swaths.heading) - degreesFromEast) < 1e-6);
+    }
+    void onlyParametersOfTheMethodAreShown() {
+        PlanSession session;
+        ParameterModel* swaths = session.steps()->parameters(QStringLiteral("swaths"));
+        QVERIFY(rowOf(*swaths, QStringLiteral("swaths.step_deg")) >= 0);
+        QCOMPARE(rowOf(*swaths, QStringLiteral("swaths.angle_deg")), -1);
+        swaths->setChoice(0, 1);
+        QCOMPARE(rowOf(*swaths, QStringLiteral("swaths.step_deg")), -1);
+        QVERIFY(rowOf(*swaths, QStringLiteral("swaths.angle_deg")) >= 0);
+    }
+    void aDraggedVertexIsFollowed() {
+        PlanSession session;
+        session.setBoundary(rectangle());
+        QTRY_COMPARE(session.state(), PlanSession::State::Ready);
+        const double before = session.plan()->field().area().si();
+        for (int i = 1; i <= 30; ++i) {
+            session.moveVertex(0, 0, 1, QGeoCoordinate{58.25, 22.507 + i * 1e-4}, false);
+            QCoreApplication::processEvents();
+        }
+        const QGeoCoordinate last{58.25, 22.511};
+        session.moveVertex(0, 0, 1, last, true);
+        QTRY_VERIFY(session.plan()->field().area().si() > before * 1.2);
+        const std::vector<WorldPoint>& ring = session.drawing().geometry()->rings.front().points;
+        QVERIFY(std::ranges::any_of(ring, [&](WorldPoint p) { return coordinate(p).distanceTo(last) < 0.01; }));
+    }
+    void aBoundaryThatCrossesItselfIsToldWithItsPlace() {
+        PlanSession session;
+        session.setBoundary({{58.25, 22.5}, {58.2535, 22.507}, {58.25, 22.507}, {58.2535, 22.5}});
+        QTRY_COMPARE(session.state(), PlanSession::State::Failed);
+        QVERIFY(!session.problem().isEmpty());
+        QVERIFY(session.problemPlace().isValid());
+        QVERIFY(!session.hasPlan());
+        QVERIFY2(!session.drawing().isEmpty(), "the boundary is still drawn");
+        // Put right by dragging a vertex.
+        session.moveVertex(0, 0, 1, {58.25, 22.5075}, false);
+        session.moveVertex(0, 0, 2, {58.2535, 22.507}, true);
+        QTRY_COMPARE(session.state(), PlanSession::State::Ready);
+    }
+    void aFileWithSeveralFieldsAsks() {
+        const QTemporaryDir folder;
+        PlanSession session;
+        session.open(written(folder, QStringLiteral("two.geojson"), twoFields()));
+        QTRY_COMPARE(session.state(), PlanSession::State::Choosing);
+        QCOMPARE(session.choices()->rowCount(), 2);
+        session.chooseField(1);
+        QTRY_COMPARE(session.state(), PlanSession::State::Ready);
+        QCOMPARE(session.fieldName(), QStringLiteral("South"));
+        session.open(written(folder, QStringLiteral("two.geojson"), twoFields()), QStringLiteral("a"));
+        QTRY_COMPARE(session.fieldName(), QStringLiteral("North"));
+    }
+    void anUnreadableFileIsTold() {
+        PlanSession session;
+        session.open(QStringLiteral("/nowhere/field.geojson"));
+        QTRY_COMPARE(session.state(), PlanSession::State::Failed);
+        QVERIFY(!session.problem().isEmpty());
+        QVERIFY(!session.hasField());
+    }
+    void sampleFieldsOpen_data() {
+        QTest::addColumn<int>("index");
+        const PlanSession session;
+        for (int i = 0; i < session.sampleNames().size(); ++i) {
+            QTest::newRow(qPrintable(session.sampleNames().at(i))) << i;
+        }
+    }
+    void sampleFieldsOpen() {
+        QFETCH(int, index);
+        PlanSession session;
+        session.openSample(index);
+        QTRY_COMPARE_WITH_TIMEOUT(session.state(), PlanSession::State::Ready, 20000);
+        QCOMPARE(session.fieldName(), session.sampleNames().at(index));
+        QCOMPARE(session.findings()->rowCount(), static_cast<int>(session.plan()->findings.size()));
+    }
+    void anotherMachineGivesAnotherPlan() {
+        PlanSession session;
+        session.setBoundary(rectangle());
+        QTRY_COMPARE(session.state(), PlanSession::State::Ready);
+        const std::size_t swaths = session.plan()->swaths.swaths.size();
+        for (int row = 0; row < session.machine()->rowCount(); ++row) {
+            if (session.machine()->data(session.machine()->index(row), MachineModel::KeyRole).toString() ==
+                QStringLiteral("operating_width_m")) {
+                session.machine()->setNumber(row, 6.0);
+            }
+        }
+        QVERIFY(session.machine()->isChanged());
+        QTRY_VERIFY(session.plan()->swaths.swaths.size() < swaths);
+        session.machine()->reset();
+        QVERIFY(!session.machine()->isChanged());
+        QTRY_COMPARE(session.plan()->swaths.swaths.size(), swaths);
+    }
+    void exportWritesAFolder() {
+        const QTemporaryDir folder;
+        PlanSession session;
+        session.setBoundary(rectangle());
+        QTRY_COMPARE(session.state(), PlanSession::State::Ready);
+        const QString target = folder.filePath(QStringLiteral("plan one"));
+        session.exporter()->writeTo(target);
+        QTRY_COMPARE(session.exporter()->state(), ExportModel::State::Done);
+        QVERIFY(QFile::exists(target + QStringLiteral("/summary.json")));
+        QVERIFY(QFile::exists(target + QStringLiteral("/plan.geojson")));
+        // A folder cannot be made below a file.
+        session.exporter()->writeTo(target + QStringLiteral("/summary.json/below"));
+        QTRY_COMPARE(session.exporter()->state(), ExportModel::State::Failed);
+        QVERIFY(!session.exporter()->message().isEmpty());
+    }
+    void cancelKeepsThePlanBefore() {
+        PlanSession session;
+        session.setBoundary(rectangle());
+        QTRY_COMPARE(session.state(), PlanSession::State::Ready);
+        const auto before = session.plan();
+        ParameterModel* headland = session.steps()->parameters(QStringLiteral("headland"));
+        headland->setNumber(rowOf(*headland, QStringLiteral("headland.width_m")), 30.0);
+        session.cancel();
+        QCOMPARE(session.state(), PlanSession::State::Stopped);
+        QCOMPARE(session.plan(), before);
+        session.planAgain();
+        QTRY_COMPARE(session.plan()->headland.width.si(), 30.0);
+        QTRY_COMPARE(session.state(), PlanSession::State::Ready);
+    }
+};
+
+QTEST_GUILESS_MAIN(TestPlanSession)
+#include "tst_plan_session.moc"

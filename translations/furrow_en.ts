@@ -1,0 +1,113 @@
+<?xml version="1.0" encoding="utf-8"?>
+<!DOCTYPE TS>
+<TS version="2.1" language="en" sourcelanguage="en">
+<context>
+    <name>ExportDialog</name>
+    <message numerus="yes">
+        <source>%n place(s) in this plan cannot be driven as drawn. The files say so too.</source>
+        <translation>
+            <numerusform>%n place in this plan cannot be driven as drawn. The files say so too.</numerusform>
+            <numerusform>%n places in this plan cannot be driven as drawn. The files say so too.</numerusform>
+        </translation>
+    </message>
+</context>
+<context>
+    <name>FieldChooser</name>
+    <message numerus="yes">
+        <source>Which of the %n field(s)?</source>
+        <translation>
+            <numerusform>Is it this %n field?</numerusform>
+            <numerusform>Which of the %n fields?</numerusform>
+        </translation>
+    </message>
+</context>
+<context>
+    <name>ResultsPanel</name>
+    <message numerus="yes">
+        <source>%n finding(s)</source>
+        <translation>
+            <numerusform>%n finding</numerusform>
+            <numerusform>%n findings</numerusform>
+        </translation>
+    </message>
+</context>
+<context>
+    <name>furrow::ExportModel</name>
+    <message numerus="yes">
+        <source>%n file(s) written to %1</source>
+        <translation>
+            <numerusform>%n file written to %1</numerusform>
+            <numerusform>%n files written to %1</numerusform>
+        </translation>
+    </message>
+</context>
+<context>
+    <name>furrow::PlanSession</name>
+    <message numerus="yes">
+        <source>%n field(s) in this file</source>
+        <translation>
+            <numerusform>%n field in this file</numerusform>
+            <numerusform>%n fields in this file</numerusform>
+        </translation>
+    </message>
+    <message numerus="yes">
+        <source>%1 · %n turn(s) leave the field</source>
+        <translation>
+            <numerusform>%1 · %n turn leaves the field</numerusform>
+            <numerusform>%1 · %n turns leave the field</numerusform>
+        </translation>
+    </message>
+</context>
+<context>
+    <name>furrow::StepsModel</name>
+    <message numerus="yes">
+        <source>%n pass(es)</source>
+        <translation>
+            <numerusform>%n pass</numerusform>
+            <numerusform>%n passes</numerusform>
+        </translation>
+    </message>
+    <message numerus="yes">
+        <source>%n swath(s)</source>
+        <translation>
+            <numerusform>%n swath</numerusform>
+            <numerusform>%n swaths</numerusform>
+        </translation>
+    </message>
+    <message numerus="yes">
+        <source>%n turn(s)</source>
+        <translation>
+            <numerusform>%n turn</numerusform>
+            <numerusform>%n turns</numerusform>
+        </translation>
+    </message>
+    <message numerus="yes">
+        <source>%n not drivable</source>
+        <translation>
+            <numerusform>%n not drivable</numerusform>
+            <numerusform>%n not drivable</numerusform>
+        </translation>
+    </message>
+    <message numerus="yes">
+        <source>%n obstacle(s)</source>
+        <translation>
+            <numerusform>%n obstacle</numerusform>
+            <numerusform>%n obstacles</numerusform>
+        </translation>
+    </message>
+    <message numerus="yes">
+        <source>%n hole(s)</source>
+        <translation>
+            <numerusform>%n hole</numerusform>
+            <numerusform>%n holes</numerusform>
+        </translation>
+    </message>
+    <message numerus="yes">
+        <source>%n boundary point(s)</source>
+        <translation>
+            <numerusform>%n boundary point</numerusform>
+            <numerusform>%n boundary points</numerusform>
+        </translation>
+    </message>
+</context>
+</TS>

@@ -1,0 +1,61 @@
+import QtQuick
+import QtQuick.Templates as T
+
+/// A square button with an icon and a hint.
+T.Button {
+    id: root
+
+    required property string iconName
+    /// What it does, for the hint and for screen readers.
+    required property string hint
+
+    implicitWidth: 38
+    implicitHeight: 38
+    focusPolicy: Qt.TabFocus
+    Accessible.name: root.hint
+
+    background: Rectangle {
+        radius: Theme.radius
+        // Not "transparent": that is black, and would show on the way.
+        color: root.checked ? Theme.softAccent : root.hovered ? Theme.hover : Qt.alpha(Theme.hover, 0)
+
+        Behavior on color {
+            ColorAnimation { duration: Theme.motion }
+        }
+
+        Focusable { control: root; gap: 0 }
+    }
+    contentItem: Item {
+        Icon {
+            anchors.centerIn: parent
+            name: root.iconName
+            color: root.checked ? Theme.accent : Theme.muted
+            opacity: root.enabled ? 1 : 0.4
+        }
+    }
+
+    T.ToolTip {
+        id: tip
+
+        x: root.width + 8
+        y: (root.height - height) / 2
+        visible: root.hovered
+        delay: 500
+        implicitWidth: tipText.implicitWidth + 16
+        implicitHeight: tipText.implicitHeight + 10
+        text: root.hint
+        background: Rectangle {
+            radius: 6
+            color: Theme.ink
+        }
+        contentItem: BodyText {
+            id: tipText
+
+            text: tip.text
+            color: Theme.panel
+            font.pixelSize: Theme.labelSize
+            horizontalAlignment: Text.AlignHCenter
+            verticalAlignment: Text.AlignVCenter
+        }
+    }
+}

@@ -1,0 +1,120 @@
+#pragma once
+
+#include "ui/map/mesh_nodes.h"
+#include "ui/map/plan_drawing.h"
+#include "ui/map/plan_marks.h"
+
+#include <QSGNode>
+#include <QtQml/qqmlregistration.h>
+
+namespace furrow {
+
+/// Colours of a plan on the map, and what of it is shown.
+class PlanStyle {
+    Q_GADGET
+    QML_VALUE_TYPE(planStyle)
+    QML_STRUCTURED_VALUE
+    Q_PROPERTY(QColor boundary MEMBER boundary FINAL)
+    Q_PROPERTY(QColor casing MEMBER casing FINAL)
+    Q_PROPERTY(QColor headland MEMBER headland FINAL)
+    Q_PROPERTY(QColor swath MEMBER swath FINAL)
+    Q_PROPERTY(QColor turn MEMBER turn FINAL)
+    Q_PROPERTY(QColor finding MEMBER finding FINAL)
+    Q_PROPERTY(QColor obstacle MEMBER obstacle FINAL)
+    Q_PROPERTY(QColor start MEMBER start FINAL)
+    Q_PROPERTY(QColor end MEMBER end FINAL)
+    Q_PROPERTY(QColor ground MEMBER ground FINAL)
+    Q_PROPERTY(QColor ink MEMBER ink FINAL)
+    Q_PROPERTY(double lineFactor MEMBER lineFactor FINAL)
+    Q_PROPERTY(bool showBoundary MEMBER showBoundary FINAL)
+    Q_PROPERTY(bool showHeadland MEMBER showHeadland FINAL)
+    Q_PROPERTY(bool showSwaths MEMBER showSwaths FINAL)
+    Q_PROPERTY(bool showTurns MEMBER showTurns FINAL)
+    Q_PROPERTY(bool showDirections MEMBER showDirections FINAL)
+    Q_PROPERTY(bool showNumbers MEMBER showNumbers FINAL)
+    Q_PROPERTY(bool showFindings MEMBER showFindings FINAL)
+    Q_PROPERTY(int selectedFinding MEMBER selectedFinding FINAL)
+
+public:
+    QColor boundary;
+    QColor casing;
+    QColor headland;
+    QColor swath;
+    QColor turn;
+    QColor finding;
+    QColor obstacle;
+    QColor start;
+    QColor end;
+    QColor ground;
+    QColor ink;
+    double lineFactor = 1.0;
+    bool showBoundary = true;
+    bool showHeadland = true;
+    bool showSwaths = true;
+    bool showTurns = true;
+    bool showDirections = true;
+    bool showNumbers = true;
+    bool showFindings = true;
+    int selectedFinding = -1;
+
+    friend bool operator==(const PlanStyle&, const PlanStyle&) = default;
+};
+
+/// Where the camera is, as the scene needs it.
+struct PlanView {
+    QMatrix4x4 matrix;
+    QRectF visible;  ///< in units
+    QSizeF size;     ///< of the item
+    double pixelsPerUnit = 1.0;
+    double devicePixelRatio = 1.0;
+
+    QPointF toItem(MapPoint place) const;
+};
+
+/// The nodes of a plan, lowest first. Lives in the render thread.
+class PlanScene : public QSGNode {
+public:
+    PlanScene();
+
+    void setGeometry(std::shared_ptr<const PlanGeometry> geometry);
+    void setStyle(const PlanStyle& style);
+    void setView(const PlanView& view, QQuickWindow* window);
+
+private:
+    struct ChunkNode {
+        LineNode* node;
+        const PathChunk* chunk;
+        std::size_t level;
+    };
+    void styleChunk(const ChunkNode& chunk) const;
+    void styleDensity();
+    void showChunks(const PlanView& view);
+    void showDirections(const PlanView& view);
+    void showMarks(const PlanView& view, QQuickWindow* window);
+    LineNode* newLine(QSGNode* parent);
+
+    std::shared_ptr<const PlanGeometry> geometry_;
+    PlanStyle style_;
+    /// Of line widths, 1 where lines have room.
+    double density_ = 1.0;
+    QSGTransformNode* transform_ = new QSGTransformNode;
+    FillNode* headland_ = new FillNode;
+    FillNode* obstacles_ = new FillNode;
+    LineNode* mainlandEdge_;
+    LineNode* casing_;
+    LineNode* boundary_;
+    LineNode* obstacleEdges_;
+    LineNode* swaths_;
+    QSGNode* chunkParent_ = new QSGNode;
+    std::vector<LineNode*> lines_;
+    std::vector<ChunkNode> chunks_;
+    LineNode* directions_ = new LineNode;
+    LineNode* startEdge_;
+    LineNode* startFace_;
+    MarkNode* marks_ = new MarkNode;
+};
+
+/// Which numbers are drawn so that none covers another: every n-th, beginning with the first.
+int numberStep(const std::vector<NumberMark>& numbers, double pixelsPerUnit);
+
+}  // namespace furrow

@@ -1,0 +1,119 @@
+#include "ui/plan/export_model.h"
+
+#include "planner/io/format_registry.h"
+#include "planner/io/plan_folder.h"
+#include "ui/plan/unit_text.h"
+
+#include <QDir>
+#include <QRegularExpression>
+#include <QStandardPaths>
+
+#include <algorithm>
+
+namespace furrow {
+
+namespace {
+
+std::vector<FormatInfo> planFormats() {
+    std::vector<FormatInfo> written;
+    std::ranges::copy_if(formats(), std::back_inserter(written), &FormatInfo::write);
+    return written;
+}
+
+const FormatInfo& formatAt(int row) {
+    static const std::vector<FormatInfo> all = planFormats();
+    return all[static_cast<std::size_t>(row)];
+}
+
+}  // namespace
+
+ExportModel::ExportModel(QObject* parent) : QAbstractListModel{parent} {
+    for (const FormatInfo& format : planFormats()) {
+        const auto standard = standardPlanFormats();
+        checked_.push_back(std::ranges::find(standard, format.id) != standard.end());
+    }
+}
+
+void ExportModel::setPlan(std::shared_ptr<const Plan> plan) {
+    plan_ = std::move(plan);
+    if (state_ == State::Done || state_ == State::Failed) {
+        clear();
+    }
+}
+
+int ExportModel::rowCount(const QModelIndex& parent) const {
+    return parent.isValid() ? 0 : static_cast<int>(checked_.size());
+}
+
+QVariant ExportModel::data(const QModelIndex& index, int role) const {
+    if (!checkIndex(index, CheckIndexOption::IndexIsValid)) {
+        return {};
+    }
+    switch (role) {
+        case Qt::DisplayRole:
+        case NameRole: return fromStd(formatAt(index.row()).name);
+        case HintRole: return fromStd(formatAt(index.row()).carries);
+        case CheckedRole: return static_cast<bool>(checked_[static_cast<std::size_t>(index.row())]);
+        default: return {};
+    }
+}
+
+QHash<int, QByteArray> ExportModel::roleNames() const {
+    return {{NameRole, "name"}, {HintRole, "hint"}, {CheckedRole, "checked"}};
+}
+
+void ExportModel::setChecked(int row, bool checked) {
+    if (row < 0 || row >= rowCount() || checked_[static_cast<std::size_t>(row)] == checked) {
+        return;
+    }
+    checked_[static_cast<std::size_t>(row)] = checked;
+    emit dataChanged(index(row), index(row), {CheckedRole});
+}
+
+QString ExportModel::suggestedFolder() const {
+    QString name = plan_ ? fromStd(plan_->field().name()).simplified() : QString{};
+    static const QRegularExpression unsafe{QStringLiteral(R"([\\/:*?"<>|])")};
+    name.replace(unsafe, QStringLiteral("_"));
+    return QDir{QStandardPaths::writableLocation(QStandardPaths::DocumentsLocation)}.filePath(
+        name.isEmpty() ? tr("Furrow plan") : tr("Furrow %1").arg(name));
+}
+
+void ExportModel::writeTo(const QString& folder) {
+    if (!plan_ || folder.trimmed().isEmpty()) {
+        return;
+    }
+    std::vector<std::string_view> ids;
+    for (int row = 0; row < rowCount(); ++row) {
+        if (checked_[static_cast<std::size_t>(row)]) {
+            ids.push_back(formatAt(row).id);
+        }
+    }
+    setState(State::Writing, tr("Writing …"));
+    const std::filesystem::path path{QDir::cleanPath(folder.trimmed()).toStdU16String()};
+    runner_.submit([this, plan = plan_, path, ids](const JobContext& job) -> JobRunner::Delivery {
+        auto written = writePlanFolder(*plan, path, ids, job);
+        return [this, written = std::move(written), path] {
+            if (written) {
+                setState(State::Done, tr("%n file(s) written to %1", nullptr, static_cast<int>(written->size()))
+                                          .arg(QString::fromStdU16String(path.u16string())));
+            } else {
+                const Error& error = written.error();
+                setState(State::Failed, fromStd(error.where.empty() ? error.what : error.what + " (" + error.where + ")"),
+                         fromStd(error.remedy));
+            }
+        };
+    });
+}
+
+void ExportModel::clear() {
+    setState(State::Idle);
+}
+
+void ExportModel::setState(State state, const QString& message, const QString& remedy) {
+    state_ = state;
+    message_ = message;
+    remedy_ = remedy;
+    emit stateChanged();
+}
+
+}  // namespace furrow

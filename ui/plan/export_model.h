@@ -1,0 +1,62 @@
+#pragma once
+
+#include "planner/plan/plan.h"
+#include "ui/plan/job_runner.h"
+
+#include <QAbstractListModel>
+#include <QUrl>
+#include <QtQml/qqmlregistration.h>
+
+namespace furrow {
+
+/// Writes a plan to a folder, in the formats that are ticked.
+class ExportModel : public QAbstractListModel {
+    Q_OBJECT
+    QML_ELEMENT
+    QML_UNCREATABLE("belongs to a session")
+    Q_PROPERTY(State state READ state NOTIFY stateChanged FINAL)
+    Q_PROPERTY(QString message READ message NOTIFY stateChanged FINAL)
+    Q_PROPERTY(QString remedy READ remedy NOTIFY stateChanged FINAL)
+
+public:
+    enum class State { Idle, Writing, Done, Failed };
+    Q_ENUM(State)
+    enum Role { NameRole = Qt::UserRole + 1, HintRole, CheckedRole };
+
+    explicit ExportModel(QObject* parent = nullptr);
+
+    /// What is to be written; null for nothing.
+    void setPlan(std::shared_ptr<const Plan> plan);
+
+    State state() const { return state_; }
+    QString message() const { return message_; }
+    QString remedy() const { return remedy_; }
+
+    int rowCount(const QModelIndex& parent = {}) const override;
+    QVariant data(const QModelIndex& index, int role) const override;
+    QHash<int, QByteArray> roleNames() const override;
+
+    Q_INVOKABLE void setChecked(int row, bool checked);
+    /// A folder that suits the plan, in the user's documents.
+    Q_INVOKABLE QString suggestedFolder() const;
+    Q_INVOKABLE QString pathOf(const QUrl& url) const { return url.toLocalFile(); }
+    /// Writes in the background; the folder is made where it does not exist.
+    Q_INVOKABLE void writeTo(const QString& folder);
+    /// Forgets the last result.
+    Q_INVOKABLE void clear();
+
+signals:
+    void stateChanged();
+
+private:
+    void setState(State state, const QString& message = {}, const QString& remedy = {});
+
+    std::shared_ptr<const Plan> plan_;
+    std::vector<bool> checked_;
+    State state_ = State::Idle;
+    QString message_;
+    QString remedy_;
+    JobRunner runner_;
+};
+
+}  // namespace furrow

@@ -1,0 +1,65 @@
+#include "ui/plan/findings_model.h"
+
+#include "ui/plan/unit_text.h"
+
+#include <algorithm>
+
+namespace furrow {
+
+void FindingsModel::show(const std::vector<Finding>& findings, const std::vector<QGeoCoordinate>& places) {
+    if (findings == findings_ && places == places_) {
+        return;
+    }
+    // While a value is dragged the list often keeps its length: no reason to lose the scroll position.
+    const bool sameLength = findings.size() == findings_.size();
+    if (!sameLength) {
+        beginResetModel();
+    }
+    findings_ = findings;
+    places_ = places;
+    if (!sameLength) {
+        endResetModel();
+    } else {
+        emit dataChanged(index(0), index(count() - 1));
+    }
+    emit countChanged();
+}
+
+int FindingsModel::blockingCount() const {
+    return static_cast<int>(std::ranges::count(findings_, Severity::Blocking, &Finding::severity));
+}
+
+int FindingsModel::rowCount(const QModelIndex& parent) const {
+    return parent.isValid() ? 0 : count();
+}
+
+QVariant FindingsModel::data(const QModelIndex& index, int role) const {
+    if (!checkIndex(index, CheckIndexOption::IndexIsValid)) {
+        return {};
+    }
+    const Finding& finding = findings_[static_cast<std::size_t>(index.row())];
+    switch (role) {
+        case NumberRole: return index.row() + 1;
+        case Qt::DisplayRole:
+        case TextRole: return fromStd(finding.text);
+        case SuggestionRole: return fromStd(finding.suggestion);
+        case BlockingRole: return finding.severity == Severity::Blocking;
+        case PlaceRole: return QVariant::fromValue(placeOf(index.row()));
+        default: return {};
+    }
+}
+
+QHash<int, QByteArray> FindingsModel::roleNames() const {
+    return {{NumberRole, "number"},
+            {TextRole, "finding"},
+            {SuggestionRole, "suggestion"},
+            {BlockingRole, "blocking"},
+            {PlaceRole, "place"}};
+}
+
+QGeoCoordinate FindingsModel::placeOf(int row) const {
+    return row >= 0 && row < static_cast<int>(places_.size()) ? places_[static_cast<std::size_t>(row)]
+                                                              : QGeoCoordinate{};
+}
+
+}  // namespace furrow

@@ -1,0 +1,44 @@
+#pragma once
+
+#include "planner/plan/plan.h"
+
+#include <QAbstractListModel>
+#include <QGeoCoordinate>
+#include <QtQml/qqmlregistration.h>
+
+#include <vector>
+
+namespace furrow {
+
+/// What the user should know about a plan, each with its place on the map.
+class FindingsModel : public QAbstractListModel {
+    Q_OBJECT
+    QML_ELEMENT
+    QML_UNCREATABLE("belongs to a session")
+    Q_PROPERTY(int count READ count NOTIFY countChanged FINAL)
+    Q_PROPERTY(int blockingCount READ blockingCount NOTIFY countChanged FINAL)
+
+public:
+    enum Role { NumberRole = Qt::UserRole + 1, TextRole, SuggestionRole, BlockingRole, PlaceRole };
+
+    explicit FindingsModel(QObject* parent = nullptr) : QAbstractListModel{parent} {}
+
+    /// `places` are those of the findings, in their order.
+    void show(const std::vector<Finding>& findings, const std::vector<QGeoCoordinate>& places);
+
+    int count() const { return static_cast<int>(findings_.size()); }
+    int blockingCount() const;
+    int rowCount(const QModelIndex& parent = {}) const override;
+    QVariant data(const QModelIndex& index, int role) const override;
+    QHash<int, QByteArray> roleNames() const override;
+    Q_INVOKABLE QGeoCoordinate placeOf(int row) const;
+
+signals:
+    void countChanged();
+
+private:
+    std::vector<Finding> findings_;
+    std::vector<QGeoCoordinate> places_;
+};
+
+}  // namespace furrow

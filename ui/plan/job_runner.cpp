@@ -1,0 +1,117 @@
+#include "ui/plan/job_runner.h"
+
+namespace furrow {
+
+namespace {
+/// What takes longer shows its progress.
+constexpr int kSlowMs = 100;
+constexpr int kTickMs = 50;
+/// While the user drags, a piece that takes longer than this is not worth waiting for.
+constexpr int kPatienceMs = 1500;
+}  // namespace
+
+JobRunner::JobRunner(QObject* parent) : QObject{parent} {
+    tick_.setInterval(kTickMs);
+    connect(&tick_, &QTimer::timeout, this, [this] {
+        if (since_.elapsed() >= kSlowMs) {
+            setSlow(true);
+        }
+        emit progressChanged();
+    });
+    thread_ = std::jthread{[this](const std::stop_token& stop) { run(stop); }};
+}
+
+JobRunner::~JobRunner() {
+    cancel();
+    thread_.request_stop();
+    wake_.notify_all();
+}
+
+void JobRunner::submit(Work work, Replace replace) {
+    {
+        const std::scoped_lock lock{mutex_};
+        waiting_ = std::move(work);
+        if (replace == Replace::Now || (busy_ && since_.elapsed() > kPatienceMs)) {
+            stopSource_.request_stop();
+        }
+    }
+    setBusy(true);
+    wake_.notify_all();
+}
+
+void JobRunner::cancel() {
+    {
+        const std::scoped_lock lock{mutex_};
+        waiting_.reset();
+        stopSource_.request_stop();
+    }
+    setBusy(false);
+}
+
+void JobRunner::run(const std::stop_token& stop) {
+    while (true) {
+        Work work;
+        std::stop_token jobStop;
+        {
+            std::unique_lock lock{mutex_};
+            if (!wake_.wait(lock, stop, [this] { return waiting_.has_value(); })) {
+                return;
+            }
+            work = std::move(*waiting_);
+            waiting_.reset();
+            running_ = true;
+            stopSource_ = {};
+            jobStop = stopSource_.get_token();
+        }
+        progress_.store(0.0, std::memory_order_relaxed);
+        Delivery delivery = work({.stop = jobStop,
+                                  .progress = [this](double share) { progress_.store(share, std::memory_order_relaxed); },
+                                  .threads = 0});
+        {
+            const std::scoped_lock lock{mutex_};
+            running_ = false;
+        }
+        QMetaObject::invokeMethod(
+            this,
+            [this, jobStop, delivery = std::move(delivery)] {
+                // Checked here: the work may have been stopped after it had ended.
+                if (!jobStop.stop_requested() && delivery) {
+                    delivery();
+                }
+                since_.restart();
+                setSlow(false);
+                setBusy(false);
+            },
+            Qt::QueuedConnection);
+    }
+}
+
+void JobRunner::setBusy(bool busy) {
+    if (busy && !busy_) {
+        since_.start();
+        tick_.start();
+    }
+    if (!busy) {
+        const std::scoped_lock lock{mutex_};
+        if (waiting_ || (running_ && !stopSource_.stop_requested())) {
+            return;
+        }
+        tick_.stop();
+    }
+    if (busy != busy_) {
+        busy_ = busy;
+        if (!busy) {
+            setSlow(false);
+        }
+        emit busyChanged();
+    }
+}
+
+void JobRunner::setSlow(bool slow) {
+    if (slow != slow_) {
+        slow_ = slow;
+        emit slowChanged();
+    }
+}
+
+}  // namespace furrow

@@ -1,0 +1,138 @@
+#include "ui/plan/machine_model.h"
+
+#include "planner/machine/machine_file.h"
+#include "planner/machine/machine_library.h"
+#include "ui/plan/unit_text.h"
+
+#include <algorithm>
+#include <array>
+
+namespace furrow {
+
+namespace {
+
+/// What decides a plan and what people know of their machine.
+constexpr std::array<std::string_view, 6> kShownKeys{"operating_width_m",  "vehicle_width_m",   "min_turning_radius_m",
+                                                     "raised_width_m", "working_speed_mps", "turning_speed_mps"};
+
+constexpr double kKmhPerMps = 3.6;
+
+/// People drive km/h.
+double factorOf(const MachineKey& key) {
+    return key.unit == "m/s" ? kKmhPerMps : 1.0;
+}
+
+double stepOf(const MachineKey& key) {
+    return key.unit == "m/s" ? 0.5 : 0.1;
+}
+
+/// What stands for a number that is not given.
+std::optional<double> impliedNumber(const MachineKey& key, const Machine& machine) {
+    if (key.key == "min_turning_radius_m") {
+        return machine.minTurningRadius().si();
+    }
+    if (key.key == "raised_width_m") {
+        return machine.operatingWidth().si();
+    }
+    return std::nullopt;
+}
+
+}  // namespace
+
+MachineModel::MachineModel(QObject* parent) : QAbstractListModel{parent}, machine_{machineLibrary().front()} {
+    for (const std::string_view name : kShownKeys) {
+        const auto key = std::ranges::find(machineKeys(), name, &MachineKey::key);
+        if (key != machineKeys().end()) {
+            keys_.push_back(&*key);
+        }
+    }
+}
+
+QStringList MachineModel::library() const {
+    QStringList names;
+    for (const Machine& machine : machineLibrary()) {
+        names << fromStd(machine.name());
+    }
+    return names;
+}
+
+void MachineModel::setLibraryIndex(int index) {
+    if (index < 0 || index >= static_cast<int>(machineLibrary().size())) {
+        return;
+    }
+    libraryIndex_ = index;
+    setMachine(machineLibrary()[static_cast<std::size_t>(index)]);
+}
+
+bool MachineModel::isChanged() const {
+    return machine_ != machineLibrary()[static_cast<std::size_t>(libraryIndex_)];
+}
+
+void MachineModel::reset() {
+    setLibraryIndex(libraryIndex_);
+}
+
+int MachineModel::rowCount(const QModelIndex& parent) const {
+    return parent.isValid() ? 0 : static_cast<int>(keys_.size());
+}
+
+QVariant MachineModel::data(const QModelIndex& index, int role) const {
+    if (!checkIndex(index, CheckIndexOption::IndexIsValid)) {
+        return {};
+    }
+    const MachineKey& key = *keys_[static_cast<std::size_t>(index.row())];
+    const MachineValue given = key.get(machine_.spec());
+    const auto* number = std::get_if<double>(&given);
+    const double shown = number != nullptr ? *number : impliedNumber(key, machine_).value_or(0.0);
+    switch (role) {
+        case KeyRole: return fromStd(key.key);
+        case Qt::DisplayRole:
+        case NameRole: return fromStd(key.name);
+        case DescriptionRole: return fromStd(key.description);
+        case ValueRole: return shown * factorOf(key);
+        case AutoTextRole: return number != nullptr ? QString{} : tr("auto · %1").arg(numberText(shown * factorOf(key), 1));
+        case UnitRole: return key.unit == "m/s" ? tr("km/h") : fromStd(key.unit);
+        case FromRole: return key.min * factorOf(key);
+        case ToRole: return key.max * factorOf(key);
+        case StepRole: return stepOf(key);
+        case DecimalsRole: return key.unit == "m/s" ? 1 : 2;
+        default: return {};
+    }
+}
+
+QHash<int, QByteArray> MachineModel::roleNames() const {
+    return {{KeyRole, "key"},   {NameRole, "name"}, {DescriptionRole, "description"}, {ValueRole, "value"},
+            {AutoTextRole, "autoText"}, {UnitRole, "unit"}, {FromRole, "from"}, {ToRole, "to"},
+            {StepRole, "step"}, {DecimalsRole, "decimals"}};
+}
+
+void MachineModel::setNumber(int row, double value) {
+    if (row < 0 || row >= rowCount()) {
+        return;
+    }
+    const MachineKey& key = *keys_[static_cast<std::size_t>(row)];
+    MachineSpec spec = machine_.spec();
+    key.set(spec, MachineValue{value / factorOf(key)});
+    const Result<Machine> made = Machine::create(spec);
+    const QString problem = made ? QString{} : fromStd(made.error().what);
+    if (problem != problem_) {
+        problem_ = problem;
+        emit problemChanged();
+    }
+    if (made) {
+        setMachine(*made);
+    }
+}
+
+void MachineModel::setMachine(const Machine& machine) {
+    if (machine == machine_) {
+        // An index of the library may be new all the same.
+        emit machineChanged();
+        return;
+    }
+    machine_ = machine;
+    emit dataChanged(index(0), index(rowCount() - 1));
+    emit machineChanged();
+}
+
+}  // namespace furrow

@@ -1,0 +1,71 @@
+#pragma once
+
+#include "planner/machine/machine.h"
+
+#include <QAbstractListModel>
+#include <QStringList>
+#include <QtQml/qqmlregistration.h>
+
+#include <vector>
+
+namespace furrow {
+
+struct MachineKey;
+
+/// The machine of a plan: one of the library, and the numbers of it that a user is likely to change.
+class MachineModel : public QAbstractListModel {
+    Q_OBJECT
+    QML_ELEMENT
+    QML_UNCREATABLE("belongs to a session")
+    Q_PROPERTY(QStringList library READ library CONSTANT FINAL)
+    Q_PROPERTY(int libraryIndex READ libraryIndex WRITE setLibraryIndex NOTIFY machineChanged FINAL)
+    /// The numbers differ from those of the library.
+    Q_PROPERTY(bool changed READ isChanged NOTIFY machineChanged FINAL)
+    Q_PROPERTY(QString problem READ problem NOTIFY problemChanged FINAL)
+
+public:
+    enum Role {
+        KeyRole = Qt::UserRole + 1,
+        NameRole,
+        DescriptionRole,
+        ValueRole,
+        AutoTextRole,
+        UnitRole,
+        FromRole,
+        ToRole,
+        StepRole,
+        DecimalsRole,
+    };
+
+    explicit MachineModel(QObject* parent = nullptr);
+
+    const Machine& machine() const { return machine_; }
+    QStringList library() const;
+    int libraryIndex() const { return libraryIndex_; }
+    void setLibraryIndex(int index);
+    bool isChanged() const;
+    QString problem() const { return problem_; }
+
+    int rowCount(const QModelIndex& parent = {}) const override;
+    QVariant data(const QModelIndex& index, int role) const override;
+    QHash<int, QByteArray> roleNames() const override;
+
+    /// In the unit of the row. A value that no machine can have is refused and `problem` says why.
+    Q_INVOKABLE void setNumber(int row, double value);
+    /// Back to the machine of the library.
+    Q_INVOKABLE void reset();
+
+signals:
+    void machineChanged();
+    void problemChanged();
+
+private:
+    void setMachine(const Machine& machine);
+
+    std::vector<const MachineKey*> keys_;
+    int libraryIndex_ = 0;
+    Machine machine_;
+    QString problem_;
+};
+
+}  // namespace furrow

@@ -1,0 +1,187 @@
+#include "ui/plan/parameter_model.h"
+
+#include "ui/plan/unit_text.h"
+
+#include <QStringList>
+
+#include <algorithm>
+#include <cmath>
+
+namespace furrow {
+
+namespace {
+
+/// An angle that may point anywhere is a direction; others are differences.
+bool isDirection(const Parameter& parameter) {
+    return parameter.kind == ParameterKind::Angle && parameter.max - parameter.min >= 180.0;
+}
+
+/// Between degrees counter-clockwise from east and a line's bearing; the same both ways.
+double turnedDeg(double degrees) {
+    const double turned = std::fmod(90.0 - degrees, 180.0);
+    return turned < 0.0 ? turned + 180.0 : turned;
+}
+
+ParameterModel::Kind kindOf(const Parameter& parameter) {
+    switch (parameter.kind) {
+        case ParameterKind::Choice: return ParameterModel::Kind::Choice;
+        case ParameterKind::Flag: return ParameterModel::Kind::Flag;
+        case ParameterKind::Length:
+        case ParameterKind::Angle:
+        case ParameterKind::Count: break;
+    }
+    return isDirection(parameter) ? ParameterModel::Kind::Direction : ParameterModel::Kind::Number;
+}
+
+int decimalsOf(const Parameter& parameter) {
+    if (parameter.kind == ParameterKind::Count) {
+        return 0;
+    }
+    if (parameter.kind == ParameterKind::Length) {
+        return parameter.step < 0.1 ? 2 : parameter.step < 1.0 ? 1 : 0;
+    }
+    return parameter.min < 0.1 && !isDirection(parameter) ? 2 : 1;
+}
+
+QString unitOf(const Parameter& parameter) {
+    switch (parameter.kind) {
+        case ParameterKind::Length: return QStringLiteral("m");
+        case ParameterKind::Angle: return QStringLiteral("°");
+        case ParameterKind::Count:
+        case ParameterKind::Choice:
+        case ParameterKind::Flag: break;
+    }
+    return {};
+}
+
+/// The numbers that a plan filled in for "auto".
+std::map<std::string, double, std::less<>> usedNumbers(const Plan* plan) {
+    if (plan == nullptr) {
+        return {};
+    }
+    return {{"headland.width_m", plan->headland.width.si()},
+            {"headland.passes", plan->headland.passes},
+            {"field.margin_m", plan->margin.si()}};
+}
+
+std::size_t choiceIndex(const Parameter& parameter, const Settings& settings) {
+    const auto found = std::ranges::find(parameter.choices, settings.choice(parameter), &Choice::id);
+    return found == parameter.choices.end() ? 0 : static_cast<std::size_t>(found - parameter.choices.begin());
+}
+
+}  // namespace
+
+void ParameterModel::show(const std::vector<const Parameter*>& parameters, const Settings& settings, const Plan* plan) {
+    const bool same = parameters == parameters_;
+    if (!same) {
+        beginResetModel();
+    }
+    parameters_ = parameters;
+    settings_ = settings;
+    used_ = usedNumbers(plan);
+    widthM_ = plan != nullptr ? plan->request.machine.operatingWidth().si() : widthM_;
+    if (!same) {
+        endResetModel();
+    } else if (!parameters_.empty()) {
+        emit dataChanged(index(0), index(rowCount() - 1));
+    }
+}
+
+int ParameterModel::rowCount(const QModelIndex& parent) const {
+    return parent.isValid() ? 0 : static_cast<int>(parameters_.size());
+}
+
+QVariant ParameterModel::data(const QModelIndex& index, int role) const {
+    if (!checkIndex(index, CheckIndexOption::IndexIsValid)) {
+        return {};
+    }
+    return value(at(index.row()), role);
+}
+
+QVariant ParameterModel::value(const Parameter& parameter, int role) const {
+    const SettingValue set = settings_.value(parameter);
+    const bool automatic = std::holds_alternative<Auto>(set);
+    const auto used = used_.find(parameter.key);
+    const bool isNumber = kindOf(parameter) == Kind::Number || kindOf(parameter) == Kind::Direction;
+    switch (role) {
+        case KeyRole: return fromStd(parameter.key);
+        case NameRole: return fromStd(parameter.name);
+        case DescriptionRole: return fromStd(parameter.description);
+        case KindRole: return static_cast<int>(kindOf(parameter));
+        case ValueRole: {
+            if (!isNumber) {
+                return 0.0;
+            }
+            const double number = automatic ? (used == used_.end() ? 0.0 : used->second) : std::get<double>(set);
+            return isDirection(parameter) ? turnedDeg(number) : number;
+        }
+        case AutoTextRole:
+            if (!automatic) {
+                return QString{};
+            }
+            return used == used_.end() ? tr("auto") : tr("auto · %1").arg(numberText(used->second, decimalsOf(parameter)));
+        case CanBeAutoRole: return parameter.canBeAuto;
+        case UnitRole: return unitOf(parameter);
+        case FromRole: return isDirection(parameter) ? 0.0 : parameter.min;
+        case ToRole: return isDirection(parameter) ? 180.0 : parameter.max;
+        case StepRole: return parameter.step;
+        case DecimalsRole: return decimalsOf(parameter);
+        case SliderToRole: {
+            // A width is found by looking at the map; other lengths are known as numbers.
+            const bool wide = parameter.kind == ParameterKind::Length && parameter.max >= 100.0;
+            return wide ? std::clamp(std::ceil(widthM_ * 8.0 / 10.0) * 10.0, 20.0, parameter.max) : 0.0;
+        }
+        case ChoicesRole: {
+            QStringList names;
+            std::ranges::transform(parameter.choices, std::back_inserter(names),
+                                   [](const Choice& choice) { return fromStd(choice.name); });
+            return names;
+        }
+        case ChoiceIndexRole:
+            return kindOf(parameter) == Kind::Choice ? static_cast<int>(choiceIndex(parameter, settings_)) : -1;
+        case ChoiceHintRole:
+            return kindOf(parameter) == Kind::Choice
+                       ? fromStd(parameter.choices[choiceIndex(parameter, settings_)].description)
+                       : QString{};
+        case CheckedRole: return kindOf(parameter) == Kind::Flag && settings_.flag(parameter);
+        default: return {};
+    }
+}
+
+QHash<int, QByteArray> ParameterModel::roleNames() const {
+    return {{KeyRole, "key"},           {NameRole, "name"},
+            {DescriptionRole, "description"}, {KindRole, "kind"},
+            {ValueRole, "value"},       {AutoTextRole, "autoText"},
+            {CanBeAutoRole, "canBeAuto"}, {UnitRole, "unit"},
+            {FromRole, "from"},         {ToRole, "to"},
+            {StepRole, "step"},         {DecimalsRole, "decimals"},
+            {SliderToRole, "sliderTo"}, {ChoicesRole, "choices"},
+            {ChoiceIndexRole, "choiceIndex"}, {ChoiceHintRole, "choiceHint"},
+            {CheckedRole, "checked"}};
+}
+
+void ParameterModel::setNumber(int row, double value) {
+    if (row >= 0 && row < rowCount()) {
+        emit changeRequested(&at(row), SettingValue{isDirection(at(row)) ? turnedDeg(value) : value});
+    }
+}
+
+void ParameterModel::setAuto(int row) {
+    if (row >= 0 && row < rowCount()) {
+        emit changeRequested(&at(row), at(row).canBeAuto ? SettingValue{Auto{}} : at(row).defaultValue());
+    }
+}
+
+void ParameterModel::setChoice(int row, int choice) {
+    if (row >= 0 && row < rowCount() && choice >= 0 && choice < static_cast<int>(at(row).choices.size())) {
+        emit changeRequested(&at(row), SettingValue{std::string{at(row).choices[static_cast<std::size_t>(choice)].id}});
+    }
+}
+
+void ParameterModel::setFlag(int row, bool on) {
+    if (row >= 0 && row < rowCount()) {
+        emit changeRequested(&at(row), SettingValue{on});
+    }
+}
+
+}  // namespace furrow

@@ -1,0 +1,72 @@
+#pragma once
+
+#include "planner/plan/plan.h"
+#include "planner/settings/settings.h"
+
+#include <QAbstractListModel>
+#include <QtQml/qqmlregistration.h>
+
+#include <vector>
+
+namespace furrow {
+
+/// The settings of one step, as the panel edits them. Values are in the unit people read: directions as
+/// bearings, everything else as in the settings.
+class ParameterModel : public QAbstractListModel {
+    Q_OBJECT
+    QML_ELEMENT
+    QML_UNCREATABLE("belongs to a step")
+
+public:
+    enum class Kind { Number, Direction, Choice, Flag };
+    Q_ENUM(Kind)
+    enum Role {
+        KeyRole = Qt::UserRole + 1,
+        NameRole,
+        DescriptionRole,
+        KindRole,
+        ValueRole,
+        AutoTextRole,   ///< what is shown while the planner chooses; empty where a value is set
+        CanBeAutoRole,
+        UnitRole,
+        FromRole,
+        ToRole,
+        StepRole,
+        DecimalsRole,
+        SliderToRole,   ///< end of the slider; 0 for none
+        ChoicesRole,    ///< names
+        ChoiceIndexRole,
+        ChoiceHintRole,  ///< description of what is chosen
+        CheckedRole,
+    };
+
+    explicit ParameterModel(QObject* parent = nullptr) : QAbstractListModel{parent} {}
+
+    /// Shows these settings with the values of `settings`; `plan` may be null.
+    void show(const std::vector<const Parameter*>& parameters, const Settings& settings, const Plan* plan);
+
+    int rowCount(const QModelIndex& parent = {}) const override;
+    QVariant data(const QModelIndex& index, int role) const override;
+    QHash<int, QByteArray> roleNames() const override;
+
+    Q_INVOKABLE void setNumber(int row, double value);
+    Q_INVOKABLE void setAuto(int row);
+    Q_INVOKABLE void setChoice(int row, int choice);
+    Q_INVOKABLE void setFlag(int row, bool on);
+
+signals:
+    /// The user wants this value, in the unit of the settings.
+    void changeRequested(const furrow::Parameter* parameter, const furrow::SettingValue& value);
+
+private:
+    const Parameter& at(int row) const { return *parameters_[static_cast<std::size_t>(row)]; }
+    QVariant value(const Parameter& parameter, int role) const;
+
+    std::vector<const Parameter*> parameters_;
+    Settings settings_;
+    /// Numbers that the planner chose, by key.
+    std::map<std::string, double, std::less<>> used_;
+    double widthM_ = 0.0;
+};
+
+}  // namespace furrow

@@ -1,0 +1,144 @@
+#pragma once
+
+#include "ui/map/plan_drawing.h"
+#include "ui/plan/export_model.h"
+#include "ui/plan/field_choice_model.h"
+#include "ui/plan/figures_model.h"
+#include "ui/plan/findings_model.h"
+#include "ui/plan/job_runner.h"
+#include "ui/plan/machine_model.h"
+#include "ui/plan/sample_fields.h"
+#include "ui/plan/steps_model.h"
+
+#include <QObject>
+#include <QUrl>
+#include <QtQml/qqmlregistration.h>
+
+#include <optional>
+
+namespace furrow {
+
+/// One field with its machine, settings and plan, as the window works on it. Every change plans anew in the
+/// background; the latest request wins.
+class PlanSession : public QObject {
+    Q_OBJECT
+    QML_ELEMENT
+    QML_UNCREATABLE("made by the application")
+    Q_PROPERTY(State state READ state NOTIFY stateChanged FINAL)
+    Q_PROPERTY(bool hasField READ hasField NOTIFY fieldChanged FINAL)
+    Q_PROPERTY(bool hasPlan READ hasPlan NOTIFY planChanged FINAL)
+    Q_PROPERTY(QString fieldName READ fieldName NOTIFY fieldChanged FINAL)
+    Q_PROPERTY(QString fileName READ fileName NOTIFY fieldChanged FINAL)
+    Q_PROPERTY(furrow::PlanDrawing drawing READ drawing NOTIFY drawingChanged FINAL)
+    Q_PROPERTY(bool slow READ isSlow NOTIFY progressChanged FINAL)
+    Q_PROPERTY(double progress READ progress NOTIFY progressChanged FINAL)
+    Q_PROPERTY(QString statusText READ statusText NOTIFY stateChanged FINAL)
+    Q_PROPERTY(QString problem READ problem NOTIFY stateChanged FINAL)
+    Q_PROPERTY(QString problemWhere READ problemWhere NOTIFY stateChanged FINAL)
+    Q_PROPERTY(QString problemRemedy READ problemRemedy NOTIFY stateChanged FINAL)
+    Q_PROPERTY(QGeoCoordinate problemPlace READ problemPlace NOTIFY stateChanged FINAL)
+    Q_PROPERTY(QStringList sampleNames READ sampleNames CONSTANT FINAL)
+    Q_PROPERTY(furrow::StepsModel* steps READ steps CONSTANT FINAL)
+    Q_PROPERTY(furrow::MachineModel* machine READ machine CONSTANT FINAL)
+    Q_PROPERTY(furrow::FiguresModel* figures READ figures CONSTANT FINAL)
+    Q_PROPERTY(furrow::FindingsModel* findings READ findings CONSTANT FINAL)
+    Q_PROPERTY(furrow::FieldChoiceModel* choices READ choices CONSTANT FINAL)
+    Q_PROPERTY(furrow::ExportModel* exporter READ exporter CONSTANT FINAL)
+
+public:
+    enum class State { Empty, Reading, Choosing, Planning, Ready, Stopped, Failed };
+    Q_ENUM(State)
+
+    explicit PlanSession(QObject* parent = nullptr);
+
+    State state() const { return state_; }
+    bool hasField() const { return source_.has_value(); }
+    bool hasPlan() const { return plan_ != nullptr; }
+    QString fieldName() const;
+    QString fileName() const { return fileName_; }
+    const PlanDrawing& drawing() const { return drawing_; }
+    bool isSlow() const { return planner_.isSlow() || reader_.isSlow(); }
+    double progress() const { return reader_.isBusy() ? reader_.progress() : planner_.progress(); }
+    QString statusText() const;
+    QString problem() const;
+    QString problemWhere() const;
+    QString problemRemedy() const;
+    QGeoCoordinate problemPlace() const;
+    QStringList sampleNames() const;
+    StepsModel* steps() { return &steps_; }
+    MachineModel* machine() { return &machine_; }
+    FiguresModel* figures() { return &figures_; }
+    FindingsModel* findings() { return &findings_; }
+    FieldChoiceModel* choices() { return &choices_; }
+    ExportModel* exporter() { return &exporter_; }
+
+    const std::shared_ptr<const Plan>& plan() const { return plan_; }
+    const Settings& settings() const { return settings_; }
+
+    /// Reads a boundary file. With several fields in it and no id, the user picks one from `choices`.
+    void open(const QString& path, const QString& fieldId = {});
+    Q_INVOKABLE void openUrl(const QUrl& url) { open(url.toLocalFile()); }
+    Q_INVOKABLE void openSample(int index);
+    Q_INVOKABLE void chooseField(int row);
+    /// Goes back from the list of fields to what was there before.
+    Q_INVOKABLE void dropChoices();
+    Q_INVOKABLE void setBoundary(const QList<QGeoCoordinate>& points);
+    Q_INVOKABLE void moveVertex(int part, int ring, int vertex, const QGeoCoordinate& place, bool finished);
+    Q_INVOKABLE void cancel();
+    Q_INVOKABLE void planAgain();
+    Q_INVOKABLE void closeField();
+
+signals:
+    void stateChanged();
+    void fieldChanged();
+    void planChanged();
+    void drawingChanged();
+    void progressChanged();
+    /// A field that was not on the map before: the camera should go there.
+    void fieldOpened();
+
+private:
+    /// What a planning job hands over.
+    struct Outcome {
+        std::shared_ptr<const Field> field;
+        std::shared_ptr<const Plan> plan;
+        PlanDrawing drawing;
+        std::optional<Error> error;
+    };
+    static Outcome planned(const FieldSource& source, std::shared_ptr<const Field> field, const Machine& machine,
+                           const Settings& settings, const JobContext& job);
+
+    void setSource(FieldSource source);
+    void changeSetting(const Parameter* parameter, const SettingValue& value);
+    void requestPlan(JobRunner::Replace replace);
+    void take(Outcome outcome);
+    void fail(const Error& error);
+    void showModels();
+    void updateState();
+
+    State state_ = State::Empty;
+    QString fileName_;
+    QString readingName_;
+    std::optional<FieldSource> source_;
+    /// Of `source_`; null while it has not been checked.
+    std::shared_ptr<const Field> field_;
+    std::shared_ptr<const Plan> plan_;
+    PlanDrawing drawing_;
+    Settings settings_;
+    std::optional<Error> error_;
+    bool stopped_ = false;
+    bool draggingVertex_ = false;
+    bool announce_ = false;
+    QList<SampleField> samples_;
+
+    StepsModel steps_;
+    MachineModel machine_;
+    FiguresModel figures_;
+    FindingsModel findings_;
+    FieldChoiceModel choices_;
+    ExportModel exporter_;
+    JobRunner reader_;
+    JobRunner planner_;
+};
+
+}  // namespace furrow

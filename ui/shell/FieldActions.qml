@@ -1,0 +1,48 @@
+import QtQuick
+import Furrow.Controls
+import Furrow.Plan
+
+/// Where a field comes from.
+Column {
+    id: root
+
+    required property PlanSession session
+    signal openRequested()
+    signal drawRequested()
+
+    spacing: 12
+
+    Row {
+        width: parent.width
+        spacing: 12
+
+        PushButton {
+            objectName: "field.open"
+            width: (parent.width - 12) / 2
+            text: qsTr("Open file…")
+            onClicked: root.openRequested()
+        }
+        PushButton {
+            objectName: "field.draw"
+            width: (parent.width - 12) / 2
+            text: qsTr("Draw")
+            onClicked: root.drawRequested()
+        }
+    }
+    Column {
+        width: parent.width
+        spacing: 5
+        visible: root.session.sampleNames.length > 0
+
+        Caption { text: qsTr("Sample field") }
+        ChoiceField {
+            objectName: "field.sample"
+            width: parent.width
+            name: qsTr("Sample field")
+            model: root.session.sampleNames
+            currentIndex: root.session.sampleNames.indexOf(root.session.fieldName)
+            displayText: currentIndex < 0 ? qsTr("Choose one") : currentText
+            onActivated: index => root.session.openSample(index)
+        }
+    }
+}

@@ -1,0 +1,115 @@
+pragma ComponentBehavior: Bound
+import QtQuick
+import QtQuick.Shapes
+import QtQuick.Templates as T
+import Furrow.Controls
+import Furrow.Plan
+
+/// The fields of a file, to pick one.
+Rectangle {
+    id: root
+
+    required property PlanSession session
+
+    objectName: "fieldChooser"
+    width: 440
+    radius: 14
+    color: Theme.panel
+    border.width: Theme.hairline
+    border.color: Theme.line
+
+    SoftShadow { radius: root.radius }
+    BodyText {
+        id: title
+
+        x: 24
+        y: 22
+        text: qsTr("Which of the %n field(s)?", "", root.session.choices.count)
+        font.pixelSize: 18
+        font.weight: Font.DemiBold
+    }
+    ToolIconButton {
+        anchors { right: parent.right; top: parent.top; margins: 14 }
+        objectName: "chooser.close"
+        iconName: "close"
+        hint: qsTr("Open none of them")
+        onClicked: root.session.dropChoices()
+    }
+    ListView {
+        id: list
+
+        anchors { left: parent.left; right: parent.right; top: title.bottom; bottom: parent.bottom; margins: 12; topMargin: 14 }
+        clip: true
+        focus: true
+        activeFocusOnTab: true
+        boundsBehavior: Flickable.StopAtBounds
+        model: root.session.choices
+        keyNavigationEnabled: true
+        Keys.onReturnPressed: root.session.chooseField(currentIndex)
+        Keys.onEscapePressed: root.session.dropChoices()
+
+        T.ScrollBar.vertical: T.ScrollBar {
+            id: bar
+
+            width: 8
+            padding: 2
+            contentItem: Rectangle {
+                radius: 2
+                color: Theme.line
+                visible: bar.size < 1
+            }
+        }
+
+        delegate: T.Button {
+            id: row
+
+            required property int index
+            required property string name
+            required property string area
+            required property list<point> outline
+
+            objectName: "chooser.field." + index
+            width: list.width
+            height: 52
+            focusPolicy: Qt.NoFocus
+            Accessible.name: qsTr("%1, %2").arg(name).arg(area)
+            onClicked: root.session.chooseField(index)
+
+            background: Rectangle {
+                radius: Theme.radius
+                color: row.hovered || row.ListView.isCurrentItem && list.activeFocus ? Theme.softAccent : "transparent"
+            }
+            contentItem: Item {
+                Shape {
+                    x: 12
+                    y: 8
+                    width: 36
+                    height: 36
+                    preferredRendererType: Shape.CurveRenderer
+
+                    ShapePath {
+                        strokeColor: Theme.accent
+                        strokeWidth: 1.4
+                        fillColor: Theme.softAccent
+                        scale: Qt.size(36, 36)
+
+                        PathPolyline { path: row.outline }
+                    }
+                }
+                BodyText {
+                    anchors { left: parent.left; right: size.left; leftMargin: 62; rightMargin: 12; verticalCenter: parent.verticalCenter }
+                    text: row.name
+                    elide: Text.ElideRight
+                    font.weight: Font.Medium
+                }
+                BodyText {
+                    id: size
+
+                    anchors { right: parent.right; rightMargin: 16; verticalCenter: parent.verticalCenter }
+                    text: row.area
+                    color: Theme.muted
+                }
+            }
+        }
+    }
+}

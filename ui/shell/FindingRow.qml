@@ -1,0 +1,77 @@
+import QtQuick
+import QtQuick.Templates as T
+import Furrow.Controls
+
+/// A finding with its number on the map; pressing it goes there.
+T.Button {
+    id: root
+
+    required property int number
+    required property string finding
+    required property string suggestion
+    required property bool blocking
+    property bool current: false
+
+    implicitHeight: lines.height + 20
+    focusPolicy: Qt.StrongFocus
+    Accessible.name: qsTr("Finding %1: %2 %3").arg(number).arg(finding).arg(suggestion)
+
+    background: Rectangle {
+        radius: Theme.radius
+        color: root.blocking ? Theme.warningGround : root.hovered ? Theme.hover : Theme.sunken
+        border.width: root.current ? 2 : Theme.sunlight ? 1 : 0
+        border.color: root.current ? Theme.finding : Theme.line
+
+        Rectangle {
+            width: 3
+            height: parent.height
+            color: root.blocking ? Theme.warning : Theme.line
+        }
+        Focusable { control: root }
+    }
+    contentItem: Item {
+        Rectangle {
+            x: 14
+            y: 13
+            width: 15
+            height: 15
+            rotation: 45
+            color: Theme.finding
+        }
+        BodyText {
+            x: 14
+            y: 13
+            width: 15
+            height: 15
+            text: root.number
+            color: Theme.panel
+            font.pixelSize: 10
+            font.weight: Font.DemiBold
+            horizontalAlignment: Text.AlignHCenter
+            verticalAlignment: Text.AlignVCenter
+        }
+        Column {
+            id: lines
+
+            anchors { left: parent.left; right: parent.right; leftMargin: 42; rightMargin: 10 }
+            y: 10
+            spacing: 3
+
+            BodyText {
+                width: parent.width
+                text: root.finding
+                wrapMode: Text.WordWrap
+                font.pixelSize: 13
+                lineHeight: 1.15
+            }
+            Caption {
+                width: parent.width
+                visible: text.length > 0
+                text: root.suggestion
+                wrapMode: Text.WordWrap
+                lineHeight: 1.15
+                color: Theme.sunlight ? Theme.ink : Theme.muted
+            }
+        }
+    }
+}

@@ -1,0 +1,71 @@
+pragma ComponentBehavior: Bound
+import QtQuick
+import Furrow.Controls
+
+/// What the map shows.
+Column {
+    id: root
+
+    property bool boundary: true
+    property bool headland: true
+    property bool swaths: true
+    property bool turns: true
+    property bool directions: true
+    property bool numbers: true
+    property bool findings: true
+
+    component Layer: CheckRow {
+        width: root.width
+        hasSwatch: true
+    }
+
+    Layer {
+        objectName: "layer.boundary"
+        text: qsTr("Boundary")
+        swatch: Theme.boundary
+        checked: root.boundary
+        onToggled: root.boundary = checked
+    }
+    Layer {
+        objectName: "layer.headland"
+        text: qsTr("Headland")
+        swatch: Theme.headland
+        checked: root.headland
+        onToggled: root.headland = checked
+    }
+    Layer {
+        objectName: "layer.swaths"
+        text: qsTr("Swaths")
+        swatch: Theme.swath
+        checked: root.swaths
+        onToggled: root.swaths = checked
+    }
+    Layer {
+        objectName: "layer.turns"
+        text: qsTr("Turns")
+        swatch: Theme.turn
+        checked: root.turns
+        onToggled: root.turns = checked
+    }
+    Layer {
+        objectName: "layer.directions"
+        text: qsTr("Driving direction")
+        swatch: Theme.ink
+        checked: root.directions
+        onToggled: root.directions = checked
+    }
+    Layer {
+        objectName: "layer.numbers"
+        text: qsTr("Order numbers")
+        swatch: Theme.muted
+        checked: root.numbers
+        onToggled: root.numbers = checked
+    }
+    Layer {
+        objectName: "layer.findings"
+        text: qsTr("Findings")
+        swatch: Theme.finding
+        checked: root.findings
+        onToggled: root.findings = checked
+    }
+}

@@ -1,0 +1,33 @@
+#include "ui/shell/window_tools.h"
+
+#include <QDir>
+#include <QFontDatabase>
+#include <QGuiApplication>
+#include <QLocale>
+#include <QQuickStyle>
+#include <QTranslator>
+
+namespace furrow {
+
+void prepareWindow() {
+    QCoreApplication::setOrganizationName(QStringLiteral("Furrow"));
+    QCoreApplication::setApplicationName(QStringLiteral("Furrow"));
+    QGuiApplication::setApplicationDisplayName(QStringLiteral("Furrow"));
+    QCoreApplication::setApplicationVersion(QStringLiteral(FURROW_VERSION));
+    QQuickStyle::setStyle(QStringLiteral("Fusion"));
+    const QDir fonts{QStringLiteral(":/furrow/fonts")};
+    for (const QString& file : fonts.entryList()) {
+        QFontDatabase::addApplicationFont(fonts.filePath(file));
+    }
+    auto* translator = new QTranslator{QCoreApplication::instance()};
+    // English plurals where there is no translation for the user's language.
+    if (translator->load(QLocale{}, QStringLiteral("furrow"), QStringLiteral("_"), QStringLiteral(":/furrow/translations")) ||
+        translator->load(QStringLiteral(":/furrow/translations/furrow_en.qm"))) {
+        QCoreApplication::installTranslator(translator);
+    }
+    QFont font{QStringLiteral("Inter")};
+    font.setPixelSize(13);
+    QGuiApplication::setFont(font);
+}
+
+}  // namespace furrow
