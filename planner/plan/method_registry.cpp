@@ -6,6 +6,7 @@
 #include "planner/swaths/methods.h"
 #include "planner/turns/continuous_curvature.h"
 #include "planner/turns/dubins.h"
+#include "planner/turns/named_turns.h"
 #include "planner/turns/reeds_shepp.h"
 #include "planner/turns/straight_turn.h"
 
@@ -32,7 +33,18 @@ constexpr std::array kRouteMethods{
     &kBoustrophedonMethod,
 };
 constexpr std::array kTurnMethods{
-    &kDubinsMethod,   &kReedsSheppMethod, &kContinuousDubinsMethod, &kContinuousReedsSheppMethod,
+    // the shortest curves
+    &kDubinsMethod,
+    &kReedsSheppMethod,
+    &kContinuousDubinsMethod,
+    &kContinuousReedsSheppMethod,
+    // the turns of farm practice
+    &kUTurnMethod,
+    &kOmegaMethod,
+    &kPTurnMethod,
+    &kFishtailMethod,
+    &kThreePointMethod,
+    // no curve at all
     &kStraightMethod,
 };
 

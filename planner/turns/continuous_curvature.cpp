@@ -1,5 +1,7 @@
 #include "planner/turns/continuous_curvature.h"
 
+#include "planner/turns/dubins.h"
+#include "planner/turns/reeds_shepp.h"
 #include "planner/turns/word_search.h"
 
 namespace furrow {
@@ -114,6 +116,13 @@ Turn shortestTurn(const Pose& from, const Pose& to, Length radius, CurvatureRate
     words::Word best;
     double bestLevel = 1.0;
     for (const double level : kLevels) {
+        // No flatter turns can win once the plain curve of their radius, never longer, does not.
+        const Length plainRadius = metres(1.0 / (level * largest));
+        if (level < 1.0 && best.length <= (reversing ? reedsSheppLength(from, to, plainRadius)
+                                                     : dubinsLength(from, to, plainRadius))
+                                              .si()) {
+            break;
+        }
         const ClothoidTurns turns{level * largest, rate.si()};
         words::WordSearch<ClothoidTurns> search{goal, turns.circle(), turns};
         search.startFrom(best);

@@ -122,8 +122,8 @@ Turn dubinsTurn(const Pose& from, const Pose& to, Length radius) {
     const double parts[] = {word.first, word.middle, word.last};
     for (int i = 0; i < 3; ++i) {
         if (parts[i] > kNoPiece) {
-            turn.pieces.push_back({.length = radius * parts[i],
-                                   .curvature = Curvature::fromSi(word.turns[i] / radius.si())});
+            turn.pieces.push_back(
+                {.length = radius * parts[i], .curvature = Curvature::fromSi(word.turns[i] / radius.si())});
         }
     }
     return turn;
