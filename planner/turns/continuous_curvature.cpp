@@ -59,11 +59,11 @@ public:
         };
         if (angle >= clothoidsAngle_) {
             add(clothoid_, 0.0, curvature_);
-            if (angle > clothoidsAngle_) {
+            if (angle > clothoidsAngle_ + words::kNoPart) {
                 add((angle - clothoidsAngle_) / curvature_, curvature_, curvature_);
             }
             add(clothoid_, curvature_, 0.0);
-        } else if (angle > 0.0) {
+        } else if (angle > words::kNoPart) {
             const double length = elementaryClothoid(angle);
             add(length, 0.0, angle / length);
             add(length, angle / length, 0.0);
@@ -104,7 +104,7 @@ Turn shortestTurn(const Pose& from, const Pose& to, Length radius, CurvatureRate
     const double ahead = goal.position.x;
     if (std::abs(goal.position.y) <= kAheadSlackM &&
         std::abs(std::remainder(goal.heading, 2.0 * kPi)) <= kAheadSlackRad && (reversing || ahead >= 0.0)) {
-        if (ahead != 0.0) {
+        if (std::abs(ahead) > words::kNoPart) {
             turn.pieces.push_back({.length = metres(std::abs(ahead)),
                                    .curvature = {},
                                    .gear = ahead > 0.0 ? Gear::Forward : Gear::Reverse});
@@ -148,7 +148,7 @@ Turn shortestTurn(const Pose& from, const Pose& to, Length radius, CurvatureRate
         const Gear gear = part.gear > 0 ? Gear::Forward : Gear::Reverse;
         if (part.side != 0) {
             turns.drive(turn, part.side, gear, part.amount);
-        } else if (part.amount > 0.0) {
+        } else if (part.amount > words::kNoPart) {
             turn.pieces.push_back({.length = metres(part.amount), .curvature = {}, .gear = gear});
         }
     }

@@ -41,7 +41,7 @@ public:
         Turn turn{.type = type, .start = from, .pieces = {}};
         for (int i = 0; i < best_.count; ++i) {
             const Part& part = best_.parts[i];
-            if (part.amount > 0.0) {
+            if (part.amount > words::kNoPart) {
                 turn.pieces.push_back({.length = radius * part.amount,
                                        .curvature = Curvature::fromSi(part.side / radius.si()),
                                        .gear = part.gear > 0 ? Gear::Forward : Gear::Reverse});

@@ -36,7 +36,7 @@ Turn reedsSheppTurn(const Pose& from, const Pose& to, Length radius) {
     turn.pieces.reserve(5);
     for (int i = 0; i < word.count; ++i) {
         const words::Part& part = word.parts[i];
-        if (part.amount > 0.0) {
+        if (part.amount > words::kNoPart) {
             turn.pieces.push_back({.length = radius * part.amount,
                                    .curvature = Curvature::fromSi(part.side / radius.si()),
                                    .gear = part.gear > 0 ? Gear::Forward : Gear::Reverse});

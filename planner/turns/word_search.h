@@ -43,6 +43,9 @@ struct Word {
     double length = std::numeric_limits<double>::infinity();
 };
 
+/// A part with less than this, in radians, radii or metres, is rounding: picometres.
+inline constexpr double kNoPart = 1e-12;
+
 /// The goal seen from the start, whose nose points to +x.
 struct Goal {
     Point position;
@@ -211,7 +214,7 @@ private:
         const int cusps = (cuspBefore ? 1 : 0) + (cuspAfter ? 1 : 0);
         const double tangent = first == last ? between.apart : between.inner;
         const double straight = tangent - 2.0 * circle_.ahead - 2.0 * cusps * circle_.aside;
-        if (tangent < 0.0 || straight < 0.0) {
+        if (tangent < 0.0 || straight < 0.0 || straight >= best_.length) {
             return;
         }
         double heading = between.axis;
