@@ -1,5 +1,6 @@
 #include "planner/turns/continuous_curvature.h"
 #include "planner/turns/dubins.h"
+#include "planner/turns/named_turns.h"
 #include "planner/turns/reeds_shepp.h"
 #include "tests/planner/turns/turn_check.h"
 
@@ -7,6 +8,9 @@
 
 using namespace furrow;
 using namespace furrow::test;
+
+using Named = Turn (*)(const Pose&, const Pose&, Length);
+Q_DECLARE_METATYPE(Named)
 
 /// Every figure is for a thousand turns: milliseconds read as microseconds each.
 class TurnsBenchmark : public QObject {
@@ -55,6 +59,18 @@ private slots:
         thousand([](const Pose& a, const Pose& b, Length r) {
             return continuousReedsSheppTurn(a, b, r, CurvatureRate::fromSi(0.1)).length().si();
         });
+    }
+    void namedTurns_data() {
+        QTest::addColumn<Named>("named");
+        QTest::newRow("U") << Named{uTurn};
+        QTest::newRow("omega") << Named{omegaTurn};
+        QTest::newRow("P") << Named{pTurn};
+        QTest::newRow("fishtail") << Named{fishtailTurn};
+        QTest::newRow("three-point") << Named{threePointTurn};
+    }
+    void namedTurns() {
+        QFETCH(Named, named);
+        thousand([&](const Pose& a, const Pose& b, Length r) { return named(a, b, r).length().si(); });
     }
 };
 

@@ -198,6 +198,25 @@ private slots:
         }
     }
 
+    void farAndNear_data() { cases(); }
+    void farAndNear() {
+        QFETCH(const Case*, method);
+        const Pose from = pose(0, 0, 0);
+        for (const Pose& to : {pose(0, 0, 0), pose(1e-7, 0, 0), pose(0, 1e-7, 0), pose(0, 0, 1e-6),
+                               pose(0, 0, 180), pose(-1e-3, 0, 0), pose(-20, 0, 0), pose(1e5, 1e4, 200),
+                               pose(-1e5, 3, 0), pose(1e4, 1e-9, 0), pose(0.1, 0.1, 45)}) {
+            for (const double rate : {1e-4, 0.02, 1.0, 1e6}) {
+                const Turn turn = method->turn(from, to, metres(3.0), CurvatureRate::fromSi(rate));
+                const Pose end = driven(turn);
+                const PosePair pair{from, to, 3.0};
+                VERIFY_TOLD(std::isfinite(turn.length().si()), told(0, 0, pair));
+                VERIFY_TOLD(distance(end.position, to.position) < 1e-3, told(0, 0, pair));
+                VERIFY_TOLD(distance(turn.end().position, to.position) < 1e-3, told(0, 0, pair));
+                VERIFY_TOLD(headingGap(end, to) < 1e-6, told(0, 0, pair));
+            }
+        }
+    }
+
     void rateOfAMachine() {
         MachineSpec spec;
         spec.tractor.minTurningRadius = metres(5.0);
