@@ -82,6 +82,8 @@ exec chroot $user "$root" /bin/bash -c "
 enter() {
     export PATH_OF_ENVIRONMENT=/usr/lib/qt6/bin:/usr/local/sbin:/usr/local/bin:/usr/sbin:/usr/bin:/sbin:/bin
     export CCACHE_DIR=${CCACHE_DIR:-$cache/ccache}
+    # Clones in other folders share what was compiled.
+    export CCACHE_BASEDIR=${CCACHE_BASEDIR:-$project} CCACHE_NOHASHDIR=1
     export FURROW_NODE_MODULES=$cache/node/node_modules
     if host_is_new_enough; then
         export PATH=/usr/lib/qt6/bin:$PATH

@@ -6,6 +6,7 @@
 #include <oneapi/tbb/task_group.h>
 
 #include <atomic>
+#include <mutex>
 
 namespace furrow {
 
@@ -15,9 +16,19 @@ Result<void> parallelFor(std::size_t count, const std::function<void(std::size_t
         return std::unexpected(cancelled());
     }
     std::atomic<std::size_t> finished = 0;
+    std::mutex reporting;
+    std::size_t reported = 0;
     const auto runOne = [&](std::size_t i) {
         body(i);
-        job.report(static_cast<double>(++finished) / static_cast<double>(count));
+        // A hundred reports are enough for any bar; in order, whichever thread comes first.
+        const std::size_t done = ++finished;
+        if (job.progress && done * 100 / count != (done - 1) * 100 / count) {
+            const std::lock_guard lock{reporting};
+            if (done > reported) {
+                reported = done;
+                job.report(static_cast<double>(done) / static_cast<double>(count));
+            }
+        }
     };
     if (job.threads == 1) {
         for (std::size_t i = 0; i < count && !job.stopRequested(); ++i) {

@@ -9,7 +9,7 @@
 
 namespace furrow {
 
-/// Runs `body(i)` for every i in [0, count) on the job's threads and reports progress.
+/// Runs `body(i)` for every i in [0, count) on the job's threads and reports progress, never backwards.
 /// The body must not throw and must write only to what belongs to its own i.
 /// Cancelled: a stop was requested; some bodies may not have run.
 Result<void> parallelFor(std::size_t count, const std::function<void(std::size_t)>& body,

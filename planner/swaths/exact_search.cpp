@@ -1,4 +1,5 @@
 #include "planner/geometry/convex_hull.h"
+#include "planner/jobs/parallel.h"
 #include "planner/swaths/heading_search.h"
 #include "planner/swaths/methods.h"
 #include "planner/units/angle.h"
@@ -74,8 +75,29 @@ struct Search {
         return bestHeading(scanLine, headings, objective, job);
     }
 
+    /// The same by time: only headings whose bound leaves them a chance are driven in full.
+    Result<BestHeading> quickest(const std::vector<Angle>& headings, const JobContext& job) {
+        tried += static_cast<int>(headings.size());
+        const auto bounds = parallelMap<Duration>(
+            headings.size(), [&](std::size_t i) { return scanLine.timeBound(headings[i]); }, job.part(0.0, 0.7));
+        if (!bounds) {
+            return std::unexpected(bounds.error());
+        }
+        const auto promising = static_cast<std::size_t>(std::ranges::min_element(*bounds) - bounds->begin());
+        const Duration known = scanLine.figures(headings[promising], SwathObjective::Time).time;
+        std::vector<Angle> left{headings[promising]};
+        for (std::size_t i = 0; i < headings.size(); ++i) {
+            if ((*bounds)[i] <= known) {
+                left.push_back(headings[i]);
+            }
+        }
+        return bestHeading(scanLine, left, objective, job.part(0.7, 1.0));
+    }
+
     /// Halves the step around the best heading for as long as that can matter.
-    Result<BestHeading> refined(BestHeading from, const JobContext& job) {
+    Result<BestHeading> refined(BestHeading from, const JobContext& caller) {
+        // A few dozen headings: over before a bar could move.
+        const JobContext job{.stop = caller.stop, .progress = {}, .threads = caller.threads};
         for (double stepDeg = 0.5 * kGridDeg; stepDeg > kFinestDeg; stepDeg *= 0.5) {
             const auto next = best({from.heading, normalisedSwathHeading(from.heading - degrees(stepDeg)),
                                     normalisedSwathHeading(from.heading + degrees(stepDeg))},
@@ -104,7 +126,16 @@ Result<SwathSet> exactSearch(const MultiPolygon& mainland, const Machine& machin
     const bool gap = settings.choice(kLastPass) == "gap";
 
     Result<BestHeading> best;
-    if (byCount && onePiece && !gap && mainland[0].holes.empty() && isConvex(mainland[0].outer)) {
+    if (search.objective == SwathObjective::Time) {
+        std::vector<Angle> headings = edgeHeadings(mainland, hull, machine.operatingWidth());
+        for (int i = 0; i * kGridDeg < 180.0 - 1e-9; ++i) {
+            headings.push_back(degrees(i * kGridDeg));
+        }
+        best = search.quickest(headings, job.part(0.0, 0.95));
+        if (best) {
+            best = search.refined(*best, job);
+        }
+    } else if (byCount && onePiece && !gap && mainland[0].holes.empty() && isConvex(mainland[0].outer)) {
         std::vector<Angle> headings;
         addEdgeHeadings(hull, headings);
         sortAndThin(headings);
@@ -126,7 +157,7 @@ Result<SwathSet> exactSearch(const MultiPolygon& mainland, const Machine& machin
         }
         best = search.best(headings, job.part(0.3, 0.95));
         if (best && !byCount) {
-            best = search.refined(*best, job.part(0.95, 1.0));
+            best = search.refined(*best, job);
         }
     }
     if (!best) {

@@ -107,11 +107,33 @@ void countOverlaps(std::vector<Interval>& intervals, std::vector<Interval>& once
     }
 }
 
+/// The least that a turn between opposite tracks can take, over all shifts of their ends along the track.
+/// The length of the curve changes by no more than the shift does (a shift can be driven straight), which
+/// makes a bound of a grid.
+Length shortestTurnBetween(Length spacing, Length radius) {
+    const Pose from{.position = {}, .heading = degrees(0.0)};
+    const auto lengthAt = [&](double shiftM) {
+        return dubinsLength(from, {.position = {shiftM, spacing.si()}, .heading = degrees(180.0)}, radius).si();
+    };
+    double shortest = lengthAt(0.0);
+    // A turn is longer than the shift it makes good.
+    const double farthest = shortest;
+    constexpr int kSteps = 100;
+    const double step = farthest / kSteps;
+    for (int i = -kSteps; i <= kSteps; ++i) {
+        shortest = std::min(shortest, lengthAt(i * step));
+    }
+    return metres(shortest - 0.5 * step);
+}
+
 }  // namespace
 
 ScanLine::ScanLine(const MultiPolygon& mainland, const SwathSpacing& spacing,
                    const std::optional<DrivingModel>& driving)
     : spacing_{spacing}, driving_{driving} {
+    if (driving) {
+        shortestTurn_ = shortestTurnBetween(spacing.width - spacing.overlap, driving->radius);
+    }
     const Bounds box = bounds(mainland);
     origin_ = 0.5 * (box.min + box.max);
     diameterM_ = std::hypot(box.width(), box.height());
@@ -347,10 +369,46 @@ HeadingFigures ScanLine::measure(SwathObjective objective, const Walk& walk) con
     figures.coverage = areaM2_ > 0.0 ? std::clamp(coveredM2 / areaM2_, 0.0, 1.0) : 0.0;
     figures.overlap = squareMetres(std::max(0.0, doubledM2));
     if (objective == SwathObjective::Time && driving_) {
-        const double missedM = (1.0 - figures.coverage) * areaM2_ / spacing_.width.si();
-        figures.time = drivingTime(walk) + seconds(kPiecemealFactor * missedM / driving_->working.si());
+        figures.time = drivingTime(walk) + missedTime(figures);
     }
     return figures;
+}
+
+Duration ScanLine::missedTime(const HeadingFigures& figures) const {
+    const double missedM = (1.0 - figures.coverage) * areaM2_ / spacing_.width.si();
+    return seconds(kPiecemealFactor * missedM / driving_->working.si());
+}
+
+Duration ScanLine::timeBound(Angle heading) const {
+    if (vertices_.empty() || !driving_) {
+        return {};
+    }
+    thread_local Walk walk;
+    rotate(heading, walk);
+    Duration least = seconds(std::numeric_limits<double>::infinity());
+    const int layouts = layoutCount(walk);
+    for (int layout = 0; layout < layouts; ++layout) {
+        lay(layout, walk);
+        const HeadingFigures figures = measure(SwathObjective::Length, walk);
+        int turns = -1;
+        double spansM = 0.0;  // of the tracks, holes and bays included: those are driven straight
+        for (std::size_t k = 0; k < walk.tracks.size(); ++k) {
+            if (walk.firstInterval[k + 1] > walk.firstInterval[k]) {
+                ++turns;
+                spansM += walk.crossings[walk.firstInterval[k + 1] - 1] - walk.crossings[walk.firstInterval[k]];
+            }
+        }
+        const Length straight = metres(std::max(0.0, spansM - figures.length.si() - kShortestSwathM * figures.count));
+        // Only neighbours at the full spacing are known to be at least so far apart.
+        const bool even = spacing_.lastPass != LastPass::Spread;
+        const int full = even ? std::max(0, turns - 1) : 0;
+        const int other = std::max(0, turns - full);
+        const Length turning = full * shortestTurn_ + other * std::numbers::pi * driving_->radius;
+        least = std::min(least, seconds(figures.length.si() / driving_->working.si() +
+                                        (turning + straight).si() / driving_->turning.si()) +
+                                    missedTime(figures));
+    }
+    return least;
 }
 
 Duration ScanLine::drivingTime(const Walk& walk) const {

@@ -52,6 +52,10 @@ public:
     /// vertices and each of the layouts (2, 1 and 9), no allocation after the first call on a thread.
     HeadingFigures figures(Angle heading, SwathObjective objective = SwathObjective::Coverage) const;
 
+    /// No layout of this heading takes less time than this; several times cheaper than the time itself. 0
+    /// without a driving model.
+    Duration timeBound(Angle heading) const;
+
     /// The swaths behind these figures, ordered by track, then along the heading.
     SwathSet swaths(Angle heading, SwathObjective objective = SwathObjective::Coverage) const;
 
@@ -73,6 +77,7 @@ private:
     void findSlabs(Walk& walk) const;
     HeadingFigures measure(SwathObjective objective, const Walk& walk) const;
     Duration drivingTime(const Walk& walk) const;
+    Duration missedTime(const HeadingFigures& figures) const;
     /// The best layout's number and figures; `walk` is rotated and holds any of them.
     std::pair<int, HeadingFigures> best(Angle heading, SwathObjective objective, Walk& walk) const;
 
@@ -84,6 +89,7 @@ private:
     double diameterM_ = 0.0;
     SwathSpacing spacing_;
     std::optional<DrivingModel> driving_;
+    Length shortestTurn_;  // between two neighbouring tracks, wherever their ends are
 };
 
 }  // namespace furrow

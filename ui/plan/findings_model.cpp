@@ -11,7 +11,7 @@ void FindingsModel::show(const std::vector<Finding>& findings, const std::vector
         return;
     }
     // While a value is dragged the list often keeps its length: no reason to lose the scroll position.
-    const bool sameLength = findings.size() == findings_.size();
+    const bool sameLength = shownCount(findings.size()) == rowCount();
     if (!sameLength) {
         beginResetModel();
     }
@@ -19,10 +19,24 @@ void FindingsModel::show(const std::vector<Finding>& findings, const std::vector
     places_ = places;
     if (!sameLength) {
         endResetModel();
-    } else {
-        emit dataChanged(index(0), index(count() - 1));
+    } else if (rowCount() > 0) {
+        emit dataChanged(index(0), index(rowCount() - 1));
     }
     emit countChanged();
+}
+
+void FindingsModel::setAll(bool all) {
+    if (all == all_) {
+        return;
+    }
+    beginResetModel();
+    all_ = all;
+    endResetModel();
+    emit allChanged();
+}
+
+int FindingsModel::shownCount(std::size_t findings) const {
+    return all_ ? static_cast<int>(findings) : std::min(static_cast<int>(findings), few());
 }
 
 int FindingsModel::blockingCount() const {
@@ -30,7 +44,7 @@ int FindingsModel::blockingCount() const {
 }
 
 int FindingsModel::rowCount(const QModelIndex& parent) const {
-    return parent.isValid() ? 0 : count();
+    return parent.isValid() ? 0 : shownCount(findings_.size());
 }
 
 QVariant FindingsModel::data(const QModelIndex& index, int role) const {

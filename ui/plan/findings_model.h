@@ -16,6 +16,9 @@ class FindingsModel : public QAbstractListModel {
     QML_ELEMENT
     QML_UNCREATABLE("belongs to a session")
     Q_PROPERTY(int count READ count NOTIFY countChanged FINAL)
+    /// Rows for all findings, or for the first few only: a plan may have hundreds while a value is dragged.
+    Q_PROPERTY(bool all READ showsAll WRITE setAll NOTIFY allChanged FINAL)
+    Q_PROPERTY(int few READ few CONSTANT FINAL)
     Q_PROPERTY(int blockingCount READ blockingCount NOTIFY countChanged FINAL)
 
 public:
@@ -26,7 +29,11 @@ public:
     /// `places` are those of the findings, in their order.
     void show(const std::vector<Finding>& findings, const std::vector<QGeoCoordinate>& places);
 
+    /// Of all findings, shown as rows or not.
     int count() const { return static_cast<int>(findings_.size()); }
+    bool showsAll() const { return all_; }
+    void setAll(bool all);
+    int few() const { return 4; }
     int blockingCount() const;
     int rowCount(const QModelIndex& parent = {}) const override;
     QVariant data(const QModelIndex& index, int role) const override;
@@ -35,8 +42,12 @@ public:
 
 signals:
     void countChanged();
+    void allChanged();
 
 private:
+    int shownCount(std::size_t findings) const;
+
+    bool all_ = false;
     std::vector<Finding> findings_;
     std::vector<QGeoCoordinate> places_;
 };

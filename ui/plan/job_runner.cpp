@@ -1,13 +1,13 @@
 #include "ui/plan/job_runner.h"
 
+#include <algorithm>
+
 namespace furrow {
 
 namespace {
 /// What takes longer shows its progress.
 constexpr int kSlowMs = 100;
 constexpr int kTickMs = 50;
-/// While the user drags, a piece that takes longer than this is not worth waiting for.
-constexpr int kPatienceMs = 1500;
 }  // namespace
 
 JobRunner::JobRunner(QObject* parent) : QObject{parent} {
@@ -31,7 +31,7 @@ void JobRunner::submit(Work work, Replace replace) {
     {
         const std::scoped_lock lock{mutex_};
         waiting_ = std::move(work);
-        if (replace == Replace::Now || (busy_ && since_.elapsed() > kPatienceMs)) {
+        if (replace == Replace::Now) {
             stopSource_.request_stop();
         }
     }
@@ -64,9 +64,11 @@ void JobRunner::run(const std::stop_token& stop) {
             jobStop = stopSource_.get_token();
         }
         progress_.store(0.0, std::memory_order_relaxed);
+        // One core stays free for the window.
+        const int threads = std::max(1, static_cast<int>(std::thread::hardware_concurrency()) - 1);
         Delivery delivery = work({.stop = jobStop,
                                   .progress = [this](double share) { progress_.store(share, std::memory_order_relaxed); },
-                                  .threads = 0});
+                                  .threads = threads});
         {
             const std::scoped_lock lock{mutex_};
             running_ = false;

@@ -160,27 +160,27 @@ QHash<int, QByteArray> ParameterModel::roleNames() const {
             {CheckedRole, "checked"}};
 }
 
-void ParameterModel::setNumber(int row, double value) {
+void ParameterModel::setNumber(int row, double value, bool live) {
     if (row >= 0 && row < rowCount()) {
-        emit changeRequested(&at(row), SettingValue{isDirection(at(row)) ? turnedDeg(value) : value});
+        emit changeRequested(&at(row), SettingValue{isDirection(at(row)) ? turnedDeg(value) : value}, live);
     }
 }
 
 void ParameterModel::setAuto(int row) {
     if (row >= 0 && row < rowCount()) {
-        emit changeRequested(&at(row), at(row).canBeAuto ? SettingValue{Auto{}} : at(row).defaultValue());
+        emit changeRequested(&at(row), at(row).canBeAuto ? SettingValue{Auto{}} : at(row).defaultValue(), false);
     }
 }
 
 void ParameterModel::setChoice(int row, int choice) {
     if (row >= 0 && row < rowCount() && choice >= 0 && choice < static_cast<int>(at(row).choices.size())) {
-        emit changeRequested(&at(row), SettingValue{std::string{at(row).choices[static_cast<std::size_t>(choice)].id}});
+        emit changeRequested(&at(row), SettingValue{std::string{at(row).choices[static_cast<std::size_t>(choice)].id}}, false);
     }
 }
 
 void ParameterModel::setFlag(int row, bool on) {
     if (row >= 0 && row < rowCount()) {
-        emit changeRequested(&at(row), SettingValue{on});
+        emit changeRequested(&at(row), SettingValue{on}, false);
     }
 }
 

@@ -49,14 +49,15 @@ public:
     QVariant data(const QModelIndex& index, int role) const override;
     QHash<int, QByteArray> roleNames() const override;
 
-    Q_INVOKABLE void setNumber(int row, double value);
+    /// `live`: more values will follow while the user drags.
+    Q_INVOKABLE void setNumber(int row, double value, bool live = false);
     Q_INVOKABLE void setAuto(int row);
     Q_INVOKABLE void setChoice(int row, int choice);
     Q_INVOKABLE void setFlag(int row, bool on);
 
 signals:
     /// The user wants this value, in the unit of the settings.
-    void changeRequested(const furrow::Parameter* parameter, const furrow::SettingValue& value);
+    void changeRequested(const furrow::Parameter* parameter, const furrow::SettingValue& value, bool live);
 
 private:
     const Parameter& at(int row) const { return *parameters_[static_cast<std::size_t>(row)]; }

@@ -255,7 +255,7 @@ void PlanSession::setSource(FieldSource source) {
     requestPlan(JobRunner::Replace::Now);
 }
 
-void PlanSession::changeSetting(const Parameter* parameter, const SettingValue& value) {
+void PlanSession::changeSetting(const Parameter* parameter, const SettingValue& value, bool live) {
     if (settings_.value(*parameter) == value) {
         return;
     }
@@ -269,7 +269,7 @@ void PlanSession::changeSetting(const Parameter* parameter, const SettingValue& 
         }
     }
     showModels();
-    requestPlan(JobRunner::Replace::WhenDone);
+    requestPlan(live ? JobRunner::Replace::WhenDone : JobRunner::Replace::Now);
 }
 
 void PlanSession::requestPlan(JobRunner::Replace replace) {

@@ -109,7 +109,7 @@ private:
                            const Settings& settings, const JobContext& job);
 
     void setSource(FieldSource source);
-    void changeSetting(const Parameter* parameter, const SettingValue& value);
+    void changeSetting(const Parameter* parameter, const SettingValue& value, bool live);
     void requestPlan(JobRunner::Replace replace);
     void take(Outcome outcome);
     void fail(const Error& error);

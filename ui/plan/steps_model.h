@@ -39,7 +39,7 @@ public:
     ParameterModel* parameters(const QString& stepId) const;
 
 signals:
-    void changeRequested(const furrow::Parameter* parameter, const furrow::SettingValue& value);
+    void changeRequested(const furrow::Parameter* parameter, const furrow::SettingValue& value, bool live);
 
 private:
     struct Step {

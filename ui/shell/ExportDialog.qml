@@ -16,6 +16,7 @@ T.Popup {
     modal: true
     focus: true
     width: 460
+    implicitHeight: contentItem.implicitHeight + 2 * padding
     padding: 24
     closePolicy: T.Popup.CloseOnEscape | T.Popup.CloseOnPressOutside
     onAboutToShow: {

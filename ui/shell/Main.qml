@@ -103,7 +103,11 @@ ApplicationWindow {
             })
         onBoundaryDrawn: points => root.session.setBoundary(points)
         onVertexMoved: (part, ring, vertex, place, finished) => root.session.moveVertex(part, ring, vertex, place, finished)
-        onFindingClicked: index => root.currentFinding = index
+        onFindingClicked: index => {
+            if (index >= root.session.findings.few)
+                root.session.findings.all = true;
+            root.currentFinding = index;
+        }
 
         StatusChip {
             anchors { right: parent.right; top: parent.top; margins: 16 }

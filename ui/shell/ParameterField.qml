@@ -98,7 +98,7 @@ Column {
             to: root.sliderTo
             stepSize: root.step
             value: root.value
-            onMoved: root.parameters.setNumber(root.index, value)
+            onMoved: root.parameters.setNumber(root.index, value, pressed)
         }
     }
     Component {

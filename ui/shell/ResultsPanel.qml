@@ -10,8 +10,6 @@ Rectangle {
 
     required property PlanSession session
     property int currentFinding: -1
-    property bool allFindings: false
-    readonly property int fewFindings: 4
     readonly property alias layers: layers
     signal findingRequested(index: int)
 
@@ -108,7 +106,6 @@ Rectangle {
                         required property int index
 
                         objectName: "finding." + index
-                        visible: root.allFindings || index < root.fewFindings || current
                         width: column.width
                         current: index === root.currentFinding
                         onClicked: root.findingRequested(index)
@@ -117,10 +114,10 @@ Rectangle {
             }
             SmallButton {
                 objectName: "allFindings"
-                visible: root.session.findings.count > root.fewFindings
-                text: root.allFindings ? qsTr("Show the first %1 only").arg(root.fewFindings) : qsTr("Show all %1").arg(root.session.findings.count)
+                visible: root.session.findings.count > root.session.findings.few
+                text: root.session.findings.all ? qsTr("Show the first %1 only").arg(root.session.findings.few) : qsTr("Show all %1").arg(root.session.findings.count)
                 height: 32
-                onClicked: root.allFindings = !root.allFindings
+                onClicked: root.session.findings.all = !root.session.findings.all
             }
             Item { width: 1; height: 24 }
             Title { text: qsTr("Layers") }

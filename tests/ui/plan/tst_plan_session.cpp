@@ -1,3 +1,4 @@
+#include "planner/plan/method_registry.h"
 #include "ui/plan/plan_session.h"
 
 #include <QAbstractItemModelTester>
@@ -21,6 +22,12 @@ int rowOf(const ParameterModel& model, const QString& key) {
         }
     }
     return -1;
+}
+
+/// The place of a method in its stage's list.
+int methodIndex(std::string_view stageId, std::string_view methodId) {
+    const auto stage = std::ranges::find(stages(), stageId, &StageInfo::id);
+    return static_cast<int>(std::ranges::find(stage->methods, methodId, &MethodInfo::id) - stage->methods.begin());
 }
 
 QVariant roleOf(const ParameterModel& model, const QString& key, int role) {
@@ -70,7 +77,7 @@ private slots:
         session.setBoundary(rectangle());
         QTRY_COMPARE(session.state(), PlanSession::State::Ready);
         ParameterModel* headland = session.steps()->parameters(QStringLiteral("headland"));
-        headland->setChoice(rowOf(*headland, QStringLiteral("headland.method")), 1);
+        headland->setChoice(rowOf(*headland, QStringLiteral("headland.method")), methodIndex("headland", "none"));
         QTRY_COMPARE(session.plan()->headland.width.si(), 0.0);
         session.closeField();
         QCOMPARE(session.figures()->rowCount(), 0);
@@ -127,7 +134,7 @@ private slots:
         PlanSession session;
         session.setBoundary(rectangle());
         ParameterModel* swaths = session.steps()->parameters(QStringLiteral("swaths"));
-        swaths->setChoice(rowOf(*swaths, QStringLiteral("swaths.method")), 1);
+        swaths->setChoice(rowOf(*swaths, QStringLiteral("swaths.method")), methodIndex("swaths", "fixed"));
         const int row = rowOf(*swaths, QStringLiteral("swaths.angle_deg"));
         QVERIFY(row >= 0);
         swaths->setNumber(row, bearing);
@@ -137,9 +144,10 @@ private slots:
     void onlyParametersOfTheMethodAreShown() {
         PlanSession session;
         ParameterModel* swaths = session.steps()->parameters(QStringLiteral("swaths"));
+        swaths->setChoice(0, methodIndex("swaths", "brute-force"));
         QVERIFY(rowOf(*swaths, QStringLiteral("swaths.step_deg")) >= 0);
         QCOMPARE(rowOf(*swaths, QStringLiteral("swaths.angle_deg")), -1);
-        swaths->setChoice(0, 1);
+        swaths->setChoice(0, methodIndex("swaths", "fixed"));
         QCOMPARE(rowOf(*swaths, QStringLiteral("swaths.step_deg")), -1);
         QVERIFY(rowOf(*swaths, QStringLiteral("swaths.angle_deg")) >= 0);
     }
@@ -203,7 +211,10 @@ private slots:
         session.openSample(index);
         QTRY_COMPARE_WITH_TIMEOUT(session.state(), PlanSession::State::Ready, 20000);
         QCOMPARE(session.fieldName(), session.sampleNames().at(index));
+        session.findings()->setAll(true);
         QCOMPARE(session.findings()->rowCount(), static_cast<int>(session.plan()->findings.size()));
+        session.findings()->setAll(false);
+        QVERIFY(session.findings()->rowCount() <= session.findings()->few());
     }
     void anotherMachineGivesAnotherPlan() {
         PlanSession session;

@@ -1,7 +1,7 @@
 #version 440
 
-// A segment becomes a rectangle around it, one pixel larger than the line is wide, so that its width is
-// the same at every zoom.
+// A segment becomes a rectangle around it, half a device pixel larger than the line is wide, so that its width
+// is the same at every zoom.
 layout(location = 0) in vec2 start;
 layout(location = 1) in vec2 delta;
 layout(location = 2) in vec3 corner;  // 0 at the start or 1 at the end, side, way from the line's beginning
@@ -17,7 +17,7 @@ layout(std140, binding = 0) uniform buf {
 
 void main() {
     float scale = shape.x;
-    float reach = shape.y + 1.0;
+    float reach = shape.y + 0.55 / shape.z;
     float lengthPx = length(delta) * scale;
     vec2 along = lengthPx > 1e-5 ? normalize(delta) : vec2(1.0, 0.0);
     vec2 across = vec2(-along.y, along.x);

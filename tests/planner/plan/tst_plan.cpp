@@ -1,0 +1,343 @@
+#include "planner/machine/machine_library.h"
+#include "planner/plan/method_registry.h"
+#include "planner/plan/plan.h"
+#include "tests/support/field_generator.h"
+#include "tests/support/result_check.h"
+
+#include <algorithm>
+#include <atomic>
+#include <cmath>
+#include <memory>
+#include <mutex>
+#include <set>
+#include <stop_token>
+
+using namespace furrow;
+
+namespace {
+
+constexpr GeoPoint kCentre{9.2, 51.3};
+
+const Machine& agbot() {
+    static const Machine machine = findMachine("agbot").value();
+    return machine;
+}
+
+Settings settingsOf(std::initializer_list<std::pair<std::string_view, std::string_view>> given) {
+    Settings settings;
+    for (const auto& [key, text] : given) {
+        applySetting(settings, key, text).value();
+    }
+    return settings;
+}
+
+std::shared_ptr<const Field> fieldOf(const MultiPolygon& polygons, GeoPoint centre = kCentre) {
+    return std::make_shared<const Field>(Field::create(test::fieldSourceFromLocal(polygons, centre)).value());
+}
+
+bool same(const SwathSet& a, const SwathSet& b) {
+    return a.swaths == b.swaths && a.heading == b.heading && a.proved == b.proved && a.totalLength == b.totalLength &&
+           a.coverage == b.coverage && a.overlap == b.overlap && a.shift == b.shift && a.headingsTried == b.headingsTried;
+}
+
+bool same(const Plan& a, const Plan& b) {
+    return a.margin == b.margin && a.headland.mainland == b.headland.mainland && a.headland.width == b.headland.width &&
+           a.headland.notes == b.headland.notes && same(a.swaths, b.swaths) && a.route == b.route && a.path == b.path &&
+           a.findings == b.findings;
+}
+
+int countOf(const Plan& plan, Severity severity, std::string_view kind) {
+    return static_cast<int>(std::ranges::count_if(
+        plan.findings, [&](const Finding& finding) { return finding.severity == severity && finding.kind == kind; }));
+}
+
+}  // namespace
+
+class PlanTest : public QObject {
+    Q_OBJECT
+
+private slots:
+    void threadsDoNotMatter_data() {
+        QTest::addColumn<int>("shape");
+        QTest::addColumn<QString>("objective");
+        for (const test::Shape shape : test::kShapes) {
+            for (const char* objective : {"swath-count", "swath-length", "coverage"}) {
+                QTest::addRow("%s, %s", test::shapeName(shape).data(), objective) << static_cast<int>(shape) << objective;
+            }
+        }
+    }
+    void threadsDoNotMatter() {
+        QFETCH(int, shape);
+        QFETCH(QString, objective);
+        const std::uint64_t seed = 1000 + static_cast<std::uint64_t>(shape);
+        std::mt19937_64 random{seed};
+        const Settings settings = settingsOf({{"swaths.objective", objective.toStdString()}, {"swaths.step_deg", "3"}});
+        for (int i = 0; i < 7; ++i) {
+            const auto field = fieldOf(test::randomPolygons(random, static_cast<test::Shape>(shape), test::uniform(random, 40.0, 120.0)));
+            const QByteArray told = QStringLiteral("seed %1, field %2").arg(seed).arg(i).toUtf8();
+            const PlanRequest request{.field = field, .machine = agbot(), .settings = settings};
+            const auto one = makePlan(request, {.threads = 1});
+            VERIFY_TOLD(one.has_value(), told + one.error().line().c_str());
+            for (const int threads : {1, 2, 8}) {
+                const auto other = makePlan(request, {.threads = threads});
+                VERIFY_TOLD(other.has_value() && same(**one, **other), told);
+            }
+            // A second reading of the same boundary is the same field.
+            const auto again = makePlan({.field = std::make_shared<const Field>(Field::create(field->source()).value()),
+                                         .machine = agbot(), .settings = settings});
+            VERIFY_TOLD(again.has_value(), told);
+            VERIFY_TOLD((*again)->route.steps.size() == (*one)->route.steps.size(), told);
+        }
+    }
+
+    // What every plan keeps to, whatever the field.
+    void everyPlan_data() {
+        QTest::addColumn<int>("shape");
+        for (const test::Shape shape : test::kShapes) {
+            QTest::addRow("%s", test::shapeName(shape).data()) << static_cast<int>(shape);
+        }
+    }
+    void everyPlan() {
+        QFETCH(int, shape);
+        const std::uint64_t seed = 2000 + static_cast<std::uint64_t>(shape);
+        std::mt19937_64 random{seed};
+        for (int i = 0; i < 20; ++i) {
+            const auto field = fieldOf(test::randomPolygons(random, static_cast<test::Shape>(shape), test::uniform(random, 25.0, 150.0)),
+                                       {test::uniform(random, -180.0, 180.0), test::uniform(random, -70.0, 70.0)});
+            const auto plan = makePlan({.field = field, .machine = agbot(), .settings = settingsOf({{"swaths.step_deg", "10"}})});
+            const QByteArray told = QStringLiteral("seed %1, field %2").arg(seed).arg(i).toUtf8();
+            VERIFY_TOLD(plan.has_value(), told + plan.error().line().c_str());
+            const Plan& p = **plan;
+            VERIFY_TOLD(p.route.steps.size() == p.swaths.swaths.size() && !p.route.steps.empty(), told);
+            std::set<std::size_t> driven;
+            for (const RouteStep& step : p.route.steps) {
+                driven.insert(step.swath);
+            }
+            VERIFY_TOLD(driven.size() == p.swaths.swaths.size(), told);
+            VERIFY_TOLD(p.headland.mainlandRatio > 0.0 && p.headland.mainlandRatio <= 1.0 + 1e-12, told);
+            VERIFY_TOLD(p.swaths.coverage > 0.0 && p.swaths.coverage <= 1.0, told);
+            // The straight line is the shortest: L_0 is a lower bound of the driven length.
+            VERIFY_TOLD(p.path.length() >= p.route.lengthInPlace - metres(1e-6), told);
+            // Each connection that cannot be driven is a blocking finding, and nothing else is.
+            const auto blocking = std::ranges::count(p.findings, Severity::Blocking, &Finding::severity);
+            VERIFY_TOLD(blocking == p.path.undrivableCount(), told);
+            VERIFY_TOLD(p.drivable() == (blocking == 0), told);
+            for (const PathSegment& segment : p.path.segments) {
+                VERIFY_TOLD(segment.drivable == segment.reason.empty(), told);
+            }
+            for (const Finding& finding : p.findings) {
+                VERIFY_TOLD(std::isfinite(finding.place.x) && std::isfinite(finding.place.y) && !finding.text.empty(), told);
+                VERIFY_TOLD(finding.severity == Severity::Note || !finding.suggestion.empty(), told);
+            }
+        }
+    }
+
+    void cancels_data() {
+        QTest::addColumn<int>("report");
+        QTest::addColumn<int>("threads");
+        for (const int report : {1, 2, 10, 90, 179, 180, 181, 183}) {
+            for (const int threads : {1, 4}) {
+                QTest::addRow("at progress report %d with %d threads", report, threads) << report << threads;
+            }
+        }
+    }
+    void cancels() {
+        QFETCH(int, report);
+        QFETCH(int, threads);
+        const auto field = fieldOf({test::centredRectangle(120.0, 80.0)});
+        std::stop_source stop;
+        std::atomic<int> reports = 0;
+        JobContext job{.stop = stop.get_token(), .progress = {}, .threads = threads};
+        job.progress = [&](double share) {
+            if (++reports == report && share < 1.0) {
+                stop.request_stop();
+            }
+        };
+        const auto plan = makePlan({.field = field, .machine = agbot(), .settings = {}}, job);
+        QVERIFY(stop.stop_requested());
+        QVERIFY(!plan);
+        QCOMPARE(plan.error().code, ErrorCode::Cancelled);
+    }
+
+    void cancelledBeforeItBegan() {
+        std::stop_source stop;
+        stop.request_stop();
+        const auto plan = makePlan({.field = fieldOf({test::centredRectangle(120.0, 80.0)}), .machine = agbot(), .settings = {}},
+                                   {.stop = stop.get_token()});
+        QVERIFY(!plan);
+        QCOMPARE(plan.error().code, ErrorCode::Cancelled);
+    }
+
+    void progressRisesToOne() {
+        std::vector<double> shares;
+        const JobContext job{.stop = {}, .progress = [&](double share) { shares.push_back(share); }, .threads = 1};
+        VERIFY_RESULT(makePlan({.field = fieldOf({test::centredRectangle(120.0, 80.0)}), .machine = agbot(), .settings = {}}, job));
+        QVERIFY(shares.size() > 100);
+        QVERIFY(std::ranges::is_sorted(shares));
+        QVERIFY(shares.front() >= 0.0);
+        QCOMPARE(shares.back(), 1.0);
+    }
+
+    // Turned, moved or mirrored, it is the same land and takes the same work.
+    void movesWithTheField_data() {
+        QTest::addColumn<int>("shape");
+        for (const test::Shape shape : test::kShapes) {
+            QTest::addRow("%s", test::shapeName(shape).data()) << static_cast<int>(shape);
+        }
+    }
+    void movesWithTheField() {
+        QFETCH(int, shape);
+        const std::uint64_t seed = 3000 + static_cast<std::uint64_t>(shape);
+        std::mt19937_64 random{seed};
+        // Without headland, whose rounded corners are drawn by chords that do not turn with the field.
+        const Settings settings = settingsOf({{"swaths.method", "longest-edge"}, {"headland.method", "none"}});
+        for (int i = 0; i < 10; ++i) {
+            MultiPolygon drawn = test::randomPolygons(random, static_cast<test::Shape>(shape), 100.0);
+            const Bounds box = bounds(drawn);
+            drawn = test::moved(drawn, degrees(0.0), -0.5 * (box.min + box.max));
+            const auto original = makePlan({.field = fieldOf(drawn), .machine = agbot(), .settings = settings});
+            const QByteArray told = QStringLiteral("seed %1, field %2").arg(seed).arg(i).toUtf8();
+            VERIFY_TOLD(original.has_value(), told);
+            MultiPolygon mirrored = drawn;
+            for (Polygon& polygon : mirrored) {
+                const auto mirror = [](Ring& ring) {
+                    for (Point& point : ring) {
+                        point.x = -point.x;
+                    }
+                    std::ranges::reverse(ring);
+                };
+                mirror(polygon.outer);
+                std::ranges::for_each(polygon.holes, mirror);
+            }
+            const std::pair<const char*, std::shared_ptr<const Field>> others[] = {
+                {"turned", fieldOf(test::moved(drawn, degrees(test::uniform(random, 10.0, 350.0)), {}))},
+                {"moved by hundreds of metres", fieldOf(test::moved(drawn, degrees(0.0), {400.0, -300.0}))},
+                {"moved to the south", fieldOf(drawn, {-58.0, -34.0})},
+                {"mirrored", fieldOf(mirrored)},
+            };
+            for (const auto& [how, field] : others) {
+                const auto plan = makePlan({.field = field, .machine = agbot(), .settings = settings});
+                VERIFY_TOLD(plan.has_value(), told + how);
+                VERIFY_TOLD((*plan)->swaths.swaths.size() == (*original)->swaths.swaths.size(), told + how);
+                const double ratio = (*plan)->swaths.totalLength / (*original)->swaths.totalLength;
+                VERIFY_TOLD(std::abs(ratio - 1.0) < 1e-6, told + how + QByteArray::number(ratio - 1.0));
+                VERIFY_TOLD(std::abs((*plan)->swaths.coverage - (*original)->swaths.coverage) < 1e-6, told + how);
+            }
+        }
+    }
+
+    void refusesAFieldNarrowerThanTheMachine_data() {
+        QTest::addColumn<double>("heightM");
+        QTest::addColumn<QString>("marginM");
+        QTest::addColumn<bool>("fits");
+        // The AgBot is 2.5 m wide.
+        QTest::newRow("wide enough") << 2.6 << "0" << true;
+        QTest::newRow("too narrow") << 2.4 << "0" << false;
+        QTest::newRow("too narrow with its margin") << 4.0 << "1" << false;
+        QTest::newRow("wide enough with its margin") << 4.7 << "1" << true;
+    }
+    void refusesAFieldNarrowerThanTheMachine() {
+        QFETCH(double, heightM);
+        QFETCH(QString, marginM);
+        QFETCH(bool, fits);
+        const auto plan = makePlan({.field = fieldOf({test::centredRectangle(100.0, heightM)}), .machine = agbot(),
+                                    .settings = settingsOf({{"field.margin_m", marginM.toStdString()}})});
+        QCOMPARE(plan.has_value(), fits);
+        if (!fits) {
+            QCOMPARE(plan.error().code, ErrorCode::InputRefused);
+            QVERIFY2(plan.error().line().contains("2.50 m"), plan.error().line().c_str());
+            QVERIFY(plan.error().place.has_value());
+        }
+    }
+
+    void findings_data() {
+        QTest::addColumn<QString>("headland");
+        QTest::addColumn<QString>("turn");
+        QTest::addColumn<QString>("stayInside");
+        QTest::addColumn<bool>("canTurnInPlace");
+        QTest::addColumn<int>("outside");
+        QTest::addColumn<int>("unchecked");
+        QTest::addColumn<int>("jumps");
+        QTest::addColumn<bool>("drivable");
+        // 100 m x 20 m without headland: 8 swaths, 7 turns, each of them outside.
+        QTest::newRow("room to turn") << "constant" << "dubins" << "true" << false << 0 << 0 << 0 << true;
+        QTest::newRow("no headland") << "none" << "dubins" << "true" << false << 7 << 0 << 0 << false;
+        QTest::newRow("no headland, not checked") << "none" << "dubins" << "false" << false << 0 << 1 << 0 << true;
+        QTest::newRow("straight, cannot turn on the spot") << "constant" << "straight" << "true" << false << 0 << 0 << 1 << false;
+        QTest::newRow("straight, cannot turn on the spot, not checked")
+            << "constant" << "straight" << "false" << false << 0 << 1 << 1 << false;
+        QTest::newRow("straight, can turn on the spot") << "constant" << "straight" << "true" << true << 0 << 0 << 0 << true;
+    }
+    void findings() {
+        QFETCH(QString, headland);
+        QFETCH(QString, turn);
+        QFETCH(QString, stayInside);
+        QFETCH(bool, canTurnInPlace);
+        QFETCH(int, outside);
+        QFETCH(int, unchecked);
+        QFETCH(int, jumps);
+        QFETCH(bool, drivable);
+        MachineSpec spec = agbot().spec();
+        spec.tractor.canTurnInPlace = canTurnInPlace;
+        const bool none = headland == "none";
+        const auto plan = makePlan({.field = fieldOf({test::centredRectangle(100.0, none ? 20.0 : 60.0)}),
+                                    .machine = Machine::create(spec).value(),
+                                    .settings = settingsOf({{"headland.method", headland.toStdString()},
+                                                            {"path.method", turn.toStdString()},
+                                                            {"path.stay_inside", stayInside.toStdString()},
+                                                            {"swaths.method", "longest-edge"}})});
+        VERIFY_RESULT(plan);
+        QCOMPARE(countOf(**plan, Severity::Blocking, "outside"), outside);
+        QCOMPARE(countOf(**plan, Severity::Note, "unchecked"), unchecked);
+        QCOMPARE(countOf(**plan, Severity::Blocking, "heading-jump"), jumps);
+        QCOMPARE((*plan)->drivable(), drivable);
+        QCOMPARE(static_cast<int>((*plan)->findings.size()), outside + unchecked + jumps);
+        if (outside > 0) {
+            for (const PathSegment& segment : (*plan)->path.segments) {
+                QCOMPARE(segment.drivable, segment.kind == SegmentKind::Swath);
+            }
+        }
+    }
+
+    void marginIsTheAccuracyUnlessGiven() {
+        FieldSource source = test::fieldSourceFromLocal({test::centredRectangle(100.0, 60.0)}, kCentre);
+        source.boundaryAccuracy = metres(0.4);
+        const auto field = std::make_shared<const Field>(Field::create(source).value());
+        const auto automatic = makePlan({.field = field, .machine = agbot(), .settings = {}});
+        VERIFY_RESULT(automatic);
+        COMPARE_WITHIN((*automatic)->margin.si(), 0.4, 1e-12);
+        COMPARE_WITHIN((*automatic)->headland.width.si(), 7.9, 1e-9);
+        const auto given = makePlan({.field = field, .machine = agbot(), .settings = settingsOf({{"field.margin_m", "0"}})});
+        VERIFY_RESULT(given);
+        COMPARE_WITHIN((*given)->margin.si(), 0.0, 1e-12);
+        COMPARE_WITHIN((*given)->headland.width.si(), 7.5, 1e-9);
+    }
+
+    void repairsAndFallbacksAreNotes() {
+        FieldSource source = test::fieldSourceFromLocal({test::centredRectangle(100.0, 16.0)}, kCentre);
+        std::ranges::reverse(source.parts.front().outer);
+        const auto plan = makePlan({.field = std::make_shared<const Field>(Field::create(source).value()), .machine = agbot(), .settings = {}});
+        VERIFY_RESULT(plan);
+        QCOMPARE(countOf(**plan, Severity::Note, "repair"), 1);
+        QCOMPARE(countOf(**plan, Severity::Note, "headland"), 1);
+    }
+
+    // Everything is wet but may be driven on: the machine fits, but nothing is left to work beside the margin.
+    void nothingLeftToWork() {
+        FieldSource source = test::fieldSourceFromLocal({test::centredRectangle(100.0, 60.0)}, kCentre);
+        source.obstacles = {{.name = "wet",
+                             .outline = LocalFrame::centredOn(kCentre)->toGeo(test::centredRectangle(96.0, 56.0)),
+                             .passable = true,
+                             .buffer = {}}};
+        for (const char* headland : {"constant", "none"}) {
+            const auto plan = makePlan({.field = std::make_shared<const Field>(Field::create(source).value()),
+                                        .machine = agbot(),
+                                        .settings = settingsOf({{"field.margin_m", "1.5"}, {"headland.method", headland}})});
+            QVERIFY(!plan);
+            QCOMPARE(plan.error().code, ErrorCode::InputRefused);
+        }
+    }
+};
+
+QTEST_APPLESS_MAIN(PlanTest)
+#include "tst_plan.moc"
