@@ -8,6 +8,9 @@ namespace furrow {
 
 namespace {
 
+/// From straight wheels to full lock, for a machine that does not say.
+constexpr Duration kFullLockTime = seconds(2.0);
+
 Error refused(std::string_view key, std::string what, std::string remedy) {
     return {.code = ErrorCode::InputRefused,
             .what = std::move(what),
@@ -82,6 +85,18 @@ Length Machine::minTurningRadius() const {
     const Tractor& tractor = spec_.tractor;
     return tractor.minTurningRadius ? *tractor.minTurningRadius
                                     : tractor.wheelbase / std::tan(tractor.maxSteeringAngle->si());
+}
+
+CurvatureRate Machine::maxCurvatureRate() const {
+    const Tractor& tractor = spec_.tractor;
+    if (tractor.maxCurvatureRate) {
+        return *tractor.maxCurvatureRate;
+    }
+    const Speed speed = tractor.canReverse ? std::max(turningSpeed(), tractor.reverseSpeed) : turningSpeed();
+    // The curvature is tan(steering angle) / wheelbase; its derivative has 1 / cos² >= 1 as a factor.
+    const double steered = tractor.steeringRateRadps ? *tractor.steeringRateRadps / tractor.wheelbase.si()
+                                                     : 1.0 / (kFullLockTime.si() * minTurningRadius().si());
+    return CurvatureRate::fromSi(steered / speed.si());
 }
 
 Speed Machine::turningSpeed() const {

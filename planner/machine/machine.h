@@ -101,6 +101,9 @@ public:
     Length operatingWidth() const { return spec_.implement.operatingWidth; }
     /// As given, or wheelbase / tan(steering angle).
     Length minTurningRadius() const;
+    /// As given; or what the steering rate makes of it at the turning (or reverse) speed with the wheels
+    /// straight, where it is least; or from straight to the smallest radius within two seconds.
+    CurvatureRate maxCurvatureRate() const;
     /// The turning speed, or less where the lateral acceleration would be too large at the smallest radius.
     Speed turningSpeed() const;
     /// Width of tractor and raised implement, whichever is more.

@@ -4,7 +4,10 @@
 #include "planner/plan/general_parameters.h"
 #include "planner/route/methods.h"
 #include "planner/swaths/methods.h"
+#include "planner/turns/continuous_curvature.h"
 #include "planner/turns/dubins.h"
+#include "planner/turns/named_turns.h"
+#include "planner/turns/reeds_shepp.h"
 #include "planner/turns/straight_turn.h"
 
 #include <algorithm>
@@ -30,7 +33,18 @@ constexpr std::array kRouteMethods{
     &kBoustrophedonMethod,
 };
 constexpr std::array kTurnMethods{
+    // the shortest curves
     &kDubinsMethod,
+    &kReedsSheppMethod,
+    &kContinuousDubinsMethod,
+    &kContinuousReedsSheppMethod,
+    // the turns of farm practice
+    &kUTurnMethod,
+    &kOmegaMethod,
+    &kPTurnMethod,
+    &kFishtailMethod,
+    &kThreePointMethod,
+    // no curve at all
     &kStraightMethod,
 };
 

@@ -1,24 +1,16 @@
 #include "planner/turns/dubins.h"
 
+#include "planner/turns/word_search.h"
+
 #include <algorithm>
 #include <cmath>
 #include <limits>
-#include <optional>
 
 namespace furrow {
 
 namespace {
 
-constexpr double kTwoPi = 2.0 * std::numbers::pi;
-// An arc this much short of a full circle is no arc that rounding turned into a circle.
-constexpr double kFullCircleSlack = 1e-9;
-// A piece shorter than this, in radii, is rounding: picometres.
-constexpr double kNoPiece = 1e-12;
-
-double positiveAngle(double angle) {
-    const double rest = angle - kTwoPi * std::floor(angle / kTwoPi);
-    return rest >= kTwoPi - kFullCircleSlack ? 0.0 : rest;
-}
+constexpr double kPi = std::numbers::pi;
 
 /// Three pieces: angles of arcs and, for the middle of the first four words, a length in radii.
 struct Word {
@@ -31,83 +23,88 @@ struct Word {
     double length() const { return first + middle + last; }
 };
 
-/// The problem scaled to radius 1, with the goal on the x axis at distance d.
-struct Scaled {
-    double d, alpha, beta;
-    double sinA, cosA, sinB, cosB, cosAB;
+/// Tries the six words on the problem scaled to radius 1, seen from the start.
+class ShortestWord {
+public:
+    explicit ShortestWord(const words::Goal& goal)
+        : heading_{goal.heading}, left_{side(goal, 1)}, right_{side(goal, -1)} {
+        outerTangent(1, left_);
+        outerTangent(-1, right_);
+        const Point across{0.0, 2.0};
+        innerTangent(1, right_ - across);
+        innerTangent(-1, left_ + across);
+        threeArcs(1, left_);
+        threeArcs(-1, right_);
+    }
+
+    const Word& word() const { return best_; }
+
+private:
+    static constexpr double kTouchSlack = 1e-12;
+
+    /// From the centre of the arc to `side` (left 1, right -1) at the start to that of the one at the goal.
+    static Point side(const words::Goal& goal, int side) {
+        const Point ahead = direction(goal.heading);
+        return {goal.position.x - side * ahead.y, goal.position.y + side * (ahead.x - 1.0)};
+    }
+
+    void offer(const Word& word) {
+        if (const double length = word.length(); length < shortest_) {
+            best_ = word;
+            shortest_ = length;
+        }
+    }
+
+    void outerTangent(int side, Point way) {
+        const double k = side;
+        const double axis = std::atan2(way.y, way.x);
+        (side > 0 ? leftAxis_ : rightAxis_) = axis;
+        offer({words::wrapped(k * axis),
+               std::sqrt(dot(way, way)),
+               words::wrapped(k * (heading_ - axis)),
+               {side, 0, side}});
+    }
+
+    void innerTangent(int side, Point way) {
+        const double square = dot(way, way) - 4.0;
+        // What rounding pushed below zero is zero: circles that touch.
+        const double middle = std::sqrt(std::max(0.0, square));
+        if (square < -kTouchSlack || middle >= shortest_) {
+            return;
+        }
+        const double k = side;
+        // The tangent lies at the angle atan(2 / middle) to the line between the centres: one rotation
+        // rather than the sum of two arc tangents.
+        const double axis = std::atan2(way.y * middle + 2.0 * k * way.x, way.x * middle - 2.0 * k * way.y);
+        offer({words::wrapped(k * axis), middle, words::wrapped(k * (axis - heading_)), {side, 0, -side}});
+    }
+
+    void threeArcs(int side, Point way) {
+        const double square = dot(way, way);
+        // The middle arc alone is longer than half a circle.
+        if (square > 16.0 || shortest_ <= kPi) {
+            return;
+        }
+        const double k = side;
+        const double outer = std::acos(0.25 * std::sqrt(square)) + 0.5 * kPi;
+        const double axis = side > 0 ? leftAxis_ : rightAxis_;
+        offer({words::wrapped(k * axis + outer),
+               2.0 * outer,
+               words::wrapped(k * (heading_ - axis) + outer),
+               {side, -side, side}});
+    }
+
+    double heading_;
+    Point left_;
+    Point right_;
+    double leftAxis_ = 0.0;
+    double rightAxis_ = 0.0;
+    Word best_;
+    double shortest_ = std::numeric_limits<double>::infinity();
 };
 
-Scaled scaled(const Pose& from, const Pose& to, double radius) {
-    const Point way = to.position - from.position;
-    const double d = norm(way) / radius;
-    // Where both positions are the same any axis will do.
-    const double axis = d > 0.0 ? std::atan2(way.y, way.x) : 0.0;
-    const double alpha = positiveAngle(from.heading.si() - axis);
-    const double beta = positiveAngle(to.heading.si() - axis);
-    return {d,
-            alpha,
-            beta,
-            std::sin(alpha),
-            std::cos(alpha),
-            std::sin(beta),
-            std::cos(beta),
-            std::cos(alpha - beta)};
-}
-
-/// sqrt, taking what rounding pushed below zero for zero.
-std::optional<double> root(double square) {
-    if (square < -1e-12) {
-        return std::nullopt;
-    }
-    return std::sqrt(std::max(0.0, square));
-}
-
-Word outerTangent(const Scaled& s, int side) {
-    // Mirroring the plane turns RSR into LSL.
-    const double k = side;
-    const double middle =
-        std::sqrt(std::max(0.0, 2.0 + s.d * s.d - 2.0 * s.cosAB + 2.0 * k * s.d * (s.sinA - s.sinB)));
-    const double axis = std::atan2(k * (s.cosB - s.cosA), s.d + k * (s.sinA - s.sinB));
-    return {positiveAngle(k * (axis - s.alpha)), middle, positiveAngle(k * (s.beta - axis)), {side, 0, side}};
-}
-
-std::optional<Word> innerTangent(const Scaled& s, int side) {
-    const double k = side;
-    const auto middle = root(-2.0 + s.d * s.d + 2.0 * s.cosAB + 2.0 * k * s.d * (s.sinA + s.sinB));
-    if (!middle) {
-        return std::nullopt;
-    }
-    const double axis =
-        std::atan2(-k * (s.cosA + s.cosB), s.d + k * (s.sinA + s.sinB)) + k * std::atan2(2.0, *middle);
-    return Word{
-        positiveAngle(k * (axis - s.alpha)), *middle, positiveAngle(k * (axis - s.beta)), {side, 0, -side}};
-}
-
-std::optional<Word> threeArcs(const Scaled& s, int side) {
-    const double k = side;
-    const double cosine = (6.0 - s.d * s.d + 2.0 * s.cosAB - 2.0 * k * s.d * (s.sinA - s.sinB)) / 8.0;
-    if (std::abs(cosine) > 1.0) {
-        return std::nullopt;
-    }
-    const double middle = kTwoPi - std::acos(cosine);
-    const double axis = std::atan2(k * (s.cosB - s.cosA), s.d + k * (s.sinA - s.sinB));
-    const double first = positiveAngle(k * (axis - s.alpha) + 0.5 * middle);
-    return Word{first, middle, positiveAngle(k * (s.beta - s.alpha) - first + middle), {side, -side, side}};
-}
-
-Word shortestWord(const Scaled& s) {
-    Word best = outerTangent(s, 1);
-    const auto consider = [&best](const std::optional<Word>& word) {
-        if (word && word->length() < best.length()) {
-            best = *word;
-        }
-    };
-    consider(outerTangent(s, -1));
-    for (const int side : {1, -1}) {
-        consider(innerTangent(s, side));
-        consider(threeArcs(s, side));
-    }
-    return best;
+Word shortestWord(const Pose& from, const Pose& to, Length radius) {
+    return ShortestWord{words::goalSeenFrom(from, to, 1.0 / radius.si())}.word();
 }
 
 Turn runDubins(const Pose& from, const Pose& to, const Machine& machine) {
@@ -117,20 +114,21 @@ Turn runDubins(const Pose& from, const Pose& to, const Machine& machine) {
 }  // namespace
 
 Turn dubinsTurn(const Pose& from, const Pose& to, Length radius) {
-    const Word word = shortestWord(scaled(from, to, radius.si()));
+    const Word word = shortestWord(from, to, radius);
     Turn turn{.type = "dubins", .start = from, .pieces = {}};
+    turn.pieces.reserve(3);
     const double parts[] = {word.first, word.middle, word.last};
     for (int i = 0; i < 3; ++i) {
-        if (parts[i] > kNoPiece) {
-            turn.pieces.push_back({.length = radius * parts[i],
-                                   .curvature = Curvature::fromSi(word.turns[i] / radius.si())});
+        if (parts[i] > words::kNoPart) {
+            turn.pieces.push_back(
+                {.length = radius * parts[i], .curvature = Curvature::fromSi(word.turns[i] / radius.si())});
         }
     }
     return turn;
 }
 
 Length dubinsLength(const Pose& from, const Pose& to, Length radius) {
-    return radius * shortestWord(scaled(from, to, radius.si())).length();
+    return radius * shortestWord(from, to, radius).length();
 }
 
 const Method<TurnPlanner> kDubinsMethod{

@@ -2,9 +2,49 @@
 
 #include "planner/units/angle.h"
 
+#include <algorithm>
 #include <cmath>
 
 namespace furrow {
+
+namespace {
+
+// Nodes and weights of the Gauss-Legendre rule with ten points on [-1, 1], the positive half
+// (Abramowitz & Stegun 1964, table 25.4).
+constexpr double kNodes[] = {0.1488743389816312108848260, 0.4333953941292471907992659,
+                             0.6794095682990244062343274, 0.8650633666889845107320967,
+                             0.9739065285171717200779640};
+constexpr double kWeights[] = {0.2955242247147528701738930, 0.2692667193099963550912269,
+                               0.2190863625159820439955349, 0.1494513491505805931457763,
+                               0.0666713443086881375935688};
+// For exp(i x) over a stretch that turns by no more than this the rule's error is below rounding.
+constexpr double kPanelRad = 1.5;
+
+/// The displacement in the frame of the start, and the angle turned, over `way` (negative in reverse) with
+/// the curvature k + rate s.
+Point clothoidDisplacement(double way, double k, double rate) {
+    const double largest = std::max(std::abs(k), std::abs(k + rate * way));
+    const int panels = std::max(1, static_cast<int>(std::ceil(largest * std::abs(way) / kPanelRad)));
+    const double half = 0.5 * way / panels;
+    Point sum;
+    for (int panel = 0; panel < panels; ++panel) {
+        const double middle = (2 * panel + 1) * half;
+        for (int i = 0; i < 5; ++i) {
+            const double before = middle - half * kNodes[i];
+            const double after = middle + half * kNodes[i];
+            sum = sum + kWeights[i] * (direction(before * (k + 0.5 * rate * before)) +
+                                       direction(after * (k + 0.5 * rate * after)));
+        }
+    }
+    return half * sum;
+}
+
+}  // namespace
+
+Curvature TurnPiece::curvatureAt(Length way) const {
+    // A piece of no length has only its begin.
+    return length.si() > 0.0 ? curvature + (endCurvature - curvature) * (way / length) : curvature;
+}
 
 Length Turn::length() const {
     Length sum;
@@ -24,6 +64,17 @@ Pose Turn::end() const {
 
 Pose advanced(const Pose& from, const TurnPiece& piece, Length way) {
     const double signedWay = piece.gear == Gear::Forward ? way.si() : -way.si();
+    if (piece.endCurvature != piece.curvature && piece.length.si() > 0.0) {
+        const double k = piece.curvature.si();
+        const double change = (piece.endCurvature - piece.curvature).si() / piece.length.si();
+        const double rate = piece.gear == Gear::Forward ? change : -change;
+        const Point moved = clothoidDisplacement(signedWay, k, rate);
+        const Point ahead = direction(from.heading.si());
+        const Point left{-ahead.y, ahead.x};
+        return {.position = from.position + moved.x * ahead + moved.y * left,
+                .heading =
+                    normalisedPoseHeading(from.heading + radians(signedWay * (k + 0.5 * rate * signedWay)))};
+    }
     const double turned = signedWay * piece.curvature.si();
     // The chord of an arc leaves at half its angle; sin(x)/x keeps flat arcs exact.
     const double half = 0.5 * turned;

@@ -6,7 +6,15 @@
 namespace furrow {
 
 /// The common signature of all turn methods: a manoeuvre in free space between two poses. Always succeeds:
-/// finite poses and a machine that exists are all it needs.
+/// finite poses and a machine that exists are all it needs. What the machine or the poses do not allow is
+/// replaced by another manoeuvre; the turn's type says which.
 using TurnPlanner = Turn(const Pose& from, const Pose& to, const Machine& machine);
+
+/// Whether a turn may reverse: the tractor can, and it does not pull what cannot be pushed.
+inline bool canReverse(const Machine& machine) {
+    const Implement& implement = machine.spec().implement;
+    return machine.spec().tractor.canReverse &&
+           (implement.mounting != Mounting::Trailed || implement.canReverse);
+}
 
 }  // namespace furrow

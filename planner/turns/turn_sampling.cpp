@@ -10,7 +10,8 @@ std::vector<TurnSample> sampled(const Turn& turn, Length chordTolerance) {
     Pose pose = turn.start;
     Length way;
     for (const TurnPiece& piece : turn.pieces) {
-        const double curvature = std::abs(piece.curvature.si());
+        // Taken for the whole of a clothoid: its flat end gets more samples than it needs.
+        const double curvature = std::max(std::abs(piece.curvature.si()), std::abs(piece.endCurvature.si()));
         // A chord over the angle phi stays R (1 - cos(phi / 2)) away from its arc.
         const double cosine = std::clamp(1.0 - chordTolerance.si() * curvature, -1.0, 1.0);
         const double angle = piece.length.si() * curvature;
@@ -19,7 +20,7 @@ std::vector<TurnSample> sampled(const Turn& turn, Length chordTolerance) {
         const int count = curvature > 0.0 ? steps : 1;
         for (int i = 0; i < count; ++i) {
             const Length part = piece.length * (static_cast<double>(i) / count);
-            samples.push_back({way + part, advanced(pose, piece, part), piece.curvature, piece.gear});
+            samples.push_back({way + part, advanced(pose, piece, part), piece.curvatureAt(part), piece.gear});
         }
         pose = advanced(pose, piece, piece.length);
         way += piece.length;
@@ -29,7 +30,7 @@ std::vector<TurnSample> sampled(const Turn& turn, Length chordTolerance) {
         samples.push_back({way, pose, {}, Gear::Forward});
     }
     const TurnPiece last = turn.pieces.empty() ? TurnPiece{} : turn.pieces.back();
-    samples.push_back({way, pose, last.curvature, last.gear});
+    samples.push_back({way, pose, last.endCurvature, last.gear});
     return samples;
 }
 

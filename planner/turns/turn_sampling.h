@@ -13,7 +13,7 @@ inline constexpr Length kChordTolerance = metres(0.005);
 struct TurnSample {
     Length way;  ///< driven since the turn began
     Pose pose;
-    Curvature curvature;  ///< of the piece that begins here; at the end, of the last one
+    Curvature curvature;  ///< here; where it jumps, of the piece that begins
     Gear gear = Gear::Forward;
 };
 

@@ -110,6 +110,44 @@ private slots:
         QCOMPARE(samples.back().curvature.si(), turn.pieces.back().curvature.si());
     }
 
+    void clothoidsStayWithinTheTolerance_data() {
+        QTest::addColumn<double>("lengthM");
+        QTest::addColumn<double>("from");
+        QTest::addColumn<double>("to");
+        QTest::addColumn<bool>("forward");
+        QTest::newRow("into a turn") << 5.0 << 0.0 << 0.25 << true;
+        QTest::newRow("out of a turn, in reverse") << 5.0 << -0.25 << 0.0 << false;
+        QTest::newRow("from side to side") << 8.0 << -0.4 << 0.4 << true;
+        QTest::newRow("long and flat") << 300.0 << 0.0 << 0.01 << true;
+        QTest::newRow("several times round") << 40.0 << 0.1 << 0.6 << false;
+    }
+    void clothoidsStayWithinTheTolerance() {
+        QFETCH(double, lengthM);
+        QFETCH(double, from);
+        QFETCH(double, to);
+        QFETCH(bool, forward);
+        const TurnPiece piece{.length = metres(lengthM),
+                              .curvature = Curvature::fromSi(from),
+                              .endCurvature = Curvature::fromSi(to),
+                              .gear = forward ? Gear::Forward : Gear::Reverse};
+        const Turn turn{.type = "test", .start = pose(3, 4, 50), .pieces = {piece}};
+        const auto samples = sampled(turn, kChordTolerance);
+        for (std::size_t i = 0; i + 1 < samples.size(); ++i) {
+            const double share = samples[i].way.si() / lengthM;
+            COMPARE_WITHIN(samples[i].curvature.si(), from + share * (to - from), 1e-12);
+            QCOMPARE(samples[i].gear, piece.gear);
+            for (int k = 1; k < 8; ++k) {
+                const Length way = samples[i].way + (samples[i + 1].way - samples[i].way) * (k / 8.0);
+                const Point on = advanced(turn.start, piece, way).position;
+                const double apartM = distanceToSegment(on, samples[i].pose.position, samples[i + 1].pose.position);
+                QVERIFY2(apartM <= kChordTolerance.si(), qPrintable(QString::number(apartM)));
+            }
+        }
+        QCOMPARE(samples.back().curvature.si(), to);
+        COMPARE_WITHIN(samples.back().way.si(), lengthM, 1e-12);
+        COMPARE_WITHIN(distance(samples.back().pose.position, turn.end().position), 0.0, 1e-12);
+    }
+
     void placesAShape() {
         // Nose to the north: what was ahead lies north, what was to the left lies west.
         const Ring moved = placed({{1.0, 0.0}, {0.0, 2.0}, {-3.0, -1.0}}, pose(10, 20, 90));

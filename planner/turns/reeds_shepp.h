@@ -1,0 +1,21 @@
+#pragma once
+
+#include "planner/settings/method.h"
+#include "planner/turns/turn_method.h"
+
+namespace furrow {
+
+/// The shortest curve between two poses whose radius is never below the given one, with reversing: the best
+/// of the 48 words of Reeds and Shepp in closed form. End pose exact to rounding, but for an arc of less than
+/// 1e-9 rad that is left out. Up to five pieces, none of no length. About 1 microsecond.
+/// Source: Reeds & Shepp 1990, doi 10.2140/pjm.1990.145.367; solved for the centres of the arcs (see
+/// word_search.h), which covers their formulas 8.1 to 8.11 with all reflections and time flips.
+Turn reedsSheppTurn(const Pose& from, const Pose& to, Length radius);
+
+/// The length of that curve alone.
+Length reedsSheppLength(const Pose& from, const Pose& to, Length radius);
+
+/// For machines that can reverse; others get the Dubins turn.
+extern const Method<TurnPlanner> kReedsSheppMethod;
+
+}  // namespace furrow
