@@ -1,7 +1,6 @@
 #include "planner/geometry/geos_bridge.h"
 #include "planner/headland/methods.h"
 #include "planner/headland/turning_room.h"
-#include "planner/turns/dubins.h"
 
 #include <algorithm>
 #include <cmath>
@@ -14,8 +13,8 @@ namespace {
 // Rounding must not turn 7.5 m / 2.5 m into two passes.
 constexpr double kPassSlack = 1e-9;
 
-int passesForTurns(const Machine& machine) {
-    const double room = roomForTurns(machine, kDubinsMethod.run) / machine.operatingWidth();
+int passesForTurns(const Machine& machine, TurnPlanner* turn) {
+    const double room = roomForTurns(machine, turn) / machine.operatingWidth();
     return std::max(1, static_cast<int>(std::ceil(room - kPassSlack)));
 }
 
@@ -38,7 +37,7 @@ Result<bool> isWorthWorking(const MultiPolygon& mainland, const Machine& machine
     });
 }
 
-Result<Headland> constantWidth(const Field& field, const Machine& machine, const Settings& settings,
+Result<Headland> constantWidth(const Field& field, const Machine& machine, TurnPlanner* turn, const Settings& settings,
                                Length margin, const JobContext& job) {
     const auto givenWidth = settings.length(kHeadlandWidth);
     const auto givenPasses = settings.count(kHeadlandPasses);
@@ -52,7 +51,7 @@ Result<Headland> constantWidth(const Field& field, const Machine& machine, const
     Headland headland;
     headland.passes = givenPasses  ? *givenPasses
                       : givenWidth ? passesWithin(*givenWidth, margin, machine)
-                                   : passesForTurns(machine);
+                                   : passesForTurns(machine, turn);
     headland.width = givenWidth ? std::max(*givenWidth, margin) : widthOf(headland.passes);
     const Length wanted = headland.width;
     for (;;) {

@@ -5,6 +5,7 @@
 #include "planner/jobs/job.h"
 #include "planner/machine/machine.h"
 #include "planner/settings/settings.h"
+#include "planner/turns/turn_method.h"
 
 namespace furrow {
 
@@ -24,9 +25,10 @@ Error nothingLeft(Length margin);
 ///
 /// @param field     a checked field
 /// @param machine   for widths and the room its turns need
+/// @param turn      how it will turn
 /// @param margin    what everything keeps from the boundary
 /// @return a headland whose mainland is not empty. InputRefused: nothing of the field is left. Cancelled.
-using HeadlandGenerator = Result<Headland>(const Field& field, const Machine& machine,
+using HeadlandGenerator = Result<Headland>(const Field& field, const Machine& machine, TurnPlanner* turn,
                                            const Settings& settings, Length margin, const JobContext& job);
 
 }  // namespace furrow

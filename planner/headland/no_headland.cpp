@@ -5,7 +5,7 @@ namespace furrow {
 
 namespace {
 
-Result<Headland> noHeadland(const Field& field, const Machine&, const Settings&, Length margin,
+Result<Headland> noHeadland(const Field& field, const Machine&, TurnPlanner*, const Settings&, Length margin,
                             const JobContext& job) {
     // The margin is kept everywhere, headland or not.
     auto mainland = margin > metres(0.0) ? eroded(field.workable(), margin, kArcTolerance, job)

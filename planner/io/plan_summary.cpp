@@ -120,7 +120,7 @@ std::string planSummaryJson(const Plan& plan) {
           {"working_length_m", workedM},
           {"turn_length_m", plan.path.length(SegmentKind::Turn).si()},
           {"transfer_length_m", plan.path.length(SegmentKind::Transfer).si()},
-          {"reverse_length_m", 0.0},
+          {"reverse_length_m", plan.path.reversedLength().si()},
           {"time_s", plan.path.duration().si()},
           {"turns", plan.path.turnCount()},
           {"undrivable_turns", plan.path.undrivableCount()}}},

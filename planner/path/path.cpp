@@ -44,12 +44,38 @@ Duration Path::duration(SegmentKind kind) const {
     return sum;
 }
 
+Length Path::reversedLength() const {
+    Length sum;
+    for (const PathSegment& segment : segments) {
+        if (segment.gear == Gear::Reverse) {
+            sum += segment.length();
+        }
+    }
+    return sum;
+}
+
 int Path::turnCount() const {
-    return static_cast<int>(std::ranges::count(segments, SegmentKind::Turn, &PathSegment::kind));
+    int count = 0;
+    for (std::size_t i = 0; i < segments.size(); ++i) {
+        const bool begins = i == 0 || segments[i - 1].kind != SegmentKind::Turn;
+        count += segments[i].kind == SegmentKind::Turn && begins ? 1 : 0;
+    }
+    return count;
 }
 
 int Path::undrivableCount() const {
-    return static_cast<int>(std::ranges::count(segments, false, &PathSegment::drivable));
+    int count = 0;
+    bool counted = false;
+    for (const PathSegment& segment : segments) {
+        if (segment.kind == SegmentKind::Swath) {
+            counted = false;
+        }
+        if (!segment.drivable && !counted) {
+            ++count;
+            counted = true;
+        }
+    }
+    return count;
 }
 
 }  // namespace furrow

@@ -53,7 +53,11 @@ struct Path {
     /// Of all segments of one kind.
     Length length(SegmentKind kind) const;
     Duration duration(SegmentKind kind) const;
+    /// In reverse gear.
+    Length reversedLength() const;
+    /// Ways from one swath to the next, however many segments each has.
     int turnCount() const;
+    /// Of these ways, those with a segment that cannot be driven.
     int undrivableCount() const;
     friend bool operator==(const Path&, const Path&) = default;
 };

@@ -18,13 +18,30 @@ public:
         append(std::move(segment), length, speed);
     }
 
-    void addTurn(const Turn& turn, int fromSwath, Speed speed) {
-        PathSegment segment{
-            .kind = SegmentKind::Turn, .turnType = std::string{turn.type}, .swath = fromSwath};
-        for (const TurnSample& at : sampled(turn, kChordTolerance)) {
-            segment.samples.push_back(sample(at.pose, at.way, at.curvature, speed));
+    /// One segment for each stretch in one gear.
+    void addTurn(const Turn& turn, int fromSwath, Speed forward, Speed backward) {
+        const std::vector<TurnSample> samples = sampled(turn, kChordTolerance);
+        std::size_t begin = 0;
+        while (begin + 1 < samples.size()) {
+            const Gear gear = samples[begin].gear;
+            const Speed speed = gear == Gear::Forward ? forward : backward;
+            const Length before = samples[begin].way;
+            PathSegment segment{.kind = SegmentKind::Turn,
+                                .turnType = std::string{turn.type},
+                                .swath = fromSwath,
+                                .gear = gear};
+            std::size_t end = begin + 1;
+            while (end + 1 < samples.size() && samples[end].gear == gear) {
+                ++end;
+            }
+            for (std::size_t i = begin; i <= end; ++i) {
+                const TurnSample& at = samples[i];
+                const Curvature curvature = i == end ? at.arriving : at.curvature;
+                segment.samples.push_back(sample(at.pose, at.way - before, curvature, speed));
+            }
+            append(std::move(segment), samples[end].way - before, speed);
+            begin = end;
         }
-        append(std::move(segment), turn.length(), speed);
     }
 
     Path take() { return std::move(path_); }
@@ -65,7 +82,7 @@ Result<Path> buildPath(const SwathSet& swaths, const Route& route, const Machine
         writer.addSwath(swaths.swaths[step.swath], startPose(step, swaths), endPose(step, swaths), working);
         if (i + 1 < route.steps.size()) {
             writer.addTurn(turn(endPose(step, swaths), startPose(route.steps[i + 1], swaths), machine),
-                           swaths.swaths[step.swath].number, turning);
+                           swaths.swaths[step.swath].number, turning, machine.spec().tractor.reverseSpeed);
         }
     }
     return writer.take();

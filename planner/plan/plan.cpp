@@ -10,6 +10,7 @@
 #include <algorithm>
 #include <chrono>
 #include <format>
+#include <optional>
 
 namespace furrow {
 
@@ -47,15 +48,18 @@ Result<void> checkThatItFits(const Field& field, const Machine& machine, Length 
     return {};
 }
 
-std::string swathName(const Path& path, std::size_t segment) {
-    return segment < path.segments.size() ? std::to_string(path.segments[segment].swath)
-                                          : std::string{"the end"};
+/// The swath that the connection with this segment leads to.
+int nextSwath(const Path& path, std::size_t segment) {
+    while (segment + 1 < path.segments.size() && path.segments[segment].kind != SegmentKind::Swath) {
+        ++segment;
+    }
+    return path.segments[segment].swath;
 }
 
 Finding blockedFinding(const Path& path, const BlockedConnection& blocked, const Headland& headland,
                        const Machine& machine) {
     const std::string way = std::format("The way from swath {} to {}", path.segments[blocked.segment].swath,
-                                        swathName(path, blocked.segment + 1));
+                                        nextSwath(path, blocked.segment));
     if (blocked.obstacle) {
         return {
             .severity = Severity::Blocking,
@@ -108,7 +112,7 @@ Result<std::shared_ptr<const Plan>> makePlan(const PlanRequest& request, const J
         return std::unexpected(fits.error());
     }
     auto headland = timed(plan->timings.headland, [&] {
-        return headlandMethod(settings)(field, machine, settings, plan->margin, job.part(0.0, 0.1));
+        return headlandMethod(settings)(field, machine, turnMethod(settings), settings, plan->margin, job.part(0.0, 0.1));
     });
     if (!headland) {
         return std::unexpected(headland.error());
@@ -145,10 +149,20 @@ Result<std::shared_ptr<const Plan>> makePlan(const PlanRequest& request, const J
         if (!blocked) {
             return std::unexpected(blocked.error());
         }
+        std::optional<BlockedConnection> worst;
         for (const BlockedConnection& connection : *blocked) {
             PathSegment& segment = plan->path.segments[connection.segment];
             segment.drivable = false;
             segment.reason = blockedReason(connection);
+            // A way in several gears is one finding, at its worst place.
+            const bool sameWay = worst && plan->path.segments[worst->segment].swath == segment.swath;
+            if (sameWay && connection.outside <= worst->outside) {
+                continue;
+            }
+            if (sameWay) {
+                plan->findings.pop_back();
+            }
+            worst = connection;
             plan->findings.push_back(blockedFinding(plan->path, connection, plan->headland, machine));
         }
     } else if (plan->path.turnCount() > 0) {

@@ -9,6 +9,7 @@ std::vector<TurnSample> sampled(const Turn& turn, Length chordTolerance) {
     std::vector<TurnSample> samples;
     Pose pose = turn.start;
     Length way;
+    Curvature arriving;
     for (const TurnPiece& piece : turn.pieces) {
         // Taken for the whole of a clothoid: its flat end gets more samples than it needs.
         const double curvature = std::max(std::abs(piece.curvature.si()), std::abs(piece.endCurvature.si()));
@@ -20,17 +21,19 @@ std::vector<TurnSample> sampled(const Turn& turn, Length chordTolerance) {
         const int count = curvature > 0.0 ? steps : 1;
         for (int i = 0; i < count; ++i) {
             const Length part = piece.length * (static_cast<double>(i) / count);
-            samples.push_back({way + part, advanced(pose, piece, part), piece.curvatureAt(part), piece.gear});
+            const Curvature here = piece.curvatureAt(part);
+            samples.push_back({way + part, advanced(pose, piece, part), here, piece.gear, i == 0 ? arriving : here});
         }
+        arriving = piece.endCurvature;
         pose = advanced(pose, piece, piece.length);
         way += piece.length;
     }
     if (samples.empty()) {
         // A turn to where one already is: its start and its end.
-        samples.push_back({way, pose, {}, Gear::Forward});
+        samples.push_back({way, pose, {}, Gear::Forward, {}});
     }
     const TurnPiece last = turn.pieces.empty() ? TurnPiece{} : turn.pieces.back();
-    samples.push_back({way, pose, last.endCurvature, last.gear});
+    samples.push_back({way, pose, last.endCurvature, last.gear, last.endCurvature});
     return samples;
 }
 

@@ -14,7 +14,8 @@ struct TurnSample {
     Length way;  ///< driven since the turn began
     Pose pose;
     Curvature curvature;  ///< here; where it jumps, of the piece that begins
-    Gear gear = Gear::Forward;
+    Gear gear = Gear::Forward;  ///< of the piece that begins here
+    Curvature arriving;         ///< of the piece that ends here; differs only where curvature jumps
 };
 
 /// Samples from the start to the end of a turn, at every change of piece and close enough in between.

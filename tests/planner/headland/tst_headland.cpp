@@ -97,7 +97,7 @@ private slots:
         const Field field = fieldFrom({test::centredRectangle(fieldWidthM, fieldHeightM)});
         const Settings settings = settingsWith(givenWidthM >= 0.0 ? std::optional{givenWidthM} : std::nullopt,
                                                givenPasses >= 0.0 ? std::optional{givenPasses} : std::nullopt);
-        const auto headland = kConstantWidthMethod.run(field, agbot(), settings, metres(marginM), {});
+        const auto headland = kConstantWidthMethod.run(field, agbot(), kDubinsMethod.run, settings, metres(marginM), {});
         VERIFY_RESULT(headland);
         COMPARE_WITHIN(headland->width.si(), widthM, 1e-12);
         QCOMPARE(headland->passes, passes);
@@ -112,7 +112,7 @@ private slots:
     void holesGetARing() {
         const Field field = fieldFrom(test::polygonsFromWkt(
             "POLYGON((-50 -50, 50 -50, 50 50, -50 50, -50 -50), (-10 -10, -10 10, 10 10, 10 -10, -10 -10))"));
-        const auto headland = kConstantWidthMethod.run(field, agbot(), settingsWith(7.5, {}), {}, {});
+        const auto headland = kConstantWidthMethod.run(field, agbot(), kDubinsMethod.run, settingsWith(7.5, {}), {}, {});
         VERIFY_RESULT(headland);
         // The square less the hole with strips of 7.5 m along its sides and a quarter circle at each corner.
         const double expectedM2 = 85.0 * 85.0 - (400.0 + 80.0 * 7.5 + kPi * 7.5 * 7.5);
@@ -129,14 +129,14 @@ private slots:
                              .passable = true,
                              .buffer = metres(0.0)}};
         const auto headland =
-            kConstantWidthMethod.run(Field::create(source).value(), agbot(), settingsWith(5.0, {}), {}, {});
+            kConstantWidthMethod.run(Field::create(source).value(), agbot(), kDubinsMethod.run, settingsWith(5.0, {}), {}, {});
         VERIFY_RESULT(headland);
         COMPARE_WITHIN(area(headland->mainland).si(), 90.0 * 90.0 - (400.0 + 80.0 * 5.0 + kPi * 25.0), 1.0);
     }
 
     void everyPartHasItsOwn() {
         const Field field = fieldFrom({test::rectangle(60.0, 60.0, {-100.0, -30.0}), test::rectangle(40.0, 40.0, {0.0, -20.0})});
-        const auto headland = kConstantWidthMethod.run(field, agbot(), settingsWith(5.0, {}), {}, {});
+        const auto headland = kConstantWidthMethod.run(field, agbot(), kDubinsMethod.run, settingsWith(5.0, {}), {}, {});
         VERIFY_RESULT(headland);
         QCOMPARE(headland->mainland.size(), std::size_t{2});
         COMPARE_WITHIN(area(headland->mainland).si(), 2500.0 + 900.0, 0.02);
@@ -144,7 +144,7 @@ private slots:
 
     void bothWidthAndPassesAreRefused() {
         const Field field = fieldFrom({test::centredRectangle(100.0, 60.0)});
-        const auto headland = kConstantWidthMethod.run(field, agbot(), settingsWith(7.5, 2.0), {}, {});
+        const auto headland = kConstantWidthMethod.run(field, agbot(), kDubinsMethod.run, settingsWith(7.5, 2.0), {}, {});
         QVERIFY(!headland);
         QCOMPARE(headland.error().code, ErrorCode::Usage);
         QVERIFY(headland.error().line().contains("headland.width_m"));
@@ -161,7 +161,7 @@ private slots:
         QFETCH(double, marginM);
         QFETCH(double, mainlandM2);
         const Field field = fieldFrom({test::centredRectangle(100.0, 60.0)});
-        const auto headland = kNoHeadlandMethod.run(field, agbot(), {}, metres(marginM), {});
+        const auto headland = kNoHeadlandMethod.run(field, agbot(), kDubinsMethod.run, {}, metres(marginM), {});
         VERIFY_RESULT(headland);
         QCOMPARE(headland->passes, 0);
         COMPARE_WITHIN(headland->width.si(), marginM, 1e-12);
@@ -174,7 +174,7 @@ private slots:
     void aMarginThatLeavesNothingIsRefused() {
         const Field field = fieldFrom({test::centredRectangle(100.0, 60.0)});
         for (const auto* method : {&kConstantWidthMethod, &kNoHeadlandMethod}) {
-            const auto headland = method->run(field, agbot(), {}, metres(31.0), {});
+            const auto headland = method->run(field, agbot(), kDubinsMethod.run, {}, metres(31.0), {});
             QVERIFY(!headland);
             QCOMPARE(headland.error().code, ErrorCode::InputRefused);
             QVERIFY2(headland.error().where.contains("margin"), headland.error().line().c_str());
@@ -186,7 +186,7 @@ private slots:
         stop.request_stop();
         const Field field = fieldFrom({test::centredRectangle(100.0, 60.0)});
         for (const auto* method : {&kConstantWidthMethod, &kNoHeadlandMethod}) {
-            const auto headland = method->run(field, agbot(), {}, metres(1.0), {.stop = stop.get_token()});
+            const auto headland = method->run(field, agbot(), kDubinsMethod.run, {}, metres(1.0), {.stop = stop.get_token()});
             QVERIFY(!headland);
             QCOMPARE(headland.error().code, ErrorCode::Cancelled);
         }
