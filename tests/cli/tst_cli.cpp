@@ -1,0 +1,222 @@
+// The command line as other programs rely on it: exit statuses, one-line errors, files.
+
+#include <QDir>
+#include <QFile>
+#include <QJsonArray>
+#include <QJsonDocument>
+#include <QJsonObject>
+#include <QProcess>
+#include <QTemporaryDir>
+#include <QTest>
+
+#include <csignal>
+
+// The waiting macros of QtTest narrow.
+#pragma GCC diagnostic ignored "-Wconversion"
+
+namespace {
+
+struct Answer {
+    int status = -1;
+    QString out;
+    QString error;
+};
+
+Answer furrow(const QStringList& arguments) {
+    QProcess process;
+    process.start(QStringLiteral(FURROW_BINARY_DIR "/furrow-cli"), arguments);
+    process.waitForFinished(60'000);
+    return {process.exitCode(), QString::fromUtf8(process.readAllStandardOutput()),
+            QString::fromUtf8(process.readAllStandardError())};
+}
+
+QString sample(const QString& name) {
+    return QStringLiteral(FURROW_SOURCE_DIR "/resources/sample_fields/%1.geojson").arg(name);
+}
+
+QString written(const QTemporaryDir& folder, const QString& name, const QByteArray& text) {
+    QFile file{folder.filePath(name)};
+    if (!file.open(QIODevice::WriteOnly)) {
+        return {};
+    }
+    file.write(text);
+    return file.fileName();
+}
+
+QByteArray read(const QString& path) {
+    QFile file{path};
+    return file.open(QIODevice::ReadOnly) ? file.readAll() : QByteArray{};
+}
+
+constexpr char kTwoFields[] = R"({"type":"FeatureCollection","features":[
+ {"type":"Feature","id":"a7","properties":{"name":"North"},"geometry":{"type":"Polygon","coordinates":
+  [[[5.0,52.0],[5.002,52.0],[5.002,52.001],[5.0,52.001],[5.0,52.0]]]}},
+ {"type":"Feature","id":"b8","properties":{"name":"South"},"geometry":{"type":"Polygon","coordinates":
+  [[[5.0,51.99],[5.004,51.99],[5.004,51.991],[5.0,51.991],[5.0,51.99]]]}}]})";
+
+constexpr char kBowTie[] = R"({"type":"Polygon","coordinates":
+  [[[5.0,52.0],[5.002,52.001],[5.002,52.0],[5.0,52.001],[5.0,52.0]]]})";
+
+}  // namespace
+
+class TestCli : public QObject {
+    Q_OBJECT
+
+private slots:
+    void summaryHasEveryKey() {
+        const QTemporaryDir folder;
+        const Answer answer = furrow({"plan", sample("home_field"), "--out", folder.filePath("plan"), "--json"});
+        QCOMPARE(answer.status, 0);
+        const QJsonDocument summary = QJsonDocument::fromJson(answer.out.toUtf8());
+        QVERIFY(summary.isObject());
+        const QJsonObject top = summary.object();
+        for (const char* key : {"field", "crs", "machine", "machines", "operation", "settings", "headland", "swaths",
+                                "route", "path", "audit", "timing_ms", "version"}) {
+            QVERIFY2(top.contains(QLatin1String(key)), key);
+        }
+        const auto hasAll = [&](const char* object, const QStringList& keys) {
+            for (const QString& key : keys) {
+                QVERIFY2(top[QLatin1String(object)].toObject().contains(key), qPrintable(key));
+            }
+        };
+        hasAll("field", {"id", "area_m2"});
+        hasAll("headland", {"width_m", "passes", "mainland_ratio"});
+        hasAll("swaths", {"count", "total_length_m", "heading_deg", "proved", "coverage", "overlap_m2", "shift_m"});
+        hasAll("route", {"method", "objective", "length_in_place_m", "cost", "non_working_cost", "lower_bound", "gap",
+                         "gap_total"});
+        hasAll("path", {"length_m", "turn_length_m", "transfer_length_m", "reverse_length_m", "time_s", "turns",
+                        "undrivable_turns"});
+        hasAll("audit", {"covered_m2", "covered", "covered_of_reachable", "missed_m2", "overlap_m2",
+                         "overlap_headland_m2", "outside_m2", "min_clearance_m", "max_curvature_1pm",
+                         "max_curvature_rate_1pm2", "max_position_jump_m", "max_heading_jump_rad", "findings"});
+        // 2.5 m wide with 2.1 m of radius: three passes, the paper's 7.5 m.
+        QCOMPARE(top["headland"].toObject()["width_m"].toDouble(), 7.5);
+        QCOMPARE(read(folder.filePath("plan/summary.json")), answer.out.toUtf8());
+    }
+
+    void filesHoldThePlan() {
+        const QTemporaryDir folder;
+        QCOMPARE(furrow({"plan", sample("home_field"), "--out", folder.path(), "--quiet"}).status, 0);
+        QMap<QString, int> kinds;
+        const QJsonObject plan = QJsonDocument::fromJson(read(folder.filePath("plan.geojson"))).object();
+        for (const QJsonValue& feature : plan["features"].toArray()) {
+            ++kinds[feature["properties"]["kind"].toString()];
+        }
+        QCOMPARE(kinds["field"], 1);
+        QCOMPARE(kinds["mainland"], 1);
+        QCOMPARE(kinds["headland"], 1);
+        QVERIFY(kinds["swath"] > 10);
+        QCOMPARE(kinds["path"], 2 * kinds["swath"] - 1);
+        const QList<QByteArray> rows = read(folder.filePath("path.csv")).trimmed().split('\n');
+        QCOMPARE(rows.front(), QByteArray("s_m,t_s,x_m,y_m,lon_deg,lat_deg,heading_rad,curvature_1pm,speed_mps,gear,"
+                                          "implement_down,segment,order,machine,level"));
+        double before = -1.0;
+        for (const QByteArray& row : rows.mid(1)) {
+            const QList<QByteArray> cells = row.split(',');
+            QCOMPARE(cells.size(), 15);
+            QVERIFY(cells[0].toDouble() >= before);
+            before = cells[0].toDouble();
+        }
+        QVERIFY(QFile::exists(folder.filePath("TASKDATA/TASKDATA.XML")));
+        QVERIFY(QDir{folder.path()}.entryList({"*.part"}).isEmpty());
+    }
+
+    void sameFilesOnAnyNumberOfThreads() {
+        const QTemporaryDir folder;
+        for (const char* threads : {"1", "2", "8"}) {
+            QCOMPARE(furrow({"plan", sample("slanted_field"), "--threads", threads, "--out", folder.filePath(threads)})
+                             .status < 2,
+                     true);
+        }
+        for (const char* file : {"plan.geojson", "path.csv", "TASKDATA/TASKDATA.XML"}) {
+            const QByteArray one = read(folder.filePath(QStringLiteral("1/%1").arg(QLatin1String(file))));
+            QVERIFY(!one.isEmpty());
+            QCOMPARE(read(folder.filePath(QStringLiteral("2/%1").arg(QLatin1String(file)))), one);
+            QCOMPARE(read(folder.filePath(QStringLiteral("8/%1").arg(QLatin1String(file)))), one);
+        }
+    }
+
+    void answers_data() {
+        QTest::addColumn<QStringList>("arguments");
+        QTest::addColumn<int>("status");
+        QTest::addColumn<QString>("says");
+        const QString out = folder_.filePath("answers");
+        const QString field = sample("home_field");
+        const QString two = written(folder_, "two.geojson", kTwoFields);
+        const QString bowTie = written(folder_, "bowtie.geojson", kBowTie);
+        const QString file = written(folder_, "file", "no folder");
+        const auto plan = [&](const QString& input, const QStringList& more) {
+            return QStringList{"plan", input, "--out", out} + more;
+        };
+        QTest::newRow("a plan") << plan(field, {}) << 0 << "Drivable  yes";
+        QTest::newRow("turns outside") << plan(field, {"--set", "headland.method=none"}) << 1 << "leaves the field";
+        QTest::newRow("no command") << QStringList{} << 2 << "subcommand";
+        QTest::newRow("a command that is not there yet") << QStringList{"audit", "x"} << 2 << "furrow-cli";
+        QTest::newRow("an option that is not there") << plan(field, {"--fast"}) << 2 << "--fast";
+        QTest::newRow("no such method") << plan(field, {"--set", "swaths.method=contour"}) << 2 << "brute-force";
+        QTest::newRow("no such setting") << plan(field, {"--set", "headland.witdh_m=3"}) << 2 << "headland.width_m";
+        QTest::newRow("no such machine") << plan(field, {"--machine", "agbott"}) << 2 << "agbot";
+        QTest::newRow("no such format") << plan(field, {"--format", "dwg"}) << 2 << "geojson";
+        QTest::newRow("several fields") << plan(two, {}) << 2 << "South";
+        QTest::newRow("by id") << plan(two, {"--field-id", "b8"}) << 0 << "South";
+        QTest::newRow("by name") << plan(two, {"--field-id", "North"}) << 0 << "North";
+        QTest::newRow("by number") << plan(two, {"--field-id", "2"}) << 0 << "South";
+        QTest::newRow("no such field") << plan(two, {"--field-id", "9"}) << 2 << "9";
+        QTest::newRow("value out of range") << plan(field, {"--set", "headland.width_m=-1"}) << 3 << "headland.width_m";
+        QTest::newRow("bow-tie") << plan(bowTie, {}) << 3 << "crosses itself at 5.001";
+        QTest::newRow("machine too wide") << plan(sample("long_strip"), {"--set", "field.margin_m=40"}) << 3
+                                          << "nowhere as wide";
+        QTest::newRow("no such file") << plan(folder_.filePath("none.shp"), {}) << 4 << "none.shp";
+        QTest::newRow("out is below a file") << QStringList{"plan", field, "--out", file + "/plan"} << 4 << "could not be written";
+        QTest::newRow("list methods") << QStringList{"list", "methods"} << 0 << "reeds-shepp-cc";
+        QTest::newRow("list machines") << QStringList{"list", "machines"} << 0 << "AgBot";
+        QTest::newRow("list formats") << QStringList{"list", "formats"} << 0 << "GeoPackage";
+        QTest::newRow("list fields") << QStringList{"list", "fields", two} << 0 << "b8";
+        QTest::newRow("help") << QStringList{"plan", "--help"} << 0 << "Exit status";
+    }
+    void answers() {
+        QFETCH(QStringList, arguments);
+        QFETCH(int, status);
+        QFETCH(QString, says);
+        const Answer answer = furrow(arguments);
+        QVERIFY2(answer.status == status, qPrintable(answer.error + answer.out));
+        QVERIFY2((answer.out + answer.error).contains(says), qPrintable(answer.out + answer.error));
+        if (status > 1) {
+            // One line, and nothing on standard output.
+            QCOMPARE(answer.error.trimmed().count('\n'), 0);
+            QVERIFY(answer.out.isEmpty());
+        }
+    }
+
+    void listsAreJsonObjects() {
+        for (const char* what : {"methods", "machines", "formats"}) {
+            const Answer answer = furrow({"list", what, "--json"});
+            QCOMPARE(answer.status, 0);
+            QVERIFY(QJsonDocument::fromJson(answer.out.toUtf8()).isObject());
+        }
+    }
+
+    void interruptLeavesNothing() {
+        const QTemporaryDir folder;
+        QProcess process;
+        // A thousandth of a degree on a large field: far more work than the signal takes to arrive.
+        process.start(QStringLiteral(FURROW_BINARY_DIR "/furrow-cli"),
+                      {"plan", sample("great_field"), "--set", "swaths.method=brute-force", "--set",
+                       "swaths.step_deg=0.01", "--out", folder.filePath("plan")});
+        QVERIFY(process.waitForStarted());
+        // Blocked in every thread from the first lines on; until then the signal would just end the program.
+        const QString status = QStringLiteral("/proc/%1/status").arg(process.processId());
+        QTRY_VERIFY(read(status).contains("Threads:\t2") || read(status).contains("Threads:\t3"));
+        ::kill(static_cast<pid_t>(process.processId()), SIGINT);
+        QVERIFY(process.waitForFinished(30'000));
+        QCOMPARE(process.exitStatus(), QProcess::NormalExit);
+        QCOMPARE(process.exitCode(), 130);
+        QVERIFY(!QFile::exists(folder.filePath("plan/plan.geojson")));
+    }
+
+private:
+    QTemporaryDir folder_;
+};
+
+QTEST_GUILESS_MAIN(TestCli)
+#include "tst_cli.moc"
