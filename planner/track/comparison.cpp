@@ -28,8 +28,9 @@ constexpr double kWayNoiseShare = 0.25;
 constexpr double kShortestCourseM = 0.2;
 // A sample this far before the start or behind the end is not on the path.
 constexpr double kBeyondEndM = 0.5;
-// Longer pauses between samples are breaks of the recording, not driving.
+// A longer step is a pause or a break of the recording, unless the machine drove on meanwhile.
 constexpr double kLongestStepS = 30.0;
+constexpr double kSlowestDrivingMps = 0.5;
 
 constexpr std::size_t kMostCandidates = 8;
 
@@ -404,12 +405,14 @@ private:
 constexpr std::array kKinds = {SegmentKind::Swath,    SegmentKind::Turn,   SegmentKind::HeadlandPass,
                                SegmentKind::Transfer, SegmentKind::Refill, SegmentKind::Wait};
 
-std::optional<double> stepS(const TrackSample& before, const TrackSample& now) {
+/// The time of a step that tells of driving.
+std::optional<double> stepS(const TrackSample& before, const TrackSample& now, double wayM) {
     if (!before.timeS || !now.timeS) {
         return std::nullopt;
     }
     const double step = *now.timeS - *before.timeS;
-    return step > 0.0 && step <= kLongestStepS ? std::optional{step} : std::nullopt;
+    const bool driving = step <= kLongestStepS || wayM >= kSlowestDrivingMps * step;
+    return step > 0.0 && driving ? std::optional{step} : std::nullopt;
 }
 
 }  // namespace
@@ -452,8 +455,8 @@ Result<TrackComparison> compareWithPath(const Path& path, const LocalFrame& fram
             overall.add(match.crossTrackM);
             sum.add(match.crossTrackM);
             if (i > 0 && (*matches)[i - 1]) {
-                if (const auto step = stepS(track.samples[i - 1], track.samples[i])) {
-                    const double way = distance(places[i - 1], places[i]);
+                const double way = distance(places[i - 1], places[i]);
+                if (const auto step = stepS(track.samples[i - 1], track.samples[i], way)) {
                     overall.addStep(way, *step);
                     sum.addStep(way, *step);
                 }
