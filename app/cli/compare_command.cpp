@@ -1,6 +1,6 @@
 #include "app/cli/compare_command.h"
 
-#include "app/cli/comparison_report.h"
+#include "planner/evaluation/comparison_report.h"
 #include "app/cli/exit_status.h"
 #include "app/cli/terminal.h"
 #include "planner/io/atomic_files.h"

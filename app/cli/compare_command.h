@@ -6,7 +6,7 @@
 
 namespace furrow::cli {
 
-/// `furrow-cli compare PLAN_DIR TRACK [--json] [--out DIR]`
+/// Adds `compare PLAN_DIR TRACK ...`; what was asked for ends up in `run`.
 void addCompareCommand(CLI::App& app, std::function<int()>& run);
 
 }  // namespace furrow::cli

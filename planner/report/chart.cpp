@@ -50,8 +50,13 @@ public:
         }
         range.min = axis.min.value_or(range.min);
         range.max = std::max(range.min, axis.max.value_or(range.max));
-        ticks_ = scale_ == AxisScale::Log ? logTicks(range.min, range.max)
-                                          : linearTicks(range.min, range.max, count);
+        if (scale_ == AxisScale::Log) {
+            ticks_ = logTicks(range.min, range.max);
+        } else if (axis.step && range.max > range.min) {
+            ticks_ = steppedTicks(range.min, range.max, *axis.step);
+        } else {
+            ticks_ = linearTicks(range.min, range.max, count);
+        }
     }
 
     void place(double fromPx, double toPx) {

@@ -16,6 +16,7 @@ struct ChartAxis {
     AxisScale scale = AxisScale::Linear;
     std::optional<double> min;  ///< otherwise as the data needs; linear axes start at 0 if that is near
     std::optional<double> max;
+    std::optional<double> step;  ///< between the marks of a linear axis; > 0
 };
 
 enum class Marks { None, Dots, Rings, Squares, Crosses };

@@ -65,6 +65,18 @@ Ticks linearTicks(double min, double max, int count) {
     return ticks;
 }
 
+Ticks steppedTicks(double min, double max, double step) {
+    Ticks ticks;
+    ticks.min = min;
+    ticks.max = max;
+    for (double i = std::ceil(min / step - 1e-9); i <= max / step + 1e-9 && ticks.values.size() < 100;
+         i += 1.0) {
+        ticks.values.push_back(i * step);
+        ticks.labels.push_back(tickLabel(i * step, step));
+    }
+    return ticks;
+}
+
 Ticks logTicks(double min, double max) {
     Ticks ticks;
     constexpr double kRoom = 1.15;

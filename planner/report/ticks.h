@@ -17,6 +17,10 @@ struct Ticks {
 /// @param min, max  finite, min <= max; equal ones are given some room
 Ticks linearTicks(double min, double max, int count);
 
+/// Multiples of a step, for a range that stays as it is.
+/// @param step  > 0, at most 100 of them in the range
+Ticks steppedTicks(double min, double max, double step);
+
 /// Powers of ten, over less than two of them 2 and 5 as well. The range is the values', with some room.
 /// @param min, max  finite, 0 < min <= max
 Ticks logTicks(double min, double max);

@@ -1,4 +1,4 @@
-#include "app/cli/comparison_report.h"
+#include "planner/evaluation/comparison_report.h"
 
 #include "planner/report/map_picture.h"
 
@@ -11,7 +11,7 @@
 #include <limits>
 #include <optional>
 
-namespace furrow::cli {
+namespace furrow {
 
 namespace {
 
@@ -262,4 +262,4 @@ std::string comparisonText(const ComparisonReport& report) {
     return text + "Mean: signed, positive to the left of the way of driving.\n";
 }
 
-}  // namespace furrow::cli
+}  // namespace furrow

@@ -7,7 +7,7 @@
 #include <span>
 #include <string>
 
-namespace furrow::cli {
+namespace furrow {
 
 /// What is told about a comparison. Refers to what it was made from.
 struct ComparisonReport {
@@ -31,4 +31,4 @@ std::string comparisonJson(const ComparisonReport& report);
 /// A table for people.
 std::string comparisonText(const ComparisonReport& report);
 
-}  // namespace furrow::cli
+}  // namespace furrow
