@@ -14,4 +14,7 @@ struct EmbeddedFile {
 /// resources/machines/*.json in the order people see them.
 std::span<const EmbeddedFile> embeddedMachines();
 
+/// resources/paper_fields/paper_fields.geojson.
+std::string_view embeddedPaperFields();
+
 }  // namespace furrow

@@ -1,3 +1,5 @@
+#include "app/cli/bench_command.h"
+#include "app/cli/compare_command.h"
 #include "app/cli/exit_status.h"
 #include "app/cli/list_command.h"
 #include "app/cli/plan_command.h"
@@ -20,6 +22,8 @@ int main(int argc, char** argv) {
     app.footer("furrow-cli COMMAND --help explains a command.");
     std::function<int()> run;
     addPlanCommand(app, run);
+    addBenchCommand(app, run);
+    addCompareCommand(app, run);
     addListCommand(app, run);
     try {
         app.parse(argc, argv);

@@ -1,9 +1,134 @@
 #include "planner/io/path_csv.h"
 
+#include <algorithm>
+#include <array>
+#include <charconv>
+#include <cmath>
 #include <format>
 #include <iterator>
+#include <optional>
+#include <vector>
 
 namespace furrow {
+
+namespace {
+
+Error refused(const std::string& where, std::string what) {
+    return {.code = ErrorCode::InputRefused,
+            .what = std::move(what),
+            .where = where,
+            .remedy = "write the plan again with furrow-cli plan"};
+}
+
+std::vector<std::string_view> cellsOf(std::string_view line) {
+    std::vector<std::string_view> cells;
+    while (true) {
+        const std::size_t comma = line.find(',');
+        cells.push_back(line.substr(0, comma));
+        if (comma == std::string_view::npos) {
+            return cells;
+        }
+        line.remove_prefix(comma + 1);
+    }
+}
+
+/// Takes the first line from a text.
+std::string_view takeLine(std::string_view& text) {
+    const std::size_t end = text.find('\n');
+    std::string_view line = text.substr(0, end);
+    text.remove_prefix(end == std::string_view::npos ? text.size() : end + 1);
+    if (line.ends_with('\r')) {
+        line.remove_suffix(1);
+    }
+    return line;
+}
+
+std::optional<SegmentKind> segmentKindFrom(std::string_view id) {
+    for (const SegmentKind kind : {SegmentKind::Swath, SegmentKind::Turn, SegmentKind::HeadlandPass,
+                                   SegmentKind::Transfer, SegmentKind::Refill, SegmentKind::Wait}) {
+        if (segmentKindId(kind) == id) {
+            return kind;
+        }
+    }
+    return std::nullopt;
+}
+
+enum Column {
+    kS,
+    kT,
+    kX,
+    kY,
+    kHeading,
+    kCurvature,
+    kSpeed,
+    kGear,
+    kDown,
+    kOrder,
+    kNumbers,
+    kKind = kNumbers
+};
+constexpr std::array<std::string_view, kNumbers + 1> kColumns = {
+    "s_m",   "t_s",    "x_m", "y_m", "heading_rad", "curvature_1pm", "speed_mps", "gear", "implement_down",
+    "order", "segment"};
+
+class PathTable {
+public:
+    explicit PathTable(const std::string& where) : where_{where} {}
+
+    Result<void> readHeader(std::string_view line) {
+        const std::vector<std::string_view> names = cellsOf(line);
+        for (std::size_t i = 0; i < kColumns.size(); ++i) {
+            const auto found = std::ranges::find(names, kColumns[i]);
+            if (found == names.end()) {
+                return std::unexpected(
+                    refused(where_ + ", line 1", std::format("there is no column {}", kColumns[i])));
+            }
+            at_[i] = static_cast<std::size_t>(found - names.begin());
+        }
+        return {};
+    }
+
+    Result<void> readRow(std::string_view line, std::size_t number) {
+        const std::string place = std::format("{}, line {}", where_, number);
+        const std::vector<std::string_view> cells = cellsOf(line);
+        std::array<double, kNumbers> value{};
+        for (std::size_t i = 0; i < value.size(); ++i) {
+            const std::string_view cell = at_[i] < cells.size() ? cells[at_[i]] : std::string_view{};
+            const auto [end, error] = std::from_chars(cell.data(), cell.data() + cell.size(), value[i]);
+            if (error != std::errc{} || end != cell.data() + cell.size() || !std::isfinite(value[i])) {
+                return std::unexpected(
+                    refused(place, std::format("{} is '{}', which is no number", kColumns[i], cell)));
+            }
+        }
+        const std::string_view kindId = at_[kKind] < cells.size() ? cells[at_[kKind]] : std::string_view{};
+        const auto kind = segmentKindFrom(kindId);
+        if (!kind) {
+            return std::unexpected(refused(place, std::format("'{}' is no kind of segment", kindId)));
+        }
+        if (path.segments.empty() || value[kOrder] != order_) {
+            order_ = value[kOrder];
+            path.segments.push_back({.kind = *kind,
+                                     .gear = value[kGear] < 0.0 ? Gear::Reverse : Gear::Forward,
+                                     .implementDown = value[kDown] != 0.0});
+        }
+        path.segments.back().samples.push_back({.sM = value[kS],
+                                                .tS = value[kT],
+                                                .position = {value[kX], value[kY]},
+                                                .headingRad = value[kHeading],
+                                                .curvature1pm = value[kCurvature],
+                                                .speedMps = value[kSpeed]});
+        return {};
+    }
+
+    Path path;
+
+private:
+    const std::string& where_;
+    std::array<std::size_t, kColumns.size()> at_{};
+    double order_ = 0.0;
+};
+
+}  // namespace
 
 std::string pathCsv(const Plan& plan) {
     std::string text =
@@ -28,6 +153,32 @@ std::string pathCsv(const Plan& plan) {
         }
     }
     return text;
+}
+
+Result<Path> readPathCsv(std::string_view text, const std::string& where) {
+    PathTable table{where};
+    if (auto header = table.readHeader(takeLine(text)); !header) {
+        return std::unexpected(header.error());
+    }
+    for (std::size_t number = 2; !text.empty(); ++number) {
+        const std::string_view line = takeLine(text);
+        if (line.empty()) {
+            continue;
+        }
+        if (auto row = table.readRow(line, number); !row) {
+            return std::unexpected(row.error());
+        }
+    }
+    if (table.path.segments.empty()) {
+        return std::unexpected(refused(where, "there is no path in it"));
+    }
+    const auto single = std::ranges::find_if(
+        table.path.segments, [](const PathSegment& segment) { return segment.samples.size() < 2; });
+    if (single != table.path.segments.end()) {
+        return std::unexpected(refused(
+            where, std::format("segment {} has one sample only", single - table.path.segments.begin())));
+    }
+    return std::move(table.path);
 }
 
 }  // namespace furrow

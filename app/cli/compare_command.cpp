@@ -1,0 +1,146 @@
+#include "app/cli/compare_command.h"
+
+#include "planner/evaluation/comparison_report.h"
+#include "app/cli/exit_status.h"
+#include "app/cli/terminal.h"
+#include "planner/io/atomic_files.h"
+#include "planner/io/track_reader.h"
+#include "planner/io/written_path.h"
+#include "planner/track/comparison.h"
+
+#include <algorithm>
+#include <format>
+#include <memory>
+#include <optional>
+#include <print>
+#include <string>
+#include <vector>
+
+namespace furrow::cli {
+
+namespace {
+
+struct CompareArguments {
+    std::string plan;
+    std::string track;
+    std::string out;
+    bool json = false;
+};
+
+// Tells neighbouring swaths apart best (see compareWithPath).
+constexpr double kRadiusInWidths = 1.5;
+
+Bounds boundsOf(const Path& path) {
+    Ring all;
+    for (const PathSegment& segment : path.segments) {
+        for (const PathSample& sample : segment.samples) {
+            all.push_back(sample.position);
+        }
+    }
+    return bounds({Polygon{.outer = std::move(all), .holes = {}}});
+}
+
+/// Of a recording that holds several fields or days, those that come to the plan at all.
+std::vector<RecordedTrack> tracksAt(const WrittenPath& plan, TrackFile& file, Length radius) {
+    const Bounds box = boundsOf(plan.path);
+    std::vector<RecordedTrack> here;
+    for (RecordedTrack& track : file.tracks) {
+        const bool comes = std::ranges::any_of(placesIn(plan.frame, track), [&](Point place) {
+            return place.x >= box.min.x - radius.si() && place.x <= box.max.x + radius.si() &&
+                   place.y >= box.min.y - radius.si() && place.y <= box.max.y + radius.si();
+        });
+        if (comes) {
+            here.push_back(std::move(track));
+        }
+    }
+    if (here.size() < file.tracks.size() && !here.empty()) {
+        file.notes.push_back({.text = std::format("{} of {} tracks are of another place and were left out",
+                                                  file.tracks.size() - here.size(), file.tracks.size()),
+                              .where = {}});
+    }
+    return here;
+}
+
+Error elsewhere(const std::string& track) {
+    return {.code = ErrorCode::InputRefused,
+            .what = "the track does not come to the plan anywhere",
+            .where = track,
+            .remedy = "give a plan and a track of the same field"};
+}
+
+int runCompare(const CompareArguments& arguments) {
+    const InterruptWatch watch;
+    const JobContext job = terminalJob(watch, 0, true);
+    const auto plan = readWrittenPath(arguments.plan);
+    if (!plan) {
+        return failWith(plan.error());
+    }
+    auto file = readTracks(arguments.track, job);
+    if (!file) {
+        return failWith(file.error());
+    }
+    const Length radius = kRadiusInWidths * plan->operatingWidth;
+    const std::vector<RecordedTrack> tracks = tracksAt(*plan, *file, radius);
+    if (tracks.empty()) {
+        return failWith(elsewhere(arguments.track));
+    }
+    const auto comparison = compareWithPath(plan->path, plan->frame, tracks, radius, job);
+    if (!comparison) {
+        return failWith(comparison.error());
+    }
+    if (comparison->matched == 0) {
+        return failWith(elsewhere(arguments.track));
+    }
+    const ComparisonReport report{.plan = *plan,
+                                  .format = file->format,
+                                  .tracks = tracks,
+                                  .comparison = *comparison,
+                                  .notes = file->notes,
+                                  .radius = radius};
+    std::vector<std::filesystem::path> written;
+    if (!arguments.out.empty()) {
+        const FileToWrite files[] = {{"compare.csv", [&report] { return comparisonCsv(report); }},
+                                     {"compare.svg", [&report] { return comparisonSvg(report); }}};
+        auto done = writeTogether(arguments.out, files, job);
+        if (!done) {
+            return failWith(done.error());
+        }
+        written = std::move(*done);
+    }
+    std::print("{}", arguments.json ? comparisonJson(report) : comparisonText(report));
+    if (!arguments.json && !written.empty()) {
+        std::println("Written:");
+        for (const std::filesystem::path& path : written) {
+            std::println("  {}", path.string());
+        }
+    }
+    return kDrivable;
+}
+
+}  // namespace
+
+void addCompareCommand(CLI::App& app, std::function<int()>& run) {
+    const auto arguments = std::make_shared<CompareArguments>();
+    CLI::App* compare = app.add_subcommand(
+        "compare", "Lay a recorded track over a written plan: how far beside it was driven.");
+    compare->add_option("PLAN_DIR", arguments->plan, "The folder of a plan, as furrow-cli plan writes it")
+        ->required();
+    compare
+        ->add_option("TRACK", arguments->track,
+                     "GPX, CSV, an NMEA or gpsd log, ISOXML time logs (folder, TASKDATA.XML, zip), rosbag2")
+        ->required();
+    compare->add_option("--out", arguments->out,
+                        "Write compare.csv (every position) and compare.svg (a map) to this folder");
+    compare->add_flag("--json", arguments->json, "Print one JSON object and nothing else");
+    compare->footer(
+        "Examples:\n"
+        "  furrow-cli compare plan drive.gpx\n"
+        "  furrow-cli compare plan TASKDATA --out comparison\n"
+        "\n"
+        "Positions farther than one and a half operating widths from the plan are not on it; figures are\n"
+        "of the others. Exit status: 0 compared, 2 wrong usage, 3 input refused, 4 could not read or\n"
+        "write, 130 cancelled.");
+    compare->callback([&run, arguments] { run = [arguments] { return runCompare(*arguments); }; });
+}
+
+}  // namespace furrow::cli

@@ -1,0 +1,34 @@
+#pragma once
+
+#include "planner/io/written_path.h"
+#include "planner/track/comparison.h"
+#include "planner/track/recorded_track.h"
+
+#include <span>
+#include <string>
+
+namespace furrow {
+
+/// What is told about a comparison. Refers to what it was made from.
+struct ComparisonReport {
+    const WrittenPath& plan;
+    std::string format;  ///< of the track's file
+    std::span<const RecordedTrack> tracks;
+    const TrackComparison& comparison;
+    std::span<const Note> notes;
+    Length radius;
+};
+
+/// One row for each recorded sample, with a header; empty cells where something is not known.
+std::string comparisonCsv(const ComparisonReport& report);
+
+/// The recorded track laid over the plan, coloured by its distance from it.
+std::string comparisonSvg(const ComparisonReport& report);
+
+/// One JSON object; figures in metres and metres per second.
+std::string comparisonJson(const ComparisonReport& report);
+
+/// A table for people.
+std::string comparisonText(const ComparisonReport& report);
+
+}  // namespace furrow

@@ -1,0 +1,433 @@
+// Recorded tracks: the same four corners in every format (tests/data/tracks/make_samples.py says where they
+// are), real recordings where the shared data lies beside the project, and everything that can be wrong.
+
+#include "planner/io/track_reader.h"
+
+#include <QDir>
+#include <QFile>
+#include <QTemporaryDir>
+#include <QTest>
+
+#include <cmath>
+#include <limits>
+#include <numbers>
+#include <random>
+
+using namespace furrow;
+
+namespace {
+
+constexpr double kStartS = 1777888800.0;  // date -u -d 2026-05-04T10:00:00Z +%s
+constexpr double kPi = std::numbers::pi;
+
+QString sample(const QString& name) {
+    return QStringLiteral(FURROW_TEST_DATA_DIR "/tracks/") + name;
+}
+
+std::filesystem::path pathOf(const QString& name) {
+    return name.toStdString();
+}
+
+QByteArray bytesOf(const QString& path) {
+    QFile file{path};
+    return file.open(QIODevice::ReadOnly) ? file.readAll() : QByteArray{};
+}
+
+QString written(const QTemporaryDir& folder, const QString& name, const QByteArray& bytes) {
+    QFile file{folder.filePath(name)};
+    QDir{}.mkpath(QFileInfo{file}.path());
+    file.remove();  // writing over a file waits for the disk
+    if (!file.open(QIODevice::WriteOnly)) {
+        return {};
+    }
+    file.write(bytes);
+    return file.fileName();
+}
+
+bool near(double a, double b, double tolerance) {
+    return std::abs(a - b) <= tolerance;
+}
+
+}  // namespace
+
+class TestTrackReader : public QObject {
+    Q_OBJECT
+
+private slots:
+    void corners_data();
+    void corners();
+    void localCorners_data();
+    void localCorners();
+    void pathCsvIsATrack();
+    void bareXAndY_data();
+    void bareXAndY();
+    void segmentsAreTracksOfTheirOwn();
+    void logWithoutDateCountsOverMidnight();
+    void refusals_data();
+    void refusals();
+    void nothingIsWrittenBesideAZip();
+    void cancelled();
+    void cutOffAnywhere_data();
+    void cutOffAnywhere();
+    void damagedAnywhere_data();
+    void damagedAnywhere();
+    void realRecordings_data();
+    void realRecordings();
+};
+
+void TestTrackReader::corners_data() {
+    QTest::addColumn<QString>("file");
+    QTest::addColumn<QString>("format");
+    QTest::addColumn<double>("firstTimeS");
+    QTest::addColumn<double>("firstSpeedMps");
+    QTest::addColumn<bool>("headings");
+    QTest::addColumn<bool>("workStates");
+    QTest::addColumn<int>("notes");
+    const auto row = [](const char* name, const char* file, const char* format, double speed, bool headings,
+                        bool states, int notes) {
+        QTest::newRow(name) << file << format << kStartS << speed << headings << states << notes;
+    };
+    row("GPX with a zone", "corners.gpx", "GPX", 3.0, true, false, 0);
+    row("semicolons and decimal commas below a preamble", "corners_semicolon.csv", "table", 3.0, true, true,
+        1);
+    // 236 inches in 2 s.
+    row("yield monitor text", "corners_yield_monitor.txt", "yield monitor text", 2.9972, false, false, 0);
+    row("gpsd", "corners_gpsd.log", "gpsd log", 3.0, true, false, 1);
+    row("NMEA with one wrong checksum", "corners_nmea.log", "NMEA log", 3.0, true, false, 1);
+    row("ISOXML folder", "isoxml", "ISOXML time log", 3.0, false, true, 1);
+    row("ISOXML inner folder", "isoxml/TASKDATA", "ISOXML time log", 3.0, false, true, 1);
+    row("ISOXML main file", "isoxml/TASKDATA/TASKDATA.XML", "ISOXML time log", 3.0, false, true, 1);
+    row("ISOXML zip", "corners_isoxml.zip", "ISOXML time log", 3.0, false, true, 1);
+    row("rosbag2 folder", "rosbag_sqlite3", "rosbag2", -1.0, false, false, 1);
+    row("rosbag2 file", "rosbag_sqlite3/drive_0.db3", "rosbag2", -1.0, false, false, 1);
+}
+
+void TestTrackReader::corners() {
+    QFETCH(QString, file);
+    QFETCH(QString, format);
+    QFETCH(double, firstTimeS);
+    QFETCH(double, firstSpeedMps);
+    QFETCH(bool, headings);
+    QFETCH(bool, workStates);
+    QFETCH(int, notes);
+    const auto read = readTracks(pathOf(sample(file)));
+    QVERIFY2(read, read ? "" : read.error().line().c_str());
+    QCOMPARE(QString::fromStdString(read->format), format);
+    QCOMPARE(static_cast<int>(read->notes.size()), notes);
+    QCOMPARE(read->tracks.size(), std::size_t{1});
+    const RecordedTrack& track = read->tracks.front();
+    QCOMPARE(track.places, TrackPlaces::Wgs84);
+    QCOMPARE(track.samples.size(), std::size_t{4});
+    constexpr double lon[] = {5.66, 5.6601, 5.6601, 5.66};
+    constexpr double lat[] = {52.09, 52.09, 52.0901, 52.0901};
+    // Clockwise from north 90, 90, 0, 270; counter-clockwise from east 0, 0, 90, 180.
+    constexpr double heading[] = {0.0, 0.0, kPi / 2, kPi};
+    for (std::size_t i = 0; i < 4; ++i) {
+        const TrackSample& at = track.samples[i];
+        QVERIFY(near(at.geo.lonDeg, lon[i], 1e-9));
+        QVERIFY(near(at.geo.latDeg, lat[i], 1e-9));
+        QVERIFY(near(at.timeS.value(), firstTimeS + 2.0 * static_cast<double>(i), 1e-3));
+        QCOMPARE(at.headingRad.has_value(), headings);
+        QVERIFY(!headings || near(*at.headingRad, heading[i], 1e-9));
+        QCOMPARE(at.implementDown.has_value(), workStates);
+        QVERIFY(!workStates || *at.implementDown == (i == 1 || i == 2));
+    }
+    QCOMPARE(track.samples[0].speedMps.has_value(), firstSpeedMps >= 0.0);
+    QVERIFY(firstSpeedMps < 0.0 || near(*track.samples[0].speedMps, firstSpeedMps, 1e-5));
+}
+
+void TestTrackReader::localCorners_data() {
+    QTest::addColumn<QString>("file");
+    QTest::addColumn<bool>("speeds");
+    QTest::addColumn<bool>("times");
+    QTest::newRow("odometry in MCAP") << "odometry.mcap" << true << true;
+    QTest::newRow("path in MCAP") << "path.mcap" << false << false;
+}
+
+void TestTrackReader::localCorners() {
+    QFETCH(QString, file);
+    QFETCH(bool, speeds);
+    QFETCH(bool, times);
+    const auto read = readTracks(pathOf(sample(file)));
+    QVERIFY2(read, read ? "" : read.error().line().c_str());
+    QCOMPARE(read->tracks.size(), std::size_t{1});
+    const RecordedTrack& track = read->tracks.front();
+    QCOMPARE(track.places, TrackPlaces::Local);
+    QCOMPARE(track.samples.size(), std::size_t{4});
+    constexpr Point place[] = {{0, 0}, {6, 0}, {6, 8}, {0, 8}};
+    constexpr double heading[] = {0.0, 0.0, kPi / 2, kPi};
+    for (std::size_t i = 0; i < 4; ++i) {
+        QCOMPARE(track.samples[i].local, place[i]);
+        QVERIFY(near(track.samples[i].headingRad.value(), heading[i], 1e-9));
+        QCOMPARE(track.samples[i].speedMps.has_value(), speeds);
+        QCOMPARE(track.samples[i].timeS.has_value(), times);
+    }
+}
+
+void TestTrackReader::pathCsvIsATrack() {
+    const QTemporaryDir folder;
+    const QString file = written(folder, "path.csv",
+                                 "s_m,t_s,x_m,y_m,lon_deg,lat_deg,heading_rad,curvature_1pm,speed_mps,gear,"
+                                 "implement_down,segment,order,machine,level\n"
+                                 "0,0,1,2,5.66,52.09,0.5,0,2.5,1,1,swath,0,0,\n"
+                                 "6,2.4,3,4,5.6601,52.09,0.5,0,2.5,1,0,turn,1,0,\n");
+    const auto read = readTracks(pathOf(file));
+    QVERIFY2(read, read ? "" : read.error().line().c_str());
+    const RecordedTrack& track = read->tracks.front();
+    QCOMPARE(track.places, TrackPlaces::Wgs84);
+    QCOMPARE(track.samples[1].geo, (GeoPoint{5.6601, 52.09}));
+    QCOMPARE(track.samples[1].timeS.value(), 2.4);
+    QCOMPARE(track.samples[0].headingRad.value(), 0.5);
+    QCOMPARE(track.samples[0].speedMps.value(), 2.5);
+    QCOMPARE(track.samples[0].implementDown.value(), true);
+    QCOMPARE(track.samples[1].implementDown.value(), false);
+}
+
+void TestTrackReader::bareXAndY_data() {
+    QTest::addColumn<QByteArray>("text");
+    QTest::addColumn<bool>("geographic");
+    QTest::newRow("within a degree") << QByteArray{"x,y\n5.66,52.09\n5.67,52.10\n"} << true;
+    QTest::newRow("metres within the ranges of degrees") << QByteArray{"x,y\n0,0\n40,30\n"} << false;
+    QTest::newRow("metres beyond them") << QByteArray{"x\ty\n0\t0\n400\t300\n"} << false;
+    QTest::newRow("metres by name") << QByteArray{"x_m,y_m\n5.66,52.09\n5.67,52.10\n"} << false;
+}
+
+void TestTrackReader::bareXAndY() {
+    QFETCH(QByteArray, text);
+    QFETCH(bool, geographic);
+    const QTemporaryDir folder;
+    const auto read = readTracks(pathOf(written(folder, "track.csv", text)));
+    QVERIFY2(read, read ? "" : read.error().line().c_str());
+    QCOMPARE(read->tracks.front().places, geographic ? TrackPlaces::Wgs84 : TrackPlaces::Local);
+}
+
+void TestTrackReader::segmentsAreTracksOfTheirOwn() {
+    const QTemporaryDir folder;
+    const auto read = readTracks(pathOf(written(folder, "two.gpx", R"(<gpx version="1.0"><trk><trkseg>
+        <trkpt lat="52" lon="5"><time>2026-05-04T10:00:00Z</time><speed>2.5</speed><course>45</course></trkpt>
+        </trkseg><trkseg><trkpt lat="52.1" lon="5"/></trkseg></trk></gpx>)")));
+    QVERIFY2(read, read ? "" : read.error().line().c_str());
+    QCOMPARE(read->tracks.size(), std::size_t{2});
+    QCOMPARE(read->tracks[0].source, std::string{"track 1, segment 1"});
+    QCOMPARE(read->tracks[0].samples[0].speedMps.value(), 2.5);
+    QVERIFY(near(read->tracks[0].samples[0].headingRad.value(), kPi / 4, 1e-12));
+    QVERIFY(!read->tracks[1].samples[0].timeS);
+}
+
+void TestTrackReader::logWithoutDateCountsOverMidnight() {
+    const QTemporaryDir folder;
+    const auto read =
+        readTracks(pathOf(written(folder, "night.log",
+                                  "$GPGGA,235959.00,5205.4,N,00539.6,E,1,08,0.9,1,M,1,M,,\r\n"
+                                  "$GPGGA,000001.00,5205.4,S,00539.6,W,1,08,0.9,1,M,1,M,,\r\n")));
+    QVERIFY2(read, read ? "" : read.error().line().c_str());
+    const auto& samples = read->tracks.front().samples;
+    QCOMPARE(samples.size(), std::size_t{2});
+    QVERIFY(near(*samples[1].timeS - *samples[0].timeS, 2.0, 1e-9));
+    QVERIFY(near(samples[1].geo.latDeg, -52.09, 1e-9));
+    QVERIFY(near(samples[1].geo.lonDeg, -5.66, 1e-9));
+}
+
+void TestTrackReader::refusals_data() {
+    QTest::addColumn<QString>("name");
+    QTest::addColumn<QByteArray>("bytes");
+    QTest::addColumn<bool>("readFailed");
+    QTest::addColumn<QString>("part");
+    const auto row = [](const char* title, const char* name, const QByteArray& bytes, bool readFailed,
+                        const char* part) { QTest::newRow(title) << name << bytes << readFailed << part; };
+    row("empty", "a.csv", "", false, "the file is empty");
+    row("blank", "a.csv", "\n\n", false, "no header names");
+    row("no header", "a.csv", "1,2\n3,4\n", false, "no header names");
+    row("header alone", "a.csv", "lon,lat\n", false, "no row");
+    row("NaN in a table", "a.csv", "lon,lat\n5,52\nnan,52\n", false, "line 3");
+    row("words in a table", "a.csv", "lon,lat\n5,here\n", false, "'5', 'here' is no position");
+    row("latitude beyond the pole", "a.csv", "lon,lat\n5,91\n", false, "line 2");
+    row("infinite metres", "a.csv", "x_m,y_m\n1,1e300\n", false, "line 2");
+    row("GPX cut off", "a.gpx", "<?xml version=\"1.0\"?><gpx><trk><trkseg><trkpt lat=\"1\"", true, "damaged");
+    row("GPX with NaN", "a.gpx", "<gpx><trk><trkseg><trkpt lat=\"nan\" lon=\"5\"/></trkseg></trk></gpx>",
+        false, "point 1");
+    row("GPX without latitude", "a.gpx", "<gpx><trk><trkseg><trkpt lon=\"5\"/></trkseg></trk></gpx>", false,
+        "is no place on Earth");
+    row("GPX with waypoints only", "a.gpx", "<gpx><wpt lat=\"1\" lon=\"2\"/></gpx>", false, "no track");
+    row("XML of another kind", "a.xml", "<kml><Document/></kml>", false, "'kml' files");
+    row("gpsd without a fix", "a.log", "{\"class\":\"TPV\",\"mode\":1}\n", false, "none of its 1 position");
+    row("NMEA without a fix", "a.log", "$GPRMC,100000.00,V,,,,,,,040526,,,N\n", false, "none of its 1 RMC");
+    row("NMEA damaged", "a.log", "$GPRMC,100000.00,A,5205.4,N,00539.6,E,0,0,040526,,,R*00\n", true,
+        "wrong checksum");
+    row("NMEA of absurd numbers", "a.log", "$GPRMC,9e99,A,1e308,N,-5,E,inf,nan,999999,,,R\n", false,
+        "none of");
+    row("ROS 1", "a.bag", "#ROSBAG V2.0\n", false, "ROS 1");
+    row("no track at all", "a.png", QByteArray{"\x89PNG\r\n\x1a\n\0\0\0", 11}, false,
+        "no track that can be read");
+    row("MCAP with nothing behind its magic", "a.mcap", QByteArray{"\x89MCAP0\r\n", 8}, true, "cut off");
+    row("MCAP chunk of absurd size", "a.mcap",
+        QByteArray{"\x89MCAP0\r\n\x06\xff\xff\xff\xff\xff\xff\xff\x7f", 17}, false, "256 MiB");
+    row("MCAP chunk larger than its file", "a.mcap",
+        QByteArray{"\x89MCAP0\r\n\x06\xff\xff\xff\x0f\0\0\0\0", 17}, true, "cut off");
+    row("sqlite3 cut off", "a.db3", QByteArray{"SQLite format 3\0", 16} + QByteArray(50, '\0'), true,
+        "no rosbag2");
+    row("a zip that is none", "a.zip", "PK\x03\x04 and nothing more", true, "damaged");
+}
+
+void TestTrackReader::refusals() {
+    QFETCH(QString, name);
+    QFETCH(QByteArray, bytes);
+    QFETCH(bool, readFailed);
+    QFETCH(QString, part);
+    const QTemporaryDir folder;
+    const auto read = readTracks(pathOf(written(folder, name, bytes)));
+    QVERIFY(!read);
+    QVERIFY2(read.error().line().find(part.toStdString()) != std::string::npos, read.error().line().c_str());
+    QCOMPARE(read.error().code, readFailed ? ErrorCode::ReadFailed : ErrorCode::InputRefused);
+    QVERIFY(!read.error().remedy.empty());
+    QVERIFY(read.error().where.find(name.toStdString()) != std::string::npos);
+    QVERIFY(read.error().line().find('\n') == std::string::npos);
+}
+
+void TestTrackReader::nothingIsWrittenBesideAZip() {
+    const QTemporaryDir folder;
+    const QString zip = written(folder, "inner/job.zip", bytesOf(sample("corners_isoxml.zip")));
+    QVERIFY(readTracks(pathOf(zip)));
+    QCOMPARE(QDir{folder.path()}.entryList(QDir::AllEntries | QDir::NoDotAndDotDot), QStringList{"inner"});
+    QCOMPARE(QDir{folder.filePath("inner")}.entryList(QDir::AllEntries | QDir::NoDotAndDotDot),
+             QStringList{"job.zip"});
+    const QString bag = written(folder, "bag/drive_0.db3", bytesOf(sample("rosbag_sqlite3/drive_0.db3")));
+    QVERIFY(readTracks(pathOf(bag)));
+    QCOMPARE(QDir{folder.filePath("bag")}.entryList(QDir::AllEntries | QDir::NoDotAndDotDot),
+             QStringList{"drive_0.db3"});
+}
+
+void TestTrackReader::cancelled() {
+    std::stop_source stop;
+    stop.request_stop();
+    const QTemporaryDir folder;
+    QByteArray text = "lon,lat\n";
+    for (int i = 0; i < 5000; ++i) {
+        text += "5.66,52.09\n";
+    }
+    const auto read = readTracks(pathOf(written(folder, "long.csv", text)), {.stop = stop.get_token()});
+    QVERIFY(!read);
+    QCOMPARE(read.error().code, ErrorCode::Cancelled);
+}
+
+void TestTrackReader::cutOffAnywhere_data() {
+    QTest::addColumn<QString>("file");
+    QTest::addColumn<bool>("mustFail");  // text of lines may end early
+    for (const char* file : {"corners.gpx", "corners_isoxml.zip", "odometry.mcap", "path.mcap"}) {
+        QTest::newRow(file) << file << true;
+    }
+    for (const char* file : {"corners_semicolon.csv", "corners_yield_monitor.txt", "corners_gpsd.log",
+                             "corners_nmea.log", "rosbag_sqlite3/drive_0.db3"}) {
+        QTest::newRow(file) << file << false;
+    }
+}
+
+void TestTrackReader::cutOffAnywhere() {
+    QFETCH(QString, file);
+    QFETCH(bool, mustFail);
+    const QByteArray whole = bytesOf(sample(file));
+    QVERIFY(!whole.isEmpty());
+    const QTemporaryDir folder;
+    // Behind the end of what is read there may be something nobody needs: blanks, an index.
+    const qsizetype last = mustFail ? whole.size() - 60 : whole.size();
+    const qsizetype step = std::max<qsizetype>(1, whole.size() / 250);
+    for (qsizetype size = 0; size < last; size += step) {
+        const auto read = readTracks(pathOf(written(folder, QFileInfo{file}.fileName(), whole.first(size))));
+        QVERIFY2(!mustFail || !read, qPrintable(QString::number(size)));
+        QVERIFY(read || !read.error().remedy.empty());
+    }
+}
+
+void TestTrackReader::damagedAnywhere_data() {
+    QTest::addColumn<QString>("file");
+    for (const char* file :
+         {"corners.gpx", "corners_isoxml.zip", "odometry.mcap", "path.mcap", "corners_nmea.log",
+          "corners_semicolon.csv", "corners_gpsd.log", "rosbag_sqlite3/drive_0.db3"}) {
+        QTest::newRow(file) << file;
+    }
+}
+
+/// Whatever a byte becomes: every place that is read is finite, and nothing crashes.
+void TestTrackReader::damagedAnywhere() {
+    QFETCH(QString, file);
+    const QByteArray whole = bytesOf(sample(file));
+    const QTemporaryDir folder;
+    std::mt19937 random{20260504};
+    for (int i = 0; i < 200; ++i) {
+        QByteArray bytes = whole;
+        for (int k = 0; k < 1 + i % 3; ++k) {
+            bytes[static_cast<qsizetype>(random() % static_cast<unsigned>(bytes.size()))] =
+                static_cast<char>(random() & 0xFFU);
+        }
+        const auto read = readTracks(pathOf(written(folder, QFileInfo{file}.fileName(), bytes)));
+        if (!read) {
+            continue;
+        }
+        for (const RecordedTrack& track : read->tracks) {
+            QVERIFY(!track.samples.empty());
+            for (const TrackSample& at : track.samples) {
+                QVERIFY(std::isfinite(at.geo.lonDeg) && std::isfinite(at.geo.latDeg));
+                QVERIFY(std::isfinite(at.local.x) && std::isfinite(at.local.y));
+                QVERIFY(std::abs(at.geo.lonDeg) <= 180.0 && std::abs(at.geo.latDeg) <= 90.0);
+                QVERIFY(std::isfinite(at.timeS.value_or(0.0)) && std::isfinite(at.speedMps.value_or(0.0)));
+            }
+        }
+    }
+}
+
+void TestTrackReader::realRecordings_data() {
+    QTest::addColumn<QString>("file");
+    QTest::addColumn<int>("tracks");
+    QTest::addColumn<int>("samples");
+    QTest::addColumn<double>("kilometres");  ///< as the collection's README counts them; 0 where it does not
+    const auto row = [](const char* file, int tracks, int samples, double kilometres) {
+        QTest::newRow(file) << file << tracks << samples << kilometres;
+    };
+    row("tracks/gartner_corn_2011_yieldmonitor.csv", 1, 4949, 30.6);
+    row("tracks/basswood_2012_yieldmonitor.txt", 1, 4240, 0.0);
+    row("tracks/isoxml_totals", 3, 4677, 0.0);
+    row("formats/isoxml/dev4agriculture/AllFieldsMoved_Or_Simplified_Out.zip", 2, 12462, 33.0);
+    row("tracks/isoblue_gpsd.log", 1, 0, 0.0);
+    row("tracks/nmea/nmea-rtk.log", 1, 0, 0.0);
+    row("tracks/nmea/ublox-f9p-hpnmea.log", 1, 0, 0.0);
+    row("tracks/nmea/sirfstarv-nmea.log", 1, 0, 0.0);
+    row("formats/isoxml/dev4agriculture/Another-single-ACP.zip", 0, 0, 0.0);
+    row("formats/isoxml/dart/folder_test", 0, 0, 0.0);
+    row("formats/isoxml/adapt/agco_c100_tc_and_jd_sprayer_900-short.zip", 0, 0, 0.0);
+    // 535 points, the numbers of the README there.
+    row("formats/reference/csv/path.csv", 1, 535, 0.0);
+    row("formats/reference/ros/rosbag2_sqlite3", 1, 535, 0.0);
+    row("formats/reference/ros/rosbag2_mcap", 1, 535, 0.0);
+    for (const char* gpx : {"korita-zbevnica", "cerknicko-jezero", "around-visnjan-with-car",
+                            "gpx1.0_with_all_fields", "gpx1.1_with_all_fields", "route"}) {
+        QTest::newRow(gpx) << QString{"formats/gpx/gpxpy_%1.gpx"}.arg(gpx) << 0 << 0 << 0.0;
+    }
+}
+
+void TestTrackReader::realRecordings() {
+    QFETCH(QString, file);
+    QFETCH(int, tracks);
+    QFETCH(int, samples);
+    QFETCH(double, kilometres);
+    const QString path = QStringLiteral(FURROW_SHARED_DATA_DIR "/") + file;
+    if (!QFileInfo::exists(path)) {
+        QSKIP("the collection of real recordings is not beside the project");
+    }
+    const auto read = readTracks(pathOf(path));
+    QVERIFY2(read, read ? "" : read.error().line().c_str());
+    qInfo().noquote() << QString::fromStdString(read->format) << read->tracks.size() << "tracks"
+                      << read->sampleCount() << "samples";
+    for (const Note& note : read->notes) {
+        qInfo().noquote() << "note:" << QString::fromStdString(note.text);
+    }
+    QVERIFY(tracks == 0 || read->tracks.size() == static_cast<std::size_t>(tracks));
+    QVERIFY(samples == 0 || read->sampleCount() == static_cast<std::size_t>(samples));
+    double way = 0.0;
+    for (const RecordedTrack& track : read->tracks) {
+        way += lengthOf(track).si() / 1000.0;
+    }
+    QVERIFY2(kilometres == 0.0 || near(way, kilometres, 1.0), qPrintable(QString::number(way)));
+}
+
+QTEST_APPLESS_MAIN(TestTrackReader)
+#include "tst_track_reader.moc"
