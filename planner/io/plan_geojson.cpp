@@ -64,6 +64,7 @@ public:
         addAreas();
         addSwaths();
         addPath();
+        addMissed();
         addFindings();
         return Json{{"type", "FeatureCollection"}, {"features", std::move(features_)}}.dump(
                    -1, ' ', false, Json::error_handler_t::replace) +
@@ -150,6 +151,12 @@ private:
                 line.push_back(sample.position);
             }
             add("path", std::move(properties), lineGeometry(frame_.toGeo(line)));
+        }
+    }
+
+    void addMissed() {
+        for (const Polygon& polygon : plan_.audit.missedAreas) {
+            add("missed", {{"area_m2", area(polygon).si()}}, polygonGeometry({frame_.toGeo(polygon)}));
         }
     }
 

@@ -1,0 +1,22 @@
+#pragma once
+
+#include "planner/audit/clearance.h"
+#include "planner/audit/kinematics.h"
+#include "planner/audit/swept_area.h"
+
+namespace furrow {
+
+/// Everything that was measured, as far as it could be.
+struct Measurements {
+    const std::vector<SegmentMotion>& motions;
+    const MachineShape& shape;
+    const SweptArea& area;
+    const ClearanceReport* clearance = nullptr;  ///< none without a machine
+    const Kinematics& kinematics;
+};
+
+/// Puts what was measured into words: blocking ones first, each group in driving order.
+Result<std::vector<AuditFinding>> findingsOf(const AuditInput& input, const Measurements& measured,
+                                             const JobContext& job);
+
+}  // namespace furrow
