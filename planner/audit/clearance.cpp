@@ -273,7 +273,7 @@ Result<ClearanceReport> measureClearance(const AuditInput& input, const std::vec
     MultiPolygon open = input.drivable;
     if (const MultiPolygon discs = gateDiscs(input.gates); !discs.empty()) {
         std::ranges::copy(discs, std::back_inserter(open));
-        auto merged = unionOf(open, job);
+        auto merged = unionOf(open, job, kSnapGrid);
         if (!merged) {
             return std::unexpected(merged.error());
         }
@@ -314,7 +314,7 @@ Result<ClearanceReport> measureClearance(const AuditInput& input, const std::vec
         const auto unions = parallelMap<std::optional<Result<MultiPolygon>>>(
             suspects.size(),
             [&](std::size_t k) -> std::optional<Result<MultiPolygon>> {
-                return unionOf(report.segments[suspects[k]].suspects, job);
+                return unionOf(report.segments[suspects[k]].suspects, job, kSnapGrid);
             },
             job);
         if (!unions) {
@@ -327,8 +327,8 @@ Result<ClearanceReport> measureClearance(const AuditInput& input, const std::vec
             }
             std::ranges::copy(**each, std::back_inserter(all));
         }
-        const auto swept = unionOf(all, job);
-        const auto outside = swept ? difference(*swept, open, job) : swept;
+        const auto swept = unionOf(all, job, kSnapGrid);
+        const auto outside = swept ? difference(*swept, open, job, kSnapGrid) : swept;
         if (!outside) {
             return std::unexpected(outside.error());
         }

@@ -294,13 +294,13 @@ private:
     Result<void> reportMissed(const JobContext& job) {
         MultiPolygon judged = measured_.area.missedWithinReach;
         if (input_.mainland) {
-            const auto strip = difference(input_.workable, *input_.mainland, job);
-            const auto left = strip ? intersection(measured_.area.missed, *strip, job) : strip;
-            auto inside = left ? intersection(judged, *input_.mainland, job) : left;
+            const auto strip = difference(input_.workable, *input_.mainland, job, kSnapGrid);
+            const auto left = strip ? intersection(measured_.area.missed, *strip, job, kSnapGrid) : strip;
+            auto inside = left ? intersection(judged, *input_.mainland, job, kSnapGrid) : left;
             if (inside && !judged.empty()) {
                 const MultiPolygon ends = laneEnds();
-                const auto merged = unionOf(ends, job);
-                const auto rest = merged ? difference(*inside, *merged, job) : merged;
+                const auto merged = unionOf(ends, job, kSnapGrid);
+                const auto rest = merged ? difference(*inside, *merged, job, kSnapGrid) : merged;
                 if (!rest) {
                     return std::unexpected(rest.error());
                 }

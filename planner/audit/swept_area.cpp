@@ -65,7 +65,7 @@ Result<MultiPolygon> sweptBy(const SegmentMotion& motion, double widthM, const J
     for (std::size_t i = 1; i < motion.states.size(); ++i) {
         addSweep(workingLine(motion.states[i - 1], widthM), workingLine(motion.states[i], widthM), pieces);
     }
-    return pieces.size() < 2 ? Result<MultiPolygon>{std::move(pieces)} : unionOf(pieces, job);
+    return pieces.size() < 2 ? Result<MultiPolygon>{std::move(pieces)} : unionOf(pieces, job, kSnapGrid);
 }
 
 /// Chords of a turning line's ends: two thirds of the sagitta, on both sides.
@@ -169,7 +169,7 @@ Result<Overlap> overlapOf(const AuditInput& input, const std::vector<MultiPolygo
     const auto shared = parallelMap<std::optional<Result<MultiPolygon>>>(
         pairs.size(),
         [&](std::size_t k) -> std::optional<Result<MultiPolygon>> {
-            return intersection(passes[pairs[k].first], passes[pairs[k].second], job);
+            return intersection(passes[pairs[k].first], passes[pairs[k].second], job, kSnapGrid);
         },
         job);
     if (!shared) {
@@ -195,8 +195,8 @@ Result<Overlap> overlapOf(const AuditInput& input, const std::vector<MultiPolygo
         if (polygons->empty()) {
             continue;
         }
-        const auto merged = unionOf(*polygons, job);
-        const auto inside = merged ? intersection(*merged, input.workable, job) : merged;
+        const auto merged = unionOf(*polygons, job, kSnapGrid);
+        const auto inside = merged ? intersection(*merged, input.workable, job, kSnapGrid) : merged;
         if (!inside) {
             return std::unexpected(inside.error());
         }
@@ -210,7 +210,7 @@ Result<MultiPolygon> reachable(const AuditInput& input, const JobContext& job) {
     const Length half = 0.5 * input.machine->workingFootprintWidth();
     const auto middles = eroded(input.drivable, half, metres(kReachToleranceM), job);
     const auto opened = middles ? dilated(*middles, half, metres(kReachToleranceM), job) : middles;
-    return opened ? intersection(*opened, input.workable, job) : opened;
+    return opened ? intersection(*opened, input.workable, job, kSnapGrid) : opened;
 }
 
 }  // namespace
@@ -248,12 +248,12 @@ Result<SweptArea> measureSweptArea(const AuditInput& input, const MachineShape& 
     // A rounded coordinate moves both sides of a pass.
     result.error = squareMetres(errorM2 + 2.0 * lengthM * input.positionRounding.si());
 
-    const auto merged = unionOf(all, job);
+    const auto merged = unionOf(all, job, kSnapGrid);
     if (!merged) {
         return std::unexpected(merged.error());
     }
-    const auto covered = intersection(*merged, input.workable, job);
-    auto missed = covered ? difference(input.workable, *merged, job) : covered;
+    const auto covered = intersection(*merged, input.workable, job, kSnapGrid);
+    auto missed = covered ? difference(input.workable, *merged, job, kSnapGrid) : covered;
     if (!missed) {
         return std::unexpected(missed.error());
     }
@@ -268,7 +268,7 @@ Result<SweptArea> measureSweptArea(const AuditInput& input, const MachineShape& 
     result.missedWithinReach = *missed;
     if (input.machine) {
         const auto reach = reachable(input, job);
-        auto within = reach ? intersection(*missed, *reach, job) : reach;
+        auto within = reach ? intersection(*missed, *reach, job, kSnapGrid) : reach;
         if (!within) {
             return std::unexpected(within.error());
         }

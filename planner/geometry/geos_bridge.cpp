@@ -195,12 +195,17 @@ Result<MultiPolygon> buffered(const MultiPolygon& polygons, double distanceM, do
         .transform([](const Geometry& result) { return fromGeos(result.get()); });
 }
 
+/// GEOS takes a negative size for floating point.
+double gridSize(Length grid) {
+    return grid > metres(0.0) ? grid.si() : -1.0;
+}
+
 template <class Operation>
 Result<MultiPolygon> combined(const MultiPolygon& a, const MultiPolygon& b, const JobContext& job,
-                              const Operation& operation) {
+                              Length grid, const Operation& operation) {
     const Geometry first = toGeos(a);
     const Geometry second = toGeos(b);
-    return run(job, [&] { return operation(handle(), first.get(), second.get()); })
+    return run(job, [&] { return operation(handle(), first.get(), second.get(), gridSize(grid)); })
         .transform([](const Geometry& result) { return fromGeos(result.get()); });
 }
 
@@ -227,17 +232,19 @@ Result<MultiPolygon> dilated(const MultiPolygon& polygons, Length distance, Leng
     return buffered(polygons, distance.si(), tolerance.si(), job);
 }
 
-Result<MultiPolygon> difference(const MultiPolygon& a, const MultiPolygon& b, const JobContext& job) {
-    return combined(a, b, job, GEOSDifference_r);
+Result<MultiPolygon> difference(const MultiPolygon& a, const MultiPolygon& b, const JobContext& job,
+                                Length grid) {
+    return combined(a, b, job, grid, GEOSDifferencePrec_r);
 }
 
-Result<MultiPolygon> intersection(const MultiPolygon& a, const MultiPolygon& b, const JobContext& job) {
-    return combined(a, b, job, GEOSIntersection_r);
+Result<MultiPolygon> intersection(const MultiPolygon& a, const MultiPolygon& b, const JobContext& job,
+                                  Length grid) {
+    return combined(a, b, job, grid, GEOSIntersectionPrec_r);
 }
 
-Result<MultiPolygon> unionOf(const MultiPolygon& polygons, const JobContext& job) {
+Result<MultiPolygon> unionOf(const MultiPolygon& polygons, const JobContext& job, Length grid) {
     const Geometry input = toGeos(polygons);
-    return run(job, [&] { return GEOSUnaryUnion_r(handle(), input.get()); })
+    return run(job, [&] { return GEOSUnaryUnionPrec_r(handle(), input.get(), gridSize(grid)); })
         .transform([](const Geometry& result) { return fromGeos(result.get()); });
 }
 
