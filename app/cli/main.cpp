@@ -1,3 +1,4 @@
+#include "app/cli/audit_command.h"
 #include "app/cli/exit_status.h"
 #include "app/cli/list_command.h"
 #include "app/cli/plan_command.h"
@@ -20,6 +21,7 @@ int main(int argc, char** argv) {
     app.footer("furrow-cli COMMAND --help explains a command.");
     std::function<int()> run;
     addPlanCommand(app, run);
+    addAuditCommand(app, run);
     addListCommand(app, run);
     try {
         app.parse(argc, argv);

@@ -212,11 +212,11 @@ private slots:
         spec.implement.mounting = Mounting::Trailed;
         spec.implement.hitchOffset = metres(-1.0);
         spec.implement.offset = metres(-7.0);
-        PathDrawer drawer{{20.0, 20.0}};
+        PathDrawer drawer{{80.0, 20.0}};
         drawer.begin(SegmentKind::Turn, false).straight(20.0).arc(12.0 * kPi, 0.125, 90);
         const auto clearance = [&](Mounting mounting) {
             spec.implement.mounting = mounting;
-            return reportOf({rectangle(80, 60)}, Machine::create(spec).value(), drawer.segments);
+            return reportOf({rectangle(200, 100)}, Machine::create(spec).value(), drawer.segments);
         };
         COMPARE_WITHIN(clearance(Mounting::Mounted).minClearance->si(), 28.0 - std::hypot(7.5, 10.0), 0.02);
         QVERIFY(clearance(Mounting::Mounted).minClearance->si() < clearance(Mounting::Trailed).minClearance->si());
