@@ -195,17 +195,20 @@ Result<MultiPolygon> buffered(const MultiPolygon& polygons, double distanceM, do
         .transform([](const Geometry& result) { return fromGeos(result.get()); });
 }
 
-/// GEOS takes a negative size for floating point.
-double gridSize(Length grid) {
-    return grid > metres(0.0) ? grid.si() : -1.0;
-}
+using Overlay = GEOSGeometry* (*)(GEOSContextHandle_t, const GEOSGeometry*, const GEOSGeometry*);
+using GridOverlay = GEOSGeometry* (*)(GEOSContextHandle_t, const GEOSGeometry*, const GEOSGeometry*, double);
 
-template <class Operation>
+/// On a grid where it has a size. GEOS's overlays on a grid are no substitute for those without: 0 skips
+/// their fallbacks against failures, -1 is a grid of a metre.
 Result<MultiPolygon> combined(const MultiPolygon& a, const MultiPolygon& b, const JobContext& job,
-                              Length grid, const Operation& operation) {
+                              Length grid, Overlay plain, GridOverlay snapping) {
     const Geometry first = toGeos(a);
     const Geometry second = toGeos(b);
-    return run(job, [&] { return operation(handle(), first.get(), second.get(), gridSize(grid)); })
+    return run(job,
+               [&] {
+                   return grid > metres(0.0) ? snapping(handle(), first.get(), second.get(), grid.si())
+                                             : plain(handle(), first.get(), second.get());
+               })
         .transform([](const Geometry& result) { return fromGeos(result.get()); });
 }
 
@@ -234,17 +237,21 @@ Result<MultiPolygon> dilated(const MultiPolygon& polygons, Length distance, Leng
 
 Result<MultiPolygon> difference(const MultiPolygon& a, const MultiPolygon& b, const JobContext& job,
                                 Length grid) {
-    return combined(a, b, job, grid, GEOSDifferencePrec_r);
+    return combined(a, b, job, grid, GEOSDifference_r, GEOSDifferencePrec_r);
 }
 
 Result<MultiPolygon> intersection(const MultiPolygon& a, const MultiPolygon& b, const JobContext& job,
                                   Length grid) {
-    return combined(a, b, job, grid, GEOSIntersectionPrec_r);
+    return combined(a, b, job, grid, GEOSIntersection_r, GEOSIntersectionPrec_r);
 }
 
 Result<MultiPolygon> unionOf(const MultiPolygon& polygons, const JobContext& job, Length grid) {
     const Geometry input = toGeos(polygons);
-    return run(job, [&] { return GEOSUnaryUnionPrec_r(handle(), input.get(), gridSize(grid)); })
+    return run(job,
+               [&] {
+                   return grid > metres(0.0) ? GEOSUnaryUnionPrec_r(handle(), input.get(), grid.si())
+                                             : GEOSUnaryUnion_r(handle(), input.get());
+               })
         .transform([](const Geometry& result) { return fromGeos(result.get()); });
 }
 
