@@ -119,7 +119,7 @@ private:
             if (at.clearanceM >= -kOutsideM) {
                 continue;
             }
-            if (input_.mayLeaveField && !input_.segments[i].implementDown) {
+            if (input_.mayLeaveField) {
                 allowed.add(-at.clearanceM, at.place, i);
                 continue;
             }
@@ -136,9 +136,11 @@ private:
         }
         if (allowed.count > 0) {
             add(Severity::Note, "outside", allowed.place,
-                std::format("{} of the connections {} the field or cross obstacles, by up to {:.2f} m, as this "
-                            "plan allows.",
-                            allowed.count, allowed.count == 1 ? "leaves" : "leave", allowed.worst),
+                std::format("{} {} the field or {} an obstacle, by up to {:.2f} m, as this plan allows.",
+                            allowed.count == 1 ? named(allowed.segment)
+                                               : std::format("{} swaths and turns", allowed.count),
+                            allowed.count == 1 ? "leaves" : "leave", allowed.count == 1 ? "crosses" : "cross",
+                            allowed.worst),
                 "Switch \"Stay inside\" on to keep them inside.");
         }
     }
