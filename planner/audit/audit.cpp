@@ -3,55 +3,8 @@
 #include "planner/audit/findings.h"
 
 #include <algorithm>
-#include <cmath>
 
 namespace furrow {
-
-namespace {
-
-bool isInside(const Polygon& polygon, Point point) {
-    bool inside = false;
-    forEachEdge({polygon}, [&](Point a, Point b) {
-        if ((a.y > point.y) != (b.y > point.y) &&
-            point.x < a.x + (point.y - a.y) / (b.y - a.y) * (b.x - a.x)) {
-            inside = !inside;
-        }
-    });
-    return inside;
-}
-
-/// Way of the reference point, implement up, over what earlier segments have worked.
-Length wayOnWorked(const AuditInput& input, const std::vector<SegmentMotion>& motions,
-                   const std::vector<MultiPolygon>& passes) {
-    struct Worked {
-        const Polygon* polygon;
-        Bounds box;
-    };
-    std::vector<Worked> worked;
-    double way = 0.0;
-    for (std::size_t i = 0; i < motions.size(); ++i) {
-        if (input.segments[i].implementDown) {
-            for (const Polygon& polygon : passes[i]) {
-                worked.push_back({&polygon, bounds({polygon})});
-            }
-            continue;
-        }
-        const auto& states = motions[i].states;
-        for (std::size_t k = 1; k < states.size(); ++k) {
-            const Point middle = 0.5 * (states[k - 1].position + states[k].position);
-            if (std::ranges::any_of(worked, [&](const Worked& each) {
-                    return middle.x > each.box.min.x && middle.x < each.box.max.x &&
-                           middle.y > each.box.min.y && middle.y < each.box.max.y &&
-                           isInside(*each.polygon, middle);
-                })) {
-                way += distance(states[k - 1].position, states[k].position);
-            }
-        }
-    }
-    return metres(way);
-}
-
-}  // namespace
 
 Result<AuditReport> audit(const AuditInput& input, const JobContext& job) {
     const MachineShape shape = shapeOf(input);
@@ -72,15 +25,9 @@ Result<AuditReport> audit(const AuditInput& input, const JobContext& job) {
         clearance = std::move(*measured);
     }
     const Kinematics kinematics = measureKinematics(input);
-    auto findings = findingsOf(input,
-                               {.motions = *motions,
-                                .shape = shape,
-                                .area = *swept,
-                                .clearance = clearance ? &*clearance : nullptr,
-                                .kinematics = kinematics},
-                               job);
-    if (!findings) {
-        return std::unexpected(findings.error());
+    const auto traffic = measureTraffic(input, *motions, swept->pieces, mainDirection(*motions), job);
+    if (!traffic) {
+        return std::unexpected(traffic.error());
     }
 
     AuditReport report{.workable = area(input.workable)};
@@ -111,10 +58,19 @@ Result<AuditReport> audit(const AuditInput& input, const JobContext& job) {
         }
         report.maxHitchAngle = radians(angle);
     }
-    report.drivenOnWorked = wayOnWorked(input, *motions, swept->passes);
+    report.drivenOnWorked = metres(traffic->onWorkedM);
+    report.drivenOnUnworked = metres(traffic->onUnworkedM);
+    report.mostWheelPasses = traffic->mostWheelPasses;
+    report.oftenDrivenShare = traffic->oftenDriven;
+    report.wheelSquare = metres(traffic->squareM);
     report.areaError = swept->error;
     report.distanceError = metres(kChordErrorM) + input.positionRounding;
-    report.findings = std::move(*findings);
+    report.findings = findingsOf(input, {.motions = *motions,
+                                         .shape = shape,
+                                         .area = *swept,
+                                         .clearance = clearance ? &*clearance : nullptr,
+                                         .kinematics = kinematics,
+                                         .traffic = *traffic});
     job.report(1.0);
     return report;
 }

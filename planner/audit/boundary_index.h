@@ -18,7 +18,7 @@ class BoundaryIndex {
 public:
     explicit BoundaryIndex(const MultiPolygon& polygons);
 
-    /// Inside by even-odd; either answer on the edge. O(edges in the point's row).
+    /// Inside by even-odd; either answer on the edge. O(1) away from edges, O(edges in the row) near them.
     bool contains(Point point) const;
 
     /// Calls `visit(edge)` for every edge that comes near the box, some more than once.
@@ -41,12 +41,24 @@ public:
         }
     }
 
-    /// From the point to the nearest edge; `limit` where there is none that near.
-    double distanceWithin(Point point, double limit) const;
-    /// However far it is. Infinite without any edge.
+    /// Whether a disc is inside and touches no edge.
+    bool containsDisc(Point middle, double radius) const;
+    /// From the point to the nearest edge, however far it is. Infinite without any edge.
     double distance(Point point) const;
 
 private:
+    enum class Cell : std::uint8_t { Edges, Inside, Outside };
+
+    void fillCells();
+    void fillRows();
+    void findInside();
+    bool containsByRow(Point point) const;
+    double distanceWithin(Point point, double limit) const;
+
+    /// Calls `take(cell)` for every cell that the edge runs through.
+    template <class Take>
+    void forEachCell(const Edge& edge, Take&& take) const;
+
     std::size_t column(double x) const { return at(x - bounds_.min.x, columns_); }
     std::size_t row(double y) const { return at(y - bounds_.min.y, rows_); }
     std::size_t at(double offset, std::size_t count) const {
@@ -63,8 +75,9 @@ private:
     std::vector<std::uint32_t> cellEdges_;
     std::vector<std::uint32_t> rowStart_;
     std::vector<std::uint32_t> rowEdges_;
+    std::vector<Cell> cells_;
 };
 
-double distanceToSegment(Point point, const Edge& edge);
+double squaredDistanceToSegment(Point point, const Edge& edge);
 
 }  // namespace furrow

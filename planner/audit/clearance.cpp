@@ -1,21 +1,25 @@
 #include "planner/audit/clearance.h"
 
 #include "planner/audit/boundary_index.h"
+#include "planner/audit/convex.h"
+#include "planner/audit/depth_sweep.h"
+#include "planner/audit/swept_area.h"
 #include "planner/geometry/geos_bridge.h"
 #include "planner/jobs/parallel.h"
 
 #include <algorithm>
-#include <array>
+#include <atomic>
 #include <cmath>
 #include <iterator>
-#include <optional>
 
 namespace furrow {
 
 namespace {
 
-// Long straight steps are looked at in pieces, so that each asks only for the edges around it.
-constexpr double kPieceM = 25.0;
+/// Straight steps are cut in halves down to this length while they may come too near to an edge.
+constexpr double kPieceM = 6.0;
+/// What reaches less deep into the footprint only touches it.
+constexpr double kTouchingM = 1e-6;
 // An intrusion without any corner of the footprint outside: too small to measure, but there.
 constexpr double kLeastIntrusionM = 1e-3;
 
@@ -24,25 +28,6 @@ Ring rectangle(Point middle, double headingRad, double halfLengthM, double halfW
     const Point along = halfLengthM * direction(headingRad);
     const Point left = halfWidthM * Point{-std::sin(headingRad), std::cos(headingRad)};
     return {middle - along - left, middle + along - left, middle + along + left, middle - along + left};
-}
-
-/// Counter-clockwise, by Andrew's monotone chain.
-Ring convexHull(Ring points) {
-    std::ranges::sort(points, [](Point a, Point b) { return a.x != b.x ? a.x < b.x : a.y < b.y; });
-    Ring hull;
-    for (int side = 0; side < 2; ++side) {
-        const std::size_t base = hull.size();
-        for (const Point& point : points) {
-            while (hull.size() >= base + 2 &&
-                   cross(hull.back() - hull[hull.size() - 2], point - hull.back()) <= 0.0) {
-                hull.pop_back();
-            }
-            hull.push_back(point);
-        }
-        hull.pop_back();
-        std::ranges::reverse(points);
-    }
-    return hull;
 }
 
 Bounds grown(const Ring& ring, double by) {
@@ -54,71 +39,64 @@ Bounds grown(const Ring& ring, double by) {
     return {.min = box.min - Point{by, by}, .max = box.max + Point{by, by}};
 }
 
-/// The part of a segment, from 0 to 1, inside a convex counter-clockwise ring.
-std::optional<std::pair<double, double>> partInside(const Ring& hull, const Edge& edge) {
-    double enter = 0.0;
-    double leave = 1.0;
-    const Point along = edge.to - edge.from;
+struct Nearest {
+    double distance;
+    Point place;  ///< on the hull's side
+};
+
+/// From a hull to an edge that it does not cross, where that is less than what was found before.
+void lower(Nearest& nearest, const Ring& hull, const Edge& edge) {
+    double square = nearest.distance * nearest.distance;
+    const double before = square;
     for (std::size_t i = 0; i < hull.size(); ++i) {
-        const Point side = hull[(i + 1) % hull.size()] - hull[i];
-        const double start = cross(side, edge.from - hull[i]);
-        const double slope = cross(side, along);
-        if (slope == 0.0) {
-            if (start <= 0.0) {
-                return std::nullopt;
-            }
-        } else if (slope > 0.0) {
-            enter = std::max(enter, -start / slope);
-        } else {
-            leave = std::min(leave, -start / slope);
+        if (const double away = squaredDistanceToSegment(hull[i], edge); away < square) {
+            square = away;
+            nearest.place = hull[i];
         }
-        if (enter >= leave) {
-            return std::nullopt;
+        const Edge side{hull[i], hull[(i + 1) % hull.size()]};
+        for (const Point& end : {edge.from, edge.to}) {
+            if (const double away = squaredDistanceToSegment(end, side); away < square) {
+                square = away;
+                nearest.place = end;
+            }
         }
     }
-    return std::pair{enter, leave};
-}
-
-/// Of two segments that do not cross.
-double distanceBetween(const Edge& a, const Edge& b) {
-    return std::min({distanceToSegment(a.from, b), distanceToSegment(a.to, b), distanceToSegment(b.from, a),
-                     distanceToSegment(b.to, a)});
+    if (square < before) {
+        nearest.distance = std::sqrt(square);
+    }
 }
 
 class ClearanceMeter {
 public:
     ClearanceMeter(const MultiPolygon& area, const MultiPolygon& land) : edges_{area}, land_{land} {}
 
-    /// Lowers `found` to the clearance of this convex piece where that is less.
-    void measure(const Ring& hull, SegmentClearance& found) const {
-        const double limit = std::max(found.clearanceM, 0.0);
-        double nearest = limit;
-        Point nearestPlace;
+    /// Whether everything within a distance of a place is inside.
+    bool isFree(Point middle, double radius) const { return edges_.containsDisc(middle, radius); }
+
+    /// Lowers `found` to the clearance of this convex piece where that is less and under `limit`.
+    void measure(const Ring& hull, double limit, SegmentClearance& found) const {
+        Nearest nearest{.distance = limit, .place = {}};
         std::vector<Edge> intruding;
         edges_.visitNear(grown(hull, limit), [&](const Edge& edge) {
-            if (partInside(hull, edge)) {
+            if (partInside(hull, edge, kTouchingM)) {
                 intruding.push_back(edge);
-                return;
-            }
-            for (std::size_t i = 0; i < hull.size(); ++i) {
-                const Edge side{hull[i], hull[(i + 1) % hull.size()]};
-                const double away = distanceBetween(side, edge);
-                if (away < nearest) {
-                    nearest = away;
-                    nearestPlace = distanceToSegment(side.from, edge) < distanceToSegment(side.to, edge)
-                                       ? side.from
-                                       : side.to;
-                }
+            } else {
+                lower(nearest, hull, edge);
             }
         });
-        if (intruding.empty() && edges_.contains(hull.front())) {
-            if (nearest < found.clearanceM) {
-                found.clearanceM = nearest;
-                found.place = nearestPlace;
+        if (!intruding.empty() || !edges_.contains(hull.front())) {
+            // A corner on the edge itself may count as outside, and is not.
+            if (intruding.empty() && edges_.distance(hull.front()) < kTouchingM) {
+                nearest = {.distance = 0.0, .place = hull.front()};
+            } else {
+                measureOutside(hull, intruding, found);
+                return;
             }
-            return;
         }
-        measureOutside(hull, intruding, found);
+        if (nearest.distance < std::min(limit, found.clearanceM)) {
+            found.clearanceM = nearest.distance;
+            found.place = nearest.place;
+        }
     }
 
 private:
@@ -159,7 +137,7 @@ private:
         Point sum;
         double inside = 0.0;
         for (const Edge& edge : intruding) {
-            if (const auto part = partInside(hull, edge)) {
+            if (const auto part = partInside(hull, edge, kTouchingM)) {
                 sum = sum + (edge.from + 0.5 * (part->first + part->second) * (edge.to - edge.from));
                 inside += 1.0;
             }
@@ -170,7 +148,7 @@ private:
                 place = (1.0 / inside) * sum;
             }
         }
-        found.suspects.push_back({.outer = hull, .holes = {}});
+        found.suspects.push_back(hull);
         if (-depth < found.clearanceM) {
             found.clearanceM = -depth;
             found.place = place;
@@ -182,10 +160,13 @@ private:
     BoundaryIndex land_;
 };
 
+/// A rectangle of the machine.
 struct Part {
     double offsetM = 0.0;  ///< of its middle, ahead of what carries it
     double halfLengthM = 0.0;
     double halfWidthM = 0.0;
+
+    double radius() const { return std::hypot(halfLengthM, halfWidthM); }
 };
 
 /// The tractor is carried by its own reference point, the implement by the middle of its working line.
@@ -207,9 +188,21 @@ Footprint footprintOf(const Machine& machine) {
             .lowered = {.halfLengthM = halfLength, .halfWidthM = 0.5 * implement.operatingWidth.si()}};
 }
 
-Ring placed(const Part& part, Point carrier, double headingRad) {
-    return rectangle(carrier + part.offsetM * direction(headingRad), headingRad, part.halfLengthM,
-                     part.halfWidthM);
+/// Where a part is.
+struct Placed {
+    Point middle;
+    double headingRad = 0.0;
+};
+
+Placed placed(const Part& part, Point carrier, double headingRad) {
+    return {carrier + part.offsetM * direction(headingRad), headingRad};
+}
+
+Ring hullOf(const Part& part, const Placed& a, const Placed& b) {
+    Ring corners = rectangle(a.middle, a.headingRad, part.halfLengthM, part.halfWidthM);
+    std::ranges::copy(rectangle(b.middle, b.headingRad, part.halfLengthM, part.halfWidthM),
+                      std::back_inserter(corners));
+    return hullAround(std::move(corners));
 }
 
 MultiPolygon withoutHoles(const MultiPolygon& polygons) {
@@ -236,104 +229,135 @@ MultiPolygon gateDiscs(const std::vector<AuditGate>& gates) {
     return discs;
 }
 
-SegmentClearance clearanceOf(const SegmentMotion& motion, bool down, const Footprint& footprint,
-                             double farthestM, const ClearanceMeter& meter) {
-    SegmentClearance found{.clearanceM = farthestM};
-    const Part& implement = down ? footprint.lowered : footprint.raised;
-    const auto sweep = [&](const MotionState& a, const MotionState& b) {
-        const double way = std::max(distance(a.position, b.position), distance(a.implement, b.implement));
-        const int pieces = std::max(1, static_cast<int>(std::ceil(way / kPieceM)));
-        const auto between = [](Point from, Point to, double t) { return from + t * (to - from); };
-        for (int k = 0; k < pieces; ++k) {
-            const double t0 = static_cast<double>(k) / pieces;
-            const double t1 = static_cast<double>(k + 1) / pieces;
-            Ring tractor = placed(footprint.tractor, between(a.position, b.position, t0), a.headingRad);
-            std::ranges::copy(placed(footprint.tractor, between(a.position, b.position, t1), b.headingRad),
-                              std::back_inserter(tractor));
-            meter.measure(convexHull(std::move(tractor)), found);
-            Ring tool = placed(implement, between(a.implement, b.implement, t0), a.implementHeadingRad);
-            std::ranges::copy(
-                placed(implement, between(a.implement, b.implement, t1), b.implementHeadingRad),
-                std::back_inserter(tool));
-            meter.measure(convexHull(std::move(tool)), found);
-        }
-    };
-    for (const auto* states : {&motion.turnOnTheSpot, &motion.states}) {
-        for (std::size_t i = 1; i < states->size(); ++i) {
-            sweep((*states)[i - 1], (*states)[i]);
+/// The least clearance that any segment has been found to have, at most; only ever falls.
+class SmallestClearance {
+public:
+    explicit SmallestClearance(double startM) : valueM_{startM} {}
+    double get() const { return valueM_.load(std::memory_order_relaxed); }
+    void lowerTo(double valueM) {
+        double known = get();
+        while (valueM < known && !valueM_.compare_exchange_weak(known, valueM, std::memory_order_relaxed)) {
         }
     }
-    return found;
+
+private:
+    std::atomic<double> valueM_;
+};
+
+/// Moves the parts of the machine along one segment.
+class SegmentSweep {
+public:
+    SegmentSweep(const Footprint& footprint, const ClearanceMeter& meter, SmallestClearance& smallest)
+        : footprint_{footprint}, meter_{meter}, smallest_{smallest} {}
+
+    SegmentClearance run(const SegmentMotion& motion, bool down) {
+        const Part& implement = down ? footprint_.lowered : footprint_.raised;
+        for (const auto* states : {&motion.turnOnTheSpot, &motion.states}) {
+            for (std::size_t i = 1; i < states->size(); ++i) {
+                const MotionState& a = (*states)[i - 1];
+                const MotionState& b = (*states)[i];
+                move(footprint_.tractor, placed(footprint_.tractor, a.position, a.headingRad),
+                     placed(footprint_.tractor, b.position, b.headingRad));
+                move(implement, placed(implement, a.implement, a.implementHeadingRad),
+                     placed(implement, b.implement, b.implementHeadingRad));
+            }
+        }
+        return std::move(found_);
+    }
+
+private:
+    /// From one place to the next. The part stays in a disc; where that is free by more than the least
+    /// clearance known from anywhere on the path, the move changes nothing. What is outside always does.
+    void move(const Part& part, const Placed& a, const Placed& b) {
+        const double way = distance(a.middle, b.middle);
+        const Point middle = 0.5 * (a.middle + b.middle);
+        const double limit = std::max(0.0, std::min(found_.clearanceM, smallest_.get()));
+        if (meter_.isFree(middle, 0.5 * way + part.radius() + limit)) {
+            return;
+        }
+        if (way > kPieceM && a.headingRad == b.headingRad) {
+            const Placed between{middle, a.headingRad};
+            move(part, a, between);
+            move(part, between, b);
+            return;
+        }
+        meter_.measure(hullOf(part, a, b), limit, found_);
+        smallest_.lowerTo(found_.clearanceM);
+    }
+
+    const Footprint& footprint_;
+    const ClearanceMeter& meter_;
+    SmallestClearance& smallest_;
+    SegmentClearance found_;
+};
+
+/// The drivable area with its gates open.
+Result<MultiPolygon> withGates(const AuditInput& input, const JobContext& job) {
+    MultiPolygon open = input.drivable;
+    const MultiPolygon discs = gateDiscs(input.gates);
+    if (discs.empty()) {
+        return open;
+    }
+    std::ranges::copy(discs, std::back_inserter(open));
+    return unionOf(open, job, kSnapGrid);
+}
+
+enum Layer : std::size_t { kOpen, kFootprint };
+
+/// Of the area swept by what may lie outside, how much does.
+Result<Area> areaOutside(const std::vector<SegmentClearance>& segments, const MultiPolygon& open, Point along,
+                         const JobContext& job) {
+    LayeredPolygons layers;
+    for (const SegmentClearance& segment : segments) {
+        for (const Ring& hull : segment.suspects) {
+            layers.add(kFootprint, hull);
+        }
+    }
+    if (layers.edges().empty()) {
+        return Area{};
+    }
+    layers.add(kOpen, open);
+    const auto outside = [](const Depths& depths) -> std::uint32_t {
+        return depths[kFootprint] > 0 && depths[kOpen] <= 0 ? 1 : 0;
+    };
+    return measureRegions(layers, along, {.at = outside, .count = 1}, job)
+        .transform([](const std::vector<MeasuredRegion>& regions) { return regions.front().area; });
 }
 
 }  // namespace
 
 Result<ClearanceReport> measureClearance(const AuditInput& input, const std::vector<SegmentMotion>& motions,
                                          const JobContext& job) {
-    MultiPolygon open = input.drivable;
-    if (const MultiPolygon discs = gateDiscs(input.gates); !discs.empty()) {
-        std::ranges::copy(discs, std::back_inserter(open));
-        auto merged = unionOf(open, job, kSnapGrid);
-        if (!merged) {
-            return std::unexpected(merged.error());
-        }
-        open = std::move(*merged);
+    const auto open = withGates(input, job);
+    if (!open) {
+        return std::unexpected(open.error());
     }
-    const ClearanceMeter meter{open, withoutHoles(open)};
+    const ClearanceMeter meter{*open, withoutHoles(*open)};
     const Footprint footprint = footprintOf(*input.machine);
     ClearanceReport report;
     // Most plans come near the edge somewhere; only where none of it does is it worth looking farther.
     for (double farthest = 2.0; farthest < 1e6; farthest *= 16.0) {
+        SmallestClearance smallest{farthest};
         auto segments = parallelMap<SegmentClearance>(
             motions.size(),
             [&](std::size_t i) {
-                return clearanceOf(motions[i], input.segments[i].implementDown, footprint, farthest, meter);
+                return SegmentSweep{footprint, meter, smallest}.run(motions[i], input.segments[i].implementDown);
             },
             job);
         if (!segments) {
             return std::unexpected(segments.error());
         }
         report.segments = std::move(*segments);
-        double smallest = farthest;
-        for (const SegmentClearance& segment : report.segments) {
-            smallest = std::min(smallest, segment.clearanceM);
-        }
-        report.smallest = metres(smallest);
-        if (smallest < farthest) {
+        report.smallest = metres(smallest.get());
+        if (smallest.get() < farthest) {
             break;
         }
     }
-    // Each segment's own first, side by side; then all of them at once.
-    std::vector<std::size_t> suspects;
-    for (std::size_t i = 0; i < report.segments.size(); ++i) {
-        if (!report.segments[i].suspects.empty()) {
-            suspects.push_back(i);
-        }
+    const auto outside = areaOutside(report.segments, *open, mainDirection(motions), job);
+    if (!outside) {
+        return std::unexpected(outside.error());
     }
-    if (!suspects.empty()) {
-        const auto unions = parallelMap<std::optional<Result<MultiPolygon>>>(
-            suspects.size(),
-            [&](std::size_t k) -> std::optional<Result<MultiPolygon>> {
-                return unionOf(report.segments[suspects[k]].suspects, job, kSnapGrid);
-            },
-            job);
-        if (!unions) {
-            return std::unexpected(unions.error());
-        }
-        MultiPolygon all;
-        for (const auto& each : *unions) {
-            if (!*each) {
-                return std::unexpected((*each).error());
-            }
-            std::ranges::copy(**each, std::back_inserter(all));
-        }
-        const auto swept = unionOf(all, job, kSnapGrid);
-        const auto outside = swept ? difference(*swept, open, job, kSnapGrid) : swept;
-        if (!outside) {
-            return std::unexpected(outside.error());
-        }
-        report.outside = area(*outside);
-    }
+    report.outside = *outside;
     return report;
 }
 

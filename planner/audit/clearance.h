@@ -2,14 +2,18 @@
 
 #include "planner/audit/motion.h"
 
+#include <limits>
+#include <vector>
+
 namespace furrow {
 
 /// What the footprint of one segment comes to, against the edge of the drivable area.
 struct SegmentClearance {
-    double clearanceM = 0.0;  ///< negative: that far outside
-    Point place;              ///< where it is nearest to the edge, or farthest outside
-    bool beyondLand = false;  ///< outside the outer boundary, not in something inside the field
-    MultiPolygon suspects;    ///< parts of the swept footprint that may lie outside; they overlap
+    /// Negative: that far outside, and exact. Otherwise no less than the smallest of the path.
+    double clearanceM = std::numeric_limits<double>::infinity();
+    Point place;                  ///< where it is farthest outside
+    bool beyondLand = false;      ///< outside the outer boundary, not in something inside the field
+    std::vector<Ring> suspects;   ///< parts of the swept footprint that may lie outside; they overlap
 };
 
 struct ClearanceReport {
@@ -20,8 +24,8 @@ struct ClearanceReport {
 
 /// Moves tractor and implement, each a rectangle, along every segment: raised width where the implement is
 /// up, operating width where it is down. Between two states a part sweeps the hull of both of its
-/// rectangles. `input.machine` must be there. A segment's clearance is what it comes to, or
-/// 2 m where it stays farther away than that and another one does not.
+/// rectangles. `input.machine` must be there. The smallest clearance of the path, and all that is outside, do
+/// not depend on the thread count; the clearance of a segment that is neither does.
 Result<ClearanceReport> measureClearance(const AuditInput& input, const std::vector<SegmentMotion>& motions,
                                          const JobContext& job);
 

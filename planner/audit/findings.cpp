@@ -1,12 +1,10 @@
 #include "planner/audit/findings.h"
 
 #include "planner/audit/boundary_index.h"
-#include "planner/geometry/geos_bridge.h"
 
 #include <algorithm>
 #include <cmath>
 #include <format>
-#include <iterator>
 #include <set>
 #include <tuple>
 #include <utility>
@@ -78,16 +76,14 @@ class Reporter {
 public:
     Reporter(const AuditInput& input, const Measurements& measured) : input_{input}, measured_{measured} {}
 
-    Result<std::vector<AuditFinding>> report(const JobContext& job) {
+    std::vector<AuditFinding> report() {
         reportClearance();
         reportUndrivable();
         reportCurvature();
         reportBreaks();
         reportReverse();
         reportDroppedPasses();
-        if (auto missed = reportMissed(job); !missed) {
-            return std::unexpected(missed.error());
-        }
+        reportMissed();
         reportNotes();
         std::ranges::stable_sort(findings_, {}, [](const AuditFinding& each) {
             return std::tuple{each.finding.severity == Severity::Note,
@@ -286,38 +282,19 @@ private:
 
     static bool passes(const std::vector<Point>& line, Point point, double near) {
         for (std::size_t i = 1; i < line.size(); ++i) {
-            if (distanceToSegment(point, {line[i - 1], line[i]}) <= near) {
+            if (squaredDistanceToSegment(point, {line[i - 1], line[i]}) <= near * near) {
                 return true;
             }
         }
         return false;
     }
 
-    Result<void> reportMissed(const JobContext& job) {
-        MultiPolygon judged = measured_.area.missedWithinReach;
-        if (input_.mainland) {
-            const auto strip = difference(input_.workable, *input_.mainland, job, kSnapGrid);
-            const auto left = strip ? intersection(measured_.area.missed, *strip, job, kSnapGrid) : strip;
-            auto inside = left ? intersection(judged, *input_.mainland, job, kSnapGrid) : left;
-            if (inside && !judged.empty()) {
-                const MultiPolygon ends = laneEnds();
-                const auto merged = unionOf(ends, job, kSnapGrid);
-                const auto rest = merged ? difference(*inside, *merged, job, kSnapGrid) : merged;
-                if (!rest) {
-                    return std::unexpected(rest.error());
-                }
-                noteStrip(*left, area(*inside) - area(*rest));
-                inside = *rest;
-            }
-            if (!inside) {
-                return std::unexpected(inside.error());
-            }
-            judged = std::move(*inside);
-        }
-        const Area all = area(judged);
-        const bool tooMuch = all > kMissedShare * area(input_.workable);
+    void reportMissed() {
+        const SweptArea& swept = measured_.area;
+        noteStrip();
+        const bool tooMuch = swept.droppedArea > kMissedShare * area(input_.workable);
         std::size_t told = 0;
-        for (const Polygon& piece : judged) {
+        for (const Polygon& piece : swept.dropped) {
             if (area(piece) <= squareMetres(kMissedPieceM2) || told == kMostMissedPieces) {
                 break;
             }
@@ -326,43 +303,25 @@ private:
                 std::format("{} in one piece are not worked.", areaText(area(piece))),
                 "Try another direction of the swaths, or let the last pass overlap.");
         }
-        if (told == 0 && tooMuch) {
-            add(Severity::Blocking, "missed", placeInside(judged.front()),
+        if (told == 0 && tooMuch && !swept.dropped.empty()) {
+            add(Severity::Blocking, "missed", placeInside(swept.dropped.front()),
                 std::format("{} are not worked, {:.1f} % of the field, in {} {}; this is the largest.",
-                            areaText(all), 100.0 * (all / area(input_.workable)), judged.size(),
-                            judged.size() == 1 ? "piece" : "pieces"),
+                            areaText(swept.droppedArea), 100.0 * (swept.droppedArea / area(input_.workable)),
+                            swept.dropped.size(), swept.dropped.size() == 1 ? "piece" : "pieces"),
                 "Try another direction of the swaths, or let the last pass overlap.");
         }
-        return {};
     }
 
-    /// The lanes beyond the ends of the swaths and as far before them as the implement is from the axle:
-    /// where the strip beside them is kept for turning, they are worked together with it.
-    MultiPolygon laneEnds() const {
-        const double before = std::abs(measured_.shape.implementOffsetM) + kOutsideM;
-        MultiPolygon ends;
-        const auto addEnd = [&](Point end, Point next, double width) {
-            const Point along = (1.0 / std::max(distance(end, next), 1e-9)) * (next - end);
-            const Point side = (0.5 * width + kOutsideM) * Point{-along.y, along.x};
-            const Point far = end - 2.0 * width * along;
-            const Point near = end + std::min(before, distance(end, next)) * along;
-            ends.push_back({.outer = {far - side, near - side, near + side, far + side}, .holes = {}});
-        };
-        for (const PlannedPass& pass : input_.passes) {
-            addEnd(pass.line.front(), pass.line[1], pass.width.si());
-            addEnd(pass.line.back(), pass.line[pass.line.size() - 2], pass.width.si());
-        }
-        return ends;
-    }
-
-    void noteStrip(const MultiPolygon& strip, Area ends) {
-        if (strip.empty()) {
+    void noteStrip() {
+        const SweptArea& swept = measured_.area;
+        if (swept.strip.empty()) {
             return;
         }
-        add(Severity::Note, "headland-not-worked", placeInside(strip.front()),
-            std::format("The headland strip, {}, is not worked by this plan{}.", areaText(area(strip)),
-                        ends > squareMetres(0.5)
-                            ? std::format(", nor are {} at the ends of the swaths beside it", areaText(ends))
+        add(Severity::Note, "headland-not-worked", placeInside(swept.strip.front()),
+            std::format("The headland strip, {}, is not worked by this plan{}.", areaText(swept.stripArea),
+                        swept.laneEnds > squareMetres(0.5)
+                            ? std::format(", nor are {} at the ends of the swaths beside it",
+                                          areaText(swept.laneEnds))
                             : ""),
             "Work it along the boundary, before or after the swaths.");
     }
@@ -420,9 +379,8 @@ private:
 
 }  // namespace
 
-Result<std::vector<AuditFinding>> findingsOf(const AuditInput& input, const Measurements& measured,
-                                             const JobContext& job) {
-    return Reporter{input, measured}.report(job);
+std::vector<AuditFinding> findingsOf(const AuditInput& input, const Measurements& measured) {
+    return Reporter{input, measured}.report();
 }
 
 }  // namespace furrow

@@ -3,6 +3,7 @@
 #include "planner/audit/clearance.h"
 #include "planner/audit/kinematics.h"
 #include "planner/audit/swept_area.h"
+#include "planner/audit/traffic.h"
 
 namespace furrow {
 
@@ -13,10 +14,10 @@ struct Measurements {
     const SweptArea& area;
     const ClearanceReport* clearance = nullptr;  ///< none without a machine
     const Kinematics& kinematics;
+    const Traffic& traffic;
 };
 
 /// Puts what was measured into words: blocking ones first, each group in driving order.
-Result<std::vector<AuditFinding>> findingsOf(const AuditInput& input, const Measurements& measured,
-                                             const JobContext& job);
+std::vector<AuditFinding> findingsOf(const AuditInput& input, const Measurements& measured);
 
 }  // namespace furrow

@@ -46,7 +46,11 @@ std::string auditJson(const AuditReport& report, std::span<const Finding> findin
                    {"max_heading_jump_rad", orNull(report.maxHeadingJump)},
                    {"max_hitch_angle_rad", orNull(report.maxHitchAngle)},
                    {"reverse_length_m", report.reversed.si()},
-                   {"driven_on_worked_m", orNull(report.drivenOnWorked)},
+                   {"driven_on_worked_m", report.drivenOnWorked.si()},
+                   {"driven_on_unworked_m", report.drivenOnUnworked.si()},
+                   {"max_wheel_passes", report.mostWheelPasses},
+                   {"often_driven_share", report.oftenDrivenShare},
+                   {"wheel_square_m", report.wheelSquare.si()},
                    {"area_error_m2", report.areaError.si()},
                    {"distance_error_m", report.distanceError.si()},
                    {"findings", std::move(list)}};
