@@ -3,6 +3,7 @@
 #include "planner/audit/boundary_index.h"
 #include "planner/audit/convex.h"
 #include "planner/audit/depth_sweep.h"
+#include "planner/audit/length.h"
 #include "planner/audit/swept_area.h"
 #include "planner/geometry/geos_bridge.h"
 #include "planner/jobs/parallel.h"
@@ -11,6 +12,7 @@
 #include <atomic>
 #include <cmath>
 #include <iterator>
+#include <optional>
 
 namespace furrow {
 
@@ -23,10 +25,10 @@ constexpr double kTouchingM = 1e-6;
 // An intrusion without any corner of the footprint outside: too small to measure, but there.
 constexpr double kLeastIntrusionM = 1e-3;
 
-/// A rectangle by its middle, heading and half sizes.
-Ring rectangle(Point middle, double headingRad, double halfLengthM, double halfWidthM) {
-    const Point along = halfLengthM * direction(headingRad);
-    const Point left = halfWidthM * Point{-std::sin(headingRad), std::cos(headingRad)};
+/// A rectangle by its middle, the way it points and half its sizes.
+Ring rectangle(Point middle, Point nose, double halfLengthM, double halfWidthM) {
+    const Point along = halfLengthM * nose;
+    const Point left = halfWidthM * Point{-nose.y, nose.x};
     return {middle - along - left, middle + along - left, middle + along + left, middle - along + left};
 }
 
@@ -73,8 +75,9 @@ public:
     /// Whether everything within a distance of a place is inside.
     bool isFree(Point middle, double radius) const { return edges_.containsDisc(middle, radius); }
 
-    /// Lowers `found` to the clearance of this convex piece where that is less and under `limit`.
-    void measure(const Ring& hull, double limit, SegmentClearance& found) const {
+    /// Lowers `found` to the clearance of this convex piece where that is less and under `limit`. Whether some
+    /// of it may lie outside.
+    bool measure(const Ring& hull, double limit, SegmentClearance& found) const {
         Nearest nearest{.distance = limit, .place = {}};
         std::vector<Edge> intruding;
         edges_.visitNear(grown(hull, limit), [&](const Edge& edge) {
@@ -90,13 +93,14 @@ public:
                 nearest = {.distance = 0.0, .place = hull.front()};
             } else {
                 measureOutside(hull, intruding, found);
-                return;
+                return true;
             }
         }
         if (nearest.distance < std::min(limit, found.clearanceM)) {
             found.clearanceM = nearest.distance;
             found.place = nearest.place;
         }
+        return false;
     }
 
 private:
@@ -148,7 +152,6 @@ private:
                 place = (1.0 / inside) * sum;
             }
         }
-        found.suspects.push_back(hull);
         if (-depth < found.clearanceM) {
             found.clearanceM = -depth;
             found.place = place;
@@ -166,7 +169,7 @@ struct Part {
     double halfLengthM = 0.0;
     double halfWidthM = 0.0;
 
-    double radius() const { return std::hypot(halfLengthM, halfWidthM); }
+    double radius() const { return lengthOf({halfLengthM, halfWidthM}); }
 };
 
 /// The tractor is carried by its own reference point, the implement by the middle of its working line.
@@ -191,16 +194,16 @@ Footprint footprintOf(const Machine& machine) {
 /// Where a part is.
 struct Placed {
     Point middle;
-    double headingRad = 0.0;
+    Point nose;
 };
 
-Placed placed(const Part& part, Point carrier, double headingRad) {
-    return {carrier + part.offsetM * direction(headingRad), headingRad};
+Placed placed(const Part& part, Point carrier, Point nose) {
+    return {carrier + part.offsetM * nose, nose};
 }
 
 Ring hullOf(const Part& part, const Placed& a, const Placed& b) {
-    Ring corners = rectangle(a.middle, a.headingRad, part.halfLengthM, part.halfWidthM);
-    std::ranges::copy(rectangle(b.middle, b.headingRad, part.halfLengthM, part.halfWidthM),
+    Ring corners = rectangle(a.middle, a.nose, part.halfLengthM, part.halfWidthM);
+    std::ranges::copy(rectangle(b.middle, b.nose, part.halfLengthM, part.halfWidthM),
                       std::back_inserter(corners));
     return hullAround(std::move(corners));
 }
@@ -256,10 +259,10 @@ public:
             for (std::size_t i = 1; i < states->size(); ++i) {
                 const MotionState& a = (*states)[i - 1];
                 const MotionState& b = (*states)[i];
-                move(footprint_.tractor, placed(footprint_.tractor, a.position, a.headingRad),
-                     placed(footprint_.tractor, b.position, b.headingRad));
-                move(implement, placed(implement, a.implement, a.implementHeadingRad),
-                     placed(implement, b.implement, b.implementHeadingRad));
+                move(footprint_.tractor, placed(footprint_.tractor, a.position, a.nose),
+                     placed(footprint_.tractor, b.position, b.nose));
+                move(implement, placed(implement, a.implement, a.implementNose),
+                     placed(implement, b.implement, b.implementNose));
             }
         }
         return std::move(found_);
@@ -269,19 +272,22 @@ private:
     /// From one place to the next. The part stays in a disc; where that is free by more than the least
     /// clearance known from anywhere on the path, the move changes nothing. What is outside always does.
     void move(const Part& part, const Placed& a, const Placed& b) {
-        const double way = distance(a.middle, b.middle);
+        const double way = lengthOf(b.middle - a.middle);
         const Point middle = 0.5 * (a.middle + b.middle);
         const double limit = std::max(0.0, std::min(found_.clearanceM, smallest_.get()));
         if (meter_.isFree(middle, 0.5 * way + part.radius() + limit)) {
             return;
         }
-        if (way > kPieceM && a.headingRad == b.headingRad) {
-            const Placed between{middle, a.headingRad};
+        if (way > kPieceM && a.nose == b.nose) {
+            const Placed between{middle, a.nose};
             move(part, a, between);
             move(part, between, b);
             return;
         }
-        meter_.measure(hullOf(part, a, b), limit, found_);
+        Ring hull = hullOf(part, a, b);
+        if (meter_.measure(hull, limit, found_)) {
+            found_.suspects[&part == &footprint_.tractor ? 0 : 1].push_back(std::move(hull));
+        }
         smallest_.lowerTo(found_.clearanceM);
     }
 
@@ -304,23 +310,59 @@ Result<MultiPolygon> withGates(const AuditInput& input, const JobContext& job) {
 
 enum Layer : std::size_t { kOpen, kFootprint };
 
+std::uint32_t isSwept(const Depths& depths) {
+    return depths[kFootprint] > 0 ? 1 : 0;
+}
+
+std::uint32_t isSweptOutside(const Depths& depths) {
+    return depths[kFootprint] > 0 && depths[kOpen] <= 0 ? 1 : 0;
+}
+
+/// The outline of what the suspects of one segment sweep. Each moves on by a few centimetres only: without
+/// what it shares with the one before there is little left that overlaps.
+Result<MultiPolygon> outlineOf(const SegmentClearance& segment, Point along, const JobContext& job) {
+    LayeredPolygons layers;
+    for (const std::vector<Ring>& hulls : segment.suspects) {
+        for (std::size_t i = 0; i < hulls.size(); ++i) {
+            if (i == 0) {
+                layers.add(kFootprint, hulls[i]);
+                continue;
+            }
+            for (const Ring& part : partsOutside(hulls[i], hulls[i - 1])) {
+                layers.add(kFootprint, part);
+            }
+        }
+    }
+    return measureRegions(layers, along, {.at = isSwept, .count = 1, .traced = 1}, job)
+        .transform([](std::vector<MeasuredRegion>&& regions) { return std::move(regions.front().polygons); });
+}
+
 /// Of the area swept by what may lie outside, how much does.
 Result<Area> areaOutside(const std::vector<SegmentClearance>& segments, const MultiPolygon& open, Point along,
                          const JobContext& job) {
-    LayeredPolygons layers;
+    std::vector<const SegmentClearance*> suspects;
     for (const SegmentClearance& segment : segments) {
-        for (const Ring& hull : segment.suspects) {
-            layers.add(kFootprint, hull);
+        if (segment.isSuspect()) {
+            suspects.push_back(&segment);
         }
     }
-    if (layers.edges().empty()) {
+    if (suspects.empty()) {
         return Area{};
     }
+    const auto outlines = parallelMap<std::optional<Result<MultiPolygon>>>(
+        suspects.size(), [&](std::size_t i) { return outlineOf(*suspects[i], along, job); }, job);
+    if (!outlines) {
+        return std::unexpected(outlines.error());
+    }
+    LayeredPolygons layers;
     layers.add(kOpen, open);
-    const auto outside = [](const Depths& depths) -> std::uint32_t {
-        return depths[kFootprint] > 0 && depths[kOpen] <= 0 ? 1 : 0;
-    };
-    return measureRegions(layers, along, {.at = outside, .count = 1}, job)
+    for (const auto& outline : *outlines) {
+        if (!*outline) {
+            return std::unexpected(outline->error());
+        }
+        layers.add(kFootprint, **outline);
+    }
+    return measureRegions(layers, along, {.at = isSweptOutside, .count = 1}, job)
         .transform([](const std::vector<MeasuredRegion>& regions) { return regions.front().area; });
 }
 

@@ -2,6 +2,7 @@
 
 #include "planner/audit/motion.h"
 
+#include <array>
 #include <limits>
 #include <vector>
 
@@ -13,7 +14,10 @@ struct SegmentClearance {
     double clearanceM = std::numeric_limits<double>::infinity();
     Point place;                  ///< where it is farthest outside
     bool beyondLand = false;      ///< outside the outer boundary, not in something inside the field
-    std::vector<Ring> suspects;   ///< parts of the swept footprint that may lie outside; they overlap
+    /// Parts of the swept footprint that may lie outside, of the tractor and of the implement; they overlap.
+    std::array<std::vector<Ring>, 2> suspects;
+
+    bool isSuspect() const { return !suspects[0].empty() || !suspects[1].empty(); }
 };
 
 struct ClearanceReport {

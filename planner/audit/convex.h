@@ -5,6 +5,7 @@
 
 #include <optional>
 #include <utility>
+#include <vector>
 
 namespace furrow {
 
@@ -16,5 +17,9 @@ Ring hullAround(Ring points);
 /// The part of a segment, from 0 to 1, that is inside a convex counter-clockwise ring by more than
 /// `depthM`; nothing where none is.
 std::optional<std::pair<double, double>> partInside(const Ring& hull, const Edge& edge, double depthM = 0.0);
+
+/// What of one convex ring lies outside another, as convex rings that do not overlap, counter-clockwise as
+/// both of them are.
+std::vector<Ring> partsOutside(Ring ring, const Ring& hull);
 
 }  // namespace furrow

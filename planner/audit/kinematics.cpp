@@ -1,5 +1,7 @@
 #include "planner/audit/kinematics.h"
 
+#include "planner/audit/length.h"
+
 #include <algorithm>
 #include <cmath>
 #include <limits>
@@ -12,6 +14,7 @@ namespace {
 // Larger ones are breaks; smaller ones only show in the figures. Chords of samples are within 1 cm.
 constexpr double kJumpM = 0.05;
 constexpr double kHeadingJumpRad = 0.02;
+constexpr double kNoJumpM = 1e-9;
 /// A next segment that begins farther away than this is not the next one: something in between is missing.
 constexpr double kGapM = 2.0;
 // Rounding of positions and headings, over shorter ways, drowns the curvature.
@@ -35,7 +38,7 @@ struct Step {
 
 Step stepBetween(const PathSample& a, const PathSample& b, double gear) {
     const Point chord = b.position - a.position;
-    Step step{.wayM = norm(chord), .turnRad = wrapped(b.headingRad - a.headingRad)};
+    Step step{.wayM = lengthOf(chord), .turnRad = wrapped(b.headingRad - a.headingRad)};
     const double half = 0.5 * std::abs(step.turnRad);
     const double chordShare = half > 1e-9 ? std::sin(half) / half : 1.0;
     const double driven = b.sM - a.sM;
@@ -43,9 +46,12 @@ Step stepBetween(const PathSample& a, const PathSample& b, double gear) {
     // Where the curvature changes evenly the chord leads aside by a twelfth of its change.
     const double skew = -(b.curvature1pm - a.curvature1pm) * driven * gear / 12.0;
     const auto missBy = [&](double aside) {
-        return norm(chord - driven * chordShare * direction(middle + aside));
+        return lengthOf(chord - driven * chordShare * direction(middle + aside));
     };
-    step.jumpM = std::min(missBy(0.0), missBy(skew));
+    step.jumpM = missBy(0.0);
+    if (step.jumpM > kNoJumpM) {
+        step.jumpM = std::min(step.jumpM, missBy(skew));
+    }
     if (step.wayM > kShortestWayM) {
         const double moved = std::atan2(chord.y, chord.x);
         const double plain = std::abs(wrapped(moved - middle));
@@ -149,7 +155,7 @@ private:
                 if (found_.reversedM == 0.0) {
                     found_.reversedPlace = a.position;
                 }
-                found_.reversedM += distance(a.position, b.position);
+                found_.reversedM += lengthOf(b.position - a.position);
             }
             if (!input_.statedMotion) {
                 continue;
@@ -189,7 +195,7 @@ private:
         // way moved is not the way stated, it is the position that jumps.
         const bool sideways = step.sidewaysRad > kHeadingJumpRad && step.wayM > kJumpM;
         const double driven = b.sM - a.sM;
-        const bool wayDiffers = std::abs(distance(a.position, b.position) - driven) > kJumpM + 0.02 * driven;
+        const bool wayDiffers = std::abs(lengthOf(b.position - a.position) - driven) > kJumpM + 0.02 * driven;
         if (sideways && !wayDiffers) {
             found_.breaks.push_back({Break::Kind::Heading, index, a.position, step.sidewaysRad});
         } else if (step.jumpM > kJumpM) {

@@ -1,5 +1,6 @@
 #include "planner/audit/motion.h"
 
+#include "planner/audit/length.h"
 #include "planner/audit/tractrix.h"
 
 #include <algorithm>
@@ -28,7 +29,7 @@ public:
     Interval(const PathSample& from, const PathSample& to, double sign)
         : from_{from}, to_{to}, sign_{sign}, turn_{wrapped(to.headingRad - from.headingRad)} {
         const Point chord = to.position - from.position;
-        const double length = norm(chord);
+        const double length = lengthOf(chord);
         const double middle = from.headingRad + 0.5 * turn_ + (sign < 0.0 ? std::numbers::pi : 0.0);
         const double half = 0.5 * std::abs(turn_);
         smooth_ = length > 0.0 && half < 1.0 && std::abs(wrapped(std::atan2(chord.y, chord.x) - middle)) < 0.2;
@@ -151,10 +152,11 @@ private:
     MotionState moveTo(Point position, double headingRad, SegmentMotion& motion) {
         const Point nose = direction(headingRad);
         const Point left{-nose.y, nose.x};
-        MotionState state{.position = position, .headingRad = headingRad};
+        MotionState state{.position = position, .headingRad = headingRad, .nose = nose};
         if (!shape_.trailingM) {
             state.implement = position + shape_.implementOffsetM * nose + shape_.lateralOffsetM * left;
             state.implementHeadingRad = headingRad;
+            state.implementNose = nose;
         } else {
             const Point hitch = position + shape_.hitchOffsetM * nose;
             trailedRad_ = started_ ? trailedHeading(radians(trailedRad_), hitch - hitch_,
@@ -166,6 +168,7 @@ private:
             state.implement = hitch - *shape_.trailingM * back +
                               shape_.lateralOffsetM * Point{-back.y, back.x};
             state.implementHeadingRad = trailedRad_;
+            state.implementNose = back;
             const double angle = std::abs(wrapped(trailedRad_ - headingRad));
             if (angle > motion.largestHitchAngleRad) {
                 motion.largestHitchAngleRad = angle;

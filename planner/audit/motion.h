@@ -11,8 +11,10 @@ namespace furrow {
 struct MotionState {
     Point position;  ///< of the reference point
     double headingRad = 0.0;
+    Point nose;       ///< unit vector of the heading
     Point implement;  ///< middle of the working line
     double implementHeadingRad = 0.0;
+    Point implementNose;
 };
 
 /// The states of one segment, close enough that straight steps between them stay within kChordErrorM of the

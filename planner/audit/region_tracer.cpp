@@ -1,5 +1,7 @@
 #include "planner/audit/region_tracer.h"
 
+#include "planner/audit/length.h"
+
 #include <algorithm>
 #include <cmath>
 #include <limits>
@@ -21,7 +23,7 @@ Ring withoutFlatBends(const Ring& ring) {
     for (std::size_t i = 0; i < ring.size(); ++i) {
         const Point before = kept.empty() ? ring.back() : kept.back();
         const Point along = ring[(i + 1) % ring.size()] - before;
-        const double length = norm(along);
+        const double length = lengthOf(along);
         if (length > 0.0 && std::abs(cross(along, ring[i] - before)) > kFlatM * length) {
             kept.push_back(ring[i]);
         }

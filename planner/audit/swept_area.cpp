@@ -1,6 +1,7 @@
 #include "planner/audit/swept_area.h"
 
 #include "planner/audit/depth_sweep.h"
+#include "planner/audit/length.h"
 #include "planner/geometry/geos_bridge.h"
 
 #include <algorithm>
@@ -19,8 +20,7 @@ struct WorkingLine {
 };
 
 WorkingLine workingLine(const MotionState& state, double widthM) {
-    const Point left = 0.5 * widthM *
-                       Point{-std::sin(state.implementHeadingRad), std::cos(state.implementHeadingRad)};
+    const Point left = 0.5 * widthM * Point{-state.implementNose.y, state.implementNose.x};
     return {.right = state.implement - left, .left = state.implement + left};
 }
 
@@ -74,7 +74,7 @@ double chordErrorM2(const SegmentMotion& motion, double widthM) {
             std::abs(std::remainder(b.implementHeadingRad - a.implementHeadingRad, 2.0 * std::numbers::pi));
         const WorkingLine from = workingLine(a, widthM);
         const WorkingLine to = workingLine(b, widthM);
-        for (const double chord : {distance(from.left, to.left), distance(from.right, to.right)}) {
+        for (const double chord : {lengthOf(to.left - from.left), lengthOf(to.right - from.right)}) {
             sum += 2.0 / 3.0 * chord * std::min(chord * turn / 8.0, kChordErrorM);
         }
     }
@@ -166,7 +166,7 @@ void addPasses(const AuditInput& input, const MachineShape& shape, const std::ve
         errorM2 += chordErrorM2(motions[i], widthM);
         for (std::size_t k = 1; k < states.size(); ++k) {
             addSweep(workingLine(states[k - 1], widthM), workingLine(states[k], widthM), i, result.pieces);
-            lengthM += distance(states[k - 1].implement, states[k].implement);
+            lengthM += lengthOf(states[k].implement - states[k - 1].implement);
         }
     }
     // A rounded coordinate moves both sides of a pass.
@@ -181,8 +181,8 @@ Point mainDirection(const std::vector<SegmentMotion>& motions) {
     for (const SegmentMotion& motion : motions) {
         for (std::size_t i = 1; i < motion.states.size(); ++i) {
             const Point way = motion.states[i].implement - motion.states[i - 1].implement;
-            if (norm(way) > longest) {
-                longest = norm(way);
+            if (dot(way, way) > longest * longest) {
+                longest = lengthOf(way);
                 along = (1.0 / longest) * way;
             }
         }

@@ -1,11 +1,13 @@
 #include "planner/audit/tractrix.h"
 
+#include "planner/audit/length.h"
+
 #include <cmath>
 
 namespace furrow {
 
 Angle trailedHeading(Angle heading, Point move, Length trailing) {
-    const double way = norm(move);
+    const double way = lengthOf(move);
     if (way == 0.0) {
         return heading;
     }

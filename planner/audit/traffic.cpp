@@ -1,6 +1,7 @@
 #include "planner/audit/traffic.h"
 
 #include "planner/audit/convex.h"
+#include "planner/audit/length.h"
 
 #include <algorithm>
 #include <cmath>
@@ -117,7 +118,7 @@ public:
             if (any_.empty()) {
                 continue;
             }
-            const double way = distance(step.from, step.to);
+            const double way = lengthOf(step.to - step.from);
             const double onAny = way * lengthOf(any_);
             const double onWorked = way * lengthOf(worked_);
             traffic.onWorkedM += onWorked;
@@ -178,7 +179,7 @@ public:
         // Share of the way at which the next column and the next row begin.
         Point next{perCell.x * std::abs(static_cast<double>(column + (stepColumn > 0 ? 1 : 0)) - a.x),
                    perCell.y * std::abs(static_cast<double>(row + (stepRow > 0 ? 1 : 0)) - a.y)};
-        const double lengthM = distance(from, to);
+        const double lengthM = lengthOf(to - from);
         std::ptrdiff_t left = std::abs(lastColumn - column) + std::abs(lastRow - row);
         double share = 0.0;
         for (;;) {
@@ -237,12 +238,12 @@ double rollWheels(const SegmentMotion& motion, double asideM, double wayM, Wheel
     for (std::size_t k = 1; k < motion.states.size(); ++k) {
         const MotionState& a = motion.states[k - 1];
         const MotionState& b = motion.states[k];
-        const Point left{-std::sin(a.headingRad), std::cos(a.headingRad)};
-        const Point leftNext{-std::sin(b.headingRad), std::cos(b.headingRad)};
+        const Point left{-a.nose.y, a.nose.x};
+        const Point leftNext{-b.nose.y, b.nose.x};
         for (const double aside : {asideM, -asideM}) {
             grid.roll(a.position + aside * left, b.position + aside * leftNext, wayM);
         }
-        wayM += distance(a.position, b.position);
+        wayM += lengthOf(b.position - a.position);
     }
     return wayM;
 }
