@@ -318,23 +318,34 @@ std::uint32_t isSweptOutside(const Depths& depths) {
     return depths[kFootprint] > 0 && depths[kOpen] <= 0 ? 1 : 0;
 }
 
-/// The outline of what the suspects of one segment sweep. Each moves on by a few centimetres only: without
-/// what it shares with the one before there is little left that overlaps.
-Result<MultiPolygon> outlineOf(const SegmentClearance& segment, Point along, const JobContext& job) {
-    LayeredPolygons layers;
-    for (const std::vector<Ring>& hulls : segment.suspects) {
-        for (std::size_t i = 0; i < hulls.size(); ++i) {
-            if (i == 0) {
-                layers.add(kFootprint, hulls[i]);
-                continue;
-            }
-            for (const Ring& part : partsOutside(hulls[i], hulls[i - 1])) {
-                layers.add(kFootprint, part);
-            }
-        }
-    }
+Result<MultiPolygon> outlineOf(const LayeredPolygons& layers, Point along, const JobContext& job) {
     return measureRegions(layers, along, {.at = isSwept, .count = 1, .traced = 1}, job)
         .transform([](std::vector<MeasuredRegion>&& regions) { return std::move(regions.front().polygons); });
+}
+
+/// The outline of what the suspects of one segment sweep. Each moves on by a few centimetres only: without
+/// what it shares with the one before there is little left that overlaps, and a few of them at a time are
+/// soon a polygon with few corners.
+Result<MultiPolygon> outlineOf(const SegmentClearance& segment, Point along, const JobContext& job) {
+    constexpr std::size_t kAtATime = 16;
+    LayeredPolygons outlines;
+    for (const std::vector<Ring>& hulls : segment.suspects) {
+        for (std::size_t first = 0; first < hulls.size(); first += kAtATime) {
+            LayeredPolygons layers;
+            layers.add(kFootprint, hulls[first]);
+            for (std::size_t i = first + 1; i < std::min(first + kAtATime, hulls.size()); ++i) {
+                for (const Ring& part : partsOutside(hulls[i], hulls[i - 1])) {
+                    layers.add(kFootprint, part);
+                }
+            }
+            const auto outline = outlineOf(layers, along, job);
+            if (!outline) {
+                return outline;
+            }
+            outlines.add(kFootprint, *outline);
+        }
+    }
+    return outlineOf(outlines, along, job);
 }
 
 /// Of the area swept by what may lie outside, how much does.

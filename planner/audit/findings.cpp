@@ -1,6 +1,6 @@
 #include "planner/audit/findings.h"
 
-#include "planner/audit/boundary_index.h"
+#include "planner/audit/driven_passes.h"
 
 #include <algorithm>
 #include <cmath>
@@ -217,76 +217,22 @@ private:
         }
     }
 
-    /// A pass is there where the tractor or the implement follows most of its line, implement down: a short
-    /// one may be worked a little before or behind its place, and is still driven.
     void reportDroppedPasses() {
-        struct Track {
-            std::vector<Point> line;
-            Bounds box;
-        };
-        std::vector<Track> tracks;
-        for (std::size_t i = 0; i < input_.segments.size(); ++i) {
-            if (!input_.segments[i].implementDown) {
+        const std::vector<double> shares = drivenShares(input_, measured_.motions);
+        for (std::size_t i = 0; i < shares.size(); ++i) {
+            if (shares[i] >= 0.5) {
                 continue;
             }
-            for (const auto place : {&MotionState::implement, &MotionState::position}) {
-                Track track;
-                for (const MotionState& state : measured_.motions[i].states) {
-                    track.line.push_back(state.*place);
-                }
-                track.box = bounds({{.outer = track.line, .holes = {}}});
-                tracks.push_back(std::move(track));
-            }
+            const PlannedPass& pass = input_.passes[i];
+            add(Severity::Blocking,
+                pass.kind == SegmentKind::HeadlandPass ? "dropped-pass" : "dropped-swath",
+                pass.line[pass.line.size() / 2],
+                std::format("{} is planned, but {} of it is driven with the implement down.",
+                            capitalised(passName(pass.kind, pass.number)),
+                            shares[i] == 0.0 ? std::string{"nothing"}
+                                             : std::format("only {:.0f} %", 100.0 * shares[i])),
+                "Plan again; the path lacks this pass.");
         }
-        for (const PlannedPass& pass : input_.passes) {
-            const double near = 0.25 * pass.width.si();
-            int seen = 0;
-            int asked = 0;
-            for (const Point& point : pointsAlong(pass.line)) {
-                ++asked;
-                seen += std::ranges::any_of(tracks, [&](const Track& track) {
-                    return point.x > track.box.min.x - near && point.x < track.box.max.x + near &&
-                           point.y > track.box.min.y - near && point.y < track.box.max.y + near &&
-                           passes(track.line, point, near);
-                });
-            }
-            if (2 * seen < asked) {
-                add(Severity::Blocking,
-                    pass.kind == SegmentKind::HeadlandPass ? "dropped-pass" : "dropped-swath",
-                    pass.line[pass.line.size() / 2],
-                    std::format("{} is planned, but {} of it is driven with the implement down.",
-                                capitalised(passName(pass.kind, pass.number)),
-                                seen == 0 ? std::string{"nothing"}
-                                          : std::format("only {} %", 100 * seen / asked)),
-                    "Plan again; the path lacks this pass.");
-            }
-        }
-    }
-
-    static std::vector<Point> pointsAlong(const Polyline& line) {
-        constexpr int kCount = 20;
-        const double whole = lengthM(line);
-        std::vector<Point> points;
-        double before = 0.0;
-        for (std::size_t i = 1; i < line.size(); ++i) {
-            const double piece = distance(line[i - 1], line[i]);
-            while (static_cast<int>(points.size()) < kCount &&
-                   (static_cast<double>(points.size()) + 0.5) / kCount * whole <= before + piece) {
-                const double at = (static_cast<double>(points.size()) + 0.5) / kCount * whole - before;
-                points.push_back(line[i - 1] + (piece > 0.0 ? at / piece : 0.0) * (line[i] - line[i - 1]));
-            }
-            before += piece;
-        }
-        return points;
-    }
-
-    static bool passes(const std::vector<Point>& line, Point point, double near) {
-        for (std::size_t i = 1; i < line.size(); ++i) {
-            if (squaredDistanceToSegment(point, {line[i - 1], line[i]}) <= near * near) {
-                return true;
-            }
-        }
-        return false;
     }
 
     void reportMissed() {
