@@ -49,6 +49,10 @@ void printReport(const WrittenPlan& plan, const AuditReport& report) {
     std::println("Jumps        {} · {}", figure(report.maxPositionJump, 3, "m"),
                  figure(report.maxHeadingJump, 3, "rad"));
     std::println("Reversed     {:.1f} m", report.reversed.si());
+    std::println("Crossed      {:.0f} m over worked land · {:.0f} m over land that is worked later",
+                 report.drivenOnWorked.si(), report.drivenOnUnworked.si());
+    std::println("Wheels       up to {} times over one square of {:.0f} m · {:.1f} % of the field more than 3 times",
+                 report.mostWheelPasses, report.wheelSquare.si(), 100.0 * report.oftenDrivenShare);
     if (report.maxHitchAngle) {
         std::println("Hitch angle  up to {:.0f}°", inDegrees(*report.maxHitchAngle));
     }

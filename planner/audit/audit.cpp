@@ -16,6 +16,7 @@ Result<AuditReport> audit(const AuditInput& input, const JobContext& job) {
     if (!swept) {
         return std::unexpected(swept.error());
     }
+    job.report(0.6);
     std::optional<ClearanceReport> clearance;
     if (input.machine) {
         auto measured = measureClearance(input, *motions, job.part(0.6, 0.9));

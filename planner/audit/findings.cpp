@@ -300,6 +300,25 @@ private:
                     std::format("Time and way do not fit the speed in {} {}.", found.time.count,
                                 found.time.count == 1 ? "place" : "places"),
                     "Plan again; the times were changed.");
+        noteCrossedLanes();
+        noteHitchAngle();
+    }
+
+    void noteCrossedLanes() {
+        const Traffic& traffic = measured_.traffic;
+        // One lane may be driven over at its end.
+        if (traffic.onWorkedM + traffic.onUnworkedM > 1.5 * measured_.shape.operatingWidthM) {
+            add(Severity::Note, "lanes-crossed", traffic.longestPlace,
+                std::format("With the implement up, {:.0f} m are driven over worked land and {:.0f} m over land "
+                            "that is worked later; {} is the longest.",
+                            traffic.onWorkedM, traffic.onUnworkedM,
+                            segmentName(input_, traffic.longestSegment)),
+                "Drive along the headland where the crop or the seedbed must not be driven on.",
+                traffic.longestSegment);
+        }
+    }
+
+    void noteHitchAngle() {
         if (input_.machine && input_.machine->spec().implement.maxHitchAngle) {
             Trouble angle;
             const double limit = input_.machine->spec().implement.maxHitchAngle->si();

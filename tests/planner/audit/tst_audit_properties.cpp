@@ -1,4 +1,5 @@
 #include "planner/geometry/geos_bridge.h"
+#include "planner/plan/method_registry.h"
 #include "planner/plan/plan.h"
 #include "planner/machine/machine_library.h"
 #include "tests/support/field_generator.h"
@@ -7,6 +8,7 @@
 #include <QTest>
 
 #include <algorithm>
+#include <cmath>
 #include <random>
 
 using namespace furrow;
@@ -70,6 +72,66 @@ private slots:
         qInfo("%d fields planned", planned);
         QVERIFY(planned > 40);
     }
+    // Plans with every kind of turn, on fields with room for it: what the points tell is what the samples
+    // state, and nothing stands in the way that is not there.
+    void turnMethods_data() {
+        QTest::addColumn<QString>("method");
+        QTest::addColumn<QString>("machine");
+        const auto path = std::ranges::find(stages(), "path", &StageInfo::id);
+        for (const MethodInfo& method : path->methods) {
+            for (const char* machine : {"agbot", "mounted-drill", "trailed-sprayer"}) {
+                QTest::addRow("%s, %s", std::string{method.id}.c_str(), machine) << QString::fromStdString(std::string{method.id}) << machine;
+            }
+        }
+    }
+    void turnMethods() {
+        QFETCH(QString, method);
+        QFETCH(QString, machine);
+        MachineSpec spec = findMachine(machine.toStdString())->spec();
+        // A trailed implement does not reverse unless set; here it is the turns that are looked at.
+        spec.tractor.canReverse = true;
+        spec.implement.canReverse = true;
+        spec.tractor.canTurnInPlace = method == "straight";
+        std::mt19937_64 random{11};
+        const std::vector<MultiPolygon> fields{{centredRectangle(260.0, 200.0)}, randomPolygons(random, Shape::Convex, 160.0)};
+        for (const MultiPolygon& polygons : fields) {
+            Settings settings;
+            applySetting(settings, "path.method", method.toStdString()).value();
+            applySetting(settings, "headland.width_m", "30").value();
+            applySetting(settings, "swaths.method", "longest-edge").value();
+            const auto plan = makePlan({.field = std::make_shared<const Field>(Field::create(fieldSourceFromLocal(polygons, kCentre)).value()),
+                                        .machine = Machine::create(spec).value(),
+                                        .settings = settings});
+            VERIFY_RESULT(plan);
+            const AuditReport& report = (*plan)->audit;
+            QByteArray told;
+            for (const AuditFinding& each : report.findings) {
+                told += (each.finding.kind + ": " + each.finding.text + "\n").c_str();
+            }
+            for (const double figure : {report.covered->si(), report.missed->si(), report.overlap->si(), report.outside->si(), report.minClearance->si(),
+                                        report.maxCurvature->si(), report.maxCurvatureMismatch->si(), report.maxCurvatureRate->si(),
+                                        report.maxPositionJump->si(), report.maxHeadingJump->si(), report.drivenOnWorked.si(), report.areaError.si()}) {
+                VERIFY_TOLD(std::isfinite(figure), told);
+            }
+            VERIFY_TOLD(std::ranges::none_of(report.findings, [](const AuditFinding& each) { return each.finding.severity == Severity::Blocking; }), told);
+            const Machine& used = (*plan)->request.machine;
+            VERIFY_TOLD(report.maxCurvature->si() <= 1.0 / used.minTurningRadius().si() * 1.002, told);
+            COMPARE_WITHIN(report.maxCurvatureMismatch->si(), 0.0, 1e-3);
+            COMPARE_WITHIN(report.maxPositionJump->si(), 0.0, 1e-3);
+            if (method != "straight") {
+                COMPARE_WITHIN(report.maxHeadingJump->si(), 0.0, 1e-3);
+            }
+            if (method.endsWith("-cc")) {
+                COMPARE_WITHIN(report.maxCurvatureRate->si(), used.maxCurvatureRate().si(), 0.05 * used.maxCurvatureRate().si());
+            }
+            double reversed = 0.0;
+            for (const PathSegment& segment : (*plan)->path.segments) {
+                reversed += segment.gear == Gear::Reverse ? segment.length().si() : 0.0;
+            }
+            COMPARE_WITHIN(report.reversed.si(), reversed, 0.01 * reversed + 0.01);
+        }
+    }
+
     // Every lane of a tiled rectangle at any angle: the union must lose none.
     void tiledLanesAreAllCounted() {
         std::mt19937_64 random{7};
