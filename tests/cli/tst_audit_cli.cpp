@@ -77,6 +77,11 @@ private slots:
         QTest::newRow("trailed") << "slanted_field" << "trailed-sprayer" << QStringList{};
         QTest::newRow("obstacles") << "three_ponds" << "mounted-drill" << QStringList{};
         QTest::newRow("on the spot") << "long_strip" << "field-robot" << QStringList{"path.method=straight"};
+        for (const char* method : {"dubins-cc", "reeds-shepp", "reeds-shepp-cc", "fishtail", "three-point", "omega"}) {
+            QTest::addRow("%s turns", method) << "slanted_field" << "mounted-drill" << QStringList{QStringLiteral("path.method=") + method};
+        }
+        QTest::newRow("large") << "great_field" << "field-robot" << QStringList{"swaths.method=longest-edge"};
+        QTest::newRow("trailed, clothoids") << "home_field" << "trailed-sprayer" << QStringList{"path.method=dubins-cc"};
         QTest::newRow("may leave the field") << "bend" << "agbot" << QStringList{"path.stay_inside=false", "headland.method=none"};
     }
     void writtenFolderGivesTheSameFigures() {

@@ -3,6 +3,11 @@
 
 #include <QTest>
 
+#include <atomic>
+#include <chrono>
+#include <stop_token>
+#include <thread>
+
 using namespace furrow;
 using namespace furrow::test;
 
@@ -24,6 +29,18 @@ struct Lane {
     double x1;
     SegmentKind kind = SegmentKind::Swath;
 };
+
+/// Lanes of 10 m to and fro, with half circles between them.
+std::vector<PathSegment> weavingPath(int lanes, double length) {
+    PathDrawer drawer{{0.0, 5.0}};
+    for (int i = 0; i < lanes; ++i) {
+        drawer.begin(SegmentKind::Swath, true, i + 1).straight(length);
+        if (i + 1 < lanes) {
+            drawer.begin(SegmentKind::Turn, false, i + 1).arc(5.0 * kPi, i % 2 == 0 ? 0.2 : -0.2, 8);
+        }
+    }
+    return drawer.segments;
+}
 
 AuditReport reportOf(const MultiPolygon& area, const Machine& machine, const std::vector<PathSegment>& segments) {
     return audit({.workable = area, .drivable = area, .machine = machine, .segments = segments}).value();
@@ -132,6 +149,32 @@ private slots:
         COMPARE_WITHIN(report.covered->si(), kPi * 9.0, 0.5);
     }
 
+    // Around a field of 100 x 60 m, 4 m wide, 2 m from the boundary: length times width, as the corners are
+    // wider than half the pass. A swath of 4 m that runs 3 m into it at either end.
+    void headlandPassWithRoundedCorners() {
+        constexpr double kRadius = 5.0;
+        PathDrawer drawer{{2.0 + kRadius, 2.0}};
+        drawer.begin(SegmentKind::HeadlandPass, true);
+        for (const double side : {96.0, 56.0, 96.0, 56.0}) {
+            drawer.straight(side - 2.0 * kRadius).arc(0.5 * kPi * kRadius, 1.0 / kRadius, 20);
+        }
+        drawer.jumpTo({1.0, 30.0}, 0.0).begin(SegmentKind::Swath, true).straight(98.0);
+        const AuditReport report = reportOf({rectangle(100, 60)}, plainMachine(4.0), drawer.segments);
+        const double pass = 4.0 * (2.0 * (86.0 + 46.0) + 2.0 * kPi * kRadius);
+        COMPARE_WITHIN(report.covered->si(), pass + 4.0 * (98.0 - 6.0), report.areaError.si() + 1e-6);
+        COMPARE_WITHIN(report.overlap->si(), 24.0, 1e-6);
+        COMPARE_WITHIN(report.overlapHeadland->si(), 24.0, 1e-6);
+        QVERIFY(report.areaError.si() < 1.0);
+    }
+    // Turning at right angles about a point of its own, the line comes over one square metre before and after.
+    void overlapWithinOneSegment() {
+        PathDrawer drawer{{-20.0, 0.0}};
+        drawer.begin(SegmentKind::HeadlandPass, true).straight(20.0).arc(0.5 * kPi, 1.0, 40).straight(20.0);
+        const AuditReport report = reportOf({centredRectangle(100, 100)}, plainMachine(4.0, 1.0), drawer.segments);
+        COMPARE_WITHIN(report.overlap->si(), 1.0, 1e-6);
+        COMPARE_WITHIN(report.overlapHeadland->si(), 0.0, 1e-6);
+    }
+
     void holesAreNotCovered() {
         MultiPolygon field{rectangle(100, 10)};
         field.front().holes.push_back({{40, 2}, {40, 8}, {60, 8}, {60, 2}});
@@ -237,6 +280,61 @@ private slots:
                                   job);
         QVERIFY(!report);
         QCOMPARE(report.error().code, ErrorCode::Cancelled);
+    }
+    void cancelsAtAnyReport_data() {
+        QTest::addColumn<int>("threads");
+        QTest::newRow("one thread") << 1;
+        QTest::newRow("four threads") << 4;
+    }
+    void cancelsAtAnyReport() {
+        QFETCH(int, threads);
+        const std::vector<PathSegment> segments = weavingPath(40, 200.0);
+        const AuditInput input{.workable = {rectangle(200, 400)},
+                               .drivable = {rectangle(200, 400)},
+                               .machine = plainMachine(10.0, 5.0),
+                               .segments = segments};
+        int count = 0;
+        QVERIFY(audit(input, {.progress = [&](double) { ++count; }, .threads = 1}));
+        QVERIFY(count > 20);
+        for (int k = 1; k < count; k += 5) {
+            std::stop_source source;
+            std::atomic<int> reports = 0;
+            const JobContext job{.stop = source.get_token(),
+                                 .progress =
+                                     [&](double share) {
+                                         if (++reports == k && share < 1.0) {
+                                             source.request_stop();
+                                         }
+                                     },
+                                 .threads = threads};
+            const auto report = audit(input, job);
+            QVERIFY2(!report || !source.stop_requested(), qPrintable(QString::number(k)));
+        }
+    }
+    // The answer comes within milliseconds, wherever the request comes in; 250 are for a busy computer.
+    void cancelsSoon() {
+        const std::vector<PathSegment> segments = weavingPath(3000, 3000.0);
+        const AuditInput input{.workable = {rectangle(3000, 30000)},
+                               .drivable = {rectangle(3000, 30000)},
+                               .machine = plainMachine(10.0, 5.0),
+                               .segments = segments};
+        using Clock = std::chrono::steady_clock;
+        double slowest = 0.0;
+        for (const int afterMs : {1, 5, 10, 20, 40, 60, 80, 120, 160, 200}) {
+            std::stop_source source;
+            std::atomic<Clock::time_point> asked{};
+            std::jthread asker{[&] {
+                std::this_thread::sleep_for(std::chrono::milliseconds{afterMs});
+                asked = Clock::now();
+                source.request_stop();
+            }};
+            const auto report = audit(input, {.stop = source.get_token()});
+            if (!report) {
+                slowest = std::max(slowest, std::chrono::duration<double, std::milli>(Clock::now() - asked.load()).count());
+            }
+        }
+        qInfo("answered within %.1f ms", slowest);
+        QVERIFY(slowest < 250.0);
     }
 };
 

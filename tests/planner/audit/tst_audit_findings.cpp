@@ -150,6 +150,13 @@ private slots:
         QVERIFY2(hasBlocking(*report, "obstacle"), listed(report->findings).c_str());
         QVERIFY(distance(report->findings.front().finding.place, middle) < 3.0);
         QVERIFY(report->outside->si() > 0.9);
+        // Allowed, it is told and measured all the same.
+        input.mayLeaveField = true;
+        const auto allowed = audit(input);
+        VERIFY_RESULT(allowed);
+        QVERIFY2(!hasBlocking(*allowed, "obstacle"), listed(allowed->findings).c_str());
+        QVERIFY2(std::ranges::any_of(allowed->findings, [](const AuditFinding& each) { return each.finding.kind == "outside"; }), listed(allowed->findings).c_str());
+        QVERIFY(allowed->outside == report->outside && allowed->minClearance == report->minClearance);
     }
     // What the planner has said is not said twice, and what it has not found counts all the same.
     void undrivableConnectionsAreToldOnce() {
