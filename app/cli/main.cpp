@@ -1,5 +1,6 @@
 #include "app/cli/bench_command.h"
 #include "app/cli/compare_command.h"
+#include "app/cli/audit_command.h"
 #include "app/cli/exit_status.h"
 #include "app/cli/list_command.h"
 #include "app/cli/plan_command.h"
@@ -24,6 +25,7 @@ int main(int argc, char** argv) {
     addPlanCommand(app, run);
     addBenchCommand(app, run);
     addCompareCommand(app, run);
+    addAuditCommand(app, run);
     addListCommand(app, run);
     try {
         app.parse(argc, argv);

@@ -1,14 +1,13 @@
 #include "app/cli/plan_command.h"
 
 #include "app/cli/exit_status.h"
+#include "app/cli/machine_argument.h"
 #include "app/cli/terminal.h"
 #include "planner/io/boundary_import.h"
 #include "planner/io/format_registry.h"
 #include "planner/io/plan_folder.h"
 #include "planner/io/plan_summary.h"
 #include "planner/io/settings_file.h"
-#include "planner/machine/machine_file.h"
-#include "planner/machine/machine_library.h"
 #include "planner/plan/general_parameters.h"
 #include "planner/plan/method_registry.h"
 #include "planner/units/angle.h"
@@ -40,16 +39,6 @@ struct PlanArguments {
     bool json = false;
     bool quiet = false;
 };
-
-Result<Machine> machineFrom(const std::string& nameOrFile) {
-    if (nameOrFile.empty()) {
-        return machineLibrary().front();
-    }
-    if (nameOrFile.ends_with(".json") || std::filesystem::is_regular_file(nameOrFile)) {
-        return readMachineFile(nameOrFile);
-    }
-    return findMachine(nameOrFile);
-}
 
 /// Settings file first, then --set in their order, then --operation.
 Result<Settings> settingsFrom(const PlanArguments& arguments) {

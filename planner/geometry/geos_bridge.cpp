@@ -195,12 +195,20 @@ Result<MultiPolygon> buffered(const MultiPolygon& polygons, double distanceM, do
         .transform([](const Geometry& result) { return fromGeos(result.get()); });
 }
 
-template <class Operation>
+using Overlay = GEOSGeometry* (*)(GEOSContextHandle_t, const GEOSGeometry*, const GEOSGeometry*);
+using GridOverlay = GEOSGeometry* (*)(GEOSContextHandle_t, const GEOSGeometry*, const GEOSGeometry*, double);
+
+/// On a grid where it has a size. GEOS's overlays on a grid are no substitute for those without: 0 skips
+/// their fallbacks against failures, -1 is a grid of a metre.
 Result<MultiPolygon> combined(const MultiPolygon& a, const MultiPolygon& b, const JobContext& job,
-                              const Operation& operation) {
+                              Length grid, Overlay plain, GridOverlay snapping) {
     const Geometry first = toGeos(a);
     const Geometry second = toGeos(b);
-    return run(job, [&] { return operation(handle(), first.get(), second.get()); })
+    return run(job,
+               [&] {
+                   return grid > metres(0.0) ? snapping(handle(), first.get(), second.get(), grid.si())
+                                             : plain(handle(), first.get(), second.get());
+               })
         .transform([](const Geometry& result) { return fromGeos(result.get()); });
 }
 
@@ -227,17 +235,23 @@ Result<MultiPolygon> dilated(const MultiPolygon& polygons, Length distance, Leng
     return buffered(polygons, distance.si(), tolerance.si(), job);
 }
 
-Result<MultiPolygon> difference(const MultiPolygon& a, const MultiPolygon& b, const JobContext& job) {
-    return combined(a, b, job, GEOSDifference_r);
+Result<MultiPolygon> difference(const MultiPolygon& a, const MultiPolygon& b, const JobContext& job,
+                                Length grid) {
+    return combined(a, b, job, grid, GEOSDifference_r, GEOSDifferencePrec_r);
 }
 
-Result<MultiPolygon> intersection(const MultiPolygon& a, const MultiPolygon& b, const JobContext& job) {
-    return combined(a, b, job, GEOSIntersection_r);
+Result<MultiPolygon> intersection(const MultiPolygon& a, const MultiPolygon& b, const JobContext& job,
+                                  Length grid) {
+    return combined(a, b, job, grid, GEOSIntersection_r, GEOSIntersectionPrec_r);
 }
 
-Result<MultiPolygon> unionOf(const MultiPolygon& polygons, const JobContext& job) {
+Result<MultiPolygon> unionOf(const MultiPolygon& polygons, const JobContext& job, Length grid) {
     const Geometry input = toGeos(polygons);
-    return run(job, [&] { return GEOSUnaryUnion_r(handle(), input.get()); })
+    return run(job,
+               [&] {
+                   return grid > metres(0.0) ? GEOSUnaryUnionPrec_r(handle(), input.get(), grid.si())
+                                             : GEOSUnaryUnion_r(handle(), input.get());
+               })
         .transform([](const Geometry& result) { return fromGeos(result.get()); });
 }
 

@@ -26,10 +26,17 @@ Result<MultiPolygon> eroded(const MultiPolygon& polygons, Length distance, Lengt
 Result<MultiPolygon> dilated(const MultiPolygon& polygons, Length distance, Length tolerance,
                              const JobContext& job);
 
-Result<MultiPolygon> difference(const MultiPolygon& a, const MultiPolygon& b, const JobContext& job);
-Result<MultiPolygon> intersection(const MultiPolygon& a, const MultiPolygon& b, const JobContext& job);
+/// A grid that moves nothing by more than measures can tell, for polygons whose edges lie on each other but
+/// for rounding, as those of neighbouring lanes do: in floating point whole polygons may get lost then.
+inline constexpr Length kSnapGrid = metres(1e-7);
+
+// Coordinates of the results lie on `grid` where it is not 0.
+Result<MultiPolygon> difference(const MultiPolygon& a, const MultiPolygon& b, const JobContext& job,
+                                Length grid = {});
+Result<MultiPolygon> intersection(const MultiPolygon& a, const MultiPolygon& b, const JobContext& job,
+                                  Length grid = {});
 /// Of polygons that may overlap each other.
-Result<MultiPolygon> unionOf(const MultiPolygon& polygons, const JobContext& job);
+Result<MultiPolygon> unionOf(const MultiPolygon& polygons, const JobContext& job, Length grid = {});
 
 /// Why polygons break the rules of simple features, and where.
 struct InvalidPlace {

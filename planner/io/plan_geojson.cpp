@@ -65,6 +65,7 @@ public:
         addHeadlandPasses();
         addSwaths();
         addPath();
+        addMissed();
         addFindings();
         return Json{{"type", "FeatureCollection"}, {"features", std::move(features_)}}.dump(
                    -1, ' ', false, Json::error_handler_t::replace) +
@@ -169,6 +170,12 @@ private:
                 properties["reason"] = segment.reason;
             }
             add("path", std::move(properties), lineGeometry(frame_.toGeo(lineOf(segment))));
+        }
+    }
+
+    void addMissed() {
+        for (const Polygon& polygon : plan_.audit.missedAreas) {
+            add("missed", {{"area_m2", area(polygon).si()}}, polygonGeometry({frame_.toGeo(polygon)}));
         }
     }
 

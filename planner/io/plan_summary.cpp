@@ -1,5 +1,6 @@
 #include "planner/io/plan_summary.h"
 
+#include "planner/io/audit_json.h"
 #include "planner/machine/machine_file.h"
 #include "planner/plan/general_parameters.h"
 #include "planner/plan/method_registry.h"
@@ -8,7 +9,6 @@
 #include <nlohmann/json.hpp>
 
 #include <algorithm>
-#include <cmath>
 
 namespace furrow {
 
@@ -38,37 +38,6 @@ Json settingsJson(const Plan& plan) {
     }
     all[kMargin.key] = plan.margin.si();
     return all;
-}
-
-Json findingsJson(const Plan& plan) {
-    Json findings = Json::array();
-    for (const Finding& finding : plan.findings) {
-        const GeoPoint place = plan.field().frame().toGeo(finding.place);
-        findings.push_back({{"severity", finding.severity == Severity::Blocking ? "blocking" : "note"},
-                            {"kind", finding.kind},
-                            {"lon_deg", place.lonDeg},
-                            {"lat_deg", place.latDeg},
-                            {"text", finding.text},
-                            {"suggestion", finding.suggestion}});
-    }
-    return findings;
-}
-
-/// The largest values of the path itself; areas come with the audit.
-Json auditJson(const Plan& plan) {
-    double curvature = 0.0;
-    for (const PathSegment& segment : plan.path.segments) {
-        for (const PathSample& sample : segment.samples) {
-            curvature = std::max(curvature, std::abs(sample.curvature1pm));
-        }
-    }
-    return {{"covered_m2", nullptr},           {"covered", nullptr},
-            {"covered_of_reachable", nullptr}, {"missed_m2", nullptr},
-            {"overlap_m2", nullptr},           {"overlap_headland_m2", nullptr},
-            {"outside_m2", nullptr},           {"min_clearance_m", nullptr},
-            {"max_curvature_1pm", curvature},  {"max_curvature_rate_1pm2", nullptr},
-            {"max_position_jump_m", nullptr},  {"max_heading_jump_rad", nullptr},
-            {"findings", findingsJson(plan)}};
 }
 
 std::string methodOf(std::string_view stageId, const Settings& settings) {
@@ -135,12 +104,13 @@ std::string planSummaryJson(const Plan& plan) {
           {"turns", plan.path.turnCount()},
           {"undrivable_turns", plan.path.undrivableCount()}}},
         {"drivable", plan.drivable()},
-        {"audit", auditJson(plan)},
+        {"audit", Json::parse(auditJson(plan.audit, plan.findings, plan.field().frame()))},
         {"timing_ms",
          {{"headland", milliseconds(plan.timings.headland)},
           {"swaths", milliseconds(plan.timings.swaths)},
           {"route", milliseconds(plan.timings.route)},
           {"path", milliseconds(plan.timings.path)},
+          {"audit", milliseconds(plan.timings.audit)},
           {"total", milliseconds(plan.timings.total)}}},
         {"version", kVersion}};
     return summary.dump(2, ' ', false, Json::error_handler_t::replace) + "\n";

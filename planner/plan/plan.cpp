@@ -11,11 +11,13 @@
 #include "planner/swaths/full_ends.h"
 #include "planner/swaths/methods.h"
 #include "planner/turns/straight_turn.h"
+#include "planner/turns/turn_sampling.h"
 
 #include <algorithm>
 #include <cctype>
 #include <chrono>
 #include <format>
+#include <iterator>
 #include <optional>
 
 namespace furrow {
@@ -157,11 +159,79 @@ std::string blockedReason(const BlockedConnection& blocked) {
                             : std::format("leaves the field by {:.2f} m", blocked.outside.si());
 }
 
+/// The planner's own words come first: they know what was tried. The audit adds what they leave out.
+void addAuditFindings(Plan& plan) {
+    const auto saidAlready = [&plan](const AuditFinding& found) {
+        if (found.segment && !plan.path.segments[*found.segment].drivable &&
+            (found.finding.kind == "outside" || found.finding.kind == "obstacle" ||
+             found.finding.kind == "undrivable")) {
+            return true;
+        }
+        return found.finding.kind == "heading-jump" &&
+               std::ranges::contains(plan.findings, found.finding.kind, &Finding::kind);
+    };
+    std::vector<Finding> added;
+    for (const AuditFinding& found : plan.audit.findings) {
+        if (!saidAlready(found)) {
+            added.push_back(found.finding);
+        }
+    }
+    std::ranges::move(added, std::back_inserter(plan.findings));
+}
+
 }  // namespace
 
 bool Plan::drivable() const {
     return std::ranges::none_of(
         findings, [](const Finding& finding) { return finding.severity == Severity::Blocking; });
+}
+
+namespace {
+
+Polyline lineOf(const Turn& turn) {
+    Polyline line;
+    for (const TurnSample& sample : sampled(turn, kChordTolerance)) {
+        line.push_back(sample.pose.position);
+    }
+    return line;
+}
+
+}  // namespace
+
+AuditInput auditInput(const Plan& plan) {
+    const Field& field = plan.field();
+    AuditInput input{.workable = field.workable(),
+                     .drivable = field.drivable(),
+                     .gates = {},
+                     .machine = plan.request.machine,
+                     .segments = plan.path.segments,
+                     .passes = {},
+                     .mainland = {},
+                     .mayLeaveField = !plan.request.settings.flag(kStayInside)};
+    for (const Gate& gate : field.source().gates) {
+        input.gates.push_back({field.frame().toLocal(gate.position), gate.width});
+    }
+    for (const RouteStep& step : plan.route.steps) {
+        const Swath& swath = plan.swaths.swaths[step.swath];
+        input.passes.push_back(
+            {.line = {startPose(step, plan.swaths).position, endPose(step, plan.swaths).position},
+             .width = swath.width,
+             .number = swath.number});
+    }
+    for (const HeadlandPass& pass : plan.headland.rings) {
+        for (const PassStretch& stretch : pass.stretches) {
+            if (stretch.working) {
+                input.passes.push_back({.line = lineOf(stretch.line),
+                                        .width = pass.width,
+                                        .number = pass.ring + 1,
+                                        .kind = SegmentKind::HeadlandPass});
+            }
+        }
+    }
+    if (plan.headland.width > metres(0.0) && plan.headland.rings.empty()) {
+        input.mainland = plan.headland.mainland;
+    }
+    return input;
 }
 
 Result<std::shared_ptr<const Plan>> makePlan(const PlanRequest& request, const JobContext& job) {
@@ -209,7 +279,7 @@ Result<std::shared_ptr<const Plan>> makePlan(const PlanRequest& request, const J
 
     const Point middle = field.frame().toLocal(middleOf(field.source().parts));
     if (settings.flag(kStayInside)) {
-        const auto blocked = blockedConnections(plan->path, field, machine, plan->margin, job.part(0.9, 1.0));
+        const auto blocked = blockedConnections(plan->path, field, machine, plan->margin, job.part(0.9, 0.95));
         if (!blocked) {
             return std::unexpected(blocked.error());
         }
@@ -230,12 +300,6 @@ Result<std::shared_ptr<const Plan>> makePlan(const PlanRequest& request, const J
             worst = connection;
             plan->findings.push_back(blockedFinding(plan->path, connection, plan->headland, machine));
         }
-    } else if (plan->path.turnCount() > 0) {
-        plan->findings.push_back({.severity = Severity::Note,
-                                  .kind = "unchecked",
-                                  .place = middle,
-                                  .text = "Nothing checked that the turns stay inside the field.",
-                                  .suggestion = "Switch \"Stay inside\" on to have them checked."});
     }
     if (turnMethod(settings) == kStraightMethod.run && !machine.spec().tractor.canTurnInPlace &&
         plan->path.turnCount() > 0) {
@@ -247,6 +311,14 @@ Result<std::shared_ptr<const Plan>> makePlan(const PlanRequest& request, const J
                                   .text = "This machine cannot turn on the spot.",
                                   .suggestion = "Choose forward curves, or a machine that can."});
     }
+    auto report = timed(plan->timings.audit,
+                        [&] { return audit(auditInput(*plan), job.part(0.95, 1.0)); });
+    if (!report) {
+        return std::unexpected(report.error());
+    }
+    plan->audit = std::move(*report);
+    addAuditFindings(*plan);
+
     for (const Note& note : plan->headland.notes) {
         plan->findings.push_back({.severity = Severity::Note,
                                   .kind = note.where,

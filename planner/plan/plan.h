@@ -1,8 +1,10 @@
 #pragma once
 
+#include "planner/audit/audit.h"
 #include "planner/field/field.h"
 #include "planner/headland/headland.h"
 #include "planner/machine/machine.h"
+#include "planner/path/finding.h"
 #include "planner/path/path.h"
 #include "planner/route/route.h"
 #include "planner/settings/settings.h"
@@ -22,25 +24,13 @@ struct PlanRequest {
     Settings settings;
 };
 
-enum class Severity { Blocking, Note };
-
-/// Something the user must or should know about a plan, with its place.
-struct Finding {
-    Severity severity = Severity::Note;
-    std::string kind;  ///< "outside", "obstacle", "headland", "repair" ...
-    Point place;
-    std::string text;        ///< what and why
-    std::string suggestion;  ///< what would mend it
-
-    friend bool operator==(const Finding&, const Finding&) = default;
-};
-
 /// Wall time of each stage.
 struct StageTimings {
     Duration headland;
     Duration swaths;
     Duration route;
     Duration path;
+    Duration audit;
     Duration total;
 };
 
@@ -53,6 +43,8 @@ struct Plan {
     SwathSet swaths;
     Route route;
     Path path;
+    AuditReport audit;
+    /// Of the planner and the audit; what both found is told once.
     std::vector<Finding> findings;
     StageTimings timings;
 
@@ -60,7 +52,10 @@ struct Plan {
     bool drivable() const;
 };
 
-/// Plans a field: headland, swaths, route, path, in this order.
+/// What the audit reads of a plan. Points into it: the plan must outlive it.
+AuditInput auditInput(const Plan& plan);
+
+/// Plans a field: headland, swaths, route, path, audit, in this order.
 /// Errors: those of the stages; InputRefused where the machine fits nowhere in the field. Cancelled.
 Result<std::shared_ptr<const Plan>> makePlan(const PlanRequest& request, const JobContext& job = {});
 

@@ -3,6 +3,8 @@
 #include <QRegularExpression>
 #include <QTest>
 
+#include <algorithm>
+
 // The layers of the planner are the order of FURROW_PLANNER_LAYERS: a folder may include those before it.
 class LayersTest : public QObject {
     Q_OBJECT
@@ -60,6 +62,27 @@ private slots:
         }
         QVERIFY2(wrong.isEmpty(), qPrintable(wrong.join('\n')));
         QVERIFY(seen > 100);
+    }
+
+    // The audit shares no code with the stages it checks.
+    void auditStandsAlone() {
+        const QStringList allowed{"planner/core/", "planner/units/", "planner/jobs/", "planner/geometry/", "planner/audit/",
+                                  "planner/machine/machine.h", "planner/path/path.h", "planner/path/finding.h"};
+        const QRegularExpression include{QStringLiteral("#include \"(planner/[^\"]+)\"")};
+        QStringList wrong;
+        QDirIterator files{QStringLiteral(FURROW_SOURCE_DIR "/planner/audit"), {"*.h", "*.cpp"}, QDir::Files};
+        while (files.hasNext()) {
+            QFile file{files.next()};
+            QVERIFY(file.open(QIODevice::ReadOnly));
+            auto matches = include.globalMatch(QString::fromUtf8(file.readAll()));
+            while (matches.hasNext()) {
+                const QString target = matches.next().captured(1);
+                if (std::ranges::none_of(allowed, [&](const QString& prefix) { return target.startsWith(prefix); })) {
+                    wrong << file.fileName() + " includes " + target;
+                }
+            }
+        }
+        QVERIFY2(wrong.isEmpty(), qPrintable(wrong.join('\n')));
     }
 
     // The heavy libraries stay behind the one layer that wraps them.

@@ -1,0 +1,79 @@
+#include "planner/audit/audit.h"
+
+#include "planner/audit/findings.h"
+
+#include <algorithm>
+
+namespace furrow {
+
+Result<AuditReport> audit(const AuditInput& input, const JobContext& job) {
+    const MachineShape shape = shapeOf(input);
+    const auto motions = followPath(input, shape, job.part(0.0, 0.1));
+    if (!motions) {
+        return std::unexpected(motions.error());
+    }
+    const auto swept = measureSweptArea(input, shape, *motions, job.part(0.1, 0.6));
+    if (!swept) {
+        return std::unexpected(swept.error());
+    }
+    job.report(0.6);
+    std::optional<ClearanceReport> clearance;
+    if (input.machine) {
+        auto measured = measureClearance(input, *motions, job.part(0.6, 0.9));
+        if (!measured) {
+            return std::unexpected(measured.error());
+        }
+        clearance = std::move(*measured);
+    }
+    const Kinematics kinematics = measureKinematics(input);
+    const auto traffic = measureTraffic(input, *motions, swept->pieces, mainDirection(*motions), job);
+    if (!traffic) {
+        return std::unexpected(traffic.error());
+    }
+
+    AuditReport report{.workable = area(input.workable)};
+    report.covered = swept->covered;
+    report.coveredShare =
+        report.workable > squareMetres(0.0) ? swept->covered / report.workable : 0.0;
+    report.coveredOfReachable = swept->coveredOfReachable;
+    report.missed = swept->missedArea;
+    report.missedAreas = swept->missed;
+    report.overlap = swept->overlap;
+    report.overlapHeadland = swept->overlapHeadland;
+    if (clearance) {
+        report.outside = clearance->outside;
+        report.minClearance = clearance->smallest;
+    }
+    if (input.statedMotion) {
+        report.maxCurvature = Curvature::fromSi(kinematics.maxCurvature1pm);
+        report.maxCurvatureMismatch = Curvature::fromSi(kinematics.maxMismatch1pm);
+        report.maxCurvatureRate = CurvatureRate::fromSi(kinematics.maxRate1pm2);
+        report.maxHeadingJump = radians(kinematics.maxHeadingJumpRad);
+    }
+    report.maxPositionJump = metres(kinematics.maxPositionJumpM);
+    report.reversed = metres(kinematics.reversedM);
+    if (shape.trailingM) {
+        double angle = 0.0;
+        for (const SegmentMotion& motion : *motions) {
+            angle = std::max(angle, motion.largestHitchAngleRad);
+        }
+        report.maxHitchAngle = radians(angle);
+    }
+    report.drivenOnWorked = metres(traffic->onWorkedM);
+    report.drivenOnUnworked = metres(traffic->onUnworkedM);
+    report.mostWheelPasses = traffic->mostWheelPasses;
+    report.oftenDrivenShare = traffic->oftenDriven;
+    report.wheelSquare = metres(traffic->squareM);
+    report.areaError = swept->error;
+    report.distanceError = metres(kChordErrorM) + input.positionRounding;
+    report.findings = findingsOf(input, {.motions = *motions,
+                                         .shape = shape,
+                                         .area = *swept,
+                                         .clearance = clearance ? &*clearance : nullptr,
+                                         .kinematics = kinematics,
+                                         .traffic = *traffic});
+    job.report(1.0);
+    return report;
+}
+
+}  // namespace furrow

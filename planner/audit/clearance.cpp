@@ -1,0 +1,417 @@
+#include "planner/audit/clearance.h"
+
+#include "planner/audit/boundary_index.h"
+#include "planner/audit/convex.h"
+#include "planner/audit/depth_sweep.h"
+#include "planner/audit/length.h"
+#include "planner/audit/swept_area.h"
+#include "planner/geometry/geos_bridge.h"
+#include "planner/jobs/parallel.h"
+
+#include <algorithm>
+#include <atomic>
+#include <cmath>
+#include <iterator>
+#include <optional>
+
+namespace furrow {
+
+namespace {
+
+/// Straight steps are cut in halves down to this length while they may come too near to an edge.
+constexpr double kPieceM = 6.0;
+/// What reaches less deep into the footprint only touches it.
+constexpr double kTouchingM = 1e-6;
+// An intrusion without any corner of the footprint outside: too small to measure, but there.
+constexpr double kLeastIntrusionM = 1e-3;
+
+/// A rectangle by its middle, the way it points and half its sizes.
+Ring rectangle(Point middle, Point nose, double halfLengthM, double halfWidthM) {
+    const Point along = halfLengthM * nose;
+    const Point left = halfWidthM * Point{-nose.y, nose.x};
+    return {middle - along - left, middle + along - left, middle + along + left, middle - along + left};
+}
+
+Bounds grown(const Ring& ring, double by) {
+    Bounds box{.min = ring.front(), .max = ring.front()};
+    for (const Point& point : ring) {
+        box.min = {std::min(box.min.x, point.x), std::min(box.min.y, point.y)};
+        box.max = {std::max(box.max.x, point.x), std::max(box.max.y, point.y)};
+    }
+    return {.min = box.min - Point{by, by}, .max = box.max + Point{by, by}};
+}
+
+struct Nearest {
+    double distance;
+    Point place;  ///< on the hull's side
+};
+
+/// From a hull to an edge that it does not cross, where that is less than what was found before.
+void lower(Nearest& nearest, const Ring& hull, const Edge& edge) {
+    double square = nearest.distance * nearest.distance;
+    const double before = square;
+    for (std::size_t i = 0; i < hull.size(); ++i) {
+        if (const double away = squaredDistanceToSegment(hull[i], edge); away < square) {
+            square = away;
+            nearest.place = hull[i];
+        }
+        const Edge side{hull[i], hull[(i + 1) % hull.size()]};
+        for (const Point& end : {edge.from, edge.to}) {
+            if (const double away = squaredDistanceToSegment(end, side); away < square) {
+                square = away;
+                nearest.place = end;
+            }
+        }
+    }
+    if (square < before) {
+        nearest.distance = std::sqrt(square);
+    }
+}
+
+class ClearanceMeter {
+public:
+    ClearanceMeter(const MultiPolygon& area, const MultiPolygon& land) : edges_{area}, land_{land} {}
+
+    /// Whether everything within a distance of a place is inside.
+    bool isFree(Point middle, double radius) const { return edges_.containsDisc(middle, radius); }
+
+    /// Lowers `found` to the clearance of this convex piece where that is less and under `limit`. Whether some
+    /// of it may lie outside.
+    bool measure(const Ring& hull, double limit, SegmentClearance& found) const {
+        Nearest nearest{.distance = limit, .place = {}};
+        std::vector<Edge> intruding;
+        edges_.visitNear(grown(hull, limit), [&](const Edge& edge) {
+            if (partInside(hull, edge, kTouchingM)) {
+                intruding.push_back(edge);
+            } else {
+                lower(nearest, hull, edge);
+            }
+        });
+        if (!intruding.empty() || !edges_.contains(hull.front())) {
+            // A corner on the edge itself may count as outside, and is not.
+            if (intruding.empty() && edges_.distance(hull.front()) < kTouchingM) {
+                nearest = {.distance = 0.0, .place = hull.front()};
+            } else {
+                measureOutside(hull, intruding, found);
+                return true;
+            }
+        }
+        if (nearest.distance < std::min(limit, found.clearanceM)) {
+            found.clearanceM = nearest.distance;
+            found.place = nearest.place;
+        }
+        return false;
+    }
+
+private:
+    void measureOutside(const Ring& hull, const std::vector<Edge>& intruding, SegmentClearance& found) const {
+        double depth = kLeastIntrusionM;
+        Point place = hull.front();
+        bool anywhere = false;
+        const auto consider = [&](Point point) {
+            if (edges_.contains(point)) {
+                return;
+            }
+            const double away = edges_.distance(point);
+            if (!anywhere || away > depth) {
+                depth = std::max(away, anywhere ? depth : 0.0);
+                place = point;
+                anywhere = true;
+            }
+        };
+        std::ranges::for_each(hull, consider);
+        // A side that runs through something is deepest in it between two crossings.
+        for (std::size_t i = 0; i < hull.size(); ++i) {
+            const Edge side{hull[i], hull[(i + 1) % hull.size()]};
+            const Point along = side.to - side.from;
+            std::vector<double> crossings;
+            for (const Edge& edge : intruding) {
+                const Point across = edge.to - edge.from;
+                const double turn = cross(along, across);
+                if (turn != 0.0) {
+                    crossings.push_back(std::clamp(cross(edge.from - side.from, across) / turn, 0.0, 1.0));
+                }
+            }
+            std::ranges::sort(crossings);
+            for (std::size_t k = 1; k < crossings.size(); ++k) {
+                consider(side.from + 0.5 * (crossings[k - 1] + crossings[k]) * along);
+            }
+        }
+        // Something small between the wheels: its middle is in it, unless it is bent.
+        Point sum;
+        double inside = 0.0;
+        for (const Edge& edge : intruding) {
+            if (const auto part = partInside(hull, edge, kTouchingM)) {
+                sum = sum + (edge.from + 0.5 * (part->first + part->second) * (edge.to - edge.from));
+                inside += 1.0;
+            }
+        }
+        if (inside > 0.0) {
+            consider((1.0 / inside) * sum);
+            if (!anywhere) {
+                place = (1.0 / inside) * sum;
+            }
+        }
+        if (-depth < found.clearanceM) {
+            found.clearanceM = -depth;
+            found.place = place;
+            found.beyondLand = !land_.contains(place);
+        }
+    }
+
+    BoundaryIndex edges_;
+    BoundaryIndex land_;
+};
+
+/// A rectangle of the machine.
+struct Part {
+    double offsetM = 0.0;  ///< of its middle, ahead of what carries it
+    double halfLengthM = 0.0;
+    double halfWidthM = 0.0;
+
+    double radius() const { return lengthOf({halfLengthM, halfWidthM}); }
+};
+
+/// The tractor is carried by its own reference point, the implement by the middle of its working line.
+struct Footprint {
+    Part tractor;
+    Part raised;
+    Part lowered;
+};
+
+Footprint footprintOf(const Machine& machine) {
+    const Tractor& tractor = machine.spec().tractor;
+    const Implement& implement = machine.spec().implement;
+    const double halfLength = 0.5 * implement.length.si();
+    return {.tractor = {.offsetM = (0.5 * tractor.length - tractor.rearOverhang).si(),
+                        .halfLengthM = 0.5 * tractor.length.si(),
+                        .halfWidthM = 0.5 * tractor.width.si()},
+            .raised = {.halfLengthM = halfLength,
+                       .halfWidthM = 0.5 * implement.raisedWidth.value_or(implement.operatingWidth).si()},
+            .lowered = {.halfLengthM = halfLength, .halfWidthM = 0.5 * implement.operatingWidth.si()}};
+}
+
+/// Where a part is.
+struct Placed {
+    Point middle;
+    Point nose;
+};
+
+Placed placed(const Part& part, Point carrier, Point nose) {
+    return {carrier + part.offsetM * nose, nose};
+}
+
+Ring hullOf(const Part& part, const Placed& a, const Placed& b) {
+    Ring corners = rectangle(a.middle, a.nose, part.halfLengthM, part.halfWidthM);
+    std::ranges::copy(rectangle(b.middle, b.nose, part.halfLengthM, part.halfWidthM),
+                      std::back_inserter(corners));
+    return hullAround(std::move(corners));
+}
+
+MultiPolygon withoutHoles(const MultiPolygon& polygons) {
+    MultiPolygon filled;
+    for (const Polygon& polygon : polygons) {
+        filled.push_back({.outer = polygon.outer, .holes = {}});
+    }
+    return filled;
+}
+
+MultiPolygon gateDiscs(const std::vector<AuditGate>& gates) {
+    constexpr int kCorners = 64;
+    MultiPolygon discs;
+    for (const AuditGate& gate : gates) {
+        Ring ring;
+        for (int i = 0; i < kCorners && gate.width > metres(0.0); ++i) {
+            ring.push_back(gate.position +
+                           0.5 * gate.width.si() * direction(2.0 * std::numbers::pi * i / kCorners));
+        }
+        if (!ring.empty()) {
+            discs.push_back({.outer = std::move(ring), .holes = {}});
+        }
+    }
+    return discs;
+}
+
+/// The least clearance that any segment has been found to have, at most; only ever falls.
+class SmallestClearance {
+public:
+    explicit SmallestClearance(double startM) : valueM_{startM} {}
+    double get() const { return valueM_.load(std::memory_order_relaxed); }
+    void lowerTo(double valueM) {
+        double known = get();
+        while (valueM < known && !valueM_.compare_exchange_weak(known, valueM, std::memory_order_relaxed)) {
+        }
+    }
+
+private:
+    std::atomic<double> valueM_;
+};
+
+/// Moves the parts of the machine along one segment.
+class SegmentSweep {
+public:
+    SegmentSweep(const Footprint& footprint, const ClearanceMeter& meter, SmallestClearance& smallest)
+        : footprint_{footprint}, meter_{meter}, smallest_{smallest} {}
+
+    SegmentClearance run(const SegmentMotion& motion, bool down) {
+        const Part& implement = down ? footprint_.lowered : footprint_.raised;
+        for (const auto* states : {&motion.turnOnTheSpot, &motion.states}) {
+            for (std::size_t i = 1; i < states->size(); ++i) {
+                const MotionState& a = (*states)[i - 1];
+                const MotionState& b = (*states)[i];
+                move(footprint_.tractor, placed(footprint_.tractor, a.position, a.nose),
+                     placed(footprint_.tractor, b.position, b.nose));
+                move(implement, placed(implement, a.implement, a.implementNose),
+                     placed(implement, b.implement, b.implementNose));
+            }
+        }
+        return std::move(found_);
+    }
+
+private:
+    /// From one place to the next. The part stays in a disc; where that is free by more than the least
+    /// clearance known from anywhere on the path, the move changes nothing. What is outside always does.
+    void move(const Part& part, const Placed& a, const Placed& b) {
+        const double way = lengthOf(b.middle - a.middle);
+        const Point middle = 0.5 * (a.middle + b.middle);
+        const double limit = std::max(0.0, std::min(found_.clearanceM, smallest_.get()));
+        if (meter_.isFree(middle, 0.5 * way + part.radius() + limit)) {
+            return;
+        }
+        if (way > kPieceM && a.nose == b.nose) {
+            const Placed between{middle, a.nose};
+            move(part, a, between);
+            move(part, between, b);
+            return;
+        }
+        Ring hull = hullOf(part, a, b);
+        if (meter_.measure(hull, limit, found_)) {
+            found_.suspects[&part == &footprint_.tractor ? 0 : 1].push_back(std::move(hull));
+        }
+        smallest_.lowerTo(found_.clearanceM);
+    }
+
+    const Footprint& footprint_;
+    const ClearanceMeter& meter_;
+    SmallestClearance& smallest_;
+    SegmentClearance found_;
+};
+
+/// The drivable area with its gates open.
+Result<MultiPolygon> withGates(const AuditInput& input, const JobContext& job) {
+    MultiPolygon open = input.drivable;
+    const MultiPolygon discs = gateDiscs(input.gates);
+    if (discs.empty()) {
+        return open;
+    }
+    std::ranges::copy(discs, std::back_inserter(open));
+    return unionOf(open, job, kSnapGrid);
+}
+
+enum Layer : std::size_t { kOpen, kFootprint };
+
+std::uint32_t isSwept(const Depths& depths) {
+    return depths[kFootprint] > 0 ? 1 : 0;
+}
+
+std::uint32_t isSweptOutside(const Depths& depths) {
+    return depths[kFootprint] > 0 && depths[kOpen] <= 0 ? 1 : 0;
+}
+
+Result<MultiPolygon> outlineOf(const LayeredPolygons& layers, Point along, const JobContext& job) {
+    return measureRegions(layers, along, {.at = isSwept, .count = 1, .traced = 1}, job)
+        .transform([](std::vector<MeasuredRegion>&& regions) { return std::move(regions.front().polygons); });
+}
+
+/// The outline of what the suspects of one segment sweep. Each moves on by a few centimetres only: without
+/// what it shares with the one before there is little left that overlaps, and a few of them at a time are
+/// soon a polygon with few corners.
+Result<MultiPolygon> outlineOf(const SegmentClearance& segment, Point along, const JobContext& job) {
+    constexpr std::size_t kAtATime = 16;
+    LayeredPolygons outlines;
+    for (const std::vector<Ring>& hulls : segment.suspects) {
+        for (std::size_t first = 0; first < hulls.size(); first += kAtATime) {
+            LayeredPolygons layers;
+            layers.add(kFootprint, hulls[first]);
+            for (std::size_t i = first + 1; i < std::min(first + kAtATime, hulls.size()); ++i) {
+                for (const Ring& part : partsOutside(hulls[i], hulls[i - 1])) {
+                    layers.add(kFootprint, part);
+                }
+            }
+            const auto outline = outlineOf(layers, along, job);
+            if (!outline) {
+                return outline;
+            }
+            outlines.add(kFootprint, *outline);
+        }
+    }
+    return outlineOf(outlines, along, job);
+}
+
+/// Of the area swept by what may lie outside, how much does.
+Result<Area> areaOutside(const std::vector<SegmentClearance>& segments, const MultiPolygon& open, Point along,
+                         const JobContext& job) {
+    std::vector<const SegmentClearance*> suspects;
+    for (const SegmentClearance& segment : segments) {
+        if (segment.isSuspect()) {
+            suspects.push_back(&segment);
+        }
+    }
+    if (suspects.empty()) {
+        return Area{};
+    }
+    const auto outlines = parallelMap<std::optional<Result<MultiPolygon>>>(
+        suspects.size(), [&](std::size_t i) { return outlineOf(*suspects[i], along, job); }, job);
+    if (!outlines) {
+        return std::unexpected(outlines.error());
+    }
+    LayeredPolygons layers;
+    layers.add(kOpen, open);
+    for (const auto& outline : *outlines) {
+        if (!*outline) {
+            return std::unexpected(outline->error());
+        }
+        layers.add(kFootprint, **outline);
+    }
+    return measureRegions(layers, along, {.at = isSweptOutside, .count = 1}, job)
+        .transform([](const std::vector<MeasuredRegion>& regions) { return regions.front().area; });
+}
+
+}  // namespace
+
+Result<ClearanceReport> measureClearance(const AuditInput& input, const std::vector<SegmentMotion>& motions,
+                                         const JobContext& job) {
+    const auto open = withGates(input, job);
+    if (!open) {
+        return std::unexpected(open.error());
+    }
+    const ClearanceMeter meter{*open, withoutHoles(*open)};
+    const Footprint footprint = footprintOf(*input.machine);
+    ClearanceReport report;
+    // Most plans come near the edge somewhere; only where none of it does is it worth looking farther.
+    for (double farthest = 2.0; farthest < 1e6; farthest *= 16.0) {
+        SmallestClearance smallest{farthest};
+        auto segments = parallelMap<SegmentClearance>(
+            motions.size(),
+            [&](std::size_t i) {
+                return SegmentSweep{footprint, meter, smallest}.run(motions[i], input.segments[i].implementDown);
+            },
+            job);
+        if (!segments) {
+            return std::unexpected(segments.error());
+        }
+        report.segments = std::move(*segments);
+        report.smallest = metres(smallest.get());
+        if (smallest.get() < farthest) {
+            break;
+        }
+    }
+    const auto outside = areaOutside(report.segments, *open, mainDirection(motions), job);
+    if (!outside) {
+        return std::unexpected(outside.error());
+    }
+    report.outside = *outside;
+    return report;
+}
+
+}  // namespace furrow

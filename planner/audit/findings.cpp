@@ -1,0 +1,354 @@
+#include "planner/audit/findings.h"
+
+#include "planner/audit/driven_passes.h"
+
+#include <algorithm>
+#include <cmath>
+#include <format>
+#include <set>
+#include <tuple>
+#include <utility>
+
+namespace furrow {
+
+namespace {
+
+/// Twice the chord error: outside by less than this may be a matter of drawing.
+constexpr double kOutsideM = 2.0 * kChordErrorM;
+constexpr double kMissedShare = 0.01;
+constexpr double kMissedPieceM2 = 100.0;
+constexpr std::size_t kMostMissedPieces = 20;
+
+std::string capitalised(std::string text) {
+    if (!text.empty() && text.front() >= 'a' && text.front() <= 'z') {
+        text.front() = static_cast<char>(text.front() - 'a' + 'A');
+    }
+    return text;
+}
+
+std::string areaText(Area area) {
+    return area < squareMetres(1000.0) ? std::format("{:.0f} m²", area.si())
+                                       : std::format("{:.2f} ha", inHectares(area));
+}
+
+std::string passName(SegmentKind kind, int number) {
+    return std::format("{} {}", kind == SegmentKind::HeadlandPass ? "headland pass" : "swath", number);
+}
+
+std::string segmentName(const AuditInput& input, std::size_t index) {
+    const PathSegment& segment = input.segments[index];
+    switch (segment.kind) {
+        case SegmentKind::Swath:
+        case SegmentKind::HeadlandPass: return passName(segment.kind, segment.number);
+        case SegmentKind::Refill: return "the way to refill";
+        default: break;
+    }
+    const std::string what = segment.kind == SegmentKind::Transfer ? "transfer" : "turn";
+    for (std::size_t before = index; before > 0; --before) {
+        const PathSegment& worked = input.segments[before - 1];
+        if (worked.implementDown && worked.number > 0) {
+            return std::format("the {} after {}", what, passName(worked.kind, worked.number));
+        }
+    }
+    return std::format("the {} at {:.0f} m", what, segment.samples.front().sM);
+}
+
+/// A place inside: the middle of the longest cut at half height.
+Point placeInside(const Polygon& polygon) {
+    const Bounds box = bounds({polygon});
+    const double y = 0.5 * (box.min.y + box.max.y);
+    std::vector<double> crossings;
+    forEachEdge({polygon}, [&](Point a, Point b) {
+        if ((a.y > y) != (b.y > y)) {
+            crossings.push_back(a.x + (y - a.y) / (b.y - a.y) * (b.x - a.x));
+        }
+    });
+    std::ranges::sort(crossings);
+    Point place = polygon.outer.front();
+    double longest = 0.0;
+    for (std::size_t i = 1; i < crossings.size(); i += 2) {
+        if (crossings[i] - crossings[i - 1] > longest) {
+            longest = crossings[i] - crossings[i - 1];
+            place = {0.5 * (crossings[i] + crossings[i - 1]), y};
+        }
+    }
+    return place;
+}
+
+class Reporter {
+public:
+    Reporter(const AuditInput& input, const Measurements& measured) : input_{input}, measured_{measured} {}
+
+    std::vector<AuditFinding> report() {
+        reportClearance();
+        reportUndrivable();
+        reportCurvature();
+        reportBreaks();
+        reportReverse();
+        reportDroppedPasses();
+        reportMissed();
+        reportNotes();
+        std::ranges::stable_sort(findings_, {}, [](const AuditFinding& each) {
+            return std::tuple{each.finding.severity == Severity::Note,
+                              each.segment.value_or(static_cast<std::size_t>(-1))};
+        });
+        return std::move(findings_);
+    }
+
+private:
+    void add(Severity severity, std::string kind, Point place, std::string text, std::string suggestion,
+             std::optional<std::size_t> segment = std::nullopt) {
+        findings_.push_back({{.severity = severity,
+                              .kind = std::move(kind),
+                              .place = place,
+                              .text = std::move(text),
+                              .suggestion = std::move(suggestion)},
+                             segment});
+    }
+
+    std::string named(std::size_t segment) const { return capitalised(segmentName(input_, segment)); }
+
+    void reportClearance() {
+        if (measured_.clearance == nullptr) {
+            return;
+        }
+        Trouble allowed;
+        for (std::size_t i = 0; i < measured_.clearance->segments.size(); ++i) {
+            const SegmentClearance& at = measured_.clearance->segments[i];
+            if (at.clearanceM >= -kOutsideM) {
+                continue;
+            }
+            if (input_.mayLeaveField) {
+                allowed.add(-at.clearanceM, at.place, i);
+                continue;
+            }
+            found_.insert(i);
+            if (at.beyondLand) {
+                add(Severity::Blocking, "outside", at.place,
+                    std::format("{} leaves the field by {:.2f} m.", named(i), -at.clearanceM),
+                    "Make the headland wider, or choose tighter turns.", i);
+            } else {
+                add(Severity::Blocking, "obstacle", at.place,
+                    std::format("{} crosses an obstacle, by {:.2f} m.", named(i), -at.clearanceM),
+                    "Try another direction of the swaths, or plan the sides of the obstacle apart.", i);
+            }
+        }
+        if (allowed.count > 0) {
+            add(Severity::Note, "outside", allowed.place,
+                std::format("{} {} the field or {} an obstacle, by up to {:.2f} m, as this plan allows.",
+                            allowed.count == 1 ? named(allowed.segment)
+                                               : std::format("{} swaths and turns", allowed.count),
+                            allowed.count == 1 ? "leaves" : "leave", allowed.count == 1 ? "crosses" : "cross",
+                            allowed.worst),
+                "Switch \"Stay inside\" on to keep them inside.");
+        }
+    }
+
+    void reportUndrivable() {
+        for (std::size_t i = 0; i < input_.segments.size(); ++i) {
+            const PathSegment& segment = input_.segments[i];
+            if (!segment.drivable && !found_.contains(i)) {
+                add(Severity::Blocking, "undrivable", segment.samples[segment.samples.size() / 2].position,
+                    std::format("{} cannot be driven: {}.", named(i),
+                                segment.reason.empty() ? "the plan gives no reason" : segment.reason),
+                    "Make the headland wider, or choose other turns.", i);
+            }
+        }
+    }
+
+    void reportCurvature() {
+        for (const auto& [segment, tight] : measured_.kinematics.tooTight) {
+            add(Severity::Blocking, "curvature", tight.place,
+                std::format("{} bends with a radius of {:.2f} m; this machine needs {:.2f} m.", named(segment),
+                            1.0 / tight.worst, input_.machine->minTurningRadius().si()),
+                "Plan again with this machine's turning radius.", segment);
+        }
+    }
+
+    void reportBreaks() {
+        std::set<std::pair<std::size_t, Break::Kind>> told;
+        Trouble onTheSpot;
+        for (const Break& each : measured_.kinematics.breaks) {
+            if (each.kind == Break::Kind::HeadingJump) {
+                onTheSpot.add(each.size, each.place, each.segment);
+                continue;
+            }
+            if (!told.insert({each.segment, each.kind}).second) {
+                continue;
+            }
+            switch (each.kind) {
+                case Break::Kind::Gap:
+                    add(Severity::Blocking, "missing-turn", each.place,
+                        std::format("Nothing leads to the start of {}, {:.1f} m away.",
+                                    segmentName(input_, each.segment), each.size),
+                        "Plan the turn that is missing here.", each.segment);
+                    break;
+                case Break::Kind::Jump:
+                    add(Severity::Blocking, "jump", each.place,
+                        std::format("{} jumps by {:.2f} m.", named(each.segment), each.size),
+                        "Plan again; the path was changed or cut here.", each.segment);
+                    break;
+                default:
+                    add(Severity::Blocking, "heading", each.place,
+                        std::format("{} moves {:.0f} degrees off where the machine points.",
+                                    named(each.segment), inDegrees(radians(each.size))),
+                        "Plan again; the heading or the gear is wrong here.", each.segment);
+            }
+        }
+        if (onTheSpot.count > 0) {
+            const bool can = measured_.shape.turnsOnTheSpot;
+            add(can ? Severity::Note : Severity::Blocking, "heading-jump", onTheSpot.place,
+                std::format("The machine turns on the spot in {} {}, by up to {:.0f} degrees{}.",
+                            onTheSpot.count, onTheSpot.count == 1 ? "place" : "places",
+                            inDegrees(radians(onTheSpot.worst)), can ? "" : "; it cannot"),
+                can ? "" : "Choose forward curves, or a machine that can.",
+                can ? std::nullopt : std::optional{onTheSpot.segment});
+        }
+    }
+
+    void reportReverse() {
+        if (!input_.machine || measured_.kinematics.reversedM <= 0.0) {
+            return;
+        }
+        const bool tractorCan = input_.machine->spec().tractor.canReverse;
+        const bool implementCan = !measured_.shape.trailingM || input_.machine->spec().implement.canReverse;
+        if (!tractorCan || !implementCan) {
+            add(Severity::Blocking, "reverse", measured_.kinematics.reversedPlace,
+                std::format("{:.0f} m are driven in reverse; {} cannot.", measured_.kinematics.reversedM,
+                            tractorCan ? "the trailed implement" : "this machine"),
+                "Choose forward curves.");
+        }
+    }
+
+    void reportDroppedPasses() {
+        const std::vector<double> shares = drivenShares(input_, measured_.motions);
+        for (std::size_t i = 0; i < shares.size(); ++i) {
+            if (shares[i] >= 0.5) {
+                continue;
+            }
+            const PlannedPass& pass = input_.passes[i];
+            add(Severity::Blocking,
+                pass.kind == SegmentKind::HeadlandPass ? "dropped-pass" : "dropped-swath",
+                pass.line[pass.line.size() / 2],
+                std::format("{} is planned, but {} of it is driven with the implement down.",
+                            capitalised(passName(pass.kind, pass.number)),
+                            shares[i] == 0.0 ? std::string{"nothing"}
+                                             : std::format("only {:.0f} %", 100.0 * shares[i])),
+                "Plan again; the path lacks this pass.");
+        }
+    }
+
+    void reportMissed() {
+        const SweptArea& swept = measured_.area;
+        noteStrip();
+        const bool tooMuch = swept.droppedArea > kMissedShare * area(input_.workable);
+        std::size_t told = 0;
+        for (const Polygon& piece : swept.dropped) {
+            if (area(piece) <= squareMetres(kMissedPieceM2) || told == kMostMissedPieces) {
+                break;
+            }
+            ++told;
+            add(Severity::Blocking, "missed", placeInside(piece),
+                std::format("{} in one piece are not worked.", areaText(area(piece))),
+                "Try another direction of the swaths, or let the last pass overlap.");
+        }
+        if (told == 0 && tooMuch && !swept.dropped.empty()) {
+            add(Severity::Blocking, "missed", placeInside(swept.dropped.front()),
+                std::format("{} are not worked, {:.1f} % of the field, in {} {}; this is the largest.",
+                            areaText(swept.droppedArea), 100.0 * (swept.droppedArea / area(input_.workable)),
+                            swept.dropped.size(), swept.dropped.size() == 1 ? "piece" : "pieces"),
+                "Try another direction of the swaths, or let the last pass overlap.");
+        }
+    }
+
+    void noteStrip() {
+        const SweptArea& swept = measured_.area;
+        if (swept.strip.empty()) {
+            return;
+        }
+        add(Severity::Note, "headland-not-worked", placeInside(swept.strip.front()),
+            std::format("The headland strip, {}, is not worked by this plan{}.", areaText(swept.stripArea),
+                        swept.laneEnds > squareMetres(0.5)
+                            ? std::format(", nor are {} at the ends of the swaths beside it",
+                                          areaText(swept.laneEnds))
+                            : ""),
+            "Work it along the boundary, before or after the swaths.");
+    }
+
+    void noteTrouble(const Trouble& trouble, std::string kind, std::string text, std::string suggestion) {
+        if (trouble.count > 0) {
+            add(Severity::Note, std::move(kind), trouble.place, std::move(text), std::move(suggestion));
+        }
+    }
+
+    void reportNotes() {
+        const Kinematics& found = measured_.kinematics;
+        noteTrouble(found.rate, "curvature-rate",
+                    std::format("The steering has to turn faster than this machine can in {} {}.",
+                                found.rate.count, found.rate.count == 1 ? "place" : "places"),
+                    "Slow down or stop there to steer, or choose turns with continuous curvature.");
+        noteTrouble(found.mismatch, "stated-curvature",
+                    std::format("The stated curvature differs from the path in {} {}, by up to {:.3f} 1/m.",
+                                found.mismatch.count, found.mismatch.count == 1 ? "place" : "places",
+                                found.mismatch.worst),
+                    "Plan again, or trust the positions.");
+        noteTrouble(found.speed, "speed",
+                    std::format("The stated speed is up to {:.2f} m/s above the machine's.", found.speed.worst),
+                    "Lower the speeds, or correct the machine's.");
+        noteTrouble(found.lateral, "lateral-acceleration",
+                    std::format("Curves are driven with up to {:.1f} m/s² sideways; the machine's limit is less.",
+                                found.lateral.worst),
+                    "Drive the curves more slowly.");
+        noteTrouble(found.time, "time",
+                    std::format("Time and way do not fit the speed in {} {}.", found.time.count,
+                                found.time.count == 1 ? "place" : "places"),
+                    "Plan again; the times were changed.");
+        noteCrossedLanes();
+        noteHitchAngle();
+    }
+
+    void noteCrossedLanes() {
+        const Traffic& traffic = measured_.traffic;
+        // One lane may be driven over at its end.
+        if (traffic.onWorkedM + traffic.onUnworkedM > 1.5 * measured_.shape.operatingWidthM) {
+            add(Severity::Note, "lanes-crossed", traffic.longestPlace,
+                std::format("With the implement up, {:.0f} m are driven over worked land and {:.0f} m over land "
+                            "that is worked later; {} is the longest.",
+                            traffic.onWorkedM, traffic.onUnworkedM,
+                            segmentName(input_, traffic.longestSegment)),
+                "Drive along the headland where the crop or the seedbed must not be driven on.",
+                traffic.longestSegment);
+        }
+    }
+
+    void noteHitchAngle() {
+        if (input_.machine && input_.machine->spec().implement.maxHitchAngle) {
+            Trouble angle;
+            const double limit = input_.machine->spec().implement.maxHitchAngle->si();
+            for (std::size_t i = 0; i < measured_.motions.size(); ++i) {
+                const SegmentMotion& motion = measured_.motions[i];
+                if (motion.largestHitchAngleRad > limit) {
+                    angle.add(motion.largestHitchAngleRad, motion.largestHitchAnglePlace, i);
+                }
+            }
+            noteTrouble(angle, "hitch-angle",
+                        std::format("The hitch bends by {:.0f} degrees in {} {}; {:.0f} are allowed.",
+                                    inDegrees(radians(angle.worst)), angle.count,
+                                    angle.count == 1 ? "turn" : "turns", inDegrees(radians(limit))),
+                        "Choose wider turns.");
+        }
+    }
+
+    const AuditInput& input_;
+    const Measurements& measured_;
+    std::vector<AuditFinding> findings_;
+    std::set<std::size_t> found_;  ///< segments told to be outside
+};
+
+}  // namespace
+
+std::vector<AuditFinding> findingsOf(const AuditInput& input, const Measurements& measured) {
+    return Reporter{input, measured}.report();
+}
+
+}  // namespace furrow

@@ -1,0 +1,256 @@
+#include "planner/audit/kinematics.h"
+
+#include "planner/audit/length.h"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <optional>
+
+namespace furrow {
+
+namespace {
+
+// Larger ones are breaks; smaller ones only show in the figures. Chords of samples are within 1 cm.
+constexpr double kJumpM = 0.05;
+constexpr double kHeadingJumpRad = 0.02;
+constexpr double kNoJumpM = 1e-9;
+/// A next segment that begins farther away than this is not the next one: something in between is missing.
+constexpr double kGapM = 2.0;
+// Rounding of positions and headings, over shorter ways, drowns the curvature.
+constexpr double kShortestWayM = 1e-3;
+constexpr double kCurvatureShare = 1.002;
+constexpr double kSpeedShare = 1.001;
+
+double wrapped(double angle) {
+    return std::remainder(angle, 2.0 * std::numbers::pi);
+}
+
+/// From one sample to the next, as the points alone tell it.
+struct Step {
+    double wayM = 0.0;
+    double turnRad = 0.0;
+    double jumpM = 0.0;       ///< between where the second point is and where the first one leads
+    double sidewaysRad = 0.0; ///< between the way moved and the way the vehicle points
+
+    bool standsStill() const { return wayM < 1e-9; }
+};
+
+Step stepBetween(const PathSample& a, const PathSample& b, double gear) {
+    const Point chord = b.position - a.position;
+    Step step{.wayM = lengthOf(chord), .turnRad = wrapped(b.headingRad - a.headingRad)};
+    const double half = 0.5 * std::abs(step.turnRad);
+    const double chordShare = half > 1e-9 ? std::sin(half) / half : 1.0;
+    const double driven = b.sM - a.sM;
+    const double middle = a.headingRad + 0.5 * step.turnRad + (gear < 0.0 ? std::numbers::pi : 0.0);
+    // Where the curvature changes evenly the chord leads aside by a twelfth of its change.
+    const double skew = -(b.curvature1pm - a.curvature1pm) * driven * gear / 12.0;
+    const auto missBy = [&](double aside) {
+        return lengthOf(chord - driven * chordShare * direction(middle + aside));
+    };
+    step.jumpM = missBy(0.0);
+    if (step.jumpM > kNoJumpM) {
+        step.jumpM = std::min(step.jumpM, missBy(skew));
+    }
+    if (step.wayM > kShortestWayM) {
+        const double moved = std::atan2(chord.y, chord.x);
+        const double plain = std::abs(wrapped(moved - middle));
+        step.sidewaysRad = std::min(plain, std::abs(wrapped(moved - middle - skew)));
+        step.wayM /= std::max(chordShare, 0.5);
+    }
+    return step;
+}
+
+struct Limits {
+    double curvature1pm = std::numeric_limits<double>::infinity();
+    double rate1pm2 = std::numeric_limits<double>::infinity();
+    double lateralMps2 = std::numeric_limits<double>::infinity();
+    const Tractor* tractor = nullptr;
+
+    double speedOf(const PathSegment& segment) const {
+        if (tractor == nullptr) {
+            return std::numeric_limits<double>::infinity();
+        }
+        if (segment.gear == Gear::Reverse) {
+            return std::max(tractor->reverseSpeed, tractor->turningSpeed).si();
+        }
+        switch (segment.kind) {
+            case SegmentKind::Swath:
+            case SegmentKind::HeadlandPass: return tractor->workingSpeed.si();
+            // A curve is entered and left at the speed of what it joins.
+            case SegmentKind::Turn: return std::max(tractor->turningSpeed, tractor->workingSpeed).si();
+            default: return std::max(tractor->transferSpeed, tractor->workingSpeed).si();
+        }
+    }
+};
+
+Limits limitsOf(const AuditInput& input) {
+    Limits limits;
+    if (!input.machine) {
+        return limits;
+    }
+    const Tractor& tractor = input.machine->spec().tractor;
+    limits.tractor = &tractor;
+    limits.curvature1pm = 1.0 / input.machine->minTurningRadius().si();
+    limits.lateralMps2 = tractor.maxLateralAcceleration.si();
+    if (tractor.maxCurvatureRate) {
+        limits.rate1pm2 = tractor.maxCurvatureRate->si();
+    } else if (tractor.steeringRateRadps) {
+        // curvature = tan(steering) / wheelbase, slowest to change with the wheels straight.
+        limits.rate1pm2 = *tractor.steeringRateRadps / tractor.wheelbase.si() / tractor.turningSpeed.si();
+    }
+    return limits;
+}
+
+class Meter {
+public:
+    explicit Meter(const AuditInput& input) : input_{input}, limits_{limitsOf(input)} {}
+
+    Kinematics measure() {
+        for (std::size_t i = 0; i < input_.segments.size(); ++i) {
+            const PathSegment& segment = input_.segments[i];
+            if (i > 0) {
+                join(input_.segments[i - 1], segment, i);
+            }
+            drive(segment, i);
+        }
+        return std::move(found_);
+    }
+
+private:
+    void join(const PathSegment& before, const PathSegment& next, std::size_t index) {
+        const PathSample& from = before.samples.back();
+        const PathSample& to = next.samples.front();
+        const double gap = distance(from.position, to.position);
+        found_.maxPositionJumpM = std::max(found_.maxPositionJumpM, gap);
+        if (gap > kGapM) {
+            found_.breaks.push_back({Break::Kind::Gap, index, from.position, gap});
+        } else if (gap > kJumpM) {
+            found_.breaks.push_back({Break::Kind::Jump, index, from.position, gap});
+        }
+        const double turn = std::abs(wrapped(to.headingRad - from.headingRad));
+        if (input_.statedMotion && gap <= kGapM) {
+            found_.maxHeadingJumpRad = std::max(found_.maxHeadingJumpRad, turn);
+            if (turn > kHeadingJumpRad) {
+                found_.breaks.push_back({Break::Kind::HeadingJump, index, from.position, turn});
+            }
+        }
+        // Steering may change while the machine stands to change gear.
+        if (gap > kJumpM || turn > kHeadingJumpRad || before.gear != next.gear) {
+            last_.reset();
+        }
+        if (input_.statedMotion && (to.tS < from.tS - 1e-6 || to.sM < from.sM - 1e-6)) {
+            found_.time.add(from.tS - to.tS, to.position, index);
+        }
+    }
+
+    void drive(const PathSegment& segment, std::size_t index) {
+        const double gear = segment.gear == Gear::Reverse ? -1.0 : 1.0;
+        const double speedLimit = limits_.speedOf(segment);
+        Trouble tight;
+        for (std::size_t k = 1; k < segment.samples.size(); ++k) {
+            const PathSample& a = segment.samples[k - 1];
+            const PathSample& b = segment.samples[k];
+            if (gear < 0.0) {
+                if (found_.reversedM == 0.0) {
+                    found_.reversedPlace = a.position;
+                }
+                found_.reversedM += lengthOf(b.position - a.position);
+            }
+            if (!input_.statedMotion) {
+                continue;
+            }
+            driveStep(a, b, gear, index, tight);
+            checkTime(a, b, index);
+            for (const PathSample* sample : {&a, &b}) {
+                if (sample->speedMps > speedLimit * kSpeedShare) {
+                    found_.speed.add(sample->speedMps - speedLimit, sample->position, index);
+                }
+                const double lateral =
+                    sample->speedMps * sample->speedMps * std::abs(sample->curvature1pm);
+                if (lateral > limits_.lateralMps2 * 1.01) {
+                    found_.lateral.add(lateral, sample->position, index);
+                }
+            }
+        }
+        if (tight.count > 0) {
+            found_.tooTight.emplace_back(index, tight);
+        }
+    }
+
+    void driveStep(const PathSample& a, const PathSample& b, double gear, std::size_t index, Trouble& tight) {
+        const Step step = stepBetween(a, b, gear);
+        found_.maxPositionJumpM = std::max(found_.maxPositionJumpM, step.jumpM);
+        if (step.standsStill()) {
+            const double turn = std::abs(step.turnRad);
+            found_.maxHeadingJumpRad = std::max(found_.maxHeadingJumpRad, turn);
+            if (turn > kHeadingJumpRad) {
+                found_.breaks.push_back({Break::Kind::HeadingJump, index, a.position, turn});
+                last_.reset();
+            }
+            return;
+        }
+        found_.maxHeadingJumpRad = std::max(found_.maxHeadingJumpRad, step.sidewaysRad);
+        // A sample off the line shows both ways; where the nose points along the chord all the same, or the
+        // way moved is not the way stated, it is the position that jumps.
+        const bool sideways = step.sidewaysRad > kHeadingJumpRad && step.wayM > kJumpM;
+        const double driven = b.sM - a.sM;
+        const bool wayDiffers = std::abs(lengthOf(b.position - a.position) - driven) > kJumpM + 0.02 * driven;
+        if (sideways && !wayDiffers) {
+            found_.breaks.push_back({Break::Kind::Heading, index, a.position, step.sidewaysRad});
+        } else if (step.jumpM > kJumpM) {
+            found_.breaks.push_back({Break::Kind::Jump, index, a.position, step.jumpM});
+        }
+        if (sideways || step.jumpM > kJumpM || step.wayM < kShortestWayM) {
+            last_.reset();
+            return;
+        }
+        const double curvature = gear * step.turnRad / step.wayM;
+        found_.maxCurvature1pm = std::max(found_.maxCurvature1pm, std::abs(curvature));
+        if (std::abs(curvature) > limits_.curvature1pm * kCurvatureShare + 1e-9 / step.wayM) {
+            tight.add(std::abs(curvature), a.position, index);
+        }
+        const auto [low, high] = std::minmax(a.curvature1pm, b.curvature1pm);
+        const double mismatch = std::max({0.0, low - curvature, curvature - high});
+        found_.maxMismatch1pm = std::max(found_.maxMismatch1pm, mismatch);
+        if (mismatch > 0.005 + 1e-6 / step.wayM) {
+            found_.mismatch.add(mismatch, a.position, index);
+        }
+        if (last_) {
+            const double rate = std::abs(curvature - last_->curvature) / (0.5 * (step.wayM + last_->wayM));
+            found_.maxRate1pm2 = std::max(found_.maxRate1pm2, rate);
+            if (rate > limits_.rate1pm2 * 1.05) {
+                found_.rate.add(rate, a.position, index);
+            }
+        }
+        last_ = {curvature, step.wayM};
+    }
+
+    void checkTime(const PathSample& a, const PathSample& b, std::size_t index) {
+        const double time = b.tS - a.tS;
+        const double way = b.sM - a.sM;
+        const double fastest = std::max(a.speedMps, b.speedMps);
+        // Slower than both ends is for the machine's clock to know (lifting, waiting); faster is impossible.
+        if (time < -1e-6 || way < -1e-6 || way > fastest * time * 1.01 + 1e-3) {
+            found_.time.add(std::abs(time), a.position, index);
+        }
+    }
+
+    struct Last {
+        double curvature;
+        double wayM;
+    };
+
+    const AuditInput& input_;
+    Limits limits_;
+    Kinematics found_;
+    std::optional<Last> last_;
+};
+
+}  // namespace
+
+Kinematics measureKinematics(const AuditInput& input) {
+    return Meter{input}.measure();
+}
+
+}  // namespace furrow

@@ -1,0 +1,50 @@
+#pragma once
+
+#include "planner/audit/audit.h"
+
+#include <optional>
+#include <vector>
+
+namespace furrow {
+
+/// Where tractor and implement are at one instant.
+struct MotionState {
+    Point position;  ///< of the reference point
+    double headingRad = 0.0;
+    Point nose;       ///< unit vector of the heading
+    Point implement;  ///< middle of the working line
+    double implementHeadingRad = 0.0;
+    Point implementNose;
+};
+
+/// The states of one segment, close enough that straight steps between them stay within kChordErrorM of the
+/// true curve everywhere on the machine. Exact copies of the samples among them.
+struct SegmentMotion {
+    std::vector<MotionState> states;
+    /// Turns on the spot at its first state, from where the segment before has ended.
+    std::vector<MotionState> turnOnTheSpot;
+    double largestHitchAngleRad = 0.0;
+    Point largestHitchAnglePlace;
+};
+
+/// Largest distance between a curve and the chords that stand for it, on any part of the machine, m.
+inline constexpr double kChordErrorM = 0.01;
+
+/// How the parts lie around the reference point.
+struct MachineShape {
+    double operatingWidthM = 0.0;
+    double implementOffsetM = 0.0;
+    double lateralOffsetM = 0.0;
+    double hitchOffsetM = 0.0;
+    std::optional<double> trailingM;  ///< from hitch to working line; empty where mounted
+    double reachM = 0.0;              ///< no part is farther from the reference point
+    bool turnsOnTheSpot = false;
+};
+
+MachineShape shapeOf(const AuditInput& input);
+
+/// Follows the whole path. O(states).
+Result<std::vector<SegmentMotion>> followPath(const AuditInput& input, const MachineShape& shape,
+                                              const JobContext& job);
+
+}  // namespace furrow

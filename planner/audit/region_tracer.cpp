@@ -1,0 +1,233 @@
+#include "planner/audit/region_tracer.h"
+
+#include "planner/audit/length.h"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <numbers>
+#include <utility>
+
+namespace furrow {
+
+namespace {
+
+/// Ends that are nearer to each other are one node: far more than rounding, far less than anybody sees.
+constexpr double kSameNodeM = 1e-7;
+/// A bend that is flatter is none.
+constexpr double kFlatM = 1e-7;
+constexpr std::uint32_t kNone = std::numeric_limits<std::uint32_t>::max();
+
+Ring withoutFlatBends(const Ring& ring) {
+    Ring kept;
+    for (std::size_t i = 0; i < ring.size(); ++i) {
+        const Point before = kept.empty() ? ring.back() : kept.back();
+        const Point along = ring[(i + 1) % ring.size()] - before;
+        const double length = lengthOf(along);
+        if (length > 0.0 && std::abs(cross(along, ring[i] - before)) > kFlatM * length) {
+            kept.push_back(ring[i]);
+        }
+    }
+    return kept;
+}
+
+}  // namespace
+
+void RegionTracer::addRow(double low, double high, const std::vector<Span>& spans) {
+    if (!below_.empty() && low != height_) {
+        std::vector<Open> nothing;
+        join(height_, nothing);
+        below_.clear();
+    }
+    std::vector<Open> row;
+    row.reserve(spans.size());
+    for (const Span& span : spans) {
+        const auto piece = static_cast<std::uint32_t>(parents_.size());
+        parents_.push_back(piece);
+        row.push_back({.span = span, .leftNode = kNone, .rightNode = kNone, .piece = piece});
+    }
+    join(low, row);
+    below_ = std::move(row);
+    height_ = high;
+}
+
+/// Makes the nodes at one height, closes the spans below it and begins those above.
+void RegionTracer::join(double height, std::vector<Open>& above) {
+    struct End {
+        double x;
+        Open* open;
+        bool isAbove;
+        bool isLeft;
+    };
+    std::vector<End> ends;
+    ends.reserve(2 * (below_.size() + above.size()));
+    for (Open& open : below_) {
+        ends.push_back({open.span.leftHigh, &open, false, true});
+        ends.push_back({open.span.rightHigh, &open, false, false});
+    }
+    for (Open& open : above) {
+        ends.push_back({open.span.leftLow, &open, true, true});
+        ends.push_back({open.span.rightLow, &open, true, false});
+    }
+    std::ranges::stable_sort(ends, {}, &End::x);
+    // Counted, not only noted: where rounding puts the end of one span behind the start of the next, nodes
+    // still have as many edges in as out.
+    int under = 0;
+    int over = 0;
+    std::uint32_t pieceUnder = 0;
+    std::uint32_t pieceOver = 0;
+    std::uint32_t node = kNone;
+    for (std::size_t i = 0; i < ends.size();) {
+        const std::uint32_t before = node;
+        node = newNode({ends[i].x, height});
+        if (under > 0 && over > 0) {
+            unite(pieceUnder, pieceOver);
+        }
+        for (int extra = under; extra > over; --extra) {
+            addEdge(node, before, pieceUnder);
+        }
+        for (int extra = over; extra > under; --extra) {
+            addEdge(before, node, pieceOver);
+        }
+        const double reach = ends[i].x + kSameNodeM;
+        for (; i < ends.size() && ends[i].x <= reach; ++i) {
+            const End& end = ends[i];
+            if (end.isAbove) {
+                (end.isLeft ? end.open->leftNode : end.open->rightNode) = node;
+                over += end.isLeft ? 1 : -1;
+                pieceOver = end.isLeft ? end.open->piece : pieceOver;
+                continue;
+            }
+            // Inside lies to the left of every edge: down on the left side, up on the right.
+            if (end.isLeft) {
+                addEdge(node, end.open->leftNode, end.open->piece);
+            } else {
+                addEdge(end.open->rightNode, node, end.open->piece);
+            }
+            under += end.isLeft ? 1 : -1;
+            pieceUnder = end.isLeft ? end.open->piece : pieceUnder;
+        }
+    }
+}
+
+std::uint32_t RegionTracer::newNode(Point place) {
+    nodes_.push_back(place);
+    return static_cast<std::uint32_t>(nodes_.size() - 1);
+}
+
+void RegionTracer::addEdge(std::uint32_t from, std::uint32_t to, std::uint32_t piece) {
+    edges_.push_back({from, to, piece});
+}
+
+std::uint32_t RegionTracer::pieceOf(std::uint32_t piece) {
+    while (parents_[piece] != piece) {
+        parents_[piece] = parents_[parents_[piece]];
+        piece = parents_[piece];
+    }
+    return piece;
+}
+
+void RegionTracer::unite(std::uint32_t a, std::uint32_t b) {
+    a = pieceOf(a);
+    b = pieceOf(b);
+    parents_[std::max(a, b)] = std::min(a, b);
+}
+
+/// Walks along the edges, to the left at forks; a loop is closed as soon as a node comes up again, so that no
+/// ring touches itself.
+std::vector<std::pair<std::uint32_t, Ring>> RegionTracer::closeRings() {
+    std::ranges::stable_sort(edges_, {}, &Edge::from);
+    std::vector<std::uint32_t> first(nodes_.size() + 1, 0);
+    for (const Edge& edge : edges_) {
+        ++first[edge.from + 1];
+    }
+    for (std::size_t i = 1; i < first.size(); ++i) {
+        first[i] += first[i - 1];
+    }
+    std::vector<char> used(edges_.size(), 0);
+    std::vector<std::uint32_t> placeOnWay(nodes_.size(), kNone);
+    const auto headingOf = [this](const Edge& edge) {
+        const Point way = nodes_[edge.to] - nodes_[edge.from];
+        return std::atan2(way.y, way.x);
+    };
+    const auto nextFrom = [&](std::uint32_t node, const Edge& arrived) {
+        std::uint32_t best = kNone;
+        double sharpest = -10.0;
+        for (std::uint32_t i = first[node]; i < first[node + 1]; ++i) {
+            if (used[i] != 0) {
+                continue;
+            }
+            if (best == kNone && i + 1 == first[node + 1]) {
+                return i;
+            }
+            const double turn =
+                std::remainder(headingOf(edges_[i]) - headingOf(arrived), 2.0 * std::numbers::pi);
+            if (turn > sharpest) {
+                sharpest = turn;
+                best = i;
+            }
+        }
+        return best;
+    };
+    std::vector<std::pair<std::uint32_t, Ring>> rings;
+    std::vector<std::uint32_t> way;  // edges
+    for (std::uint32_t start = 0; start < edges_.size(); ++start) {
+        if (used[start] != 0) {
+            continue;
+        }
+        way = {start};
+        used[start] = 1;
+        placeOnWay[edges_[start].from] = 0;
+        while (!way.empty()) {
+            const std::uint32_t node = edges_[way.back()].to;
+            if (placeOnWay[node] != kNone) {
+                Ring ring;
+                const std::size_t begin = placeOnWay[node];
+                for (std::size_t i = begin; i < way.size(); ++i) {
+                    ring.push_back(nodes_[edges_[way[i]].from]);
+                    placeOnWay[edges_[way[i]].from] = kNone;
+                }
+                rings.emplace_back(pieceOf(edges_[way.back()].piece), std::move(ring));
+                way.resize(begin);
+                if (way.empty()) {
+                    break;
+                }
+            }
+            const std::uint32_t next = nextFrom(node, edges_[way.back()]);
+            placeOnWay[node] = static_cast<std::uint32_t>(way.size());
+            used[next] = 1;
+            way.push_back(next);
+        }
+    }
+    return rings;
+}
+
+MultiPolygon RegionTracer::finish(double leastAreaM2) {
+    if (!below_.empty()) {
+        std::vector<Open> nothing;
+        join(height_, nothing);
+        below_.clear();
+    }
+    auto rings = closeRings();
+    // The outer ring of each piece first, then its holes.
+    std::ranges::stable_sort(rings, [](const auto& a, const auto& b) {
+        return a.first != b.first ? a.first < b.first : signedAreaM2(a.second) > signedAreaM2(b.second);
+    });
+    MultiPolygon polygons;
+    std::uint32_t piece = kNone;
+    for (auto& [of, points] : rings) {
+        Ring ring = withoutFlatBends(points);
+        const double areaM2 = ring.size() < 3 ? 0.0 : signedAreaM2(ring);
+        if (areaM2 > leastAreaM2) {
+            polygons.push_back({.outer = std::move(ring), .holes = {}});
+            piece = of;
+        } else if (areaM2 < -leastAreaM2 && of == piece) {
+            polygons.back().holes.push_back(std::move(ring));
+        }
+    }
+    std::ranges::stable_sort(polygons, std::ranges::greater{},
+                             [](const Polygon& polygon) { return area(polygon); });
+    return polygons;
+}
+
+}  // namespace furrow

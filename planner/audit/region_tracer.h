@@ -1,0 +1,59 @@
+#pragma once
+
+#include "planner/geometry/polygon.h"
+
+#include <cstdint>
+#include <vector>
+
+namespace furrow {
+
+/// Joins trapezoids to polygons: they come row by row, from low to high y, each row from left to right.
+///
+/// Where two rows meet, the ends of their trapezoids become nodes, and what only one of them covers between
+/// two nodes becomes an edge. Every node then has as many edges in as out, so that rings always close,
+/// whatever rounding did to the coordinates.
+class RegionTracer {
+public:
+    /// One trapezoid; x at its lower and upper side.
+    struct Span {
+        double leftLow = 0.0;
+        double leftHigh = 0.0;
+        double rightLow = 0.0;
+        double rightHigh = 0.0;
+    };
+
+    /// The next row, between two heights; not below what came before.
+    void addRow(double low, double high, const std::vector<Span>& spans);
+
+    /// Polygons of all rows, largest first; those under `leastAreaM2` are left out. Ends the tracing.
+    MultiPolygon finish(double leastAreaM2);
+
+private:
+    struct Edge {
+        std::uint32_t from;
+        std::uint32_t to;
+        std::uint32_t piece;  ///< any span of the connected piece
+    };
+    /// A span of the row before, whose upper side waits for the next row.
+    struct Open {
+        Span span;
+        std::uint32_t leftNode;
+        std::uint32_t rightNode;
+        std::uint32_t piece;
+    };
+
+    void join(double height, std::vector<Open>& above);
+    std::uint32_t newNode(Point place);
+    std::uint32_t pieceOf(std::uint32_t piece);
+    void unite(std::uint32_t a, std::uint32_t b);
+    void addEdge(std::uint32_t from, std::uint32_t to, std::uint32_t piece);
+    std::vector<std::pair<std::uint32_t, Ring>> closeRings();
+
+    double height_ = 0.0;
+    std::vector<Open> below_;
+    std::vector<Point> nodes_;
+    std::vector<Edge> edges_;
+    std::vector<std::uint32_t> parents_;  ///< union-find over spans
+};
+
+}  // namespace furrow

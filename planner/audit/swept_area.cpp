@@ -1,0 +1,243 @@
+#include "planner/audit/swept_area.h"
+
+#include "planner/audit/depth_sweep.h"
+#include "planner/audit/length.h"
+#include "planner/geometry/geos_bridge.h"
+
+#include <algorithm>
+#include <cmath>
+#include <utility>
+
+namespace furrow {
+
+namespace {
+
+constexpr double kReachToleranceM = 0.02;
+
+struct WorkingLine {
+    Point right;
+    Point left;
+};
+
+WorkingLine workingLine(const MotionState& state, double widthM) {
+    const Point left = 0.5 * widthM * Point{-state.implementNose.y, state.implementNose.x};
+    return {.right = state.implement - left, .left = state.implement + left};
+}
+
+Ring counterClockwise(Ring ring) {
+    if (signedAreaM2(ring) < 0.0) {
+        std::ranges::reverse(ring);
+    }
+    return ring;
+}
+
+/// What a line sweeps on its way from one place to the next: a quadrilateral, or two triangles where it
+/// turns about a point of its own or is folded over.
+void addSweep(const WorkingLine& a, const WorkingLine& b, std::size_t segment,
+              std::vector<SweptPiece>& pieces) {
+    constexpr double kNoAreaM2 = 1e-12;
+    const auto add = [&](Ring ring) {
+        if (std::abs(signedAreaM2(ring)) > kNoAreaM2) {
+            pieces.push_back({counterClockwise(std::move(ring)), segment});
+        }
+    };
+    const Point across = a.left - a.right;
+    const Point acrossNext = b.left - b.right;
+    const double turn = cross(across, acrossNext);
+    if (turn != 0.0) {
+        const double t = cross(b.right - a.right, acrossNext) / turn;
+        const double u = cross(b.right - a.right, across) / turn;
+        if (t > 0.0 && t < 1.0 && u > 0.0 && u < 1.0) {
+            const Point pivot = a.right + t * across;
+            add({pivot, a.right, b.right});
+            add({pivot, a.left, b.left});
+            return;
+        }
+    }
+    const double right = cross(b.right - a.right, b.left - a.right);
+    const double left = cross(b.left - a.right, a.left - a.right);
+    if (right * left >= 0.0) {
+        add({a.right, b.right, b.left, a.left});
+    } else {
+        add({a.right, b.right, b.left});
+        add({a.right, b.left, a.left});
+    }
+}
+
+/// Chords of a turning line's ends: two thirds of the sagitta, on both sides.
+double chordErrorM2(const SegmentMotion& motion, double widthM) {
+    double sum = 0.0;
+    for (std::size_t i = 1; i < motion.states.size(); ++i) {
+        const MotionState& a = motion.states[i - 1];
+        const MotionState& b = motion.states[i];
+        const double turn =
+            std::abs(std::remainder(b.implementHeadingRad - a.implementHeadingRad, 2.0 * std::numbers::pi));
+        const WorkingLine from = workingLine(a, widthM);
+        const WorkingLine to = workingLine(b, widthM);
+        for (const double chord : {lengthOf(to.left - from.left), lengthOf(to.right - from.right)}) {
+            sum += 2.0 / 3.0 * chord * std::min(chord * turn / 8.0, kChordErrorM);
+        }
+    }
+    return sum;
+}
+
+enum Layer : std::size_t { kWorkable, kReach, kMainland, kLaneEnd, kSwath, kHeadlandPass };
+
+enum Region : std::size_t {
+    kCovered,
+    kTwice,
+    kTwiceHeadland,
+    kMissed,
+    kReachable,
+    kCoveredReachable,
+    kDropped,
+    kStrip,
+    kEnds,
+    kRegionCount
+};
+
+constexpr std::uint32_t bit(Region region) {
+    return 1U << region;
+}
+
+std::uint32_t regionsAt(const Depths& depths) {
+    if (depths[kWorkable] <= 0) {
+        return 0;
+    }
+    const std::int32_t passes = depths[kSwath] + depths[kHeadlandPass];
+    const bool reach = depths[kReach] > 0;
+    if (passes > 0) {
+        return bit(kCovered) | (passes > 1 ? bit(kTwice) : 0) |
+               (depths[kSwath] > 0 && depths[kHeadlandPass] > 0 ? bit(kTwiceHeadland) : 0) |
+               (reach ? bit(kReachable) | bit(kCoveredReachable) : 0);
+    }
+    const std::uint32_t missed = bit(kMissed) | (reach ? bit(kReachable) : 0);
+    if (depths[kMainland] <= 0) {
+        return missed | bit(kStrip);
+    }
+    return !reach ? missed : missed | (depths[kLaneEnd] > 0 ? bit(kEnds) : bit(kDropped));
+}
+
+/// Where a disc of half the working footprint's width fits without leaving the drivable area.
+Result<MultiPolygon> reachable(const AuditInput& input, const JobContext& job) {
+    const Length half = 0.5 * input.machine->workingFootprintWidth();
+    const auto middles = eroded(input.drivable, half, metres(kReachToleranceM), job);
+    return middles ? dilated(*middles, half, metres(kReachToleranceM), job) : middles;
+}
+
+/// The lanes beyond the ends of the swaths and as far before them as the implement is from the axle: where
+/// the strip beside them is kept for turning, they are worked together with it.
+void addLaneEnds(const AuditInput& input, const MachineShape& shape, LayeredPolygons& layers) {
+    constexpr double kSlackM = 2.0 * kChordErrorM;
+    const double before = std::abs(shape.implementOffsetM) + kSlackM;
+    const auto addEnd = [&](Point end, Point next, double width) {
+        const Point along = (1.0 / std::max(distance(end, next), 1e-9)) * (next - end);
+        const Point side = (0.5 * width + kSlackM) * Point{-along.y, along.x};
+        const Point far = end - 2.0 * width * along;
+        const Point near = end + std::min(before, distance(end, next)) * along;
+        layers.add(kLaneEnd, Ring{far - side, near - side, near + side, far + side});
+    };
+    for (const PlannedPass& pass : input.passes) {
+        addEnd(pass.line.front(), pass.line[1], pass.width.si());
+        addEnd(pass.line.back(), pass.line[pass.line.size() - 2], pass.width.si());
+    }
+}
+
+/// Around everything.
+Ring everywhere(const AuditInput& input) {
+    const Bounds box = bounds(input.workable);
+    return {box.min - Point{1.0, 1.0},
+            {box.max.x + 1.0, box.min.y - 1.0},
+            box.max + Point{1.0, 1.0},
+            {box.min.x - 1.0, box.max.y + 1.0}};
+}
+
+/// What is swept, with its error bound.
+void addPasses(const AuditInput& input, const MachineShape& shape, const std::vector<SegmentMotion>& motions,
+               SweptArea& result) {
+    const double widthM = shape.operatingWidthM;
+    double errorM2 = 1e-9 * area(input.workable).si();
+    double lengthM = 0.0;
+    for (std::size_t i = 0; i < motions.size(); ++i) {
+        if (!input.segments[i].implementDown) {
+            continue;
+        }
+        const std::vector<MotionState>& states = motions[i].states;
+        errorM2 += chordErrorM2(motions[i], widthM);
+        for (std::size_t k = 1; k < states.size(); ++k) {
+            addSweep(workingLine(states[k - 1], widthM), workingLine(states[k], widthM), i, result.pieces);
+            lengthM += lengthOf(states[k].implement - states[k - 1].implement);
+        }
+    }
+    // A rounded coordinate moves both sides of a pass.
+    result.error = squareMetres(errorM2 + 2.0 * lengthM * input.positionRounding.si());
+}
+
+}  // namespace
+
+Point mainDirection(const std::vector<SegmentMotion>& motions) {
+    double longest = 0.0;
+    Point along{1.0, 0.0};
+    for (const SegmentMotion& motion : motions) {
+        for (std::size_t i = 1; i < motion.states.size(); ++i) {
+            const Point way = motion.states[i].implement - motion.states[i - 1].implement;
+            if (dot(way, way) > longest * longest) {
+                longest = lengthOf(way);
+                along = (1.0 / longest) * way;
+            }
+        }
+    }
+    return along;
+}
+
+Result<SweptArea> measureSweptArea(const AuditInput& input, const MachineShape& shape,
+                                   const std::vector<SegmentMotion>& motions, const JobContext& job) {
+    SweptArea result;
+    addPasses(input, shape, motions, result);
+    LayeredPolygons layers;
+    layers.add(kWorkable, input.workable);
+    for (const SweptPiece& piece : result.pieces) {
+        const bool headland = input.segments[piece.segment].kind == SegmentKind::HeadlandPass;
+        layers.add(headland ? kHeadlandPass : kSwath, piece.ring);
+    }
+    if (input.machine) {
+        const auto reach = reachable(input, job);
+        if (!reach) {
+            return std::unexpected(reach.error());
+        }
+        layers.add(kReach, *reach);
+    } else {
+        layers.add(kReach, everywhere(input));
+    }
+    if (input.mainland) {
+        layers.add(kMainland, *input.mainland);
+        addLaneEnds(input, shape, layers);
+    } else {
+        layers.add(kMainland, everywhere(input));
+    }
+    auto measured = measureRegions(layers, mainDirection(motions),
+                                   {.at = regionsAt,
+                                    .count = kRegionCount,
+                                    .traced = bit(kMissed) | bit(kDropped) | bit(kStrip)},
+                                   job);
+    if (!measured) {
+        return std::unexpected(measured.error());
+    }
+    std::vector<MeasuredRegion>& regions = *measured;
+    result.covered = regions[kCovered].area;
+    result.overlap = regions[kTwice].area;
+    result.overlapHeadland = regions[kTwiceHeadland].area;
+    result.missedArea = regions[kMissed].area;
+    result.missed = std::move(regions[kMissed].polygons);
+    if (const Area all = regions[kReachable].area; input.machine && all > squareMetres(0.0)) {
+        result.coveredOfReachable = std::clamp(regions[kCoveredReachable].area / all, 0.0, 1.0);
+    }
+    result.droppedArea = regions[kDropped].area;
+    result.dropped = std::move(regions[kDropped].polygons);
+    result.stripArea = regions[kStrip].area;
+    result.strip = std::move(regions[kStrip].polygons);
+    result.laneEnds = regions[kEnds].area;
+    return result;
+}
+
+}  // namespace furrow

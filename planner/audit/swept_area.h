@@ -1,0 +1,38 @@
+#pragma once
+
+#include "planner/audit/motion.h"
+
+namespace furrow {
+
+/// A part of what the working line sweeps in one step.
+struct SweptPiece {
+    Ring ring;  ///< counter-clockwise, convex but for rounding
+    std::size_t segment = 0;
+};
+
+/// What the working line sweeps, and what that does to the field.
+struct SweptArea {
+    std::vector<SweptPiece> pieces;  ///< in driving order
+    MultiPolygon missed;             ///< of the workable area, largest first
+    Area covered;
+    Area missedArea;
+    Area overlap;
+    Area overlapHeadland;
+    Area error;
+    std::optional<double> coveredOfReachable;  ///< empty without a machine
+    /// Missed although it is within reach and was to be worked, largest first: without the strip that is kept
+    /// for turning and the ends of the lanes beside it.
+    MultiPolygon dropped;
+    Area droppedArea;
+    MultiPolygon strip;  ///< kept for turning and not worked, largest first
+    Area stripArea;
+    Area laneEnds;  ///< missed at the ends of the lanes, beside that strip
+};
+
+Result<SweptArea> measureSweptArea(const AuditInput& input, const MachineShape& shape,
+                                   const std::vector<SegmentMotion>& motions, const JobContext& job);
+
+/// The direction in which most of the driving is done, as a unit vector.
+Point mainDirection(const std::vector<SegmentMotion>& motions);
+
+}  // namespace furrow

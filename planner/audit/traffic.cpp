@@ -1,0 +1,277 @@
+#include "planner/audit/traffic.h"
+
+#include "planner/audit/convex.h"
+#include "planner/audit/length.h"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+namespace furrow {
+
+namespace {
+
+constexpr double kSquareM = 1.0;
+constexpr double kMostSquares = 1e6;
+/// From the tractor's side to the middle of its wheels.
+constexpr double kWheelInsetM = 0.25;
+
+/// Pieces of lanes in strips along the direction in which most of them lie.
+class LaneIndex {
+public:
+    LaneIndex(const std::vector<SweptPiece>& pieces, Point along, double stripM)
+        : pieces_{pieces}, along_{along}, stripM_{std::max(stripM, 0.1)} {
+        for (const SweptPiece& piece : pieces) {
+            boxes_.push_back(boxOf(piece.ring));
+            firstY_ = std::min(firstY_, boxes_.back().min.y);
+        }
+        for (std::size_t i = 0; i < boxes_.size(); ++i) {
+            const std::size_t last = stripAt(boxes_[i].max.y);
+            strips_.resize(std::max(strips_.size(), last + 1));
+            for (std::size_t s = stripAt(boxes_[i].min.y); s <= last; ++s) {
+                strips_[s].push_back(i);
+            }
+        }
+    }
+
+    /// Calls `visit(piece)` for every piece whose box meets that of the edge, some more than once.
+    template <class Visit>
+    void visitNear(const Edge& edge, Visit&& visit) const {
+        const Bounds box = boxOf({edge.from, edge.to});
+        if (strips_.empty() || box.max.y < firstY_) {
+            return;
+        }
+        const std::size_t last = std::min(stripAt(box.max.y), strips_.size() - 1);
+        for (std::size_t s = stripAt(box.min.y); s <= last; ++s) {
+            for (const std::size_t i : strips_[s]) {
+                if (boxes_[i].min.x < box.max.x && box.min.x < boxes_[i].max.x) {
+                    visit(pieces_[i]);
+                }
+            }
+        }
+    }
+
+private:
+    Bounds boxOf(const Ring& ring) const {
+        constexpr double kFar = std::numeric_limits<double>::infinity();
+        Bounds box{.min = {kFar, kFar}, .max = {-kFar, -kFar}};
+        for (const Point& point : ring) {
+            const Point at{dot(point, along_), cross(along_, point)};
+            box.min = {std::min(box.min.x, at.x), std::min(box.min.y, at.y)};
+            box.max = {std::max(box.max.x, at.x), std::max(box.max.y, at.y)};
+        }
+        return box;
+    }
+    std::size_t stripAt(double y) const {
+        return static_cast<std::size_t>(std::max(0.0, (y - firstY_) / stripM_));
+    }
+
+    const std::vector<SweptPiece>& pieces_;
+    Point along_;
+    double stripM_;
+    double firstY_ = std::numeric_limits<double>::infinity();
+    std::vector<Bounds> boxes_;
+    std::vector<std::vector<std::size_t>> strips_;
+};
+
+/// Parts of one step, from 0 to 1.
+using Parts = std::vector<std::pair<double, double>>;
+
+double lengthOf(Parts& parts) {
+    std::ranges::sort(parts);
+    double sum = 0.0;
+    double end = 0.0;
+    for (const auto& [from, to] : parts) {
+        sum += std::max(0.0, to - std::max(from, end));
+        end = std::max(end, to);
+    }
+    return sum;
+}
+
+class CrossedLanes {
+public:
+    CrossedLanes(const AuditInput& input, const std::vector<SegmentMotion>& motions, const LaneIndex& lanes)
+        : input_{input}, motions_{motions}, lanes_{lanes} {}
+
+    /// Of a segment with the implement up, between two lanes.
+    void follow(std::size_t segment, Traffic& traffic) {
+        const std::size_t before = neighbour(segment, -1);
+        const std::size_t after = neighbour(segment, 1);
+        const std::vector<MotionState>& states = motions_[segment].states;
+        double crossed = 0.0;
+        Point place;
+        for (std::size_t k = 1; k < states.size(); ++k) {
+            const Edge step{states[k - 1].position, states[k].position};
+            worked_.clear();
+            any_.clear();
+            lanes_.visitNear(step, [&](const SweptPiece& piece) {
+                if (piece.segment == before || piece.segment == after) {
+                    return;
+                }
+                if (const auto part = partInside(piece.ring, step)) {
+                    any_.push_back(*part);
+                    if (piece.segment < segment) {
+                        worked_.push_back(*part);
+                    }
+                }
+            });
+            if (any_.empty()) {
+                continue;
+            }
+            const double way = lengthOf(step.to - step.from);
+            const double onAny = way * lengthOf(any_);
+            const double onWorked = way * lengthOf(worked_);
+            traffic.onWorkedM += onWorked;
+            traffic.onUnworkedM += onAny - onWorked;
+            place = crossed == 0.0 ? step.from : place;
+            crossed += onAny;
+        }
+        if (crossed > traffic.longestM) {
+            traffic.longestM = crossed;
+            traffic.longestPlace = place;
+            traffic.longestSegment = segment;
+        }
+    }
+
+private:
+    /// The next segment before or after it with the implement down.
+    std::size_t neighbour(std::size_t segment, int step) const {
+        auto at = static_cast<std::ptrdiff_t>(segment) + step;
+        const auto count = std::ssize(input_.segments);
+        while (at >= 0 && at < count && !input_.segments[static_cast<std::size_t>(at)].implementDown) {
+            at += step;
+        }
+        return static_cast<std::size_t>(at);
+    }
+
+    const AuditInput& input_;
+    const std::vector<SegmentMotion>& motions_;
+    const LaneIndex& lanes_;
+    Parts worked_;
+    Parts any_;
+};
+
+/// Squares over the field, each with the number of times that a wheel came over it.
+class WheelGrid {
+public:
+    explicit WheelGrid(const Bounds& box) : corner_{box.min} {
+        const double areaM2 = std::max(box.width(), 1.0) * std::max(box.height(), 1.0);
+        sizeM_ = std::max(kSquareM, std::ceil(std::sqrt(areaM2 / kMostSquares)));
+        columns_ = static_cast<std::ptrdiff_t>(box.width() / sizeM_) + 1;
+        rows_ = static_cast<std::ptrdiff_t>(box.height() / sizeM_) + 1;
+        squares_.resize(static_cast<std::size_t>(columns_ * rows_));
+    }
+
+    double size() const { return sizeM_; }
+
+    /// A wheel rolls from one point to another; `wayM` is how far the machine has come.
+    void roll(Point from, Point to, double wayM) {
+        const Point a = (1.0 / sizeM_) * (from - corner_);
+        const Point b = (1.0 / sizeM_) * (to - corner_);
+        auto column = static_cast<std::ptrdiff_t>(std::floor(a.x));
+        auto row = static_cast<std::ptrdiff_t>(std::floor(a.y));
+        const auto lastColumn = static_cast<std::ptrdiff_t>(std::floor(b.x));
+        const auto lastRow = static_cast<std::ptrdiff_t>(std::floor(b.y));
+        const std::ptrdiff_t stepColumn = b.x > a.x ? 1 : -1;
+        const std::ptrdiff_t stepRow = b.y > a.y ? 1 : -1;
+        const Point perCell{1.0 / std::max(std::abs(b.x - a.x), 1e-12),
+                            1.0 / std::max(std::abs(b.y - a.y), 1e-12)};
+        // Share of the way at which the next column and the next row begin.
+        Point next{perCell.x * std::abs(static_cast<double>(column + (stepColumn > 0 ? 1 : 0)) - a.x),
+                   perCell.y * std::abs(static_cast<double>(row + (stepRow > 0 ? 1 : 0)) - a.y)};
+        const double lengthM = lengthOf(to - from);
+        std::ptrdiff_t left = std::abs(lastColumn - column) + std::abs(lastRow - row);
+        double share = 0.0;
+        for (;;) {
+            visit(column, row, wayM + share * lengthM);
+            if (left-- == 0) {
+                return;
+            }
+            if (next.x < next.y) {
+                share = next.x;
+                column += stepColumn;
+                next.x += perCell.x;
+            } else {
+                share = next.y;
+                row += stepRow;
+                next.y += perCell.y;
+            }
+        }
+    }
+
+    int most() const {
+        const auto most = std::ranges::max_element(squares_, {}, &Square::passes);
+        return most->passes;
+    }
+    double areaOften() const {
+        return sizeM_ * sizeM_ *
+               static_cast<double>(std::ranges::count_if(
+                   squares_, [](const Square& square) { return square.passes > kOftenPasses; }));
+    }
+
+private:
+    struct Square {
+        int passes = 0;
+        float wayM = -std::numeric_limits<float>::infinity();  ///< at the last visit
+    };
+
+    void visit(std::ptrdiff_t column, std::ptrdiff_t row, double wayM) {
+        if (column < 0 || row < 0 || column >= columns_ || row >= rows_) {
+            return;
+        }
+        Square& square = squares_[static_cast<std::size_t>(row * columns_ + column)];
+        // The other wheel, or the same one still there, is no passage of its own.
+        if (wayM - square.wayM > 3.0 * sizeM_) {
+            ++square.passes;
+        }
+        square.wayM = static_cast<float>(wayM);
+    }
+
+    Point corner_;
+    double sizeM_ = kSquareM;
+    std::ptrdiff_t columns_ = 1;
+    std::ptrdiff_t rows_ = 1;
+    std::vector<Square> squares_;
+};
+
+double rollWheels(const SegmentMotion& motion, double asideM, double wayM, WheelGrid& grid) {
+    for (std::size_t k = 1; k < motion.states.size(); ++k) {
+        const MotionState& a = motion.states[k - 1];
+        const MotionState& b = motion.states[k];
+        const Point left{-a.nose.y, a.nose.x};
+        const Point leftNext{-b.nose.y, b.nose.x};
+        for (const double aside : {asideM, -asideM}) {
+            grid.roll(a.position + aside * left, b.position + aside * leftNext, wayM);
+        }
+        wayM += lengthOf(b.position - a.position);
+    }
+    return wayM;
+}
+
+}  // namespace
+
+Result<Traffic> measureTraffic(const AuditInput& input, const std::vector<SegmentMotion>& motions,
+                               const std::vector<SweptPiece>& pieces, Point along, const JobContext& job) {
+    Traffic traffic;
+    const LaneIndex lanes{pieces, along, input.passes.empty() ? 3.0 : input.passes.front().width.si()};
+    CrossedLanes crossed{input, motions, lanes};
+    WheelGrid grid{bounds(input.workable)};
+    const double asideM =
+        input.machine ? std::max(0.0, 0.5 * input.machine->spec().tractor.width.si() - kWheelInsetM) : 0.0;
+    double wayM = 0.0;
+    for (std::size_t i = 0; i < motions.size(); ++i) {
+        if (job.stopRequested()) {
+            return std::unexpected(cancelled());
+        }
+        if (!input.segments[i].implementDown) {
+            crossed.follow(i, traffic);
+        }
+        wayM = rollWheels(motions[i], asideM, wayM, grid);
+    }
+    traffic.mostWheelPasses = grid.most();
+    traffic.oftenDriven = grid.areaOften() / std::max(area(input.workable).si(), 1e-9);
+    traffic.squareM = grid.size();
+    return traffic;
+}
+
+}  // namespace furrow

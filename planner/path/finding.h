@@ -1,0 +1,22 @@
+#pragma once
+
+#include "planner/geometry/point.h"
+
+#include <string>
+
+namespace furrow {
+
+enum class Severity { Blocking, Note };
+
+/// Something the user must or should know about a plan, with its place.
+struct Finding {
+    Severity severity = Severity::Note;
+    std::string kind;  ///< "outside", "obstacle", "headland", "repair" ...
+    Point place;
+    std::string text;        ///< what and why
+    std::string suggestion;  ///< what would mend it
+
+    friend bool operator==(const Finding&, const Finding&) = default;
+};
+
+}  // namespace furrow

@@ -1,0 +1,239 @@
+#include "planner/plan/method_registry.h"
+#include "planner/plan/plan.h"
+#include "tests/planner/audit/audit_paths.h"
+#include "tests/support/result_check.h"
+
+#include <QTest>
+
+#include <algorithm>
+#include <functional>
+
+using namespace furrow;
+using namespace furrow::test;
+
+namespace {
+
+constexpr double kPi = std::numbers::pi;
+constexpr GeoPoint kCentre{9.2, 51.3};
+
+using Segments = std::vector<PathSegment>;
+using BreakPath = std::function<void(Segments&)>;
+
+std::shared_ptr<const Plan> intactPlan() {
+    static const std::shared_ptr<const Plan> plan = [] {
+        auto field = Field::create(fieldSourceFromLocal({centredRectangle(160.0, 100.0)}, kCentre)).value();
+        return makePlan({.field = std::make_shared<const Field>(std::move(field)),
+                         .machine = findMachine("agbot").value(),
+                         .settings = {}})
+            .value();
+    }();
+    return plan;
+}
+
+std::string listed(const std::vector<AuditFinding>& findings) {
+    std::string all;
+    for (const AuditFinding& each : findings) {
+        all += each.finding.kind + (each.finding.severity == Severity::Blocking ? "!" : "") + ": " +
+               each.finding.text + "\n";
+    }
+    return all;
+}
+
+bool hasBlocking(const AuditReport& report, std::string_view kind) {
+    return std::ranges::any_of(report.findings, [&](const AuditFinding& each) {
+        return each.finding.kind == kind && each.finding.severity == Severity::Blocking;
+    });
+}
+
+void moveAll(PathSegment& segment, const std::function<void(PathSample&)>& move) {
+    std::ranges::for_each(segment.samples, move);
+}
+
+}  // namespace
+
+Q_DECLARE_METATYPE(BreakPath)
+
+class TestAuditFindings : public QObject {
+    Q_OBJECT
+private slots:
+    void intactPlanIsDrivable() {
+        const auto plan = intactPlan();
+        QVERIFY(plan->swaths.swaths.size() > 20);
+        for (const AuditFinding& each : plan->audit.findings) {
+            QVERIFY2(each.finding.severity == Severity::Note, listed(plan->audit.findings).c_str());
+        }
+        QVERIFY(plan->drivable());
+        COMPARE_WITHIN(plan->audit.maxPositionJump->si(), 0.0, 1e-6);
+        COMPARE_WITHIN(plan->audit.maxHeadingJump->si(), 0.0, 1e-6);
+        COMPARE_WITHIN(plan->audit.maxCurvature->si(), 1.0 / 2.1, 1e-4);
+        COMPARE_WITHIN(plan->audit.outside->si(), 0.0, 1e-6);
+        QVERIFY(plan->audit.minClearance->si() >= 0.0);
+    }
+    void stripIsOneNote() {
+        const auto plan = intactPlan();
+        QCOMPARE(std::ranges::count(plan->findings, std::string{"headland-not-worked"}, &Finding::kind), 1);
+    }
+
+    void brokenPlans_data() {
+        QTest::addColumn<BreakPath>("breakPath");
+        QTest::addColumn<QByteArray>("kind");
+        const auto row = [](const char* name, const char* kind, BreakPath breakPath) {
+            QTest::newRow(name) << std::move(breakPath) << QByteArray{kind};
+        };
+        row("a point of a turn moved by 1 m", "jump",
+            [](Segments& path) { path[5].samples[path[5].samples.size() / 2].position.x += 1.0; });
+        row("the end of a swath moved by 1 m", "jump",
+            [](Segments& path) { path[6].samples.back().position.y += 1.0; });
+        row("a whole swath moved by 1 m", "jump",
+            [](Segments& path) { moveAll(path[6], [](PathSample& at) { at.position.y += 1.0; }); });
+        row("a swath left out", "dropped-swath", [](Segments& path) { path.erase(path.begin() + 6); });
+        row("the last swath left out", "dropped-swath", [](Segments& path) { path.pop_back(); });
+        row("a swath driven with the implement up", "dropped-swath",
+            [](Segments& path) { path[6].implementDown = false; });
+        row("a heading flipped", "heading", [](Segments& path) {
+            double& heading = path[5].samples[path[5].samples.size() / 2].headingRad;
+            heading = std::fmod(heading + kPi, 2.0 * kPi);
+        });
+        row("all headings of a swath flipped", "heading", [](Segments& path) {
+            moveAll(path[6], [](PathSample& at) { at.headingRad = std::fmod(at.headingRad + kPi, 2.0 * kPi); });
+        });
+        row("the gear of a turn wrong", "heading", [](Segments& path) { path[5].gear = Gear::Reverse; });
+        // Half as large around its start: every curve at half the radius.
+        row("a turn too tight", "curvature", [](Segments& path) {
+            const PathSample start = path[5].samples.front();
+            moveAll(path[5], [&](PathSample& at) {
+                at.position = start.position + 0.5 * (at.position - start.position);
+                at.sM = start.sM + 0.5 * (at.sM - start.sM);
+                at.curvature1pm *= 2.0;
+            });
+        });
+        row("a turn outside the field", "outside", [](Segments& path) {
+            moveAll(path[5], [&](PathSample& at) { at.position = 1.6 * at.position; });
+        });
+        row("a swath that runs out of the field", "outside", [](Segments& path) {
+            PathSample& end = path[6].samples.back();
+            end.position = end.position + 60.0 * direction(end.headingRad);
+        });
+        row("two segments swapped", "missing-turn", [](Segments& path) { std::swap(path[4], path[8]); });
+        row("a turn left out", "missing-turn", [](Segments& path) { path.erase(path.begin() + 5); });
+        row("a turn on the spot", "heading-jump", [](Segments& path) {
+            PathSegment& turn = path[5];
+            turn.samples = {path[4].samples.back(), path[4].samples.back()};
+            turn.samples.back().headingRad += 1.0;
+        });
+        row("half of the swaths left out", "missed", [](Segments& path) { path.resize(path.size() / 2); });
+    }
+    void brokenPlans() {
+        QFETCH(BreakPath, breakPath);
+        QFETCH(QByteArray, kind);
+        const auto plan = intactPlan();
+        Segments path = plan->path.segments;
+        breakPath(path);
+        AuditInput input = auditInput(*plan);
+        input.segments = path;
+        const auto report = audit(input);
+        VERIFY_RESULT(report);
+        QVERIFY2(hasBlocking(*report, kind.toStdString()), listed(report->findings).c_str());
+        for (const AuditFinding& each : report->findings) {
+            QVERIFY(!each.finding.text.empty());
+        }
+    }
+    void acrossAnObstacle() {
+        const auto plan = intactPlan();
+        AuditInput input = auditInput(*plan);
+        const Point middle = 0.5 * (plan->path.segments[6].samples.front().position +
+                                    plan->path.segments[6].samples.back().position);
+        input.drivable.front().holes.push_back({middle + Point{-0.5, -0.5}, middle + Point{-0.5, 0.5},
+                                                middle + Point{0.5, 0.5}, middle + Point{0.5, -0.5}});
+        const auto report = audit(input);
+        VERIFY_RESULT(report);
+        QVERIFY2(hasBlocking(*report, "obstacle"), listed(report->findings).c_str());
+        QVERIFY(distance(report->findings.front().finding.place, middle) < 3.0);
+        QVERIFY(report->outside->si() > 0.9);
+        // Allowed, it is told and measured all the same.
+        input.mayLeaveField = true;
+        const auto allowed = audit(input);
+        VERIFY_RESULT(allowed);
+        QVERIFY2(!hasBlocking(*allowed, "obstacle"), listed(allowed->findings).c_str());
+        QVERIFY2(std::ranges::any_of(allowed->findings, [](const AuditFinding& each) { return each.finding.kind == "outside"; }), listed(allowed->findings).c_str());
+        QVERIFY(allowed->outside == report->outside && allowed->minClearance == report->minClearance);
+    }
+    // What the planner has said is not said twice, and what it has not found counts all the same.
+    void undrivableConnectionsAreToldOnce() {
+        Settings settings;
+        auto field = Field::create(fieldSourceFromLocal({centredRectangle(120.0, 80.0)}, kCentre)).value();
+        VERIFY_RESULT(applySetting(settings, "headland.width_m", "3"));
+        const auto plan = makePlan({.field = std::make_shared<const Field>(std::move(field)),
+                                    .machine = findMachine("agbot").value(),
+                                    .settings = settings});
+        VERIFY_RESULT(plan);
+        QVERIFY((*plan)->path.undrivableCount() > 0);
+        const auto outside = std::ranges::count_if((*plan)->findings, [](const Finding& each) {
+            return each.kind == "outside" || each.kind == "undrivable";
+        });
+        QCOMPARE(outside, (*plan)->path.undrivableCount());
+        // The audit itself names every one of them.
+        std::size_t named = 0;
+        for (const AuditFinding& each : (*plan)->audit.findings) {
+            named += each.segment && !(*plan)->path.segments[*each.segment].drivable;
+        }
+        QCOMPARE(static_cast<int>(named), (*plan)->path.undrivableCount());
+    }
+
+    // Curvature from the points: arcs exactly, clothoids between the values of their ends, both gears.
+    void curvatureIsReDerived_data() {
+        QTest::addColumn<double>("from");
+        QTest::addColumn<double>("to");
+        QTest::addColumn<int>("gear");
+        QTest::newRow("arc to the left") << 0.2 << 0.2 << 1;
+        QTest::newRow("arc to the right") << -0.2 << -0.2 << 1;
+        QTest::newRow("arc in reverse") << 0.2 << 0.2 << -1;
+        QTest::newRow("clothoid") << 0.0 << 0.2 << 1;
+        QTest::newRow("clothoid through straight") << -0.2 << 0.2 << 1;
+        QTest::newRow("clothoid in reverse") << 0.0 << -0.2 << -1;
+    }
+    void curvatureIsReDerived() {
+        QFETCH(double, from);
+        QFETCH(double, to);
+        QFETCH(int, gear);
+        PathDrawer drawer{{0.0, 0.0}};
+        drawer.begin(SegmentKind::Turn, false, 1, gear > 0 ? Gear::Forward : Gear::Reverse).clothoid(10.0, from, to, 20);
+        const auto report = audit({.workable = {centredRectangle(100, 100)},
+                                   .drivable = {centredRectangle(100, 100)},
+                                   .machine = plainMachine(2.0, 4.9),
+                                   .segments = drawer.segments})
+                                .value();
+        // The last of 20 intervals has the mean of its ends.
+        const double largest = std::max(std::abs(from), std::abs(to)) - std::abs(to - from) / 40.0;
+        COMPARE_WITHIN(report.maxCurvature->si(), largest, 1e-4);
+        COMPARE_WITHIN(report.maxCurvatureMismatch->si(), 0.0, 1e-4);
+        COMPARE_WITHIN(report.maxCurvatureRate->si(), std::abs(to - from) / 10.0, 1e-4);
+        COMPARE_WITHIN(report.maxPositionJump->si(), 0.0, 1e-4);
+        COMPARE_WITHIN(report.maxHeadingJump->si(), 0.0, 1e-3);
+        COMPARE_WITHIN(report.reversed.si(), gear < 0 ? 10.0 : 0.0, 0.01);
+        QVERIFY2(!hasBlocking(report, "curvature") && !hasBlocking(report, "heading"), listed(report.findings).c_str());
+    }
+    void reverseForWhatCannot() {
+        PathDrawer drawer{{0.0, 0.0}};
+        drawer.begin(SegmentKind::Turn, false, 1, Gear::Reverse).straight(5.0);
+        MachineSpec spec = plainMachine(2.0).spec();
+        spec.tractor.canReverse = false;
+        const auto report = audit({.workable = {centredRectangle(100, 100)},
+                                   .drivable = {centredRectangle(100, 100)},
+                                   .machine = Machine::create(spec).value(),
+                                   .segments = drawer.segments})
+                                .value();
+        QVERIFY(hasBlocking(report, "reverse"));
+    }
+    void sameForAnyThreadCount() {
+        const auto plan = intactPlan();
+        for (const int threads : {1, 2, 8}) {
+            JobContext job;
+            job.threads = threads;
+            QVERIFY(audit(auditInput(*plan), job).value() == plan->audit);
+        }
+    }
+};
+
+QTEST_APPLESS_MAIN(TestAuditFindings)
+#include "tst_audit_findings.moc"
