@@ -51,8 +51,9 @@ void printReport(const WrittenPlan& plan, const AuditReport& report) {
     std::println("Reversed     {:.1f} m", report.reversed.si());
     std::println("Crossed      {:.0f} m over worked land · {:.0f} m over land that is worked later",
                  report.drivenOnWorked.si(), report.drivenOnUnworked.si());
-    std::println("Wheels       up to {} times over one square of {:.0f} m · {:.1f} % of the field more than 3 times",
-                 report.mostWheelPasses, report.wheelSquare.si(), 100.0 * report.oftenDrivenShare);
+    std::println(
+        "Wheels       up to {} times over one square of {:.0f} m · {:.1f} % of the field more than 3 times",
+        report.mostWheelPasses, report.wheelSquare.si(), 100.0 * report.oftenDrivenShare);
     if (report.maxHitchAngle) {
         std::println("Hitch angle  up to {:.0f}°", inDegrees(*report.maxHitchAngle));
     }
@@ -63,9 +64,9 @@ void printReport(const WrittenPlan& plan, const AuditReport& report) {
     for (std::size_t i = 0; i < report.findings.size(); ++i) {
         const Finding& finding = report.findings[i].finding;
         const GeoPoint place = plan.frame.toGeo(finding.place);
-        std::println("  {} {:3}  {}{}{} ({:.6f}, {:.6f})",
-                     finding.severity == Severity::Blocking ? "!" : " ", i + 1, finding.text,
-                     finding.suggestion.empty() ? "" : " ", finding.suggestion, place.lonDeg, place.latDeg);
+        std::println("  {} {:3}  {}{}{} ({:.6f}, {:.6f})", finding.severity == Severity::Blocking ? "!" : " ",
+                     i + 1, finding.text, finding.suggestion.empty() ? "" : " ", finding.suggestion,
+                     place.lonDeg, place.latDeg);
     }
 }
 

@@ -33,8 +33,7 @@ Result<AuditReport> audit(const AuditInput& input, const JobContext& job) {
 
     AuditReport report{.workable = area(input.workable)};
     report.covered = swept->covered;
-    report.coveredShare =
-        report.workable > squareMetres(0.0) ? swept->covered / report.workable : 0.0;
+    report.coveredShare = report.workable > squareMetres(0.0) ? swept->covered / report.workable : 0.0;
     report.coveredOfReachable = swept->coveredOfReachable;
     report.missed = swept->missedArea;
     report.missedAreas = swept->missed;

@@ -62,17 +62,17 @@ struct AuditFinding {
 
 /// The figures of one plan. What cannot be measured from the input stays empty.
 struct AuditReport {
-    Area workable;                            ///< area to be worked, in the plane
-    std::optional<Area> covered;              ///< of it, swept by the implement while down
-    std::optional<double> coveredShare;       ///< covered / workable
-    std::optional<double> coveredOfReachable; ///< share of the reachable area that is covered
-    std::optional<Area> missed;               ///< of the workable area, not swept
-    MultiPolygon missedAreas;                 ///< largest first
-    std::optional<Area> overlap;          ///< swept by at least two passes, inside the workable area
-    std::optional<Area> overlapHeadland;  ///< of it, between headland passes and swaths
-    std::optional<Area> outside;          ///< swept by the footprint outside the drivable area, gates aside
-    std::optional<Length> minClearance;   ///< of the footprint to the edge of that area, negative outside
-    std::optional<Curvature> maxCurvature;          ///< re-derived from the points, absolute
+    Area workable;                             ///< area to be worked, in the plane
+    std::optional<Area> covered;               ///< of it, swept by the implement while down
+    std::optional<double> coveredShare;        ///< covered / workable
+    std::optional<double> coveredOfReachable;  ///< share of the reachable area that is covered
+    std::optional<Area> missed;                ///< of the workable area, not swept
+    MultiPolygon missedAreas;                  ///< largest first
+    std::optional<Area> overlap;               ///< swept by at least two passes, inside the workable area
+    std::optional<Area> overlapHeadland;       ///< of it, between headland passes and swaths
+    std::optional<Area> outside;            ///< swept by the footprint outside the drivable area, gates aside
+    std::optional<Length> minClearance;     ///< of the footprint to the edge of that area, negative outside
+    std::optional<Curvature> maxCurvature;  ///< re-derived from the points, absolute
     std::optional<Curvature> maxCurvatureMismatch;  ///< between that and what the samples state
     /// Largest change of the re-derived curvature; where the curvature has steps, step over sample spacing.
     std::optional<CurvatureRate> maxCurvatureRate;
@@ -84,11 +84,11 @@ struct AuditReport {
     /// a connection leads from and to are not counted.
     Length drivenOnWorked;
     Length drivenOnUnworked;
-    int mostWheelPasses = 0;        ///< over one square; both wheels of one passage count once
-    double oftenDrivenShare = 0.0;  ///< of the workable area, in squares with more than 3 passages
-    Length wheelSquare;             ///< side of these squares
-    Area areaError;        ///< the areas are this exact: chords instead of curves, rounding
-    Length distanceError;  ///< clearance and jumps are this exact
+    int mostWheelPasses = 0;             ///< over one square; both wheels of one passage count once
+    double oftenDrivenShare = 0.0;       ///< of the workable area, in squares with more than 3 passages
+    Length wheelSquare;                  ///< side of these squares
+    Area areaError;                      ///< the areas are this exact: chords instead of curves, rounding
+    Length distanceError;                ///< clearance and jumps are this exact
     std::vector<AuditFinding> findings;  ///< blocking ones first, each group in driving order
 
     friend bool operator==(const AuditReport&, const AuditReport&) = default;

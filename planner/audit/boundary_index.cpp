@@ -44,8 +44,8 @@ BoundaryIndex::BoundaryIndex(const MultiPolygon& polygons) : bounds_{bounds(poly
 
 template <class Take>
 void BoundaryIndex::forEachCell(const Edge& edge, Take&& take) const {
-    const auto& [low, high] = edge.from.y < edge.to.y ? std::pair{edge.from, edge.to}
-                                                      : std::pair{edge.to, edge.from};
+    const auto& [low, high] =
+        edge.from.y < edge.to.y ? std::pair{edge.from, edge.to} : std::pair{edge.to, edge.from};
     const double slope = high.y > low.y ? (high.x - low.x) / (high.y - low.y) : 0.0;
     const std::size_t lastRow = row(high.y + kCellSlackM);
     for (std::size_t r = row(low.y - kCellSlackM); r <= lastRow; ++r) {
@@ -106,8 +106,8 @@ void BoundaryIndex::findInside() {
                 cells_[cell] = cells_[cell - 1];
                 continue;
             }
-            const Point middle = bounds_.min + cellM_ * Point{static_cast<double>(c) + 0.5,
-                                                              static_cast<double>(r) + 0.5};
+            const Point middle =
+                bounds_.min + cellM_ * Point{static_cast<double>(c) + 0.5, static_cast<double>(r) + 0.5};
             cells_[cell] = containsByRow(middle) ? Cell::Inside : Cell::Outside;
         }
     }

@@ -62,8 +62,7 @@ private:
     std::size_t column(double x) const { return at(x - bounds_.min.x, columns_); }
     std::size_t row(double y) const { return at(y - bounds_.min.y, rows_); }
     std::size_t at(double offset, std::size_t count) const {
-        return static_cast<std::size_t>(
-            std::clamp(offset / cellM_, 0.0, static_cast<double>(count) - 1.0));
+        return static_cast<std::size_t>(std::clamp(offset / cellM_, 0.0, static_cast<double>(count) - 1.0));
     }
 
     std::vector<Edge> edges_;

@@ -75,8 +75,8 @@ public:
     /// Whether everything within a distance of a place is inside.
     bool isFree(Point middle, double radius) const { return edges_.containsDisc(middle, radius); }
 
-    /// Lowers `found` to the clearance of this convex piece where that is less and under `limit`. Whether some
-    /// of it may lie outside.
+    /// Lowers `found` to the clearance of this convex piece where that is less and under `limit`. Whether
+    /// some of it may lie outside.
     bool measure(const Ring& hull, double limit, SegmentClearance& found) const {
         Nearest nearest{.distance = limit, .place = {}};
         std::vector<Edge> intruding;
@@ -394,7 +394,8 @@ Result<ClearanceReport> measureClearance(const AuditInput& input, const std::vec
         auto segments = parallelMap<SegmentClearance>(
             motions.size(),
             [&](std::size_t i) {
-                return SegmentSweep{footprint, meter, smallest}.run(motions[i], input.segments[i].implementDown);
+                return SegmentSweep{footprint, meter, smallest}.run(motions[i],
+                                                                    input.segments[i].implementDown);
             },
             job);
         if (!segments) {

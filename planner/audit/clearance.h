@@ -12,8 +12,8 @@ namespace furrow {
 struct SegmentClearance {
     /// Negative: that far outside, and exact. Otherwise no less than the smallest of the path.
     double clearanceM = std::numeric_limits<double>::infinity();
-    Point place;                  ///< where it is farthest outside
-    bool beyondLand = false;      ///< outside the outer boundary, not in something inside the field
+    Point place;              ///< where it is farthest outside
+    bool beyondLand = false;  ///< outside the outer boundary, not in something inside the field
     /// Parts of the swept footprint that may lie outside, of the tractor and of the implement; they overlap.
     std::array<std::vector<Ring>, 2> suspects;
 

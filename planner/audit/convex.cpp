@@ -57,7 +57,8 @@ std::optional<std::pair<double, double>> partInside(const Ring& hull, const Edge
     const Point along = edge.to - edge.from;
     for (std::size_t i = 0; i < hull.size(); ++i) {
         const Point side = hull[(i + 1) % hull.size()] - hull[i];
-        const double start = cross(side, edge.from - hull[i]) - (depthM > 0.0 ? depthM * lengthOf(side) : 0.0);
+        const double start =
+            cross(side, edge.from - hull[i]) - (depthM > 0.0 ? depthM * lengthOf(side) : 0.0);
         const double slope = cross(side, along);
         if (slope == 0.0) {
             if (start <= 0.0) {

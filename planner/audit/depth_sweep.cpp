@@ -25,9 +25,9 @@ struct SweepEdge {
     Point high;
     std::uint32_t firstHeight = 0;  ///< into the heights, where it begins
     std::uint32_t lastHeight = 0;
-    std::int8_t step = 1;           ///< of the depth, from its left to its right
+    std::int8_t step = 1;  ///< of the depth, from its left to its right
     std::uint8_t layer = 0;
-    double slope = 0.0;             ///< x by y
+    double slope = 0.0;  ///< x by y
 
     double at(double y) const {
         return y <= low.y ? low.x : y >= high.y ? high.x : low.x + slope * (y - low.y);
@@ -144,7 +144,8 @@ private:
         const auto note = [&](const Crossed& left, const Crossed& right) {
             const double before = left.lowX - right.lowX;
             const double after = left.highX - right.highX;
-            if ((before > kTouchingM && after < -kTouchingM) || (before < -kTouchingM && after > kTouchingM)) {
+            if ((before > kTouchingM && after < -kTouchingM) ||
+                (before < -kTouchingM && after > kTouchingM)) {
                 crossings_.push_back(low + (high - low) * (before / (before - after)));
             }
         };
@@ -195,7 +196,8 @@ private:
     }
 
     static bool touch(const Crossed& left, const Crossed& right) {
-        return std::abs(right.lowX - left.lowX) < kTouchingM && std::abs(right.highX - left.highX) < kTouchingM;
+        return std::abs(right.lowX - left.lowX) < kTouchingM &&
+               std::abs(right.highX - left.highX) < kTouchingM;
     }
 
     struct Region {

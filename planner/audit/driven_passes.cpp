@@ -44,7 +44,8 @@ public:
 
     bool passes(Point point, double near) const {
         return point.x > box_.min.x - near && point.x < box_.max.x + near && point.y > box_.min.y - near &&
-               point.y < box_.max.y + near && (comesNear(implement_, point, near) || comesNear(tractor_, point, near));
+               point.y < box_.max.y + near &&
+               (comesNear(implement_, point, near) || comesNear(tractor_, point, near));
     }
 
 private:
@@ -80,10 +81,12 @@ std::vector<double> drivenShares(const AuditInput& input, const std::vector<Segm
         const auto [first, last] = numbered.equal_range(pass.number);
         const std::vector<Point> points = pointsAlong(pass.line);
         const auto seen = std::ranges::count_if(points, [&](Point point) {
-            return std::any_of(first, last, [&](const auto& each) { return tracks[each.second].passes(point, near); }) ||
+            return std::any_of(first, last,
+                               [&](const auto& each) { return tracks[each.second].passes(point, near); }) ||
                    std::ranges::any_of(tracks, [&](const Track& track) { return track.passes(point, near); });
         });
-        shares.push_back(points.empty() ? 1.0 : static_cast<double>(seen) / static_cast<double>(points.size()));
+        shares.push_back(points.empty() ? 1.0
+                                        : static_cast<double>(seen) / static_cast<double>(points.size()));
     }
     return shares;
 }

@@ -159,8 +159,8 @@ private:
     void reportCurvature() {
         for (const auto& [segment, tight] : measured_.kinematics.tooTight) {
             add(Severity::Blocking, "curvature", tight.place,
-                std::format("{} bends with a radius of {:.2f} m; this machine needs {:.2f} m.", named(segment),
-                            1.0 / tight.worst, input_.machine->minTurningRadius().si()),
+                std::format("{} bends with a radius of {:.2f} m; this machine needs {:.2f} m.",
+                            named(segment), 1.0 / tight.worst, input_.machine->minTurningRadius().si()),
                 "Plan again with this machine's turning radius.", segment);
         }
     }
@@ -227,8 +227,7 @@ private:
                 continue;
             }
             const PlannedPass& pass = input_.passes[i];
-            add(Severity::Blocking,
-                pass.kind == SegmentKind::HeadlandPass ? "dropped-pass" : "dropped-swath",
+            add(Severity::Blocking, pass.kind == SegmentKind::HeadlandPass ? "dropped-pass" : "dropped-swath",
                 pass.line[pass.line.size() / 2],
                 std::format("{} is planned, but {} of it is driven with the implement down.",
                             capitalised(passName(pass.kind, pass.number)),
@@ -292,13 +291,15 @@ private:
                                 found.mismatch.count, found.mismatch.count == 1 ? "place" : "places",
                                 found.mismatch.worst),
                     "Plan again, or trust the positions.");
-        noteTrouble(found.speed, "speed",
-                    std::format("The stated speed is up to {:.2f} m/s above the machine's.", found.speed.worst),
-                    "Lower the speeds, or correct the machine's.");
-        noteTrouble(found.lateral, "lateral-acceleration",
-                    std::format("Curves are driven with up to {:.1f} m/s² sideways; the machine's limit is less.",
-                                found.lateral.worst),
-                    "Drive the curves more slowly.");
+        noteTrouble(
+            found.speed, "speed",
+            std::format("The stated speed is up to {:.2f} m/s above the machine's.", found.speed.worst),
+            "Lower the speeds, or correct the machine's.");
+        noteTrouble(
+            found.lateral, "lateral-acceleration",
+            std::format("Curves are driven with up to {:.1f} m/s² sideways; the machine's limit is less.",
+                        found.lateral.worst),
+            "Drive the curves more slowly.");
         noteTrouble(found.time, "time",
                     std::format("Time and way do not fit the speed in {} {}.", found.time.count,
                                 found.time.count == 1 ? "place" : "places"),
@@ -312,10 +313,10 @@ private:
         // One lane may be driven over at its end.
         if (traffic.onWorkedM + traffic.onUnworkedM > 1.5 * measured_.shape.operatingWidthM) {
             add(Severity::Note, "lanes-crossed", traffic.longestPlace,
-                std::format("With the implement up, {:.0f} m are driven over worked land and {:.0f} m over land "
-                            "that is worked later; {} is the longest.",
-                            traffic.onWorkedM, traffic.onUnworkedM,
-                            segmentName(input_, traffic.longestSegment)),
+                std::format(
+                    "With the implement up, {:.0f} m are driven over worked land and {:.0f} m over land "
+                    "that is worked later; {} is the longest.",
+                    traffic.onWorkedM, traffic.onUnworkedM, segmentName(input_, traffic.longestSegment)),
                 "Drive along the headland where the crop or the seedbed must not be driven on.",
                 traffic.longestSegment);
         }

@@ -30,8 +30,8 @@ double wrapped(double angle) {
 struct Step {
     double wayM = 0.0;
     double turnRad = 0.0;
-    double jumpM = 0.0;       ///< between where the second point is and where the first one leads
-    double sidewaysRad = 0.0; ///< between the way moved and the way the vehicle points
+    double jumpM = 0.0;        ///< between where the second point is and where the first one leads
+    double sidewaysRad = 0.0;  ///< between the way moved and the way the vehicle points
 
     bool standsStill() const { return wayM < 1e-9; }
 };
@@ -166,8 +166,7 @@ private:
                 if (sample->speedMps > speedLimit * kSpeedShare) {
                     found_.speed.add(sample->speedMps - speedLimit, sample->position, index);
                 }
-                const double lateral =
-                    sample->speedMps * sample->speedMps * std::abs(sample->curvature1pm);
+                const double lateral = sample->speedMps * sample->speedMps * std::abs(sample->curvature1pm);
                 if (lateral > limits_.lateralMps2 * 1.01) {
                     found_.lateral.add(lateral, sample->position, index);
                 }

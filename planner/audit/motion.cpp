@@ -32,7 +32,8 @@ public:
         const double length = lengthOf(chord);
         const double middle = from.headingRad + 0.5 * turn_ + (sign < 0.0 ? std::numbers::pi : 0.0);
         const double half = 0.5 * std::abs(turn_);
-        smooth_ = length > 0.0 && half < 1.0 && std::abs(wrapped(std::atan2(chord.y, chord.x) - middle)) < 0.2;
+        smooth_ =
+            length > 0.0 && half < 1.0 && std::abs(wrapped(std::atan2(chord.y, chord.x) - middle)) < 0.2;
         arc_ = smooth_ && half > 1e-9 ? length * half / std::sin(half) : length;
     }
 
@@ -159,14 +160,14 @@ private:
             state.implementNose = nose;
         } else {
             const Point hitch = position + shape_.hitchOffsetM * nose;
-            trailedRad_ = started_ ? trailedHeading(radians(trailedRad_), hitch - hitch_,
-                                                    metres(*shape_.trailingM))
-                                         .si()
-                                   : headingRad;
+            trailedRad_ =
+                started_
+                    ? trailedHeading(radians(trailedRad_), hitch - hitch_, metres(*shape_.trailingM)).si()
+                    : headingRad;
             hitch_ = hitch;
             const Point back = direction(trailedRad_);
-            state.implement = hitch - *shape_.trailingM * back +
-                              shape_.lateralOffsetM * Point{-back.y, back.x};
+            state.implement =
+                hitch - *shape_.trailingM * back + shape_.lateralOffsetM * Point{-back.y, back.x};
             state.implementHeadingRad = trailedRad_;
             state.implementNose = back;
             const double angle = std::abs(wrapped(trailedRad_ - headingRad));

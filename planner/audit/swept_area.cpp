@@ -215,11 +215,9 @@ Result<SweptArea> measureSweptArea(const AuditInput& input, const MachineShape& 
     } else {
         layers.add(kMainland, everywhere(input));
     }
-    auto measured = measureRegions(layers, mainDirection(motions),
-                                   {.at = regionsAt,
-                                    .count = kRegionCount,
-                                    .traced = bit(kMissed) | bit(kDropped) | bit(kStrip)},
-                                   job);
+    auto measured = measureRegions(
+        layers, mainDirection(motions),
+        {.at = regionsAt, .count = kRegionCount, .traced = bit(kMissed) | bit(kDropped) | bit(kStrip)}, job);
     if (!measured) {
         return std::unexpected(measured.error());
     }
