@@ -66,6 +66,7 @@ private slots:
     void refusals_data();
     void refusals();
     void nothingIsWrittenBesideAZip();
+    void logsOfOtherFoldersStayOut();
     void cancelled();
     void cutOffAnywhere_data();
     void cutOffAnywhere();
@@ -295,6 +296,27 @@ void TestTrackReader::nothingIsWrittenBesideAZip() {
     QVERIFY(readTracks(pathOf(bag)));
     QCOMPARE(QDir{folder.filePath("bag")}.entryList(QDir::AllEntries | QDir::NoDotAndDotDot),
              QStringList{"drive_0.db3"});
+}
+
+void TestTrackReader::logsOfOtherFoldersStayOut() {
+    const QTemporaryDir folder;
+    for (const char* name : {"TASKDATA.XML", "TLG00001.XML", "TLG00001.BIN"}) {
+        const QByteArray bytes = bytesOf(sample(QString{"isoxml/TASKDATA/"} + name));
+        written(folder, name, bytes);
+        written(folder, QString{"old/"} + name, bytes);
+    }
+    const auto main = readTracks(pathOf(folder.filePath("TASKDATA.XML")));
+    QVERIFY(main);
+    QCOMPARE(main->tracks.size(), std::size_t{1});
+    const auto both = readTracks(pathOf(folder.path()));
+    QVERIFY(both);
+    QCOMPARE(both->tracks.size(), std::size_t{2});
+    // One of its files missing is told, not failed, as long as there is another log.
+    QVERIFY(QFile::remove(folder.filePath("old/TLG00001.BIN")));
+    const auto one = readTracks(pathOf(folder.path()));
+    QVERIFY(one);
+    QCOMPARE(one->tracks.size(), std::size_t{1});
+    QCOMPARE(one->notes.front().text, std::string{"TLG00001.bin is not there"});
 }
 
 void TestTrackReader::cancelled() {
