@@ -57,6 +57,8 @@ std::string_view kindName(ParameterKind kind) {
         case ParameterKind::Count: return "count";
         case ParameterKind::Choice: return "choice";
         case ParameterKind::Flag: return "flag";
+        case ParameterKind::Line: return "wkt";
+        case ParameterKind::Numbers: return "numbers";
     }
     return "";
 }
@@ -71,7 +73,7 @@ Json parameterJson(const Parameter& parameter) {
         for (const Choice& choice : parameter.choices) {
             entry["choices"].push_back(choice.id);
         }
-    } else if (parameter.kind != ParameterKind::Flag) {
+    } else if (parameter.max > parameter.min) {
         entry["min"] = parameter.min;
         entry["max"] = parameter.max;
     }
@@ -94,6 +96,8 @@ std::string rangeText(const Parameter& parameter) {
         case ParameterKind::Angle:
             return std::format("{} to {} degrees, {}", parameter.min, parameter.max, standard);
         case ParameterKind::Count: return std::format("{} to {}, {}", parameter.min, parameter.max, standard);
+        case ParameterKind::Line: return "WKT in WGS84, default none";
+        case ParameterKind::Numbers: return "numbers divided by commas, default none";
     }
     return standard;
 }

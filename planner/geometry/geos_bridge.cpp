@@ -265,6 +265,33 @@ Result<std::optional<InvalidPlace>> findInvalidPlace(const MultiPolygon& polygon
     return problem;
 }
 
+Result<std::vector<Point>> pointsOfWkt(const std::string& wkt) {
+    const auto refused = [&] {
+        return std::unexpected(Error{.code = ErrorCode::InputRefused,
+                                     .what = "'" + wkt + "' is not a line",
+                                     .where = {},
+                                     .remedy = "write it like LINESTRING (4.1 52.0, 4.2 52.0)"});
+    };
+    GEOSWKTReader* const reader = GEOSWKTReader_create_r(handle());
+    const Geometry geometry{GEOSWKTReader_read_r(handle(), reader, wkt.c_str())};
+    GEOSWKTReader_destroy_r(handle(), reader);
+    if (!geometry || GEOSisEmpty_r(handle(), geometry.get()) == 1) {
+        return refused();
+    }
+    const int type = GEOSGeomTypeId_r(handle(), geometry.get());
+    if (type != GEOS_LINESTRING && type != GEOS_POINT) {
+        return refused();
+    }
+    const GEOSCoordSequence* const coordinates = GEOSGeom_getCoordSeq_r(handle(), geometry.get());
+    unsigned count = 0;
+    GEOSCoordSeq_getSize_r(handle(), coordinates, &count);
+    std::vector<Point> points(count);
+    for (unsigned i = 0; i < count; ++i) {
+        GEOSCoordSeq_getXY_r(handle(), coordinates, i, &points[i].x, &points[i].y);
+    }
+    return points;
+}
+
 Result<MultiPolygon> madeValid(const MultiPolygon& polygons, const JobContext& job) {
     const Geometry input = toGeos(polygons);
     return run(job, [&] { return GEOSMakeValid_r(handle(), input.get()); })

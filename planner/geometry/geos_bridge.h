@@ -42,6 +42,9 @@ Result<std::optional<InvalidPlace>> findInvalidPlace(const MultiPolygon& polygon
 /// Polygons that enclose what these rings enclose, even-odd, without crossings.
 Result<MultiPolygon> madeValid(const MultiPolygon& polygons, const JobContext& job);
 
+/// The points of a WKT LINESTRING or POINT. InputRefused: the text is something else.
+Result<std::vector<Point>> pointsOfWkt(const std::string& wkt);
+
 struct FarthestPoint {
     Point point;
     Length distance;

@@ -1,4 +1,5 @@
 #include "planner/geometry/geos_bridge.h"
+#include "planner/headland/headland_passes.h"
 #include "planner/headland/methods.h"
 #include "planner/headland/turning_room.h"
 
@@ -14,13 +15,13 @@ namespace {
 constexpr double kPassSlack = 1e-9;
 
 int passesForTurns(const Machine& machine, TurnPlanner* turn) {
-    const double room = roomForTurns(machine, turn) / machine.operatingWidth();
+    const double room = roomForTurns(machine, turn, true) / machine.operatingWidth();
     return std::max(1, static_cast<int>(std::ceil(room - kPassSlack)));
 }
 
 int passesWithin(Length width, Length margin, const Machine& machine) {
-    return std::max(0,
-                    static_cast<int>(std::floor((width - margin) / machine.operatingWidth() + kPassSlack)));
+    const double passes = (width - margin - uncutEdge(machine)) / machine.operatingWidth();
+    return std::max(0, static_cast<int>(std::floor(passes + kPassSlack)));
 }
 
 /// Whether the mainland is an operating width wide somewhere; less is not worth a headland around it.
@@ -47,7 +48,9 @@ Result<Headland> constantWidth(const Field& field, const Machine& machine, TurnP
                                      .where = "settings",
                                      .remedy = "give at most one of the two"});
     }
-    const auto widthOf = [&](int passes) { return margin + passes * machine.operatingWidth(); };
+    const auto widthOf = [&](int passes) {
+        return passes == 0 ? margin : margin + uncutEdge(machine) + passes * machine.operatingWidth();
+    };
     Headland headland;
     headland.passes = givenPasses  ? *givenPasses
                       : givenWidth ? passesWithin(*givenWidth, margin, machine)
@@ -88,10 +91,15 @@ Result<Headland> constantWidth(const Field& field, const Machine& machine, TurnP
              {}});
     }
     headland.mainlandRatio = area(headland.mainland) / area(field.workable());
+    if (const auto added = addPasses(headland, field, machine, settings, margin, job); !added) {
+        return std::unexpected(added.error());
+    }
     return headland;
 }
 
-constexpr const Parameter* kParameters[] = {&kHeadlandPasses, &kHeadlandWidth};
+constexpr const Parameter* kParameters[] = {&kHeadlandPasses,    &kHeadlandWidth, &kHeadlandDriven,
+                                            &kHeadlandOrder,     &kHeadlandWhen,  &kHeadlandDirection,
+                                            &kHeadlandCorner};
 
 }  // namespace
 

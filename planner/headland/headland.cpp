@@ -11,4 +11,12 @@ Error nothingLeft(Length margin) {
             .remedy = "give a smaller margin or check the obstacles"};
 }
 
+Length HeadlandPass::length() const {
+    Length sum;
+    for (const PassStretch& stretch : stretches) {
+        sum += stretch.line.length();
+    }
+    return sum;
+}
+
 }  // namespace furrow

@@ -5,9 +5,27 @@
 #include "planner/jobs/job.h"
 #include "planner/machine/machine.h"
 #include "planner/settings/settings.h"
+#include "planner/turns/turn.h"
 #include "planner/turns/turn_method.h"
 
+#include <vector>
+
 namespace furrow {
+
+/// A stretch of a headland pass: worked, or a manoeuvre into a corner with the implement up.
+struct PassStretch {
+    Turn line;  ///< of the vehicle's reference point
+    bool working = true;
+};
+
+/// One drivable ring of the headland; its stretches follow on each other and close.
+struct HeadlandPass {
+    int ring = 0;  ///< from the boundary or obstacle, 0 outermost
+    Length width;
+    std::vector<PassStretch> stretches;
+
+    Length length() const;
+};
 
 /// The strip kept for turning and what is left inside it.
 struct Headland {
@@ -15,6 +33,9 @@ struct Headland {
     int passes = 0;              ///< operating widths that fit into it
     MultiPolygon mainland;       ///< the field without headland, in metres
     double mainlandRatio = 0.0;  ///< A_r = area(mainland) / area(field)
+    std::vector<HeadlandPass> rings;  ///< to be driven, in the chosen direction; empty where it is only turned on
+    Length uncutStrip;           ///< at most, along the boundary outside of the outermost pass
+    Area uncutCorners;           ///< where that pass is rounded
     std::vector<Note> notes;     ///< what was given up, and why
 };
 

@@ -1,33 +1,53 @@
 #include "planner/headland/turning_room.h"
 
+#include "planner/turns/connection.h"
 #include "planner/turns/turn_sampling.h"
 
 #include <algorithm>
 #include <cmath>
+#include <numbers>
 
 namespace furrow {
 
-Length roomForTurns(const Machine& machine, TurnPlanner* turn) {
-    constexpr double kStepDeg = 15.0;
+namespace {
+
+/// How far the footprint reaches from the edge of the mainland, which meets the swaths at `angle`, on the way from
+/// one swath to the next.
+double depthM(const Machine& machine, TurnPlanner* turn, double angle, bool drawnOut) {
     const double widthM = machine.operatingWidth().si();
-    const Ring footprint = machine.turningFootprint();
-    double deepestM = 0.0;
+    const Point outward{-std::cos(angle), std::sin(angle)};
+    // The tractor is ahead of the implement when that leaves the mainland, and still is when it comes back.
+    const double leadM = -machine.spec().implement.offset.si();
+    const double moreM = drawnOut ? 0.5 * widthM / std::abs(std::tan(angle)) : 0.0;
     //   edge of the mainland, through both swath ends
     //        ___B
     //    A---   |      from A facing north to B facing south
     //    |      |
-    for (double angleDeg = 45.0; angleDeg <= 135.0; angleDeg += kStepDeg) {
-        const double angle = degrees(angleDeg).si();
-        const Point outward{-std::cos(angle), std::sin(angle)};
-        const Pose from{.position = {0.0, 0.0}, .heading = degrees(90.0)};
-        const Pose to{.position = {widthM, widthM / std::tan(angle)}, .heading = degrees(-90.0)};
-        for (const TurnSample& sample : sampled(turn(from, to, machine), kChordTolerance)) {
-            for (const Point& corner : placed(footprint, sample.pose)) {
-                deepestM = std::max(deepestM, dot(outward, corner));
-            }
+    const Pose from{.position = {0.0, moreM + leadM}, .heading = degrees(90.0)};
+    const Pose to{.position = {widthM, widthM / std::tan(angle) + moreM - leadM}, .heading = degrees(-90.0)};
+    const Ring footprint = machine.turningFootprint();
+    double deepestM = 0.0;
+    for (const TurnSample& sample : sampled(connection(from, to, machine, turn), kChordTolerance)) {
+        for (const Point& corner : placed(footprint, sample.pose)) {
+            deepestM = std::max(deepestM, dot(outward, corner));
         }
     }
+    return deepestM;
+}
+
+}  // namespace
+
+Length roomForTurns(const Machine& machine, TurnPlanner* turn, bool drawnOut) {
+    constexpr double kStepDeg = 15.0;
+    double deepestM = 0.0;
+    for (double angleDeg = 45.0; angleDeg <= 135.0; angleDeg += kStepDeg) {
+        deepestM = std::max(deepestM, depthM(machine, turn, degrees(angleDeg).si(), drawnOut));
+    }
     return metres(deepestM);
+}
+
+Length reachOfLevelTurn(const Machine& machine, TurnPlanner* turn) {
+    return metres(depthM(machine, turn, 0.5 * std::numbers::pi, false));
 }
 
 }  // namespace furrow

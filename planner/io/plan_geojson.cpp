@@ -62,6 +62,7 @@ public:
     std::string write() {
         addField();
         addAreas();
+        addHeadlandPasses();
         addSwaths();
         addPath();
         addFindings();
@@ -131,6 +132,28 @@ private:
         }
     }
 
+    /// As driven: one line for each stretch of a pass that is worked without a break.
+    void addHeadlandPasses() {
+        int order = 0;
+        for (const PathSegment& segment : plan_.path.segments) {
+            if (segment.kind == SegmentKind::HeadlandPass) {
+                add("headland_pass",
+                    {{"order", order++},
+                     {"ring", segment.number - 1},
+                     {"width_m", plan_.request.machine.operatingWidth().si()}},
+                    lineGeometry(frame_.toGeo(lineOf(segment))));
+            }
+        }
+    }
+
+    static Polyline lineOf(const PathSegment& segment) {
+        Polyline line;
+        for (const PathSample& sample : segment.samples) {
+            line.push_back(sample.position);
+        }
+        return line;
+    }
+
     void addPath() {
         for (std::size_t order = 0; order < plan_.path.segments.size(); ++order) {
             const PathSegment& segment = plan_.path.segments[order];
@@ -145,11 +168,7 @@ private:
             if (!segment.drivable) {
                 properties["reason"] = segment.reason;
             }
-            Polyline line;
-            for (const PathSample& sample : segment.samples) {
-                line.push_back(sample.position);
-            }
-            add("path", std::move(properties), lineGeometry(frame_.toGeo(line)));
+            add("path", std::move(properties), lineGeometry(frame_.toGeo(lineOf(segment))));
         }
     }
 

@@ -16,7 +16,11 @@ namespace {
 
 using Json = nlohmann::ordered_json;
 
-Json settingJson(const SettingValue& value) {
+Json settingJson(const Parameter& parameter, const Settings& settings) {
+    const SettingValue value = settings.value(parameter);
+    if (parameter.kind == ParameterKind::Numbers) {
+        return settings.numbers(parameter);
+    }
     if (const auto* number = std::get_if<double>(&value)) {
         return *number;
     }
@@ -30,7 +34,7 @@ Json settingJson(const SettingValue& value) {
 Json settingsJson(const Plan& plan) {
     Json all = Json::object();
     for (const Parameter* parameter : allParameters()) {
-        all[parameter->key] = settingJson(plan.request.settings.value(*parameter));
+        all[parameter->key] = settingJson(*parameter, plan.request.settings);
     }
     all[kMargin.key] = plan.margin.si();
     return all;
@@ -81,7 +85,9 @@ Json milliseconds(Duration duration) {
 std::string planSummaryJson(const Plan& plan) {
     const Settings& settings = plan.request.settings;
     const Json machine = Json::parse(machineJson(plan.request.machine.spec()));
-    const double workedM = plan.path.length(SegmentKind::Swath).si();
+    const double workedM = (plan.path.length(SegmentKind::Swath) + plan.path.length(SegmentKind::HeadlandPass)).si();
+    const double workedS =
+        (plan.path.duration(SegmentKind::Swath) + plan.path.duration(SegmentKind::HeadlandPass)).si();
     const Json summary{
         {"field",
          {{"id", plan.field().id()},
@@ -97,6 +103,9 @@ std::string planSummaryJson(const Plan& plan) {
         {"headland",
          {{"width_m", plan.headland.width.si()},
           {"passes", plan.headland.passes},
+          {"rings", plan.headland.rings.size()},
+          {"uncut_strip_m", plan.headland.uncutStrip.si()},
+          {"uncut_corners_m2", plan.headland.uncutCorners.si()},
           {"mainland_ratio", plan.headland.mainlandRatio}}},
         {"swaths",
          {{"count", plan.swaths.swaths.size()},
@@ -105,13 +114,14 @@ std::string planSummaryJson(const Plan& plan) {
           {"proved", plan.swaths.proved},
           {"coverage", plan.swaths.coverage},
           {"overlap_m2", plan.swaths.overlap.si()},
-          {"shift_m", plan.swaths.shift.si()}}},
+          {"shift_m", plan.swaths.shift.si()},
+          {"end_overlap_m2", plan.swaths.endOverlap.si()}}},
         {"route",
          {{"method", methodOf("route", settings)},
           {"objective", nullptr},
           {"length_in_place_m", plan.route.lengthInPlace.si()},
           {"cost", plan.path.duration().si()},
-          {"non_working_cost", plan.path.duration().si() - plan.path.duration(SegmentKind::Swath).si()},
+          {"non_working_cost", plan.path.duration().si() - workedS},
           {"lower_bound", nullptr},
           {"gap", nullptr},
           {"gap_total", nullptr}}},

@@ -14,6 +14,15 @@ namespace {
 
 using Json = nlohmann::ordered_json;
 
+/// [3, -1] as "3,-1": how the settings hold lists.
+std::string dividedByCommas(const Json& list) {
+    std::string text;
+    for (const Json& entry : list) {
+        text += (text.empty() ? "" : ",") + entry.dump();
+    }
+    return text;
+}
+
 Result<void> applyValue(Settings& settings, const std::string& key, const Json& value,
                         std::string_view origin) {
     const auto parameter = findParameter(key);
@@ -28,9 +37,11 @@ Result<void> applyValue(Settings& settings, const std::string& key, const Json& 
         applied = settings.set(**parameter, Auto{});
     } else if (value.is_string()) {
         applied = settings.set(**parameter, value.get<std::string>());
+    } else if (value.is_array()) {
+        applied = settings.set(**parameter, dividedByCommas(value));
     } else {
         applied = std::unexpected(Error{.code = ErrorCode::InputRefused,
-                                        .what = "a setting is a number, true, false or a name",
+                                        .what = "a setting is a number, true, false, a name or a list of numbers",
                                         .where = key,
                                         .remedy = "correct its value"});
     }

@@ -114,6 +114,14 @@ Length Machine::workingFootprintWidth() const {
 }
 
 Ring Machine::turningFootprint() const {
+    return footprint(spec_.implement.raisedWidth.value_or(spec_.implement.operatingWidth));
+}
+
+Ring Machine::workingFootprint() const {
+    return footprint(spec_.implement.operatingWidth);
+}
+
+Ring Machine::footprint(Length implementWidth) const {
     const Tractor& tractor = spec_.tractor;
     const Implement& implement = spec_.implement;
     const double front = (tractor.length - tractor.rearOverhang).si();
@@ -121,7 +129,7 @@ Ring Machine::turningFootprint() const {
     const double half = 0.5 * tractor.width.si();
     const double implementFront = (implement.offset + 0.5 * implement.length).si();
     const double implementRear = (implement.offset - 0.5 * implement.length).si();
-    const double implementHalf = 0.5 * implement.raisedWidth.value_or(implement.operatingWidth).si();
+    const double implementHalf = 0.5 * implementWidth.si();
     const double left = std::max(half, implement.lateralOffset.si() + implementHalf);
     const double right = std::min(-half, implement.lateralOffset.si() - implementHalf);
     if (implementFront <= rear) {

@@ -113,10 +113,13 @@ public:
     /// What it occupies while turning, counter-clockwise, reference point at the origin, nose to +x. A
     /// trailed implement is taken as if it were rigid: its own track is followed by the audit.
     Ring turningFootprint() const;
+    /// The same with the implement lowered.
+    Ring workingFootprint() const;
 
     friend bool operator==(const Machine&, const Machine&) = default;
 
 private:
+    Ring footprint(Length implementWidth) const;
     explicit Machine(MachineSpec spec) : spec_{std::move(spec)} {}
     MachineSpec spec_;
 };

@@ -2,6 +2,7 @@
 
 #include "planner/geometry/geos_bridge.h"
 #include "planner/jobs/parallel.h"
+#include "planner/turns/footprint_check.h"
 #include "planner/turns/turn_sampling.h"
 
 #include <algorithm>
@@ -14,6 +15,8 @@ namespace furrow {
 
 namespace {
 
+// Places along a headland pass where the footprint is looked at lie no farther apart.
+constexpr Length kPassStep = metres(0.5);
 // Taken off the footprint all round, so that touching the edge up to rounding is staying inside.
 constexpr double kTouchingM = 1e-3;
 
@@ -39,16 +42,6 @@ MultiPolygon openGates(const Field& field) {
         discs.push_back(std::move(disc));
     }
     return discs;
-}
-
-Result<MultiPolygon> drivableArea(const Field& field, Length margin, const JobContext& job) {
-    auto area = margin > metres(0.0) ? eroded(field.drivable(), margin, kArcTolerance, job)
-                                     : Result<MultiPolygon>{field.drivable()};
-    if (!area || field.source().gates.empty()) {
-        return area;
-    }
-    std::ranges::move(openGates(field), std::back_inserter(*area));
-    return unionOf(*area, job);
 }
 
 /// The same without holes: what lies outside of this lies outside the field.
@@ -82,7 +75,36 @@ std::vector<Polyline> cornerTracks(const std::vector<Polyline>& outlines) {
     return tracks;
 }
 
+/// Whether a corner of the footprint gets outside along a pass that begins inside: a pass is too long to be drawn
+/// outline by outline.
+bool leavesAlong(const PathSegment& pass, const Ring& footprint, const BoundaryDistance& edges) {
+    for (std::size_t i = 0; i + 1 < pass.samples.size(); ++i) {
+        const PathSample& from = pass.samples[i];
+        const PathSample& to = pass.samples[i + 1];
+        const Turn step{.type = {},
+                        .start = {.position = from.position, .heading = radians(from.headingRad)},
+                        .pieces = {{.length = metres(to.sM - from.sM),
+                                    .curvature = Curvature::fromSi(from.curvature1pm),
+                                    .endCurvature = Curvature::fromSi(from.curvature1pm),
+                                    .gear = pass.gear}}};
+        if (!staysInside(step, footprint, edges, kPassStep)) {
+            return true;
+        }
+    }
+    return false;
+}
+
 }  // namespace
+
+Result<MultiPolygon> drivableArea(const Field& field, Length margin, const JobContext& job) {
+    auto area = margin > metres(0.0) ? eroded(field.drivable(), margin, kArcTolerance, job)
+                                     : Result<MultiPolygon>{field.drivable()};
+    if (!area || field.source().gates.empty()) {
+        return area;
+    }
+    std::ranges::move(openGates(field), std::back_inserter(*area));
+    return unionOf(*area, job);
+}
 
 Result<std::vector<BlockedConnection>> blockedConnections(const Path& path, const Field& field,
                                                           const Machine& machine, Length margin,
@@ -93,7 +115,9 @@ Result<std::vector<BlockedConnection>> blockedConnections(const Path& path, cons
     }
     const PreparedArea drivable{*area};
     const PreparedArea land{withoutHoles(*area)};
-    const Ring footprint = shrunken(machine.turningFootprint());
+    const BoundaryDistance edges{*area, machine.workingFootprintWidth() + machine.spec().tractor.length};
+    const Ring raised = shrunken(machine.turningFootprint());
+    const Ring lowered = shrunken(machine.workingFootprint());
     std::vector<std::size_t> connections;
     for (std::size_t i = 0; i < path.segments.size(); ++i) {
         if (path.segments[i].kind != SegmentKind::Swath) {
@@ -103,7 +127,11 @@ Result<std::vector<BlockedConnection>> blockedConnections(const Path& path, cons
     const auto checked = parallelMap<std::optional<BlockedConnection>>(
         connections.size(),
         [&](std::size_t i) -> std::optional<BlockedConnection> {
-            const auto outlines = outlinesAlong(path.segments[connections[i]], footprint);
+            const PathSegment& segment = path.segments[connections[i]];
+            if (segment.kind == SegmentKind::HeadlandPass && !leavesAlong(segment, lowered, edges)) {
+                return std::nullopt;
+            }
+            const auto outlines = outlinesAlong(segment, segment.implementDown ? lowered : raised);
             // Along a straight or bulging boundary the hull decides; only inward corners need more.
             if (drivable.coversHullOf(outlines)) {
                 return std::nullopt;

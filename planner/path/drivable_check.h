@@ -14,6 +14,10 @@ struct BlockedConnection {
     Length outside;           ///< by how much
 };
 
+/// Where tractor and implement may be: the field less `margin` and less the obstacles that may not be driven
+/// on, with the gates open. Cancelled.
+Result<MultiPolygon> drivableArea(const Field& field, Length margin, const JobContext& job);
+
 /// Connections whose footprint leaves the drivable area: the outline of tractor and raised implement at
 /// every sample and the track of each of its corners, less `margin` from the boundary. Gates are open.
 /// Cost: about 20 microseconds for each sample. Cancelled.

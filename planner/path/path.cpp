@@ -1,6 +1,7 @@
 #include "planner/path/path.h"
 
 #include <algorithm>
+#include <format>
 
 namespace furrow {
 
@@ -67,15 +68,36 @@ int Path::undrivableCount() const {
     int count = 0;
     bool counted = false;
     for (const PathSegment& segment : segments) {
-        if (segment.kind == SegmentKind::Swath) {
+        if (segment.kind != SegmentKind::Turn) {
             counted = false;
-        }
-        if (!segment.drivable && !counted) {
+        } else if (!segment.drivable && !counted) {
             ++count;
             counted = true;
         }
     }
     return count;
+}
+
+const PathSegment* Path::workBefore(std::size_t segment) const {
+    while (segment > 0) {
+        if (segments[--segment].implementDown) {
+            return &segments[segment];
+        }
+    }
+    return nullptr;
+}
+
+const PathSegment* Path::workAfter(std::size_t segment) const {
+    while (++segment < segments.size()) {
+        if (segments[segment].implementDown) {
+            return &segments[segment];
+        }
+    }
+    return nullptr;
+}
+
+std::string nameOf(const PathSegment& segment) {
+    return std::format("{} {}", segment.kind == SegmentKind::HeadlandPass ? "headland pass" : "swath", segment.number);
 }
 
 }  // namespace furrow

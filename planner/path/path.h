@@ -32,7 +32,7 @@ struct PathSample {
 struct PathSegment {
     SegmentKind kind = SegmentKind::Swath;
     std::string turnType;  ///< of turns: "dubins", "straight"
-    int swath = 0;         ///< number of the swath that is driven, or that a turn leads away from
+    int number = 0;        ///< of the swath, or of the headland pass from the outside; 0 for others
     Gear gear = Gear::Forward;
     bool implementDown = false;
     bool drivable = true;
@@ -43,6 +43,9 @@ struct PathSegment {
     Duration duration() const { return seconds(samples.back().tS - samples.front().tS); }
     friend bool operator==(const PathSegment&, const PathSegment&) = default;
 };
+
+/// "swath 3", "headland pass 1": how findings name a stretch.
+std::string nameOf(const PathSegment& segment);
 
 /// The whole drivable line; consecutive segments share their end and start.
 struct Path {
@@ -59,6 +62,9 @@ struct Path {
     int turnCount() const;
     /// Of these ways, those with a segment that cannot be driven.
     int undrivableCount() const;
+    /// The stretch that is worked before or after a segment that is not; nothing at the path's ends.
+    const PathSegment* workBefore(std::size_t segment) const;
+    const PathSegment* workAfter(std::size_t segment) const;
     friend bool operator==(const Path&, const Path&) = default;
 };
 

@@ -27,10 +27,19 @@ constexpr std::array kSwathMethods{
     &kExactMethod,
     &kBruteForceMethod,
     &kFixedHeadingMethod,
+    &kAbLineMethod,
+    &kAPlusMethod,
     &kLongestEdgeMethod,
+    &kEdgeMethod,
+    &kOksanenMethod,
 };
 constexpr std::array kRouteMethods{
     &kBoustrophedonMethod,
+    &kSnakeMethod,
+    &kSpiralMethod,
+    &kSkipMethod,
+    &kRacetrackMethod,
+    &kCustomMethod,
 };
 constexpr std::array kTurnMethods{
     // the shortest curves
@@ -49,7 +58,7 @@ constexpr std::array kTurnMethods{
 };
 
 // Parameters that every method of a stage reads.
-constexpr std::array<const Parameter*, 2> kSwathParameters{&kOverlap, &kLastPass};
+constexpr std::array<const Parameter*, 3> kSwathParameters{&kEnds, &kOverlap, &kLastPass};
 constexpr std::array<const Parameter*, 1> kPathParameters{&kStayInside};
 constexpr std::array<const Parameter*, 2> kGeneralParameters{&kOperationKind, &kMargin};
 

@@ -1,13 +1,19 @@
 #include "planner/plan/plan.h"
 
 #include "planner/geometry/geos_bridge.h"
+#include "planner/headland/headland_passes.h"
+#include "planner/headland/turning_room.h"
 #include "planner/path/drivable_check.h"
+#include "planner/path/headland_order.h"
 #include "planner/path/path_builder.h"
 #include "planner/plan/general_parameters.h"
 #include "planner/plan/method_registry.h"
+#include "planner/swaths/full_ends.h"
+#include "planner/swaths/methods.h"
 #include "planner/turns/straight_turn.h"
 
 #include <algorithm>
+#include <cctype>
 #include <chrono>
 #include <format>
 #include <optional>
@@ -48,18 +54,22 @@ Result<void> checkThatItFits(const Field& field, const Machine& machine, Length 
     return {};
 }
 
-/// The swath that the connection with this segment leads to.
-int nextSwath(const Path& path, std::size_t segment) {
-    while (segment + 1 < path.segments.size() && path.segments[segment].kind != SegmentKind::Swath) {
-        ++segment;
+/// "The way from swath 3 to swath 4", "Headland pass 1".
+std::string nameOfWay(const Path& path, std::size_t segment) {
+    if (path.segments[segment].implementDown) {
+        std::string name = nameOf(path.segments[segment]);
+        name.front() = static_cast<char>(std::toupper(name.front()));
+        return name;
     }
-    return path.segments[segment].swath;
+    const PathSegment* const before = path.workBefore(segment);
+    const PathSegment* const after = path.workAfter(segment);
+    return std::format("The way from {} to {}", before == nullptr ? "the start" : nameOf(*before),
+                       after == nullptr ? "the end" : nameOf(*after));
 }
 
 Finding blockedFinding(const Path& path, const BlockedConnection& blocked, const Headland& headland,
                        const Machine& machine) {
-    const std::string way = std::format("The way from swath {} to {}", path.segments[blocked.segment].swath,
-                                        nextSwath(path, blocked.segment));
+    const std::string way = nameOfWay(path, blocked.segment);
     if (blocked.obstacle) {
         return {
             .severity = Severity::Blocking,
@@ -86,6 +96,60 @@ Finding blockedFinding(const Path& path, const BlockedConnection& blocked, const
             .place = blocked.place,
             .text = std::format("{} leaves the field by {:.1f} m.", way, blocked.outside.si()),
             .suggestion = std::move(suggestion)};
+}
+
+/// The swaths of the chosen method, with ends as the settings want them.
+Result<SwathSet> swathStage(const Plan& plan, const JobContext& job) {
+    const PlanRequest& request = plan.request;
+    const Field& field = *request.field;
+    auto swaths = swathMethod(request.settings)({.field = field,
+                                                 .mainland = plan.headland.mainland,
+                                                 .machine = request.machine,
+                                                 .settings = request.settings},
+                                                job);
+    // With one pass or none there is no room to draw them out into.
+    if (!swaths || request.settings.choice(kEnds) != "full" || plan.headland.passes < 2) {
+        return swaths;
+    }
+    const Length outermost = plan.margin + uncutEdge(request.machine) + request.machine.operatingWidth();
+    const auto working = eroded(field.workable(), outermost, kArcTolerance, job);
+    const auto driving = drivableArea(field, plan.margin, job);
+    if (!working || !driving) {
+        return std::unexpected(working ? driving.error() : working.error());
+    }
+    drawOutEnds(*swaths, plan.headland.mainland, 
+                {.working = *working,
+                 .driving = *driving,
+                 .turning = reachOfLevelTurn(request.machine, turnMethod(request.settings))},
+                request.machine);
+    return swaths;
+}
+
+/// Headland passes before or after the swaths, all joined by turns.
+Result<Path> pathStage(const Plan& plan, const JobContext& job) {
+    const Settings& settings = plan.request.settings;
+    const Machine& machine = plan.request.machine;
+    TurnPlanner* const turn = turnMethod(settings);
+    std::vector<Leg> legs = swathLegs(plan.swaths, plan.route, machine);
+    if (!plan.headland.rings.empty()) {
+        const bool first = settings.choice(kHeadlandWhen) == "before";
+        const auto drivable = drivableArea(*plan.request.field, plan.margin, job);
+        if (!drivable) {
+            return std::unexpected(drivable.error());
+        }
+        HeadlandDrive drive{.insideOut = settings.choice(kHeadlandOrder) == "inside-out",
+                            .before = {},
+                            .after = {},
+                            .drivable = *drivable};
+        if (first && !legs.empty()) {
+            drive.after = legs.front().line.start;
+        } else if (!legs.empty()) {
+            drive.before = legs.back().line.end();
+        }
+        const std::vector<Leg> passes = headlandLegs(plan.headland.rings, drive, machine, turn);
+        legs.insert(first ? legs.begin() : legs.end(), passes.begin(), passes.end());
+    }
+    return buildPath(legs, machine, turn, job);
 }
 
 std::string blockedReason(const BlockedConnection& blocked) {
@@ -119,25 +183,25 @@ Result<std::shared_ptr<const Plan>> makePlan(const PlanRequest& request, const J
     }
     plan->headland = std::move(*headland);
 
-    auto swaths = timed(plan->timings.swaths, [&] {
-        return swathMethod(settings)(plan->headland.mainland, machine, settings, job.part(0.1, 0.8));
-    });
+    auto swaths = timed(plan->timings.swaths, [&] { return swathStage(*plan, job.part(0.1, 0.8)); });
     if (!swaths) {
         return std::unexpected(swaths.error());
     }
     plan->swaths = std::move(*swaths);
 
     auto route = timed(plan->timings.route, [&] {
-        return routeMethod(settings)(plan->swaths, machine, settings, job.part(0.8, 0.85));
+        return routeMethod(settings)({.swaths = plan->swaths,
+                                      .machine = machine,
+                                      .turn = turnMethod(settings),
+                                      .settings = settings},
+                                     job.part(0.8, 0.85));
     });
     if (!route) {
         return std::unexpected(route.error());
     }
     plan->route = std::move(*route);
 
-    auto path = timed(plan->timings.path, [&] {
-        return buildPath(plan->swaths, plan->route, machine, turnMethod(settings), job.part(0.85, 0.9));
-    });
+    auto path = timed(plan->timings.path, [&] { return pathStage(*plan, job.part(0.85, 0.9)); });
     if (!path) {
         return std::unexpected(path.error());
     }
@@ -155,7 +219,8 @@ Result<std::shared_ptr<const Plan>> makePlan(const PlanRequest& request, const J
             segment.drivable = false;
             segment.reason = blockedReason(connection);
             // A way in several gears is one finding, at its worst place.
-            const bool sameWay = worst && plan->path.segments[worst->segment].swath == segment.swath;
+            const bool sameWay = worst && !segment.implementDown &&
+                                 plan->path.workBefore(worst->segment) == plan->path.workBefore(connection.segment);
             if (sameWay && connection.outside <= worst->outside) {
                 continue;
             }
@@ -176,7 +241,9 @@ Result<std::shared_ptr<const Plan>> makePlan(const PlanRequest& request, const J
         plan->path.turnCount() > 0) {
         plan->findings.push_back({.severity = Severity::Blocking,
                                   .kind = "heading-jump",
-                                  .place = plan->path.segments[1].samples.front().position,
+                                  .place = std::ranges::find(plan->path.segments, SegmentKind::Turn, &PathSegment::kind)
+                                               ->samples.front()
+                                               .position,
                                   .text = "This machine cannot turn on the spot.",
                                   .suggestion = "Choose forward curves, or a machine that can."});
     }

@@ -5,9 +5,17 @@
 
 namespace furrow {
 
-/// Which of a pattern's four corners the route starts at.
+/// Which of a pattern's corners the route starts at.
 extern const Parameter kCorner;
+extern const Parameter kCluster;
+extern const Parameter kSkip;
+extern const Parameter kOrder;
 
 extern const Method<RoutePlanner> kBoustrophedonMethod;
+extern const Method<RoutePlanner> kSnakeMethod;
+extern const Method<RoutePlanner> kSpiralMethod;
+extern const Method<RoutePlanner> kSkipMethod;
+extern const Method<RoutePlanner> kRacetrackMethod;
+extern const Method<RoutePlanner> kCustomMethod;
 
 }  // namespace furrow

@@ -2,9 +2,11 @@
 
 #include "planner/core/result.h"
 #include "planner/jobs/job.h"
+#include "planner/machine/machine.h"
 #include "planner/settings/settings.h"
 #include "planner/swaths/swath.h"
 #include "planner/turns/pose.h"
+#include "planner/turns/turn_method.h"
 
 #include <vector>
 
@@ -26,15 +28,30 @@ struct Route {
     friend bool operator==(const Route&, const Route&) = default;
 };
 
-/// Where a step begins and ends, as poses of the vehicle.
+/// Where the implement begins and ends a step, facing the way it is driven.
 Pose startPose(const RouteStep& step, const SwathSet& swaths);
 Pose endPose(const RouteStep& step, const SwathSet& swaths);
+
+/// Where the vehicle's reference point is while the middle of the implement is at `implement`.
+Pose vehicleAt(const Pose& implement, const Machine& machine);
+
+/// The turn from the end of one step to the start of another, run-in included.
+Turn turnBetween(const RouteStep& from, const RouteStep& to, const SwathSet& swaths, const Machine& machine,
+                 TurnPlanner* turn);
 
 /// L_0 of the paper for this order.
 Length lengthInPlace(const std::vector<RouteStep>& steps, const SwathSet& swaths);
 
-/// The common signature of all route methods: every swath exactly once. Cancelled.
-using RoutePlanner = Result<Route>(const SwathSet& swaths, const Machine& machine, const Settings& settings,
-                                   const JobContext& job);
+/// What routes are made from; nothing of it is kept.
+struct RouteTask {
+    const SwathSet& swaths;
+    const Machine& machine;
+    TurnPlanner* turn;  ///< how it gets from swath to swath
+    const Settings& settings;
+};
+
+/// The common signature of all route methods: every swath exactly once. InputRefused: a custom order that
+/// does not name each of them once. Cancelled.
+using RoutePlanner = Result<Route>(const RouteTask& task, const JobContext& job);
 
 }  // namespace furrow

@@ -3,6 +3,9 @@
 namespace furrow {
 
 SettingValue Parameter::defaultValue() const {
+    if (kind == ParameterKind::Line || kind == ParameterKind::Numbers) {
+        return std::string{};
+    }
     if (!standard) {
         return Auto{};
     }

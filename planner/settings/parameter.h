@@ -9,7 +9,15 @@
 
 namespace furrow {
 
-enum class ParameterKind { Length, Angle, Count, Choice, Flag };
+enum class ParameterKind {
+    Length,
+    Angle,
+    Count,
+    Choice,
+    Flag,
+    Line,     ///< points in WGS84 as WKT: "LINESTRING (4.1 52.0, 4.2 52.0)"; empty where there are none
+    Numbers,  ///< whole numbers divided by commas: "3,-1,2"; empty where there are none
+};
 
 /// "Auto": the planner computes the number, and the plan says which one it used.
 struct Auto {
@@ -32,7 +40,8 @@ struct Parameter {
     std::string_view name;         ///< "Width"
     std::string_view description;  ///< one sentence for people
     ParameterKind kind = ParameterKind::Length;
-    /// The default: a number, nothing for "auto", or the index of a choice; 0 and 1 for flags.
+    /// The default: a number, nothing for "auto", or the index of a choice; 0 and 1 for flags; not used by
+    /// lines and lists, which are empty until they are given.
     std::optional<double> standard;
     bool canBeAuto = false;
     double min = 0.0;   ///< smallest allowed number

@@ -1,5 +1,7 @@
 #include "planner/settings/settings.h"
 
+#include "planner/geometry/geos_bridge.h"
+
 #include <algorithm>
 #include <charconv>
 #include <cmath>
@@ -52,6 +54,51 @@ Result<void> checkChoice(const Parameter& parameter, std::string_view id) {
                                  .remedy = "use one of: " + known});
 }
 
+/// Whole numbers divided by commas, blanks allowed; nothing where it is not that.
+std::optional<std::vector<int>> parsedNumbers(std::string_view text) {
+    std::vector<int> numbers;
+    const char* at = text.data();
+    const char* const end = at + text.size();
+    const auto skipBlanks = [&] {
+        while (at != end && *at == ' ') {
+            ++at;
+        }
+    };
+    for (skipBlanks(); at != end; skipBlanks()) {
+        if (!numbers.empty() && *at++ != ',') {
+            return std::nullopt;
+        }
+        skipBlanks();
+        int number = 0;
+        const auto [stopped, error] = std::from_chars(at, end, number);
+        if (error != std::errc{}) {
+            return std::nullopt;
+        }
+        numbers.push_back(number);
+        at = stopped;
+    }
+    return numbers;
+}
+
+/// The points of a WKT line or point; nothing where it is not that or not on the globe.
+std::optional<std::vector<GeoPoint>> parsedLine(const std::string& text) {
+    std::vector<GeoPoint> line;
+    if (text.empty()) {
+        return line;
+    }
+    const auto points = pointsOfWkt(text);
+    if (!points) {
+        return std::nullopt;
+    }
+    for (const Point& point : *points) {
+        if (!(std::abs(point.x) <= 180.0 && std::abs(point.y) <= 90.0)) {
+            return std::nullopt;
+        }
+        line.push_back({.lonDeg = point.x, .latDeg = point.y});
+    }
+    return line;
+}
+
 }  // namespace
 
 Result<void> Settings::set(const Parameter& parameter, const SettingValue& value) {
@@ -75,6 +122,16 @@ Result<void> Settings::set(const Parameter& parameter, const SettingValue& value
             return wrongKind("one of its choices");
         }
         checked = checkChoice(parameter, *id);
+    } else if (parameter.kind == ParameterKind::Line) {
+        const auto* text = std::get_if<std::string>(&value);
+        if (text == nullptr || !parsedLine(*text)) {
+            return wrongKind("a point or a line in WGS84 such as LINESTRING (4.1 52.0, 4.2 52.0)");
+        }
+    } else if (parameter.kind == ParameterKind::Numbers) {
+        const auto* text = std::get_if<std::string>(&value);
+        if (text == nullptr || !parsedNumbers(*text)) {
+            return wrongKind("whole numbers divided by commas");
+        }
     } else {
         const auto* number = std::get_if<double>(&value);
         if (number == nullptr) {
@@ -95,11 +152,13 @@ Result<void> Settings::set(const Parameter& parameter, const SettingValue& value
 }
 
 Result<void> Settings::setText(const Parameter& parameter, std::string_view text) {
-    if (text == "auto" && parameter.kind != ParameterKind::Choice) {
+    if (text == "auto" && parameter.canBeAuto) {
         return set(parameter, Auto{});
     }
     switch (parameter.kind) {
-        case ParameterKind::Choice: return set(parameter, std::string{text});
+        case ParameterKind::Choice:
+        case ParameterKind::Line:
+        case ParameterKind::Numbers: return set(parameter, std::string{text});
         case ParameterKind::Flag:
             if (text == "true" || text == "false") {
                 return set(parameter, text == "true");
@@ -155,6 +214,14 @@ std::string Settings::choice(const Parameter& parameter) const {
 
 bool Settings::flag(const Parameter& parameter) const {
     return std::get<bool>(value(parameter));
+}
+
+std::vector<GeoPoint> Settings::line(const Parameter& parameter) const {
+    return parsedLine(settingText(value(parameter))).value_or(std::vector<GeoPoint>{});
+}
+
+std::vector<int> Settings::numbers(const Parameter& parameter) const {
+    return parsedNumbers(settingText(value(parameter))).value_or(std::vector<int>{});
 }
 
 std::string settingText(const SettingValue& value) {

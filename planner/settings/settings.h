@@ -1,5 +1,6 @@
 #pragma once
 
+#include "planner/core/geo_point.h"
 #include "planner/core/result.h"
 #include "planner/settings/parameter.h"
 #include "planner/units/quantity.h"
@@ -8,6 +9,7 @@
 #include <optional>
 #include <string>
 #include <string_view>
+#include <vector>
 
 namespace furrow {
 
@@ -30,6 +32,8 @@ public:
     std::optional<int> count(const Parameter& parameter) const;
     std::string choice(const Parameter& parameter) const;
     bool flag(const Parameter& parameter) const;
+    std::vector<GeoPoint> line(const Parameter& parameter) const;
+    std::vector<int> numbers(const Parameter& parameter) const;
 
     friend bool operator==(const Settings&, const Settings&) = default;
 

@@ -7,22 +7,21 @@ namespace furrow {
 
 namespace {
 
-Result<SwathSet> bruteForce(const MultiPolygon& mainland, const Machine& machine, const Settings& settings,
-                            const JobContext& job) {
-    const auto scanLine = scanLineFor(mainland, machine, settings);
+Result<SwathSet> bruteForce(const SwathTask& task, const JobContext& job) {
+    const auto scanLine = scanLineFor(task);
     if (!scanLine) {
         return std::unexpected(scanLine.error());
     }
-    const double stepDeg = inDegrees(*settings.angle(kStep));
+    const double stepDeg = inDegrees(*task.settings.angle(kStep));
     std::vector<Angle> headings;
     for (int i = 0; i * stepDeg < 180.0; ++i) {
         headings.push_back(degrees(i * stepDeg));
     }
-    const auto heading = bestHeading(*scanLine, headings, objectiveOf(settings), job);
+    const auto heading = bestHeading(*scanLine, headings, objectiveOf(task.settings), job);
     if (!heading) {
         return std::unexpected(heading.error());
     }
-    auto set = swathsAlong(*scanLine, heading->heading, objectiveOf(settings));
+    auto set = swathsAlong(*scanLine, heading->heading, objectiveOf(task.settings));
     if (set) {
         set->headingsTried = static_cast<int>(headings.size());
     }

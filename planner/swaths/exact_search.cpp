@@ -111,23 +111,23 @@ struct Search {
     }
 };
 
-Result<SwathSet> exactSearch(const MultiPolygon& mainland, const Machine& machine, const Settings& settings,
-                             const JobContext& job) {
-    const auto scanLine = scanLineFor(mainland, machine, settings);
+Result<SwathSet> exactSearch(const SwathTask& task, const JobContext& job) {
+    const MultiPolygon& mainland = task.mainland;
+    const auto scanLine = scanLineFor(task);
     if (!scanLine) {
         return std::unexpected(scanLine.error());
     }
-    Search search{.scanLine = *scanLine, .objective = objectiveOf(settings)};
+    Search search{.scanLine = *scanLine, .objective = objectiveOf(task.settings)};
     const bool byCount = search.objective == SwathObjective::Count;
     const bool onePiece = mainland.size() == 1;
     const Ring hull = convexHull(outerPoints(mainland));
     // Every track crosses a mainland in one piece, and none of its heights is below the hull's width.
     const int fewestTracks = scanLine->trackCount(minimumWidth(hull));
-    const bool gap = settings.choice(kLastPass) == "gap";
+    const bool gap = task.settings.choice(kLastPass) == "gap";
 
     Result<BestHeading> best;
     if (search.objective == SwathObjective::Time) {
-        std::vector<Angle> headings = edgeHeadings(mainland, hull, machine.operatingWidth());
+        std::vector<Angle> headings = edgeHeadings(mainland, hull, task.machine.operatingWidth());
         for (int i = 0; i * kGridDeg < 180.0 - 1e-9; ++i) {
             headings.push_back(degrees(i * kGridDeg));
         }
@@ -142,7 +142,7 @@ Result<SwathSet> exactSearch(const MultiPolygon& mainland, const Machine& machin
         best = search.best(headings, job);
     } else {
         // The edges' directions first: whatever they reach makes the grid cheaper.
-        best = search.best(edgeHeadings(mainland, hull, machine.operatingWidth()), job.part(0.0, 0.3));
+        best = search.best(edgeHeadings(mainland, hull, task.machine.operatingWidth()), job.part(0.0, 0.3));
         if (!best) {
             return std::unexpected(best.error());
         }

@@ -5,13 +5,12 @@ namespace furrow {
 
 namespace {
 
-Result<SwathSet> fixedHeading(const MultiPolygon& mainland, const Machine& machine, const Settings& settings,
-                              const JobContext& job) {
+Result<SwathSet> fixedHeading(const SwathTask& task, const JobContext& job) {
     if (job.stopRequested()) {
         return std::unexpected(cancelled());
     }
-    return scanLineFor(mainland, machine, settings).and_then([&](const ScanLine& scanLine) {
-        return swathsAlong(scanLine, *settings.angle(kAngle), SwathObjective::Coverage);
+    return scanLineFor(task).and_then([&](const ScanLine& scanLine) {
+        return swathsAlong(scanLine, *task.settings.angle(kAngle), SwathObjective::Coverage);
     });
 }
 

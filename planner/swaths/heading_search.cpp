@@ -23,11 +23,13 @@ LastPass lastPassOf(const Settings& settings) {
 
 }  // namespace
 
-Result<ScanLine> scanLineFor(const MultiPolygon& mainland, const Machine& machine, const Settings& settings) {
+Result<ScanLine> scanLineFor(const SwathTask& task, std::optional<Point> anchor) {
+    const Machine& machine = task.machine;
     const SwathSpacing spacing{
         .width = machine.operatingWidth(),
-        .overlap = *settings.length(kOverlap),
-        .lastPass = lastPassOf(settings)};
+        .overlap = *task.settings.length(kOverlap),
+        .lastPass = lastPassOf(task.settings),
+        .anchor = anchor};
     if (spacing.overlap >= spacing.width) {
         return std::unexpected(Error{.code = ErrorCode::InputRefused,
                                      .what = std::format("an overlap of {} m leaves nothing of {} m",
@@ -35,10 +37,11 @@ Result<ScanLine> scanLineFor(const MultiPolygon& mainland, const Machine& machin
                                      .where = std::string{kOverlap.key},
                                      .remedy = "give less than the operating width"});
     }
-    ScanLine scanLine{mainland, spacing,
+    ScanLine scanLine{task.mainland, spacing,
                       DrivingModel{.working = machine.spec().tractor.workingSpeed,
                                    .turning = machine.turningSpeed(),
-                                   .radius = machine.minTurningRadius()}};
+                                   .radius = machine.minTurningRadius(),
+                                   .lead = -machine.spec().implement.offset}};
     if (scanLine.tooManyTracks()) {
         return std::unexpected(Error{.code = ErrorCode::InputRefused,
                                      .what = std::format("{} m for each swath makes over a million swaths",

@@ -2,13 +2,15 @@
 
 #include "planner/swaths/scan_line.h"
 
+#include <optional>
 #include <span>
 
 namespace furrow {
 
-/// The scan line for these settings. InputRefused: the overlap is not below the operating width, or the
-/// width is so small that there would be over a million tracks.
-Result<ScanLine> scanLineFor(const MultiPolygon& mainland, const Machine& machine, const Settings& settings);
+/// The scan line for this task; with an anchor one of its tracks runs through that point. InputRefused: the
+/// overlap is not below the operating width, or the width is so small that there would be over a million
+/// tracks.
+Result<ScanLine> scanLineFor(const SwathTask& task, std::optional<Point> anchor = {});
 
 /// The best of some headings.
 /// Tries all of them in parallel; of equally good ones the first is kept, whatever the thread count.

@@ -12,10 +12,19 @@ extern const Parameter kOverlap;
 extern const Parameter kLastPass;
 extern const Parameter kStep;
 extern const Parameter kAngle;
+/// Guidance line: A and B, or A alone.
+extern const Parameter kLine;
+extern const Parameter kEdge;
+/// Where swaths end: on the centre line or once the full width is covered.
+extern const Parameter kEnds;
 
 extern const Method<SwathGenerator> kExactMethod;
 extern const Method<SwathGenerator> kBruteForceMethod;
 extern const Method<SwathGenerator> kFixedHeadingMethod;
+extern const Method<SwathGenerator> kAbLineMethod;
+extern const Method<SwathGenerator> kAPlusMethod;
 extern const Method<SwathGenerator> kLongestEdgeMethod;
+extern const Method<SwathGenerator> kEdgeMethod;
+extern const Method<SwathGenerator> kOksanenMethod;
 
 }  // namespace furrow

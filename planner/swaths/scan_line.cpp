@@ -1,5 +1,6 @@
 #include "planner/swaths/scan_line.h"
 
+#include "planner/swaths/clamped_integral.h"
 #include "planner/turns/dubins.h"
 
 #include <algorithm>
@@ -21,36 +22,6 @@ constexpr double kPiecemealFactor = 5.0;
 // How many shifts are tried where the shift is free.
 constexpr int kShifts = 9;
 
-struct Interval {
-    double from = 0.0;
-    double to = 0.0;
-};
-
-/// Integral over y of clamp(x, from, to) - from along a straight edge, y running from y0 to y1.
-double clampedIntegral(Point p0, Point p1, Interval interval) {
-    const double span = interval.to - interval.from;
-    const double u0 = p0.x - interval.from;
-    const double u1 = p1.x - interval.from;
-    const double dy = p1.y - p0.y;
-    const double low = std::min(u0, u1);
-    const double high = std::max(u0, u1);
-    if (high <= 0.0) {
-        return 0.0;
-    }
-    if (low >= span) {
-        return span * dy;
-    }
-    if (low >= 0.0 && high <= span) {
-        return 0.5 * (u0 + u1) * dy;
-    }
-    // The edge meets a swath's end: shares of its length below, within and beyond the clamp.
-    const double length = high - low;
-    const double within = std::min(high, span) - std::max(low, 0.0);
-    const double beyond = std::max(high - span, 0.0);
-    const double middle = 0.5 * (std::min(high, span) + std::max(low, 0.0));
-    return dy * (within * middle + beyond * span) / length;
-}
-
 }  // namespace
 
 /// Everything one heading needs; kept per thread so that trying a heading allocates nothing.
@@ -58,6 +29,7 @@ struct ScanLine::Walk {
     std::vector<Point> rotated;
     double lowY = 0.0;
     double highY = 0.0;
+    double anchorY = 0.0;
     std::vector<double> tracks;              // y of each centre line, rising
     std::vector<std::size_t> firstInterval;  // of track i; one more entry than tracks
     std::vector<double> crossings;           // sorted within a track: pairs are intervals
@@ -158,6 +130,10 @@ void ScanLine::rotate(Angle heading, Walk& walk) const {
     const double c = std::cos(heading.si());
     const double s = std::sin(heading.si());
     walk.rotated.resize(vertices_.size());
+    if (spacing_.anchor) {
+        const Point anchor = *spacing_.anchor - origin_;
+        walk.anchorY = c * anchor.y - s * anchor.x;
+    }
     walk.lowY = std::numeric_limits<double>::infinity();
     walk.highY = -walk.lowY;
     for (std::size_t i = 0; i < vertices_.size(); ++i) {
@@ -191,7 +167,7 @@ Length ScanLine::heightAcross(Angle heading) const {
 }
 
 int ScanLine::layoutCount(const Walk& walk) const {
-    if (walk.highY - walk.lowY <= spacing_.width.si()) {
+    if (walk.highY - walk.lowY <= spacing_.width.si() || spacing_.anchor) {
         return 1;
     }
     switch (spacing_.lastPass) {
@@ -213,7 +189,9 @@ void ScanLine::lay(int layout, Walk& walk) const {
                             ? (highest - lowest) / last
                             : (spacing_.width - spacing_.overlap).si();
     walk.tracks.clear();
-    if (height <= width) {
+    if (spacing_.anchor) {
+        layThroughAnchor(walk);
+    } else if (height <= width) {
         walk.tracks.push_back(0.5 * (walk.lowY + walk.highY));
     } else if (spacing_.lastPass == LastPass::Gap) {
         // From flush with one edge to flush with the other.
@@ -234,6 +212,47 @@ void ScanLine::lay(int layout, Walk& walk) const {
     }
     findCrossings(walk);
     findSlabs(walk);
+}
+
+/// Tracks at the full spacing from the anchor; what is left over at either edge goes by the last pass.
+void ScanLine::layThroughAnchor(Walk& walk) const {
+    const double width = spacing_.width.si();
+    const double step = (spacing_.width - spacing_.overlap).si();
+    const double lowest = walk.lowY + 0.5 * width;
+    const double highest = walk.highY - 0.5 * width;
+    // The whole number of steps that brings the anchor's line into the mainland, as low as it gets.
+    const double first = walk.anchorY - step * std::floor((walk.anchorY - lowest) / step + kFitSlack);
+    if (walk.highY - walk.lowY <= width) {
+        const double nearest = walk.anchorY + step * std::round((0.5 * (lowest + highest) - walk.anchorY) / step);
+        const bool crosses = nearest > walk.lowY && nearest < walk.highY;
+        walk.tracks.push_back(crosses ? nearest : 0.5 * (lowest + highest));
+        return;
+    }
+    const double slack = kFitSlack * step;
+    if (spacing_.lastPass == LastPass::Spread && walk.anchorY > lowest && walk.anchorY < highest) {
+        // As many as needed on each side of the anchor, evenly.
+        const auto spread = [&](double from, double to, bool withEnd) {
+            const auto steps = static_cast<int>(std::max(1.0, std::ceil((to - from) / step - kFitSlack)));
+            for (int i = 0; i < steps + (withEnd ? 1 : 0); ++i) {
+                walk.tracks.push_back(from + (to - from) * i / steps);
+            }
+        };
+        spread(lowest, walk.anchorY, false);
+        spread(walk.anchorY, highest, true);
+        return;
+    }
+    if (spacing_.lastPass != LastPass::Gap && first > lowest + slack) {
+        walk.tracks.push_back(lowest);
+    }
+    for (int i = 0; first + i * step <= highest + slack; ++i) {
+        walk.tracks.push_back(first + i * step);
+    }
+    if (spacing_.lastPass != LastPass::Gap && (walk.tracks.empty() || walk.tracks.back() < highest - slack)) {
+        walk.tracks.push_back(highest);
+    }
+    if (walk.tracks.empty()) {
+        walk.tracks.push_back(0.5 * (lowest + highest));
+    }
 }
 
 /// Crossings of every edge with every centre line, sorted into tracks by counting.
@@ -326,14 +345,15 @@ Duration ScanLine::drivingTime(const Walk& walk, const TurnLength& turnLength) c
     double turnsM = 0.0;
     std::optional<Pose> from;
     const auto drive = [&](double startX, double endX, double y, bool back) {
-        const Pose to{.position = {back ? endX : startX, y}, .heading = degrees(back ? 180.0 : 0.0)};
+        const double lead = back ? -driving_->lead.si() : driving_->lead.si();
+        const Pose to{.position = {(back ? endX : startX) + lead, y}, .heading = degrees(back ? 180.0 : 0.0)};
         if (from) {
             // Pieces of one track lie straight ahead of each other.
             turnsM += from->position.y == y ? std::abs(to.position.x - from->position.x)
                                             : turnLength(*from, to);
         }
         swathsM += endX - startX;
-        from = Pose{.position = {back ? startX : endX, y}, .heading = to.heading};
+        from = Pose{.position = {(back ? startX : endX) + lead, y}, .heading = to.heading};
     };
     for (std::size_t k = 0; k < walk.tracks.size(); ++k) {
         const bool back = k % 2 == 1;

@@ -23,6 +23,8 @@ struct SwathSpacing {
     Length width;    ///< > 0
     Length overlap;  ///< in [0, width)
     LastPass lastPass = LastPass::Overlap;
+    /// A point that one of the tracks runs through (an AB line); without it they start at the edge.
+    std::optional<Point> anchor;
 };
 
 /// What the time of a heading is estimated with: to and fro, with the machine's own curves in between.
@@ -30,6 +32,7 @@ struct DrivingModel {
     Speed working;
     Speed turning;
     Length radius;
+    Length lead;  ///< how far the vehicle's reference point is ahead of the implement
 };
 
 /// The swaths of one mainland in any heading, by walking its edges with a scan line: vertices are rotated
@@ -73,6 +76,7 @@ private:
     /// The layouts there are to choose from are numbered from 0.
     int layoutCount(const Walk& walk) const;
     void lay(int layout, Walk& walk) const;
+    void layThroughAnchor(Walk& walk) const;
     void findCrossings(Walk& walk) const;
     void findSlabs(Walk& walk) const;
     HeadingFigures measure(SwathObjective objective, const Walk& walk) const;

@@ -1,6 +1,7 @@
 #pragma once
 
 #include "planner/core/result.h"
+#include "planner/field/field.h"
 #include "planner/geometry/polygon.h"
 #include "planner/jobs/job.h"
 #include "planner/machine/machine.h"
@@ -28,18 +29,27 @@ struct SwathSet {
     std::vector<Swath> swaths;  ///< ordered by track, then along the heading
     Angle heading;              ///< modulo pi
     bool proved = false;        ///< nothing better exists for the objective
-    Length totalLength;
+    Length totalLength;     ///< of the swaths as they are
     double coverage = 0.0;  ///< A_cov: covered share of the mainland, flat ends
-    Area overlap;           ///< area inside the mainland covered at least twice
+    Area overlap;           ///< area inside the mainland covered at least twice, flat ends
     Length shift;           ///< of the first track from half a width inside the mainland's edge
     int headingsTried = 1;
+    /// Worked beyond the mainland's edge where ends were drawn out to the full width.
+    Area endOverlap;
+};
+
+/// What swaths are made from; nothing of it is kept.
+struct SwathTask {
+    const Field& field;            ///< for its frame and the numbers of its edges
+    const MultiPolygon& mainland;  ///< valid polygons in metres, holes allowed
+    const Machine& machine;
+    const Settings& settings;
 };
 
 /// The common signature of all swath methods.
 ///
-/// @param mainland  valid polygons in metres, holes allowed
-/// @return at least one swath. InputRefused: the mainland is too narrow for any. Cancelled.
-using SwathGenerator = Result<SwathSet>(const MultiPolygon& mainland, const Machine& machine,
-                                        const Settings& settings, const JobContext& job);
+/// @return at least one swath with ends on its centre line. InputRefused: the mainland is too narrow for
+///         any. Usage: a line or an edge that the method needs is not given. Cancelled.
+using SwathGenerator = Result<SwathSet>(const SwathTask& task, const JobContext& job);
 
 }  // namespace furrow

@@ -1,5 +1,6 @@
 #include "planner/turns/turn.h"
 
+#include "planner/turns/turn_method.h"
 #include "planner/units/angle.h"
 
 #include <algorithm>
@@ -60,6 +61,16 @@ Pose Turn::end() const {
         pose = advanced(pose, piece, piece.length);
     }
     return pose;
+}
+
+Duration roughDuration(const Turn& turn, const Machine& machine) {
+    Duration sum;
+    for (const TurnPiece& piece : turn.pieces) {
+        const Speed speed =
+            piece.gear == Gear::Forward ? machine.turningSpeed() : machine.spec().tractor.reverseSpeed;
+        sum += seconds(piece.length.si() / speed.si());
+    }
+    return sum;
 }
 
 Pose advanced(const Pose& from, const TurnPiece& piece, Length way) {

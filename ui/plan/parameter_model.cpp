@@ -26,6 +26,8 @@ ParameterModel::Kind kindOf(const Parameter& parameter) {
     switch (parameter.kind) {
         case ParameterKind::Choice: return ParameterModel::Kind::Choice;
         case ParameterKind::Flag: return ParameterModel::Kind::Flag;
+        case ParameterKind::Line:
+        case ParameterKind::Numbers: return ParameterModel::Kind::Text;
         case ParameterKind::Length:
         case ParameterKind::Angle:
         case ParameterKind::Count: break;
@@ -49,7 +51,9 @@ QString unitOf(const Parameter& parameter) {
         case ParameterKind::Angle: return QStringLiteral("°");
         case ParameterKind::Count:
         case ParameterKind::Choice:
-        case ParameterKind::Flag: break;
+        case ParameterKind::Flag:
+        case ParameterKind::Line:
+        case ParameterKind::Numbers: break;
     }
     return {};
 }
@@ -144,6 +148,7 @@ QVariant ParameterModel::value(const Parameter& parameter, int role) const {
                        ? fromStd(parameter.choices[choiceIndex(parameter, settings_)].description)
                        : QString{};
         case CheckedRole: return kindOf(parameter) == Kind::Flag && settings_.flag(parameter);
+        case TextRole: return kindOf(parameter) == Kind::Text ? fromStd(settingText(set)) : QString{};
         default: return {};
     }
 }
@@ -157,7 +162,7 @@ QHash<int, QByteArray> ParameterModel::roleNames() const {
             {StepRole, "step"},         {DecimalsRole, "decimals"},
             {SliderToRole, "sliderTo"}, {ChoicesRole, "choices"},
             {ChoiceIndexRole, "choiceIndex"}, {ChoiceHintRole, "choiceHint"},
-            {CheckedRole, "checked"}};
+            {CheckedRole, "checked"},   {TextRole, "text"}};
 }
 
 void ParameterModel::setNumber(int row, double value, bool live) {
@@ -175,6 +180,17 @@ void ParameterModel::setAuto(int row) {
 void ParameterModel::setChoice(int row, int choice) {
     if (row >= 0 && row < rowCount() && choice >= 0 && choice < static_cast<int>(at(row).choices.size())) {
         emit changeRequested(&at(row), SettingValue{std::string{at(row).choices[static_cast<std::size_t>(choice)].id}}, false);
+    }
+}
+
+bool ParameterModel::accepts(int row, const QString& text) const {
+    Settings trial;
+    return row >= 0 && row < rowCount() && trial.setText(at(row), text.trimmed().toStdString()).has_value();
+}
+
+void ParameterModel::setText(int row, const QString& text) {
+    if (accepts(row, text)) {
+        emit changeRequested(&at(row), SettingValue{text.trimmed().toStdString()}, false);
     }
 }
 

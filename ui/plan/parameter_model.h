@@ -18,7 +18,7 @@ class ParameterModel : public QAbstractListModel {
     QML_UNCREATABLE("belongs to a step")
 
 public:
-    enum class Kind { Number, Direction, Choice, Flag };
+    enum class Kind { Number, Direction, Choice, Flag, Text };
     Q_ENUM(Kind)
     enum Role {
         KeyRole = Qt::UserRole + 1,
@@ -38,6 +38,7 @@ public:
         ChoiceIndexRole,
         ChoiceHintRole,  ///< description of what is chosen
         CheckedRole,
+        TextRole,  ///< of lines and lists, as the settings hold them
     };
 
     explicit ParameterModel(QObject* parent = nullptr) : QAbstractListModel{parent} {}
@@ -54,6 +55,9 @@ public:
     Q_INVOKABLE void setAuto(int row);
     Q_INVOKABLE void setChoice(int row, int choice);
     Q_INVOKABLE void setFlag(int row, bool on);
+    /// Whether the text can be a value of this setting.
+    Q_INVOKABLE bool accepts(int row, const QString& text) const;
+    Q_INVOKABLE void setText(int row, const QString& text);
 
 signals:
     /// The user wants this value, in the unit of the settings.

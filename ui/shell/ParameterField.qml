@@ -26,8 +26,9 @@ Column {
     required property int choiceIndex
     required property string choiceHint
     required property bool checked
+    required property string text
     /// Needs the whole width of the panel.
-    readonly property bool wide: kind === ParameterModel.Flag || sliderTo > 0 || kind === ParameterModel.Choice && index === 0
+    readonly property bool wide: kind === ParameterModel.Flag || kind === ParameterModel.Text || sliderTo > 0 || kind === ParameterModel.Choice && index === 0
 
     spacing: 5
 
@@ -55,7 +56,7 @@ Column {
     }
     Loader {
         width: parent.width
-        sourceComponent: root.kind === ParameterModel.Choice ? choice : root.kind === ParameterModel.Flag ? flag : number
+        sourceComponent: root.kind === ParameterModel.Choice ? choice : root.kind === ParameterModel.Flag ? flag : root.kind === ParameterModel.Text ? words : number
     }
     Loader {
         active: root.sliderTo > 0
@@ -110,6 +111,17 @@ Column {
             model: root.choices
             currentIndex: root.choiceIndex
             onActivated: chosen => root.parameters.setChoice(root.index, chosen)
+        }
+    }
+    Component {
+        id: words
+
+        TextEntry {
+            objectName: root.key
+            name: root.name
+            value: root.text
+            accepts: entered => root.parameters.accepts(root.index, entered)
+            onCommitted: entered => root.parameters.setText(root.index, entered)
         }
     }
     Component {

@@ -61,18 +61,18 @@ private slots:
         QTest::newRow("width of nothing") << 100.0 << 60.0 << 0.0 << automatic << 0.0 << 0.0 << 0 << 6000.0 << "";
         QTest::newRow("two passes") << 100.0 << 60.0 << automatic << 2.0 << 0.0 << 5.0 << 2 << 90.0 * 50.0 << "";
         QTest::newRow("no passes") << 100.0 << 60.0 << automatic << 0.0 << 0.0 << 0.0 << 0 << 6000.0 << "";
-        QTest::newRow("auto makes room for the turns: the paper's 7.5 m")
-            << 100.0 << 60.0 << automatic << automatic << 0.0 << 7.5 << 3 << 85.0 * 45.0 << "";
+        QTest::newRow("auto makes room for the turns")
+            << 100.0 << 60.0 << automatic << automatic << 0.0 << 10.0 << 4 << 80.0 * 40.0 << "";
         QTest::newRow("margin comes on top of passes") << 100.0 << 60.0 << automatic << 2.0 << 0.5 << 5.5 << 2 << 89.0 * 49.0 << "";
-        QTest::newRow("margin comes on top of auto") << 100.0 << 60.0 << automatic << automatic << 0.5 << 8.0 << 3
-                                                     << 84.0 * 44.0 << "";
+        QTest::newRow("margin comes on top of auto") << 100.0 << 60.0 << automatic << automatic << 0.5 << 10.5 << 4
+                                                     << 79.0 * 39.0 << "";
         QTest::newRow("margin is within a width") << 100.0 << 60.0 << 7.5 << automatic << 0.5 << 7.5 << 2 << 85.0 * 45.0 << "";
         QTest::newRow("margin wider than the width") << 100.0 << 60.0 << 1.0 << automatic << 3.0 << 3.0 << 0 << 94.0 * 54.0
                                                      << "";
         QTest::newRow("narrow field has one pass less") << 100.0 << 16.0 << automatic << automatic << 0.0 << 5.0 << 2
-                                                        << 90.0 * 6.0 << "too narrow for 7.5 m";
+                                                        << 90.0 * 6.0 << "too narrow for 10.0 m";
         QTest::newRow("narrower field has one pass") << 100.0 << 9.0 << automatic << automatic << 0.0 << 2.5 << 1
-                                                     << 95.0 * 4.0 << "too narrow for 7.5 m";
+                                                     << 95.0 * 4.0 << "too narrow for 10.0 m";
         QTest::newRow("very narrow field has none") << 100.0 << 6.0 << automatic << automatic << 0.0 << 0.0 << 0 << 600.0
                                                     << "there is none";
         QTest::newRow("field of one pass has none") << 100.0 << 2.5 << automatic << automatic << 0.0 << 0.0 << 0 << 250.0
@@ -81,8 +81,8 @@ private slots:
                                                     << "too narrow for 8.0 m";
         QTest::newRow("given passes fall back too") << 100.0 << 16.0 << automatic << 6.0 << 0.0 << 5.0 << 2 << 90.0 * 6.0
                                                     << "too narrow for 15.0 m";
-        QTest::newRow("exactly one operating width is left") << 100.0 << 17.5 << automatic << automatic << 0.0 << 7.5 << 3
-                                                             << 85.0 * 2.5 << "";
+        QTest::newRow("exactly one operating width is left") << 100.0 << 22.5 << automatic << automatic << 0.0 << 10.0 << 4
+                                                             << 80.0 * 2.5 << "";
     }
     void ofARectangle() {
         QFETCH(double, fieldWidthM);
@@ -208,8 +208,8 @@ private slots:
         const Machine machine = Machine::create(spec).value();
         // Straight edge: the half circle alone. Slanted edges need at least as much.
         const double byHandM = std::hypot(r + 1.0, 3.0);
-        QVERIFY(roomForTurns(machine, kDubinsMethod.run).si() >= byHandM - 0.01);
-        QVERIFY(roomForTurns(machine, kDubinsMethod.run).si() <= byHandM + 2.0 * r);
+        QVERIFY(roomForTurns(machine, kDubinsMethod.run, false).si() >= byHandM - 0.01);
+        QVERIFY(roomForTurns(machine, kDubinsMethod.run, false).si() <= byHandM + 2.0 * r);
     }
 };
 

@@ -5,6 +5,7 @@
 #include "planner/turns/straight_turn.h"
 #include "tests/support/field_generator.h"
 #include "tests/support/result_check.h"
+#include "tests/support/stages.h"
 
 #include <cmath>
 #include <stop_token>
@@ -37,7 +38,7 @@ Path uTurn(TurnPlanner* turn) {
     swaths.swaths = {{.start = {2, -10}, .end = {2, 10}, .number = 1, .track = 0, .width = metres(4.0)},
                      {.start = {-2, -10}, .end = {-2, 10}, .number = 2, .track = 1, .width = metres(4.0)}};
     const Route route{.steps = {{.swath = 0, .reversed = false}, {.swath = 1, .reversed = true}}, .lengthInPlace = {}};
-    return buildPath(swaths, route, smallMachine(), turn, {}).value();
+    return test::pathOf(swaths, route, smallMachine(), turn, {}).value();
 }
 
 // The field is 40 m wide and reaches as far below the origin as above; its frame's centre is the origin.
@@ -163,7 +164,7 @@ private slots:
         swaths.heading = degrees(0.0);
         swaths.swaths = {{.start = {-500, 0}, .end = {500, 0}, .number = 1, .track = 0, .width = metres(4.0)}};
         const Route route{.steps = {{.swath = 0, .reversed = false}}, .lengthInPlace = {}};
-        const Path path = buildPath(swaths, route, smallMachine(), kDubinsMethod.run, {}).value();
+        const Path path = test::pathOf(swaths, route, smallMachine(), kDubinsMethod.run, {}).value();
         const auto found = blockedConnections(path, fieldWith(20.0), smallMachine(), {}, {});
         VERIFY_RESULT(found);
         QVERIFY(found->empty());

@@ -3,9 +3,11 @@
 #include "planner/route/methods.h"
 #include "planner/swaths/scan_line.h"
 #include "planner/turns/dubins.h"
+#include "planner/turns/named_turns.h"
 #include "planner/turns/straight_turn.h"
 #include "tests/support/field_generator.h"
 #include "tests/support/result_check.h"
+#include "tests/support/stages.h"
 
 #include <cmath>
 #include <numbers>
@@ -22,6 +24,18 @@ const Machine& agbot() {
     return machine;
 }
 
+/// The same with the implement right at the axle and lifted in no time: numbers that can be worked out by hand.
+const Machine& plainRobot() {
+    static const Machine machine = [] {
+        MachineSpec spec = agbot().spec();
+        spec.implement.offset = metres(0.0);
+        spec.implement.liftTime = seconds(0.0);
+        spec.implement.lowerTime = seconds(0.0);
+        return Machine::create(spec).value();
+    }();
+    return machine;
+}
+
 struct Driven {
     SwathSet swaths;
     Route route;
@@ -31,8 +45,8 @@ struct Driven {
 Driven drive(const MultiPolygon& mainland, const Machine& machine, double headingDeg, TurnPlanner* turn) {
     Driven driven;
     driven.swaths = ScanLine{mainland, {.width = machine.operatingWidth(), .overlap = {}}}.swaths(degrees(headingDeg));
-    driven.route = kBoustrophedonMethod.run(driven.swaths, machine, {}, {}).value();
-    driven.path = buildPath(driven.swaths, driven.route, machine, turn, {}).value();
+    driven.route = test::routeBy(kBoustrophedonMethod, driven.swaths, machine, {}, {}).value();
+    driven.path = test::pathOf(driven.swaths, driven.route, machine, turn, {}).value();
     return driven;
 }
 
@@ -53,7 +67,7 @@ private slots:
     void aRectangleByHand() {
         const double r = 2.1;
         const double w = 2.5;
-        const Driven driven = drive({test::rectangle(100.0, 10.0)}, agbot(), 0.0, kDubinsMethod.run);
+        const Driven driven = drive({test::rectangle(100.0, 10.0)}, plainRobot(), 0.0, kDubinsMethod.run);
         QCOMPARE(driven.path.segments.size(), std::size_t{7});
         const double turnM = r * (kPi + 4.0 * std::acos((2.0 * r + w) / (4.0 * r)));
         COMPARE_WITHIN(driven.path.length().si(), 400.0 + 3.0 * turnM, 1e-6);
@@ -62,7 +76,11 @@ private slots:
         QCOMPARE(driven.path.turnCount(), 3);
         QCOMPARE(driven.path.undrivableCount(), 0);
         // 2.5 m/s on swaths, 1.5 m/s on turns: 2 m/s² sideways would allow sqrt(2 x 2.1) = 2.05 m/s.
-        COMPARE_WITHIN(driven.path.duration().si(), 400.0 / 2.5 + 3.0 * turnM / 1.5, 1e-6);
+        // At 0.5 m/s²: 5 s and 6.25 m from a stop to 2.5 m/s, 2 s and 4 m between 1.5 and 2.5 m/s. Two swaths have
+        // one of each at their ends, two have twice the second.
+        const double outerS = 5.0 + (100.0 - 6.25 - 4.0) / 2.5 + 2.0;
+        const double innerS = 2.0 + (100.0 - 8.0) / 2.5 + 2.0;
+        COMPARE_WITHIN(driven.path.duration().si(), 2.0 * outerS + 2.0 * innerS + 3.0 * turnM / 1.5, 1e-6);
         COMPARE_WITHIN(driven.path.duration(SegmentKind::Turn).si(), 3.0 * turnM / 1.5, 1e-6);
     }
 
@@ -108,7 +126,8 @@ private slots:
                     const PathSample& sample = segment.samples[k];
                     VERIFY_TOLD(std::abs(sample.curvature1pm) <= 1.0 / 2.1 + 1e-12, told);
                     VERIFY_TOLD(sample.headingRad >= 0.0 && sample.headingRad < 2.0 * kPi, told);
-                    VERIFY_TOLD(sample.speedMps == (segment.kind == SegmentKind::Swath ? 2.5 : 1.5), told);
+                    VERIFY_TOLD(sample.speedMps >= 0.0 && sample.speedMps <= (segment.kind == SegmentKind::Swath ? 2.5 : 1.5), told);
+                    VERIFY_TOLD(sample.speedMps * sample.speedMps * std::abs(sample.curvature1pm) <= 2.0 + 1e-9, told);
                     if (k == 0 && before != nullptr) {
                         // Where one segment ends the next begins.
                         VERIFY_TOLD(distance(before->position, sample.position) < 1e-9, told);
@@ -118,7 +137,9 @@ private slots:
                         const PathSample& last = segment.samples[k - 1];
                         const double stepM = arcLengthM(last, sample);
                         wayM += stepM;
-                        timeS += stepM / last.speedMps;
+                        timeS += 2.0 * stepM / (last.speedMps + sample.speedMps);
+                        const double squares = sample.speedMps * sample.speedMps - last.speedMps * last.speedMps;
+                        VERIFY_TOLD(std::abs(squares) <= 2.0 * 0.5 * stepM * (1.0 + 1e-6) + 1e-9, told);
                         VERIFY_TOLD(sample.sM > last.sM && sample.tS > last.tS, told);
                         // Headings follow the curvature, places the headings.
                         VERIFY_TOLD(std::abs(std::remainder(sample.headingRad - last.headingRad - stepM * last.curvature1pm, 2.0 * kPi)) < 1e-6, told);
@@ -137,7 +158,7 @@ private slots:
     }
 
     void straightTurnsJump() {
-        const Driven driven = drive({test::rectangle(100.0, 10.0)}, agbot(), 0.0, kStraightMethod.run);
+        const Driven driven = drive({test::rectangle(100.0, 10.0)}, plainRobot(), 0.0, kStraightMethod.run);
         QCOMPARE(driven.path.segments.size(), std::size_t{7});
         COMPARE_WITHIN(driven.path.length().si(), 400.0 + 3.0 * 2.5, 1e-9);
         COMPARE_WITHIN(driven.path.length().si(), driven.route.lengthInPlace.si(), 1e-9);
@@ -149,8 +170,88 @@ private slots:
         }
     }
 
+    // The tractor is 2.1 m ahead of the middle of the implement, whichever way it drives.
+    void theImplementIsOnTheSwath() {
+        const Driven driven = drive({test::rectangle(100.0, 10.0)}, agbot(), 0.0, kDubinsMethod.run);
+        for (const PathSegment& segment : driven.path.segments) {
+            if (segment.kind == SegmentKind::Swath) {
+                const double sign = std::cos(segment.samples.front().headingRad);
+                COMPARE_WITHIN(segment.samples.front().position.x, (sign > 0.0 ? 0.0 : 100.0) + sign * 2.1, 1e-9);
+                COMPARE_WITHIN(segment.samples.back().position.x, (sign > 0.0 ? 100.0 : 0.0) + sign * 2.1, 1e-9);
+            }
+        }
+    }
+
+    // Out of line to the right by 0.4 m: the tractor drives 0.4 m to the left of the swath, both ways.
+    void anImplementToTheSide() {
+        MachineSpec spec = plainRobot().spec();
+        spec.implement.lateralOffset = metres(-0.4);
+        const Driven driven =
+            drive({test::rectangle(100.0, 10.0)}, Machine::create(spec).value(), 0.0, kDubinsMethod.run);
+        for (const PathSegment& segment : driven.path.segments) {
+            if (segment.kind == SegmentKind::Swath) {
+                const double sign = std::cos(segment.samples.front().headingRad);
+                const double swathY = 1.25 + 2.5 * (segment.number - 1);
+                COMPARE_WITHIN(segment.samples.front().position.y, swathY + sign * 0.4, 1e-9);
+                COMPARE_WITHIN(segment.samples.back().position.y, swathY + sign * 0.4, 1e-9);
+            }
+        }
+    }
+
+    // 25 s are more than any of these turns takes by itself.
+    void turnsLastUntilTheImplementIsDown() {
+        MachineSpec spec = plainRobot().spec();
+        spec.implement.liftTime = seconds(10.0);
+        spec.implement.lowerTime = seconds(15.0);
+        const Driven driven =
+            drive({test::rectangle(100.0, 10.0)}, Machine::create(spec).value(), 0.0, kDubinsMethod.run);
+        for (const PathSegment& segment : driven.path.segments) {
+            if (segment.kind == SegmentKind::Turn) {
+                COMPARE_WITHIN(segment.duration().si(), 25.0, 1e-6);
+            }
+        }
+    }
+
+    // 3 m of straight way before each swath but the first.
+    void runInsAreStraight() {
+        MachineSpec spec = plainRobot().spec();
+        spec.implement.runIn = metres(3.0);
+        const Driven driven =
+            drive({test::rectangle(100.0, 10.0)}, Machine::create(spec).value(), 0.0, kDubinsMethod.run);
+        for (std::size_t s = 1; s < driven.path.segments.size(); s += 2) {
+            const std::vector<PathSample>& samples = driven.path.segments[s].samples;
+            const PathSample& last = samples.back();
+            for (const PathSample& sample : samples) {
+                if (last.sM - sample.sM < 3.0 - 1e-9) {
+                    COMPARE_WITHIN(std::abs(std::remainder(sample.headingRad - last.headingRad, 2.0 * kPi)), 0.0, 1e-9);
+                }
+            }
+        }
+    }
+
+    // Gears change at a stop.
+    void gearsChangeAtAStop() {
+        const Driven driven = drive({test::rectangle(100.0, 10.0)}, agbot(), 0.0, kFishtailMethod.run);
+        int changes = 0;
+        for (std::size_t s = 1; s < driven.path.segments.size(); ++s) {
+            const PathSegment& before = driven.path.segments[s - 1];
+            const PathSegment& after = driven.path.segments[s];
+            if (before.gear != after.gear) {
+                ++changes;
+                QCOMPARE(before.samples.back().speedMps, 0.0);
+                QCOMPARE(after.samples.front().speedMps, 0.0);
+            }
+            if (after.gear == Gear::Reverse) {
+                for (const PathSample& sample : after.samples) {
+                    QVERIFY(sample.speedMps <= agbot().spec().tractor.reverseSpeed.si() + 1e-12);
+                }
+            }
+        }
+        QCOMPARE(changes, 6);
+    }
+
     void noSwathsNoPath() {
-        const auto path = buildPath({}, {}, agbot(), kDubinsMethod.run, {});
+        const auto path = test::pathOf({}, {}, agbot(), kDubinsMethod.run, {});
         VERIFY_RESULT(path);
         QVERIFY(path->segments.empty());
         QCOMPARE(path->length().si(), 0.0);
@@ -161,7 +262,7 @@ private slots:
         std::stop_source stop;
         stop.request_stop();
         const Driven driven = drive({test::rectangle(100.0, 10.0)}, agbot(), 0.0, kDubinsMethod.run);
-        const auto path = buildPath(driven.swaths, driven.route, agbot(), kDubinsMethod.run, {.stop = stop.get_token()});
+        const auto path = test::pathOf(driven.swaths, driven.route, agbot(), kDubinsMethod.run, {.stop = stop.get_token()});
         QVERIFY(!path);
         QCOMPARE(path.error().code, ErrorCode::Cancelled);
     }

@@ -4,6 +4,7 @@
 #include "tests/support/field_generator.h"
 #include "tests/support/result_check.h"
 
+#include <format>
 #include <algorithm>
 #include <array>
 #include <set>
@@ -181,6 +182,20 @@ private slots:
         QFETCH(QString, key);
         QFETCH(QString, id);
         Settings settings;
+        // What some methods cannot do without.
+        const GeoPoint middle = middleOf(rectangleField()->source().parts);
+        const std::string line = std::format("LINESTRING ({} {}, {} {})", middle.lonDeg, middle.latDeg,
+                                             middle.lonDeg + 0.001, middle.latDeg);
+        VERIFY_RESULT(applySetting(settings, "swaths.line", line));
+        if (id == "custom") {
+            const auto counted = makePlan({.field = rectangleField(), .machine = machineLibrary().front(), .settings = {}});
+            VERIFY_RESULT(counted);
+            std::string order;
+            for (std::size_t number = 1; number <= (*counted)->swaths.swaths.size(); ++number) {
+                order += std::format("{}{}", number == 1 ? "" : ",-", number);
+            }
+            VERIFY_RESULT(applySetting(settings, "route.order", order));
+        }
         VERIFY_RESULT(applySetting(settings, key.toStdString(), id.toStdString()));
         const auto plan = makePlan({.field = rectangleField(), .machine = machineLibrary().front(), .settings = settings});
         VERIFY_RESULT(plan);

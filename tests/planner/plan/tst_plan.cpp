@@ -121,9 +121,12 @@ private slots:
             VERIFY_TOLD(p.swaths.coverage > 0.0 && p.swaths.coverage <= 1.0, told);
             // The straight line is the shortest: L_0 is a lower bound of the driven length.
             VERIFY_TOLD(p.path.length() >= p.route.lengthInPlace - metres(1e-6), told);
-            // Each connection that cannot be driven is a blocking finding, and nothing else is.
+            // Each connection and each pass that cannot be driven is a blocking finding, and nothing else is.
             const auto blocking = std::ranges::count(p.findings, Severity::Blocking, &Finding::severity);
-            VERIFY_TOLD(blocking == p.path.undrivableCount(), told);
+            const auto passes = std::ranges::count_if(p.path.segments, [](const PathSegment& segment) {
+                return segment.implementDown && !segment.drivable;
+            });
+            VERIFY_TOLD(blocking == p.path.undrivableCount() + passes, told);
             VERIFY_TOLD(p.drivable() == (blocking == 0), told);
             for (const PathSegment& segment : p.path.segments) {
                 VERIFY_TOLD(segment.drivable == segment.reason.empty(), told);
@@ -290,6 +293,7 @@ private slots:
                                     .settings = settingsOf({{"headland.method", headland.toStdString()},
                                                             {"path.method", turn.toStdString()},
                                                             {"path.stay_inside", stayInside.toStdString()},
+                                                            {"headland.driven", "false"},
                                                             {"swaths.method", "longest-edge"}})});
         VERIFY_RESULT(plan);
         QCOMPARE(countOf(**plan, Severity::Blocking, "outside"), outside);
@@ -311,11 +315,11 @@ private slots:
         const auto automatic = makePlan({.field = field, .machine = agbot(), .settings = {}});
         VERIFY_RESULT(automatic);
         COMPARE_WITHIN((*automatic)->margin.si(), 0.4, 1e-12);
-        COMPARE_WITHIN((*automatic)->headland.width.si(), 7.9, 1e-9);
+        COMPARE_WITHIN((*automatic)->headland.width.si(), 10.4, 1e-9);
         const auto given = makePlan({.field = field, .machine = agbot(), .settings = settingsOf({{"field.margin_m", "0"}})});
         VERIFY_RESULT(given);
         COMPARE_WITHIN((*given)->margin.si(), 0.0, 1e-12);
-        COMPARE_WITHIN((*given)->headland.width.si(), 7.5, 1e-9);
+        COMPARE_WITHIN((*given)->headland.width.si(), 10.0, 1e-9);
     }
 
     void repairsAndFallbacksAreNotes() {

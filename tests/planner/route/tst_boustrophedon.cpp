@@ -3,6 +3,7 @@
 #include "planner/swaths/scan_line.h"
 #include "tests/support/field_generator.h"
 #include "tests/support/result_check.h"
+#include "tests/support/stages.h"
 #include "tests/support/wkt.h"
 
 #include <algorithm>
@@ -65,7 +66,7 @@ private slots:
         QFETCH(QString, steps);
         QFETCH(double, lengthInPlaceM);
         const SwathSet swaths = swathsOf(test::polygonsFromWkt(wkt.toStdString()), widthM, 0.0);
-        const auto route = kBoustrophedonMethod.run(swaths, agbot(), corner("first"), {});
+        const auto route = test::routeBy(kBoustrophedonMethod, swaths, agbot(), corner("first"), {});
         VERIFY_RESULT(route);
         QCOMPARE(told(*route), steps);
         COMPARE_WITHIN(route->lengthInPlace.si(), lengthInPlaceM, 1e-6);
@@ -95,7 +96,7 @@ private slots:
         for (int i = 0; i < 100; ++i) {
             const MultiPolygon mainland = test::randomPolygons(random, test::kShapes[static_cast<std::size_t>(i) % 5], 100.0);
             const SwathSet swaths = swathsOf(mainland, 6.0, test::uniform(random, 0.0, 180.0));
-            const auto route = kBoustrophedonMethod.run(swaths, agbot(), ::corner(qPrintable(corner)), {});
+            const auto route = test::routeBy(kBoustrophedonMethod, swaths, agbot(), ::corner(qPrintable(corner)), {});
             VERIFY_RESULT(route);
             const QByteArray said = QStringLiteral("seed %1, field %2").arg(kSeed).arg(i).toUtf8();
             VERIFY_TOLD(route->steps.size() == swaths.swaths.size(), said);
@@ -125,10 +126,10 @@ private slots:
     void theBestCornerHasTheShortestTurns() {
         const SwathSet swaths = swathsOf(test::polygonsFromWkt("POLYGON((0 0, 100 0, 220 20, 0 20, 0 0))"), 5.0, 0.0);
         QCOMPARE(swaths.swaths.size(), std::size_t{4});
-        const auto best = kBoustrophedonMethod.run(swaths, agbot(), corner("best"), {});
+        const auto best = test::routeBy(kBoustrophedonMethod, swaths, agbot(), corner("best"), {});
         VERIFY_RESULT(best);
         QVERIFY2(best->steps.front().reversed, qPrintable(told(*best)));
-        const auto first = kBoustrophedonMethod.run(swaths, agbot(), corner("first"), {});
+        const auto first = test::routeBy(kBoustrophedonMethod, swaths, agbot(), corner("first"), {});
         VERIFY_RESULT(first);
         // 30 m along and 5 m up for each slanted way, 5 m for each level one.
         COMPARE_WITHIN(first->lengthInPlace.si(), swaths.totalLength.si() + 2.0 * std::hypot(30.0, 5.0) + 5.0, 1e-6);
@@ -136,7 +137,7 @@ private slots:
     }
 
     void noSwaths() {
-        const auto route = kBoustrophedonMethod.run({}, agbot(), {}, {});
+        const auto route = test::routeBy(kBoustrophedonMethod, {}, agbot(), {}, {});
         VERIFY_RESULT(route);
         QVERIFY(route->steps.empty());
         QCOMPARE(route->lengthInPlace.si(), 0.0);
@@ -147,7 +148,7 @@ private slots:
         stop.request_stop();
         const SwathSet swaths = swathsOf({test::rectangle(100.0, 20.0)}, 5.0, 0.0);
         for (const char* id : {"best", "first"}) {
-            const auto route = kBoustrophedonMethod.run(swaths, agbot(), corner(id), {.stop = stop.get_token()});
+            const auto route = test::routeBy(kBoustrophedonMethod, swaths, agbot(), corner(id), {.stop = stop.get_token()});
             QVERIFY(!route);
             QCOMPARE(route.error().code, ErrorCode::Cancelled);
         }

@@ -4,6 +4,7 @@
 #include "planner/machine/machine_library.h"
 #include "planner/swaths/heading_search.h"
 #include "planner/swaths/methods.h"
+#include "tests/support/stages.h"
 #include "tests/support/field_generator.h"
 
 #include <QTest>
@@ -56,9 +57,9 @@ private slots:
         std::mt19937_64 random{kSeed};
         for (std::size_t i = 0; i < 25; ++i) {
             const MultiPolygon mainland = test::randomPolygons(random, test::kShapes[i % 5], 60.0);
-            const auto exact = kExactMethod.run(mainland, machine, settings, {});
+            const auto exact = test::swathsBy(kExactMethod, mainland, machine, settings, {});
             QVERIFY(exact.has_value());
-            const auto scanLine = scanLineFor(mainland, machine, settings);
+            const auto scanLine = scanLineFor({test::anyField(), mainland, machine, settings});
             QVERIFY(scanLine.has_value());
             const HeadingFigures brute = bruteForceAtATenth(*scanLine, by);
             const HeadingFigures ours = scanLine->figures(exact->heading, by);
@@ -74,7 +75,7 @@ private slots:
         std::mt19937_64 random{kSeed + 1};
         for (int i = 0; i < 50; ++i) {
             const MultiPolygon mainland = test::randomPolygons(random, test::Shape::Convex, 80.0);
-            const auto exact = kExactMethod.run(mainland, machine, byObjective("swath-count"), {});
+            const auto exact = test::swathsBy(kExactMethod, mainland, machine, byObjective("swath-count"), {});
             QVERIFY(exact.has_value());
             QVERIFY(exact->proved);
             // Worked out apart from the search: the least height over ten thousand directions.
@@ -99,14 +100,14 @@ private slots:
 
     void otherObjectivesAreNotCalledProved() {
         const MultiPolygon field{test::rectangle(100.0, 60.0)};
-        const auto byLength = kExactMethod.run(field, machineLibrary().front(), byObjective("swath-length"), {});
+        const auto byLength = test::swathsBy(kExactMethod, field, machineLibrary().front(), byObjective("swath-length"), {});
         QVERIFY(byLength.has_value());
         QVERIFY(!byLength->proved);
     }
 
     void rectangleIsWorkedAlongItsLongSide() {
         const MultiPolygon field{test::rectangle(100.0, 60.0)};
-        const auto exact = kExactMethod.run(field, machineLibrary().front(), byObjective("swath-count"), {});
+        const auto exact = test::swathsBy(kExactMethod, field, machineLibrary().front(), byObjective("swath-count"), {});
         QVERIFY(exact.has_value());
         // 60 m / 2.5 m
         QCOMPARE(exact->swaths.size(), std::size_t{24});
@@ -141,7 +142,7 @@ private slots:
     void stopsWhenAsked() {
         std::stop_source stop;
         stop.request_stop();
-        const auto set = kExactMethod.run({test::rectangle(100.0, 60.0)}, machineLibrary().front(), {},
+        const auto set = test::swathsBy(kExactMethod, {test::rectangle(100.0, 60.0)}, machineLibrary().front(), {},
                                           {.stop = stop.get_token()});
         QVERIFY(!set.has_value());
         QCOMPARE(set.error().code, ErrorCode::Cancelled);

@@ -4,6 +4,7 @@
 #include "planner/units/angle.h"
 #include "tests/support/field_generator.h"
 #include "tests/support/result_check.h"
+#include "tests/support/stages.h"
 #include "tests/support/wkt.h"
 
 #include <array>
@@ -72,7 +73,7 @@ private slots:
         QFETCH(int, tried);
         const MultiPolygon mainland = test::moved(test::polygonsFromWkt(wkt.toStdString()), degrees(turnedDeg), {300.0, -200.0});
         const Settings settings = settingsOf({{&kObjective, objective.toStdString()}, {&kStep, stepDeg.toStdString()}});
-        const auto set = kBruteForceMethod.run(mainland, machineOf(2.5), settings, {});
+        const auto set = test::swathsBy(kBruteForceMethod, mainland, machineOf(2.5), settings, {});
         VERIFY_RESULT(set);
         COMPARE_WITHIN(between(set->heading, degrees(headingDeg)), 0.0, 1e-9);
         QCOMPARE(static_cast<int>(set->swaths.size()), count);
@@ -92,7 +93,7 @@ private slots:
                                                 {"coverage", SwathObjective::Coverage},
                                                 {"overlap", SwathObjective::Overlap}}) {
                 const Settings settings = settingsOf({{&kObjective, id}, {&kStep, "5"}});
-                const auto found = kBruteForceMethod.run(mainland, machineOf(6.0), settings, {});
+                const auto found = test::swathsBy(kBruteForceMethod, mainland, machineOf(6.0), settings, {});
                 VERIFY_RESULT(found);
                 const ScanLine scanLine{mainland, {.width = metres(6.0), .overlap = {}}};
                 for (int k = 0; k < 36; ++k) {
@@ -189,8 +190,8 @@ private slots:
         QFETCH(double, headingDeg);
         const MultiPolygon mainland =
             test::moved(test::polygonsFromWkt("POLYGON((0 0, 60 0, 30 40, 0 0))"), degrees(25.0), {10.0, 20.0});
-        const auto& run = method == "fixed" ? *kFixedHeadingMethod.run : *kLongestEdgeMethod.run;
-        const auto set = run(mainland, machineOf(2.5), settingsOf({{&kAngle, angleDeg.toStdString()}}), {});
+        const auto& chosen = method == "fixed" ? kFixedHeadingMethod : kLongestEdgeMethod;
+        const auto set = test::swathsBy(chosen, mainland, machineOf(2.5), settingsOf({{&kAngle, angleDeg.toStdString()}}), {});
         VERIFY_RESULT(set);
         COMPARE_WITHIN(inDegrees(set->heading), headingDeg, 1e-9);
     }
@@ -198,7 +199,7 @@ private slots:
     void spacingFollowsTheSettings() {
         const MultiPolygon mainland{test::rectangle(100.0, 51.0)};
         const Settings settings = settingsOf({{&kLastPass, "spread"}, {&kOverlap, "0.5"}});
-        const auto set = kFixedHeadingMethod.run(mainland, machineOf(2.5), settings, {});
+        const auto set = test::swathsBy(kFixedHeadingMethod, mainland, machineOf(2.5), settings, {});
         VERIFY_RESULT(set);
         // (51 - 2.5) / 2 = 24.25: 25 gaps of 1.94 m.
         QCOMPARE(set->swaths.size(), std::size_t{26});
@@ -225,7 +226,7 @@ private slots:
         const MultiPolygon mainland = fieldM > 0.0 ? MultiPolygon{test::rectangle(fieldM, fieldM)} : MultiPolygon{};
         const Settings settings = settingsOf({{&kOverlap, overlap.toStdString()}});
         for (const auto* method : {&kBruteForceMethod, &kFixedHeadingMethod, &kLongestEdgeMethod}) {
-            const auto set = method->run(mainland, machineOf(widthM), settings, {});
+            const auto set = test::swathsBy(*method, mainland, machineOf(widthM), settings, {});
             QVERIFY(!set);
             QCOMPARE(set.error().code, ErrorCode::InputRefused);
             QCOMPARE(QString::fromStdString(set.error().where), where);
@@ -238,7 +239,7 @@ private slots:
         stop.request_stop();
         for (const int threads : {1, 4}) {
             for (const auto* method : {&kBruteForceMethod, &kFixedHeadingMethod, &kLongestEdgeMethod}) {
-                const auto set = method->run({test::rectangle(100.0, 50.0)}, machineOf(2.5), {},
+                const auto set = test::swathsBy(*method, {test::rectangle(100.0, 50.0)}, machineOf(2.5), {},
                                              {.stop = stop.get_token(), .progress = {}, .threads = threads});
                 QVERIFY(!set);
                 QCOMPARE(set.error().code, ErrorCode::Cancelled);

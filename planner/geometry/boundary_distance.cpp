@@ -1,0 +1,93 @@
+#include "planner/geometry/boundary_distance.h"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+namespace furrow {
+
+namespace {
+
+Point inwardNormal(Point from, Point to) {
+    // The inside lies to the left of every edge: outer rings run counter-clockwise, holes clockwise.
+    const Point way = to - from;
+    const double length = norm(way);
+    return length > 0.0 ? Point{-way.y / length, way.x / length} : Point{};
+}
+
+}  // namespace
+
+BoundaryDistance::BoundaryDistance(const MultiPolygon& polygons, Length reach) : reachM_{reach.si()}, cellM_{2.0 * reach.si()} {
+    const auto add = [this](const Ring& ring) {
+        const std::size_t size = ring.size();
+        for (std::size_t i = 0; i < size; ++i) {
+            const Point before = ring[(i + size - 1) % size];
+            const Point from = ring[i];
+            const Point to = ring[(i + 1) % size];
+            const Point after = ring[(i + 2) % size];
+            const Point own = inwardNormal(from, to);
+            edges_.push_back({from, to, inwardNormal(before, from) + own, own + inwardNormal(to, after)});
+        }
+    };
+    for (const Polygon& polygon : polygons) {
+        add(polygon.outer);
+        std::ranges::for_each(polygon.holes, add);
+    }
+    // Cells are twice the reach wide: what is within reach of a piece of an edge that is no longer than a cell
+    // lies in the cells around that piece's ends.
+    for (std::uint32_t e = 0; e < edges_.size(); ++e) {
+        const Edge& edge = edges_[e];
+        const auto pieces = static_cast<int>(std::ceil(distance(edge.from, edge.to) / cellM_)) + 1;
+        for (int i = 0; i <= pieces; ++i) {
+            const Point at = edge.from + (static_cast<double>(i) / pieces) * (edge.to - edge.from);
+            for (int dx = -1; dx <= 1; ++dx) {
+                for (int dy = -1; dy <= 1; ++dy) {
+                    std::vector<std::uint32_t>& cell = cells_[cellOf(at.x + dx * cellM_, at.y + dy * cellM_)];
+                    if (cell.empty() || cell.back() != e) {
+                        cell.push_back(e);
+                    }
+                }
+            }
+        }
+    }
+}
+
+BoundaryDistance::Cell BoundaryDistance::cellOf(double x, double y) const {
+    const auto column = static_cast<std::int32_t>(std::floor(x / cellM_));
+    const auto row = static_cast<std::int32_t>(std::floor(y / cellM_));
+    return static_cast<Cell>(static_cast<std::uint32_t>(column)) << 32U | static_cast<std::uint32_t>(row);
+}
+
+std::optional<double> BoundaryDistance::insideM(Point point) const {
+    const auto cell = cells_.find(cellOf(point.x, point.y));
+    if (cell == cells_.end()) {
+        return std::nullopt;
+    }
+    double nearest = std::numeric_limits<double>::infinity();
+    double side = 0.0;
+    for (const std::uint32_t e : cell->second) {
+        const Edge& edge = edges_[e];
+        const Point way = edge.to - edge.from;
+        const double along = dot(point - edge.from, way);
+        const double square = dot(way, way);
+        Point foot = edge.from;
+        Point normal = edge.fromNormal;
+        if (along >= square) {
+            foot = edge.to;
+            normal = edge.toNormal;
+        } else if (along > 0.0) {
+            foot = edge.from + (along / square) * way;
+            normal = {-way.y, way.x};
+        }
+        if (const double away = distance(point, foot); away < nearest) {
+            nearest = away;
+            side = dot(point - foot, normal);
+        }
+    }
+    if (nearest > reachM_) {
+        return std::nullopt;
+    }
+    return side < 0.0 ? -nearest : nearest;
+}
+
+}  // namespace furrow

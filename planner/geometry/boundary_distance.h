@@ -1,0 +1,39 @@
+#pragma once
+
+#include "planner/geometry/polygon.h"
+
+#include <cstdint>
+#include <optional>
+#include <unordered_map>
+#include <vector>
+
+namespace furrow {
+
+/// How far points are from the edges of polygons, for points near them. Edges are sorted into square cells.
+/// Immutable; may be asked by several threads at once.
+class BoundaryDistance {
+public:
+    /// @param reach  distances above it are not told; > 0
+    BoundaryDistance(const MultiPolygon& polygons, Length reach);
+
+    /// Metres inside the nearest edge, negative outside; nothing where no edge is within reach.
+    /// Cost: the edges in the cells around the point.
+    std::optional<double> insideM(Point point) const;
+
+private:
+    struct Edge {
+        Point from;
+        Point to;
+        Point fromNormal;  ///< sums of the inward normals at the edge's ends: which side a corner is on
+        Point toNormal;
+    };
+    using Cell = std::uint64_t;
+    Cell cellOf(double x, double y) const;
+
+    double reachM_;
+    double cellM_;
+    std::vector<Edge> edges_;
+    std::unordered_map<Cell, std::vector<std::uint32_t>> cells_;
+};
+
+}  // namespace furrow

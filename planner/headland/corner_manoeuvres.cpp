@@ -1,0 +1,160 @@
+#include "planner/headland/corner_manoeuvres.h"
+
+#include "planner/turns/dubins.h"
+#include "planner/turns/reeds_shepp.h"
+#include "planner/turns/footprint_check.h"
+
+#include <algorithm>
+#include <cmath>
+#include <numbers>
+#include <optional>
+
+namespace furrow {
+
+namespace {
+
+// Curves flatter than this many radii are no corners.
+constexpr double kCornerRadii = 2.0;
+constexpr double kSmallestCornerRad = std::numbers::pi / 4.0;
+// What turns by more is a loop round something, not a corner.
+constexpr double kLargestCornerRad = 5.0 * std::numbers::pi / 6.0;
+// Straights shorter than this between arcs belong to the corner.
+constexpr double kLeastStraightM = 0.5;
+constexpr double kStepM = 0.1;
+
+Pose poseBefore(const Turn& line, std::size_t piece) {
+    Pose pose = line.start;
+    for (std::size_t i = 0; i < piece; ++i) {
+        pose = advanced(pose, line.pieces[i], line.pieces[i].length);
+    }
+    return pose;
+}
+
+/// How a corner is driven: past the point where its two sides meet, and from before it on the next side.
+struct Manoeuvre {
+    Length onward;   ///< worked beyond where the rounding began
+    Turn turn;
+    Length back;     ///< worked before where the rounding ended
+};
+
+std::optional<Manoeuvre> manoeuvre(const Turn& line, const RoundedCorner& corner, CornerMethod method,
+                                   const BoundaryDistance& edge, const Machine& machine) {
+    const Pose entry = poseBefore(line, corner.firstPiece);
+    const Pose exit = poseBefore(line, corner.lastPiece + 1);
+    const Point in = direction(entry.heading.si());
+    const Point out = direction(exit.heading.si());
+    // From the start of the rounding to where the sides meet, and from there to its end.
+    const double toCorner = cross(exit.position - entry.position, out) / cross(in, out);
+    const double fromCorner = cross(in, exit.position - entry.position) / cross(in, out);
+    const double halfWidth = 0.5 * machine.operatingWidth().si();
+    const double lead = -machine.spec().implement.offset.si();
+    const Ring working = machine.workingFootprint();
+    const auto farthest = [&](const Pose& from, double sign, double wanted) {
+        double best = 0.0;
+        for (double m = kStepM; m <= wanted; m += kStepM) {
+            const Pose pose{.position = from.position + sign * m * direction(from.heading.si()), .heading = from.heading};
+            if (!isInside(pose, working, edge)) {
+                break;
+            }
+            best = m;
+        }
+        return best;
+    };
+    const double onward = farthest(entry, 1.0, toCorner + halfWidth + lead);
+    const double back = farthest(exit, -1.0, fromCorner + halfWidth - lead);
+    if (onward <= 0.0 && back <= 0.0) {
+        return std::nullopt;
+    }
+    const Pose from{.position = entry.position + onward * in, .heading = entry.heading};
+    const Pose to{.position = exit.position - back * out, .heading = exit.heading};
+    const Turn turn = method == CornerMethod::Loop ? dubinsTurn(from, to, machine.minTurningRadius())
+                                                   : reedsSheppTurn(from, to, machine.minTurningRadius());
+    if (!staysInside(turn, machine.turningFootprint(), edge, metres(2.0 * kStepM))) {
+        return std::nullopt;
+    }
+    return Manoeuvre{metres(onward), turn, metres(back)};
+}
+
+}  // namespace
+
+std::vector<RoundedCorner> roundedCorners(const Turn& line, Length radius) {
+    std::vector<RoundedCorner> corners;
+    const auto isSharp = [&](const TurnPiece& piece) {
+        return std::abs(piece.curvature.si()) > 1.0 / (kCornerRadii * radius.si());
+    };
+    for (std::size_t i = 0; i < line.pieces.size();) {
+        if (!isSharp(line.pieces[i])) {
+            ++i;
+            continue;
+        }
+        RoundedCorner corner{.firstPiece = i, .lastPiece = i};
+        double turnRad = 0.0;
+        double arcM = 0.0;
+        for (; i < line.pieces.size(); ++i) {
+            const TurnPiece& piece = line.pieces[i];
+            if (!isSharp(piece) && piece.length.si() >= kLeastStraightM) {
+                break;
+            }
+            turnRad += piece.curvature.si() * piece.length.si();
+            arcM += piece.length.si();
+            if (isSharp(piece)) {
+                corner.lastPiece = i;
+            }
+        }
+        corner.turn = radians(turnRad);
+        corner.radius = metres(arcM / std::max(1e-9, std::abs(turnRad)));
+        if (std::abs(turnRad) >= kSmallestCornerRad && std::abs(turnRad) <= kLargestCornerRad) {
+            corners.push_back(corner);
+        }
+    }
+    return corners;
+}
+
+Area uncutCorner(const RoundedCorner& corner, Length width) {
+    const double a = std::abs(corner.turn.si());
+    const double r = corner.radius.si() + 0.5 * width.si();
+    return squareMetres((std::tan(0.5 * a) - 0.5 * a) * r * r);
+}
+
+std::vector<PassStretch> withCorners(const Turn& line, CornerMethod method, const MultiPolygon& drivable,
+                                     const Machine& machine, std::vector<RoundedCorner>& left) {
+    std::vector<RoundedCorner> corners = roundedCorners(line, machine.minTurningRadius());
+    std::vector<PassStretch> stretches{{.line = {.type = {}, .start = line.start, .pieces = {}}}};
+    if (method == CornerMethod::Rounded) {
+        stretches.back().line = line;
+        left = std::move(corners);
+        return stretches;
+    }
+    const BoundaryDistance edge{drivable, machine.operatingWidth() + machine.spec().tractor.length};
+    std::size_t next = 0;
+    const auto work = [&](const TurnPiece& piece) { stretches.back().line.pieces.push_back(piece); };
+    for (const RoundedCorner& corner : corners) {
+        // Past the third of a circle the two sides meet too far away to be driven to.
+        const double turn = std::abs(corner.turn.si());
+        const bool possible = turn < 2.0 * std::numbers::pi / 3.0 && corner.firstPiece > 0;
+        const auto found = possible ? manoeuvre(line, corner, method, edge, machine) : std::nullopt;
+        if (!found) {
+            left.push_back(corner);
+            continue;
+        }
+        for (; next < corner.firstPiece; ++next) {
+            work(line.pieces[next]);
+        }
+        if (found->onward > metres(0.0)) {
+            work({.length = found->onward, .curvature = {}});
+        }
+        stretches.push_back({.line = found->turn, .working = false});
+        stretches.push_back({.line = {.type = {}, .start = found->turn.end(), .pieces = {}}});
+        if (found->back > metres(0.0)) {
+            work({.length = found->back, .curvature = {}});
+        }
+        next = corner.lastPiece + 1;
+    }
+    for (; next < line.pieces.size(); ++next) {
+        work(line.pieces[next]);
+    }
+    std::erase_if(stretches, [](const PassStretch& stretch) { return stretch.line.pieces.empty(); });
+    return stretches;
+}
+
+}  // namespace furrow

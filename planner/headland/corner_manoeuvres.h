@@ -1,0 +1,30 @@
+#pragma once
+
+#include "planner/headland/headland.h"
+
+namespace furrow {
+
+/// A place where a rounded pass leaves a corner uncut.
+struct RoundedCorner {
+    std::size_t firstPiece = 0;  ///< of the line: the arcs that round it
+    std::size_t lastPiece = 0;
+    Angle turn;                  ///< positive to the left
+    Length radius;               ///< on average
+};
+
+/// Corners of at least 45 degrees that are rounded with less than twice the machine's radius.
+std::vector<RoundedCorner> roundedCorners(const Turn& line, Length radius);
+
+/// Area that a pass of this width leaves in a corner: (tan(a/2) - a/2) (R + w/2)², at a right angle
+/// (1 - pi/4) (R + w/2)².
+Area uncutCorner(const RoundedCorner& corner, Length width);
+
+enum class CornerMethod { Rounded, Loop, Reverse };
+
+/// A closed pass whose corners are driven into where there is room: straight on as far as the footprint stays
+/// inside, then with the implement up round a loop (forwards) or with a change of gear to as far back as it fits
+/// on the next side. Corners without room stay rounded. @param left  how many did
+std::vector<PassStretch> withCorners(const Turn& line, CornerMethod method, const MultiPolygon& drivable,
+                                     const Machine& machine, std::vector<RoundedCorner>& left);
+
+}  // namespace furrow

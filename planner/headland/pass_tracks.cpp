@@ -1,0 +1,353 @@
+#include "planner/headland/pass_tracks.h"
+
+#include "planner/geometry/boundary_distance.h"
+#include "planner/geometry/geos_bridge.h"
+#include "planner/headland/smooth_ring.h"
+#include "planner/turns/turn_sampling.h"
+
+#include <algorithm>
+#include <cmath>
+#include <iterator>
+#include <numbers>
+#include <optional>
+#include <span>
+
+namespace furrow {
+
+namespace {
+
+// Rounded by a little more than the radius, so that arcs drawn as chords can be driven.
+constexpr double kRadiusReserve = 1.02;
+// Outside by less than this is touching.
+constexpr double kTouchingM = 8e-4;
+// Moved in by a little more than was seen, so that it stays inside between the places that were looked at.
+constexpr double kReserveM = 0.01;
+constexpr double kReserveFactor = 1.15;
+// Where it moves by less it does not move: the bend that begins there swings nothing out.
+constexpr double kLeastMoveM = 2e-4;
+constexpr int kMostMoves = 6;
+// Points of a ring that can be moved lie no farther apart.
+constexpr double kDenseM = 1.0;
+// Points of a moved ring that make less difference are left out.
+constexpr double kSimplifiedM = 1e-3;
+// How far the line may move where corners are merged to be driven; what that takes outside is found and mended.
+constexpr Length kMergeTolerance = metres(0.25);
+// How fine an arc around an inward corner is drawn.
+constexpr Length kRoundTolerance = metres(0.01);
+
+/// What is left when no disc of the radius may stick out: outward corners rounded, necks cut.
+Result<MultiPolygon> opened(const MultiPolygon& polygons, Length radius, const JobContext& job) {
+    return eroded(polygons, radius, kRoundTolerance, job).and_then([&](const MultiPolygon& core) {
+        return dilated(core, radius, kRoundTolerance, job);
+    });
+}
+
+Polygon disc(Point centre, double radiusM) {
+    const double cosine = 1.0 - kRoundTolerance.si() / radiusM;
+    const int corners = std::max(16, static_cast<int>(std::ceil(std::numbers::pi / std::acos(cosine))));
+    Polygon polygon;
+    for (int i = 0; i < corners; ++i) {
+        polygon.outer.push_back(centre + radiusM * direction(2.0 * std::numbers::pi * i / corners));
+    }
+    return polygon;
+}
+
+/// Around a corner that points into the region a disc of the radius that touches it there: what is left can be
+/// driven around it.
+MultiPolygon discsAtInwardCorners(const Polygon& region, double radiusM) {
+    MultiPolygon discs;
+    const auto visit = [&](const Ring& ring) {
+        for (std::size_t i = 0; i < ring.size(); ++i) {
+            const Point in = ring[i] - ring[(i + ring.size() - 1) % ring.size()];
+            const Point out = ring[(i + 1) % ring.size()] - ring[i];
+            const double turn = std::atan2(cross(in, out), dot(in, out));
+            // The disc sticks out of the edges by this; less is not worth one.
+            if (turn < 0.0 && radiusM * (1.0 - std::cos(0.5 * turn)) > kRoundTolerance.si()) {
+                const double bisector = std::atan2(in.y, in.x) + 0.5 * turn + 0.5 * std::numbers::pi;
+                discs.push_back(disc(ring[i] - radiusM * direction(bisector), radiusM));
+            }
+        }
+    };
+    visit(region.outer);
+    std::ranges::for_each(region.holes, visit);
+    return discs;
+}
+
+/// What a vehicle can drive along: inward corners cut back to the radius, outward ones rounded, necks cut.
+Result<MultiPolygon> rounded(const Polygon& region, Length radius, const JobContext& job) {
+    const MultiPolygon discs = discsAtInwardCorners(region, radius.si());
+    Result<MultiPolygon> left = MultiPolygon{region};
+    if (!discs.empty()) {
+        left = unionOf(discs, job).and_then([&](const MultiPolygon& taken) { return difference({region}, taken, job); });
+    }
+    return left.and_then([&](const MultiPolygon& polygons) { return opened(polygons, radius, job); });
+}
+
+/// A place where the footprint is outside, and how far the pass has to move in there.
+struct Excess {
+    Point place;
+    double moveM = 0.0;
+};
+
+/// How far the pass has to move in at each place: as far as was seen there, less with the distance from it.
+class Displacement {
+public:
+    explicit Displacement(double reachM) : reachM_{reachM} {}
+
+    /// What one round of looking has found adds to the rounds before.
+    void add(std::vector<Excess> excesses) {
+        std::ranges::sort(excesses, {}, [](const Excess& excess) { return excess.place.x; });
+        rounds_.push_back(std::move(excesses));
+    }
+    bool isEmpty() const { return rounds_.empty(); }
+
+    double at(Point point) const {
+        double sum = 0.0;
+        for (const std::vector<Excess>& round : rounds_) {
+            sum += mostAt(point, round);
+        }
+        return sum < kLeastMoveM ? 0.0 : sum;
+    }
+
+private:
+    /// The sum within one round would grow with the number of places: the one that asks for most counts.
+    double mostAt(Point point, const std::vector<Excess>& round) const {
+        // Farther away exp() leaves less than is worth a move.
+        const double seenM = 10.0 * reachM_;
+        const auto xOf = [](const Excess& excess) { return excess.place.x; };
+        double most = 0.0;
+        for (auto it = std::ranges::lower_bound(round, point.x - seenM, {}, xOf);
+             it != round.end() && it->place.x <= point.x + seenM; ++it) {
+            if (std::abs(it->place.y - point.y) <= seenM) {
+                const double away = distance(point, it->place);
+                most = std::max(most, it->moveM * std::exp(-std::max(0.0, away - reachM_) / reachM_));
+            }
+        }
+        return most;
+    }
+
+    double reachM_;
+    std::vector<std::vector<Excess>> rounds_;
+};
+
+/// Points close enough for the curve that the ring moves on to, and none where it does not move.
+Ring densified(const Ring& ring, const Displacement& displacement) {
+    Ring dense;
+    for (std::size_t i = 0; i < ring.size(); ++i) {
+        const Point from = ring[i];
+        const Point way = ring[(i + 1) % ring.size()] - from;
+        const auto pieces = std::max(1, static_cast<int>(std::ceil(norm(way) / kDenseM)));
+        bool wasMoved = true;
+        for (int k = 0; k < pieces; ++k) {
+            const Point at = from + (static_cast<double>(k) / pieces) * way;
+            const bool isMoved = displacement.at(at) > 0.0;
+            if (k == 0 || isMoved || wasMoved) {
+                dense.push_back(at);
+            }
+            wasMoved = isMoved;
+        }
+    }
+    return dense;
+}
+
+/// Fewer points on the same curve (Douglas & Peucker 1973, doi 10.3138/FM57-6770-U75U-7727); the buffers cost by the
+/// point.
+void addSimplified(std::span<const Point> line, Ring& kept) {
+    const Point way = line.back() - line.front();
+    const double length = std::max(norm(way), 1e-12);
+    std::size_t farthest = 0;
+    double most = kSimplifiedM;
+    for (std::size_t i = 1; i + 1 < line.size(); ++i) {
+        if (const double away = std::abs(cross(way, line[i] - line.front())) / length; away > most) {
+            most = away;
+            farthest = i;
+        }
+    }
+    if (farthest == 0) {
+        kept.push_back(line.front());
+        return;
+    }
+    addSimplified(line.first(farthest + 1), kept);
+    addSimplified(line.subspan(farthest), kept);
+}
+
+Ring simplified(Ring ring) {
+    Ring kept;
+    ring.push_back(ring.front());
+    const std::size_t half = ring.size() / 2;
+    addSimplified(std::span{ring}.first(half + 1), kept);
+    addSimplified(std::span{ring}.subspan(half), kept);
+    return kept;
+}
+
+Ring moved(const Ring& ring, const Displacement& displacement) {
+    const Ring dense = densified(ring, displacement);
+    Ring result;
+    for (std::size_t i = 0; i < dense.size(); ++i) {
+        const Point in = dense[i] - dense[(i + dense.size() - 1) % dense.size()];
+        const Point out = dense[(i + 1) % dense.size()] - dense[i];
+        const double turn = std::atan2(cross(in, out), dot(in, out));
+        const double inward = std::atan2(in.y, in.x) + 0.5 * turn + 0.5 * std::numbers::pi;
+        // At a corner the point moves along the bisector so that both edges move by the same.
+        const double mitre = 1.0 / std::max(0.5, std::cos(0.5 * turn));
+        result.push_back(dense[i] + displacement.at(dense[i]) * mitre * direction(inward));
+    }
+    return simplified(std::move(result));
+}
+
+Result<MultiPolygon> moved(const MultiPolygon& polygons, const Displacement& displacement, const JobContext& job) {
+    if (displacement.isEmpty()) {
+        return polygons;
+    }
+    MultiPolygon result;
+    for (const Polygon& polygon : polygons) {
+        result.push_back({.outer = moved(polygon.outer, displacement), .holes = {}});
+        for (const Ring& hole : polygon.holes) {
+            result.back().holes.push_back(moved(hole, displacement));
+        }
+    }
+    return madeValid(result, job);
+}
+
+/// The worst places along a line, at most one for each half of the reach.
+std::vector<Excess> excessesAlong(const Turn& line, const Ring& footprint, const BoundaryDistance& edge, double apartM) {
+    std::vector<Excess> found;
+    double wayM = 0.0;
+    double lastM = -apartM;
+    Pose pose = line.start;
+    for (const TurnPiece& piece : line.pieces) {
+        const auto steps = static_cast<int>(std::ceil(piece.length.si() / (0.25 * apartM)));
+        for (int i = 0; i < steps; ++i) {
+            const Length way = piece.length * (static_cast<double>(i) / steps);
+            // In the middle of a straight the footprint keeps to its strip.
+            const double toEndM = std::min(way, piece.length - way).si();
+            if (piece.curvature == Curvature{} && toEndM > 2.0 * apartM) {
+                continue;
+            }
+            const Pose at = advanced(pose, piece, way);
+            double outsideM = 0.0;
+            for (const Point& corner : placed(footprint, at)) {
+                outsideM = std::max(outsideM, -edge.insideM(corner).value_or(0.0));
+            }
+            if (outsideM <= kTouchingM) {
+                continue;
+            }
+            const double hereM = wayM + way.si();
+            const double moveM = kReserveFactor * outsideM + kReserveM;
+            if (hereM - lastM >= apartM || found.empty()) {
+                found.push_back({at.position, moveM});
+                lastM = hereM;
+            } else if (moveM > found.back().moveM) {
+                found.back() = {at.position, moveM};
+            }
+        }
+        pose = advanced(pose, piece, piece.length);
+        wayM += piece.length.si();
+    }
+    return found;
+}
+
+/// All rings of a polygon as lines; nothing where one of them is too tight.
+std::optional<std::vector<Turn>> smoothed(const Polygon& polygon, Length radius) {
+    std::vector<Turn> lines;
+    const auto add = [&](const Ring& ring) {
+        auto line = smoothRing(ring, radius, kMergeTolerance);
+        if (line) {
+            lines.push_back(std::move(*line));
+        }
+        return line.has_value();
+    };
+    if (!add(polygon.outer) || !std::ranges::all_of(polygon.holes, add)) {
+        return std::nullopt;
+    }
+    return lines;
+}
+
+/// The lines of a region. Most corners can be rounded one by one; where they are too close for that, everything
+/// goes that no disc of the radius can reach.
+Result<PassTracks> linesOf(const MultiPolygon& region, Length radius, const JobContext& job) {
+    PassTracks tracks;
+    // Less than a turn on full lock holds is a crumb of moving the ring.
+    const Area least = squareMetres(std::numbers::pi * radius.si() * radius.si());
+    for (const Polygon& polygon : region) {
+        if (area(polygon) < least) {
+            continue;
+        }
+        if (auto lines = smoothed(polygon, radius)) {
+            std::ranges::move(*lines, std::back_inserter(tracks.lines));
+            continue;
+        }
+        const auto reachable = rounded(polygon, kRadiusReserve * radius, job);
+        if (!reachable) {
+            return std::unexpected(reachable.error());
+        }
+        tracks.givenUp += reachable->empty() ? 1 : 0;
+        for (const Polygon& part : *reachable) {
+            if (auto lines = smoothed(part, radius)) {
+                std::ranges::move(*lines, std::back_inserter(tracks.lines));
+            } else {
+                ++tracks.givenUp;
+            }
+        }
+    }
+    return tracks;
+}
+
+/// The footprint with its sides at the axle: inward corners of the field meet those first.
+Ring checkPoints(const Machine& machine) {
+    Ring points = machine.workingFootprint();
+    const double half = 0.5 * machine.workingFootprintWidth().si();
+    points.push_back({0.0, half});
+    points.push_back({0.0, -half});
+    return points;
+}
+
+/// How far tail or nose reach from the axle: the scale on which a swing-out has to be prepared.
+double overhangM(const Ring& footprint) {
+    double farthest = 0.0;
+    for (const Point& corner : footprint) {
+        farthest = std::max(farthest, std::abs(corner.x));
+    }
+    return farthest;
+}
+
+}  // namespace
+
+Result<PassTracks> passTracks(const MultiPolygon& workable, Length inset, const MultiPolygon& drivable,
+                              const Machine& machine, const JobContext& job) {
+    const Length radius = machine.minTurningRadius();
+    const Ring footprint = checkPoints(machine);
+    const double reachM = overhangM(footprint);
+    auto base = eroded(workable, inset, kRoundTolerance, job);
+    if (!base) {
+        return std::unexpected(base.error());
+    }
+    const BoundaryDistance edge{drivable, metres(reachM)};
+    Displacement displacement{reachM};
+    PassTracks tracks;
+    for (int round = 0;; ++round) {
+        auto lines = moved(*base, displacement, job).and_then([&](const MultiPolygon& region) {
+            return linesOf(region, radius, job);
+        });
+        if (!lines) {
+            return std::unexpected(lines.error());
+        }
+        tracks = std::move(*lines);
+        std::vector<Excess> excesses;
+        for (const Turn& line : tracks.lines) {
+            std::ranges::copy(excessesAlong(line, footprint, edge, 0.5 * reachM), std::back_inserter(excesses));
+        }
+        if (excesses.empty() || round == kMostMoves) {
+            break;
+        }
+        displacement.add(std::move(excesses));
+    }
+    for (const Polygon& polygon : *base) {
+        for (const Point& point : polygon.outer) {
+            tracks.movedIn = std::max(tracks.movedIn, metres(displacement.at(point)));
+        }
+    }
+    return tracks;
+}
+
+}  // namespace furrow

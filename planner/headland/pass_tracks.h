@@ -1,0 +1,31 @@
+#pragma once
+
+#include "planner/core/result.h"
+#include "planner/geometry/polygon.h"
+#include "planner/jobs/job.h"
+#include "planner/machine/machine.h"
+#include "planner/turns/turn.h"
+
+#include <vector>
+
+namespace furrow {
+
+/// The lines of one headland pass: one closed line for the boundary and one for each obstacle, outer ones
+/// counter-clockwise, those around obstacles clockwise.
+struct PassTracks {
+    std::vector<Turn> lines;
+    Length movedIn;  ///< at most, because the footprint would have left the field in a bend
+    int givenUp = 0;  ///< rings that could not be rounded
+};
+
+/// @param workable  the field less its obstacles
+/// @param inset     from the edges of `workable` to the line
+/// @param drivable  where the footprint may be
+/// Rounded with the machine's radius. Where tail or nose would swing out of `drivable` the line moves in
+/// by as much and approaches that exponentially, the curve on which the swinging corner follows a straight
+/// edge. Cancelled. Cost: one GEOS
+/// buffer, a few rounds of looking along the line, and GEOS overlays where corners are too close to each other.
+Result<PassTracks> passTracks(const MultiPolygon& workable, Length inset, const MultiPolygon& drivable,
+                              const Machine& machine, const JobContext& job);
+
+}  // namespace furrow

@@ -1,0 +1,242 @@
+#include "planner/headland/smooth_ring.h"
+
+#include <algorithm>
+#include <cmath>
+#include <numbers>
+#include <unordered_set>
+#include <vector>
+
+namespace furrow {
+
+namespace {
+
+constexpr double kSamePointM = 0.01;
+// How far a rounded corner may be from its point where the radius leaves a choice.
+constexpr double kRoundingM = 0.01;
+// Corners that turn by less in all can become one.
+constexpr double kWidestMergeRad = std::numbers::pi / 2.0;
+// No rounding turns the vehicle round on the spot.
+constexpr double kSharpestRad = 0.95 * std::numbers::pi;
+// Edges that differ by less are one line.
+constexpr double kStraightRad = 1e-9;
+// A radius that is kept up to rounding is kept.
+constexpr double kRadiusSlack = 1.0 + 1e-9;
+
+struct Corner {
+    Point at;
+    double turnRad = 0.0;  ///< to the left
+    double needM = 0.0;    ///< of both edges, for the smallest radius
+    double wantM = 0.0;    ///< for a gentle bend
+    double lengthM = 0.0;  ///< of the edge to the next corner
+    Point way;             ///< unit vector of that edge
+};
+
+Ring withoutCloseOnes(const Ring& ring) {
+    Ring kept;
+    for (const Point& point : ring) {
+        if (kept.empty() || distance(kept.back(), point) >= kSamePointM) {
+            kept.push_back(point);
+        }
+    }
+    while (kept.size() > 1 && distance(kept.back(), kept.front()) < kSamePointM) {
+        kept.pop_back();
+    }
+    return kept;
+}
+
+/// Two corners the same way with too short an edge between them: one where the edges before and after it meet, if
+/// its rounding passes close to the edge.
+std::optional<Point> oneCornerFor(const Corner& a, const Corner& b, double radiusM, double toleranceM) {
+    const double turn = a.turnRad + b.turnRad;
+    if (a.turnRad * b.turnRad <= 0.0 || std::abs(turn) > kWidestMergeRad) {
+        return std::nullopt;
+    }
+    // The triangle on the edge with the two turns as its angles.
+    const double alongM = a.lengthM * std::sin(b.turnRad) / std::sin(turn);
+    const double heightM = alongM * std::abs(std::sin(a.turnRad));
+    const double roundedM = radiusM * (1.0 / std::cos(0.5 * turn) - 1.0);
+    if (std::abs(heightM - roundedM) > toleranceM) {
+        return std::nullopt;
+    }
+    const double heading = std::atan2(a.way.y, a.way.x) - a.turnRad;
+    return a.at + alongM * direction(heading);
+}
+
+/// The corners of a ring while points go: what is left is linked, and only what changes is worked out again.
+class CornerChain {
+public:
+    CornerChain(const Ring& ring, double radiusM, double toleranceM)
+        : radiusM_{radiusM}, toleranceM_{toleranceM}, left_{ring.size()} {
+        for (std::size_t i = 0; i < ring.size(); ++i) {
+            corners_.push_back({.at = ring[i]});
+            links_.push_back({(i + ring.size() - 1) % ring.size(), (i + 1) % ring.size()});
+        }
+        for (std::size_t i = 0; i < ring.size(); ++i) {
+            measureEdge(i);
+        }
+        for (std::size_t i = 0; i < ring.size(); ++i) {
+            measureTurn(i);
+            pending_.push_back(ring.size() - 1 - i);
+        }
+    }
+
+    /// Takes points away until every edge is long enough for its corners. False where that is not possible.
+    bool makeDrivable() {
+        while (!pending_.empty()) {
+            const std::size_t i = pending_.back();
+            pending_.pop_back();
+            while (!gone_.contains(i) && corners_[i].needM + corners_[links_[i].next].needM > corners_[i].lengthM) {
+                if (left_ <= 3 || !shorten(i)) {
+                    return false;
+                }
+            }
+        }
+        return true;
+    }
+
+    std::vector<Corner> take() const {
+        std::vector<Corner> kept;
+        for (std::size_t i = 0; i < corners_.size(); ++i) {
+            if (!gone_.contains(i)) {
+                kept.push_back(corners_[i]);
+            }
+        }
+        return kept;
+    }
+
+private:
+    struct Links {
+        std::size_t before;
+        std::size_t next;
+    };
+
+    void measureEdge(std::size_t i) {
+        const Point way = corners_[links_[i].next].at - corners_[i].at;
+        corners_[i].lengthM = norm(way);
+        corners_[i].way = (1.0 / corners_[i].lengthM) * way;
+    }
+
+    void measureTurn(std::size_t i) {
+        Corner& corner = corners_[i];
+        const Point before = corners_[links_[i].before].way;
+        corner.turnRad = std::atan2(cross(before, corner.way), dot(before, corner.way));
+        const double turn = std::abs(corner.turnRad);
+        corner.needM = turn > kStraightRad ? radiusM_ * kRadiusSlack * std::tan(0.5 * turn) : 0.0;
+        // The middle of the arc is t tan(turn / 4) away from the corner.
+        corner.wantM = turn > kStraightRad ? std::max(corner.needM, kRoundingM / std::tan(0.25 * turn)) : 0.0;
+    }
+
+    /// The edge after i is too short: its corners become one, or the one that matters less goes.
+    bool shorten(std::size_t i) {
+        const std::size_t next = links_[i].next;
+        if (const auto meeting = oneCornerFor(corners_[i], corners_[next], radiusM_, toleranceM_)) {
+            corners_[i].at = *meeting;
+            drop(next);
+            return true;
+        }
+        const std::size_t gone = moveWithout(i) <= moveWithout(next) ? i : next;
+        if (moveWithout(gone) > toleranceM_) {
+            return false;
+        }
+        drop(gone);
+        return true;
+    }
+
+    /// How far the ring moves if a point goes.
+    double moveWithout(std::size_t i) const {
+        const Point before = corners_[links_[i].before].at;
+        const Point way = corners_[links_[i].next].at - before;
+        const double length = norm(way);
+        const Point here = corners_[i].at - before;
+        return length > 0.0 ? std::abs(cross(way, here)) / length : norm(here);
+    }
+
+    void drop(std::size_t i) {
+        const auto [before, next] = links_[i];
+        links_[before].next = next;
+        links_[next].before = before;
+        gone_.insert(i);
+        --left_;
+        const std::size_t first = links_[before].before;
+        for (const std::size_t edge : {first, before, next}) {
+            measureEdge(edge);
+        }
+        for (const std::size_t corner : {first, before, next, links_[next].next}) {
+            measureTurn(corner);
+            pending_.push_back(corner);
+        }
+        pending_.push_back(links_[first].before);
+    }
+
+    double radiusM_;
+    double toleranceM_;
+    std::size_t left_;
+    std::vector<Corner> corners_;
+    std::vector<Links> links_;
+    std::unordered_set<std::size_t> gone_;
+    std::vector<std::size_t> pending_;
+};
+
+Turn lineThrough(const std::vector<Corner>& corners) {
+    const std::size_t size = corners.size();
+    std::vector<double> cuts(size);
+    for (std::size_t i = 0; i < size; ++i) {
+        const Corner& before = corners[(i + size - 1) % size];
+        const Corner& corner = corners[i];
+        const Corner& next = corners[(i + 1) % size];
+        // What the corners at both ends of an edge do not need is shared.
+        const double spareBefore = 0.5 * (before.lengthM - before.needM - corner.needM);
+        const double spareAfter = 0.5 * (corner.lengthM - corner.needM - next.needM);
+        cuts[i] = std::min(corner.wantM, corner.needM + std::min(spareBefore, spareAfter));
+    }
+    const Corner& first = corners.front();
+    Turn line{.type = {},
+              .start = {.position = first.at + cuts[0] * first.way,
+                        .heading = radians(std::atan2(first.way.y, first.way.x))},
+              .pieces = {}};
+    for (std::size_t i = 1; i <= size; ++i) {
+        const Corner& before = corners[i - 1];
+        const Corner& corner = corners[i % size];
+        if (const double straightM = before.lengthM - cuts[i - 1] - cuts[i % size]; straightM > 1e-9) {
+            line.pieces.push_back({.length = metres(straightM), .curvature = {}});
+        }
+        if (std::abs(corner.turnRad) > kStraightRad) {
+            const double radiusM = cuts[i % size] / std::tan(0.5 * std::abs(corner.turnRad));
+            line.pieces.push_back({.length = metres(radiusM * std::abs(corner.turnRad)),
+                                   .curvature = Curvature::fromSi(std::copysign(1.0 / radiusM, corner.turnRad))});
+            line.pieces.back().endCurvature = line.pieces.back().curvature;
+        }
+    }
+    return line;
+}
+
+}  // namespace
+
+std::optional<Turn> smoothRing(const Ring& given, Length radius, Length tolerance) {
+    const Ring ring = withoutCloseOnes(given);
+    if (ring.size() < 3) {
+        return std::nullopt;
+    }
+    CornerChain chain{ring, radius.si(), tolerance.si()};
+    if (!chain.makeDrivable()) {
+        return std::nullopt;
+    }
+    const std::vector<Corner> corners = chain.take();
+    const bool sharp = std::ranges::any_of(
+        corners, [](const Corner& corner) { return std::abs(corner.turnRad) > kSharpestRad; });
+    return sharp ? std::nullopt : std::optional{lineThrough(corners)};
+}
+
+Turn reversedLine(const Turn& line) {
+    Turn back{.type = line.type, .start = line.end(), .pieces = {}};
+    back.start.heading = back.start.heading + degrees(180.0);
+    for (auto piece = line.pieces.rbegin(); piece != line.pieces.rend(); ++piece) {
+        back.pieces.push_back({.length = piece->length,
+                               .curvature = Curvature::fromSi(-piece->endCurvature.si()),
+                               .endCurvature = Curvature::fromSi(-piece->curvature.si()),
+                               .gear = piece->gear});
+    }
+    return back;
+}
+
+}  // namespace furrow

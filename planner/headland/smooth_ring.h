@@ -1,0 +1,19 @@
+#pragma once
+
+#include "planner/geometry/polygon.h"
+#include "planner/turns/turn.h"
+
+#include <optional>
+
+namespace furrow {
+
+/// A ring as lines and arcs that a vehicle can drive: every corner is rounded with the given radius or more,
+/// arcs drawn as chords become arcs again. Where corners are too close to each other some are merged or left out;
+/// the line moves by no more than `tolerance` for each. Starts on the ring's first edge. Nothing where that is not
+/// enough. Cost: O(n) for n points.
+std::optional<Turn> smoothRing(const Ring& ring, Length radius, Length tolerance);
+
+/// The same line driven the other way round.
+Turn reversedLine(const Turn& line);
+
+}  // namespace furrow

@@ -1,0 +1,210 @@
+#include "planner/path/headland_order.h"
+
+#include "planner/turns/connection.h"
+#include "planner/turns/footprint_check.h"
+
+#include <algorithm>
+#include <cmath>
+#include <iterator>
+#include <limits>
+
+namespace furrow {
+
+namespace {
+
+constexpr std::size_t kMostStarts = 400;
+constexpr Length kCheckStep = metres(0.25);
+
+/// A place on a closed pass where it may start.
+struct StartPlace {
+    std::size_t stretch = 0;
+    std::size_t piece = 0;
+    Length way;  ///< along that piece
+    Pose pose;
+};
+
+std::vector<StartPlace> startPlaces(const HeadlandPass& pass) {
+    const Length step = std::max(0.5 * pass.width, (1.0 / kMostStarts) * pass.length());
+    std::vector<StartPlace> places;
+    for (std::size_t s = 0; s < pass.stretches.size(); ++s) {
+        const PassStretch& stretch = pass.stretches[s];
+        Pose pose = stretch.line.start;
+        for (std::size_t p = 0; p < stretch.line.pieces.size(); ++p) {
+            const TurnPiece& piece = stretch.line.pieces[p];
+            for (Length way; stretch.working && way < piece.length; way += step) {
+                places.push_back({s, p, way, advanced(pose, piece, way)});
+            }
+            pose = advanced(pose, piece, piece.length);
+        }
+    }
+    return places;
+}
+
+Leg legOf(const HeadlandPass& pass, const PassStretch& stretch) {
+    return {.kind = stretch.working ? SegmentKind::HeadlandPass : SegmentKind::Turn,
+            .number = stretch.working ? pass.ring + 1 : 0,
+            .line = stretch.line,
+            .implementDown = stretch.working};
+}
+
+/// The pass once round from a place on it.
+std::vector<Leg> legsFrom(const HeadlandPass& pass, const StartPlace& start) {
+    const PassStretch& first = pass.stretches[start.stretch];
+    const TurnPiece& split = first.line.pieces[start.piece];
+    PassStretch head{.line = {.type = {}, .start = start.pose, .pieces = {}}, .working = true};
+    PassStretch tail{.line = {.type = {}, .start = first.line.start, .pieces = {}}, .working = true};
+    const Curvature here = split.curvatureAt(start.way);
+    head.line.pieces.push_back({split.length - start.way, here, split.endCurvature, split.gear});
+    head.line.pieces.insert(head.line.pieces.end(), first.line.pieces.begin() + static_cast<std::ptrdiff_t>(start.piece) + 1,
+                            first.line.pieces.end());
+    tail.line.pieces.assign(first.line.pieces.begin(), first.line.pieces.begin() + static_cast<std::ptrdiff_t>(start.piece));
+    if (start.way > metres(0.0)) {
+        tail.line.pieces.push_back({start.way, split.curvature, here, split.gear});
+    }
+    if (pass.stretches.size() == 1) {
+        // Where the line closes nothing changes: one leg.
+        head.line.pieces.insert(head.line.pieces.end(), tail.line.pieces.begin(), tail.line.pieces.end());
+        return {legOf(pass, head)};
+    }
+    std::vector<Leg> legs{legOf(pass, head)};
+    for (std::size_t i = 1; i < pass.stretches.size(); ++i) {
+        legs.push_back(legOf(pass, pass.stretches[(start.stretch + i) % pass.stretches.size()]));
+    }
+    if (!tail.line.pieces.empty()) {
+        legs.push_back(legOf(pass, tail));
+    }
+    return legs;
+}
+
+/// Around which boundary or obstacle each pass runs: every one belongs to the nearest of the ring outside of it.
+std::vector<std::size_t> families(const std::vector<HeadlandPass>& passes,
+                                  const std::vector<std::vector<StartPlace>>& places) {
+    std::vector<std::size_t> family(passes.size());
+    for (std::size_t i = 0; i < passes.size(); ++i) {
+        family[i] = i;
+        double nearest = std::numeric_limits<double>::infinity();
+        for (std::size_t k = 0; k < i; ++k) {
+            if (passes[k].ring + 1 != passes[i].ring || places[i].empty()) {
+                continue;
+            }
+            for (const StartPlace& place : places[k]) {
+                const double away = distance(place.pose.position, places[i].front().pose.position);
+                if (away < nearest) {
+                    nearest = away;
+                    family[i] = family[k];
+                }
+            }
+        }
+    }
+    return family;
+}
+
+/// Family after family, in each from outside in or inside out; the family nearest to `from` first.
+std::vector<std::size_t> sequence(const std::vector<HeadlandPass>& passes,
+                                  const std::vector<std::vector<StartPlace>>& places, bool insideOut, Point from) {
+    const std::vector<std::size_t> family = families(passes, places);
+    std::vector<std::size_t> left(passes.size());
+    for (std::size_t i = 0; i < left.size(); ++i) {
+        left[i] = i;
+    }
+    std::vector<std::size_t> order;
+    while (!left.empty()) {
+        double nearest = std::numeric_limits<double>::infinity();
+        std::size_t chosen = family[left.front()];
+        for (const std::size_t i : left) {
+            for (const StartPlace& place : places[i]) {
+                if (const double away = distance(place.pose.position, from); away < nearest) {
+                    nearest = away;
+                    chosen = family[i];
+                }
+            }
+        }
+        std::vector<std::size_t> members;
+        std::ranges::copy_if(left, std::back_inserter(members), [&](std::size_t i) { return family[i] == chosen; });
+        std::erase_if(left, [&](std::size_t i) { return family[i] == chosen; });
+        std::ranges::stable_sort(members, {}, [&](std::size_t i) { return insideOut ? -passes[i].ring : passes[i].ring; });
+        order.insert(order.end(), members.begin(), members.end());
+        if (!places[order.back()].empty()) {
+            from = places[order.back()].front().pose.position;
+        }
+    }
+    return order;
+}
+
+/// Finds where a closed pass best starts.
+class StartChooser {
+public:
+    StartChooser(const MultiPolygon& drivable, const Machine& machine, TurnPlanner* turn)
+        : machine_{machine},
+          turn_{turn},
+          footprint_{machine.turningFootprint()},
+          edges_{drivable, machine.turningWidth() + machine.spec().tractor.length} {}
+
+    /// Where the way between a pass and a fixed pose is quickest and stays inside; the quickest where none does;
+    /// the first place where there is no pose.
+    const StartPlace& best(const std::vector<StartPlace>& places, const std::optional<Pose>& fixed,
+                           bool fixedIsNext) const {
+        if (!fixed) {
+            return places.front();
+        }
+        std::vector<std::pair<Duration, std::size_t>> byTime;
+        for (std::size_t i = 0; i < places.size(); ++i) {
+            byTime.emplace_back(roughDuration(way(places[i].pose, *fixed, fixedIsNext), machine_), i);
+        }
+        std::ranges::sort(byTime);
+        for (const auto& [time, i] : byTime) {
+            if (staysInside(way(places[i].pose, *fixed, fixedIsNext), footprint_, edges_, kCheckStep)) {
+                return places[i];
+            }
+        }
+        return places[byTime.front().second];
+    }
+
+private:
+    Turn way(const Pose& place, const Pose& fixed, bool fixedIsNext) const {
+        return fixedIsNext ? connection(place, fixed, machine_, turn_) : connection(fixed, place, machine_, turn_);
+    }
+
+    const Machine& machine_;
+    TurnPlanner* turn_;
+    Ring footprint_;
+    BoundaryDistance edges_;
+};
+
+}  // namespace
+
+std::vector<Leg> headlandLegs(const std::vector<HeadlandPass>& passes, const HeadlandDrive& drive,
+                              const Machine& machine, TurnPlanner* turn) {
+    std::vector<std::vector<StartPlace>> places;
+    for (const HeadlandPass& pass : passes) {
+        places.push_back(startPlaces(pass));
+    }
+    // What is fixed is the end that meets the swaths: from there the passes are lined up, backwards where the
+    // swaths come after them.
+    const bool backwards = drive.after.has_value();
+    const std::optional<Pose> fixed = backwards ? drive.after : drive.before;
+    // Lined up backwards, outside in begins with the innermost.
+    const std::vector<std::size_t> order =
+        sequence(passes, places, backwards != drive.insideOut, fixed ? fixed->position : Point{});
+    const StartChooser chooser{drive.drivable, machine, turn};
+    std::vector<std::vector<Leg>> lined;
+    std::optional<Pose> met = fixed;
+    for (const std::size_t i : order) {
+        if (places[i].empty()) {
+            continue;
+        }
+        const StartPlace& start = chooser.best(places[i], met, backwards);
+        lined.push_back(legsFrom(passes[i], start));
+        met = start.pose;
+    }
+    if (backwards) {
+        std::ranges::reverse(lined);
+    }
+    std::vector<Leg> legs;
+    for (std::vector<Leg>& some : lined) {
+        std::ranges::move(some, std::back_inserter(legs));
+    }
+    return legs;
+}
+
+}  // namespace furrow

@@ -1,0 +1,83 @@
+#include "planner/route/methods.h"
+
+#include <algorithm>
+#include <cstdlib>
+#include <format>
+#include <string>
+#include <vector>
+
+namespace furrow {
+
+namespace {
+
+Error refused(std::string what, std::string remedy) {
+    return {.code = ErrorCode::InputRefused,
+            .what = std::move(what),
+            .where = std::string{kOrder.key},
+            .remedy = std::move(remedy)};
+}
+
+/// The first few of these numbers as text.
+std::string listed(const std::vector<int>& numbers) {
+    constexpr std::size_t kShown = 5;
+    std::string text;
+    for (std::size_t i = 0; i < std::min(kShown, numbers.size()); ++i) {
+        text += (i == 0 ? "" : ", ") + std::to_string(numbers[i]);
+    }
+    return numbers.size() > kShown ? std::format("{} and {} more", text, numbers.size() - kShown) : text;
+}
+
+Result<Route> customOrder(const RouteTask& task, const JobContext& job) {
+    if (job.stopRequested()) {
+        return std::unexpected(cancelled());
+    }
+    const auto count = static_cast<int>(task.swaths.swaths.size());
+    std::vector<bool> driven(static_cast<std::size_t>(count));
+    Route route;
+    for (const int number : task.settings.numbers(kOrder)) {
+        if (number == 0 || std::abs(number) > count) {
+            return std::unexpected(refused(std::format("there is no swath {}", std::abs(number)),
+                                           std::format("use the numbers from 1 to {}", count)));
+        }
+        const auto swath = static_cast<std::size_t>(std::abs(number) - 1);
+        if (driven[swath]) {
+            return std::unexpected(
+                refused(std::format("swath {} is named twice", std::abs(number)), "name each swath once"));
+        }
+        driven[swath] = true;
+        route.steps.push_back({.swath = swath, .reversed = number < 0});
+    }
+    std::vector<int> missing;
+    for (int number = 1; number <= count; ++number) {
+        if (!driven[static_cast<std::size_t>(number - 1)]) {
+            missing.push_back(number);
+        }
+    }
+    if (!missing.empty()) {
+        return std::unexpected(refused(std::format("{} of {} swaths are not in the order: {}", missing.size(), count,
+                                                   listed(missing)),
+                                       "name each swath once, with a minus where it is driven backwards"));
+    }
+    route.lengthInPlace = lengthInPlace(route.steps, task.swaths);
+    return route;
+}
+
+constexpr const Parameter* kParameters[] = {&kOrder};
+
+}  // namespace
+
+const Parameter kOrder{.key = "route.order",
+                       .name = "Order",
+                       .description = "Swath numbers in driving order; a minus drives one the other way.",
+                       .kind = ParameterKind::Numbers,
+                       .standard = {},
+                       .choices = {}};
+
+const Method<RoutePlanner> kCustomMethod{
+    .info = {.id = "custom",
+             .name = "Your own order",
+             .description = "The swaths in the order and direction that you type.",
+             .parameters = kParameters},
+    .run = customOrder};
+
+}  // namespace furrow

@@ -1,0 +1,40 @@
+#pragma once
+
+#include "planner/route/route.h"
+
+#include <cstddef>
+#include <vector>
+
+namespace furrow {
+
+/// An order of the tracks 0 to count - 1, each once.
+using TrackOrder = std::vector<std::size_t>;
+
+/// 0, 1, 2 ...
+TrackOrder toAndFroOrder(std::size_t count);
+/// Every second one out, the rest back: 0, 2, 4, 5, 3, 1 (the paper's snake).
+TrackOrder snakeOrder(std::size_t count);
+/// A snake within each cluster of `cluster` tracks, one cluster after the other (the paper's spiral).
+TrackOrder spiralOrder(std::size_t count, std::size_t cluster);
+/// `skip` tracks left out on the way out, one less on the way back, so that all turns are about as wide:
+/// 0, 2, 1, 3, 5, 4 for one.
+TrackOrder skipOrder(std::size_t count, std::size_t skip);
+/// Round and round with half of the tracks in between: 0, 3, 1, 4, 2, 5.
+TrackOrder racetrackOrder(std::size_t count);
+
+/// Drives the tracks in this order, each the other way than the one before; the pieces of one track one
+/// after the other.
+std::vector<RouteStep> alongTracks(const SwathSet& swaths, const TrackOrder& order, bool firstReversed);
+
+/// Time for all turns between the steps.
+Duration turningTime(const std::vector<RouteStep>& steps, const RouteTask& task);
+
+/// The route in this order of tracks. With route.corner `best` the quickest of all four start corners and of
+/// both ways through the order; with `first` from the start of the first swath. Cancelled.
+/// Cost: eight times the turns.
+Result<Route> bestRoute(const TrackOrder& order, const RouteTask& task, const JobContext& job);
+
+/// How many tracks the swaths were cut from.
+std::size_t trackCount(const SwathSet& swaths);
+
+}  // namespace furrow

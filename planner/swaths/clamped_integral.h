@@ -1,0 +1,40 @@
+#pragma once
+
+#include "planner/geometry/point.h"
+
+#include <algorithm>
+
+namespace furrow {
+
+/// A stretch along a track, metres.
+struct Interval {
+    double from = 0.0;
+    double to = 0.0;
+};
+
+/// Integral over y of clamp(x, from, to) - from along a straight edge, y running from y0 to y1.
+inline double clampedIntegral(Point p0, Point p1, Interval interval) {
+    const double span = interval.to - interval.from;
+    const double u0 = p0.x - interval.from;
+    const double u1 = p1.x - interval.from;
+    const double dy = p1.y - p0.y;
+    const double low = std::min(u0, u1);
+    const double high = std::max(u0, u1);
+    if (high <= 0.0) {
+        return 0.0;
+    }
+    if (low >= span) {
+        return span * dy;
+    }
+    if (low >= 0.0 && high <= span) {
+        return 0.5 * (u0 + u1) * dy;
+    }
+    // The edge meets a swath's end: shares of its length below, within and beyond the clamp.
+    const double length = high - low;
+    const double within = std::min(high, span) - std::max(low, 0.0);
+    const double beyond = std::max(high - span, 0.0);
+    const double middle = 0.5 * (std::min(high, span) + std::max(low, 0.0));
+    return dy * (within * middle + beyond * span) / length;
+}
+
+}  // namespace furrow

@@ -1,0 +1,274 @@
+#include "planner/swaths/full_ends.h"
+
+#include "planner/swaths/clamped_integral.h"
+#include "planner/swaths/methods.h"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <optional>
+#include <vector>
+
+namespace furrow {
+
+namespace {
+
+// Touching up to rounding is not crossing.
+constexpr double kTouchingM = 1e-3;
+
+/// Polygons turned so that swaths run along x, with their edges sorted into bands across.
+class TurnedEdges {
+public:
+    TurnedEdges(const MultiPolygon& polygons, Point along, double bandM) : bandM_{bandM} {
+        const auto add = [&](const Ring& ring) {
+            Ring turned;
+            for (const Point& point : ring) {
+                turned.push_back({dot(along, point), cross(along, point)});
+                lowY_ = std::min(lowY_, turned.back().y);
+                highY_ = std::max(highY_, turned.back().y);
+            }
+            rings_.push_back(std::move(turned));
+        };
+        for (const Polygon& polygon : polygons) {
+            add(polygon.outer);
+            std::ranges::for_each(polygon.holes, add);
+        }
+        sortIntoBands();
+    }
+
+    struct Edge {
+        std::size_t ring = 0;
+        std::size_t index = 0;
+    };
+
+    Point vertex(std::size_t ring, std::size_t index) const {
+        return rings_[ring][index % rings_[ring].size()];
+    }
+    std::size_t ringSize(std::size_t ring) const { return rings_[ring].size(); }
+
+    /// Calls visit(edge, from, to) for every edge that may touch heights from low to high, some twice.
+    template <class Visit>
+    void between(double low, double high, const Visit& visit) const {
+        if (bands_.empty() || high < lowY_ || low > highY_) {
+            return;
+        }
+        for (std::size_t band = bandOf(low); band <= bandOf(high); ++band) {
+            for (const Edge& edge : bands_[band]) {
+                visit(edge, vertex(edge.ring, edge.index), vertex(edge.ring, edge.index + 1));
+            }
+        }
+    }
+
+private:
+    std::size_t bandOf(double y) const {
+        const double band = std::clamp((y - lowY_) / bandM_, 0.0, static_cast<double>(bands_.size() - 1));
+        return static_cast<std::size_t>(band);
+    }
+
+    void sortIntoBands() {
+        if (rings_.empty()) {
+            return;
+        }
+        bands_.resize(static_cast<std::size_t>((highY_ - lowY_) / bandM_) + 1);
+        for (std::size_t ring = 0; ring < rings_.size(); ++ring) {
+            for (std::size_t i = 0; i < rings_[ring].size(); ++i) {
+                const double from = vertex(ring, i).y;
+                const double to = vertex(ring, i + 1).y;
+                for (std::size_t band = bandOf(std::min(from, to)); band <= bandOf(std::max(from, to)); ++band) {
+                    bands_[band].push_back({ring, i});
+                }
+            }
+        }
+    }
+
+    double bandM_;
+    double lowY_ = std::numeric_limits<double>::infinity();
+    double highY_ = -std::numeric_limits<double>::infinity();
+    std::vector<Ring> rings_;
+    std::vector<std::vector<Edge>> bands_;
+};
+
+/// The part of an edge between two heights; nothing where there is none.
+struct Piece {
+    Point from;
+    Point to;
+};
+std::optional<Piece> clipped(Point a, Point b, double low, double high) {
+    const auto at = [&](double y) { return Point{a.x + (b.x - a.x) * (y - a.y) / (b.y - a.y), y}; };
+    if (std::max(a.y, b.y) < low || std::min(a.y, b.y) > high) {
+        return std::nullopt;
+    }
+    const auto clamp = [&](Point p) { return p.y < low ? at(low) : p.y > high ? at(high) : p; };
+    return Piece{clamp(a), clamp(b)};
+}
+
+/// One end of a swath in the turned frame; ahead is +x for the far end, -x for the near one.
+struct End {
+    double x = 0.0;
+    double y = 0.0;
+    double ahead = 1.0;
+};
+
+/// How far beyond the end the first edge lies within a band of heights; infinite where none does.
+double freeAhead(const TurnedEdges& edges, const End& end, double halfWidthM) {
+    const double low = end.y - halfWidthM + kTouchingM;
+    const double high = end.y + halfWidthM - kTouchingM;
+    double free = std::numeric_limits<double>::infinity();
+    edges.between(low, high, [&](TurnedEdges::Edge, Point a, Point b) {
+        if (const auto piece = clipped(a, b, low, high)) {
+            const double from = end.ahead * (piece->from.x - end.x);
+            const double to = end.ahead * (piece->to.x - end.x);
+            if (std::max(from, to) > kTouchingM) {
+                free = std::min(free, std::max(0.0, std::min(from, to)));
+            }
+        }
+    });
+    return free;
+}
+
+/// The mainland's edge where a swath ends, from side to side of the strip for as long as it runs across.
+std::vector<Piece> edgeAcross(const TurnedEdges& mainland, const End& end, double halfWidthM) {
+    std::optional<TurnedEdges::Edge> crossing;
+    double nearest = kTouchingM;
+    mainland.between(end.y, end.y, [&](TurnedEdges::Edge edge, Point a, Point b) {
+        if ((a.y <= end.y) != (b.y <= end.y)) {
+            const double x = a.x + (b.x - a.x) * (end.y - a.y) / (b.y - a.y);
+            if (std::abs(x - end.x) < nearest) {
+                nearest = std::abs(x - end.x);
+                crossing = edge;
+            }
+        }
+    });
+    std::vector<Piece> across;
+    if (!crossing) {
+        return across;
+    }
+    const double low = end.y - halfWidthM;
+    const double high = end.y + halfWidthM;
+    const std::size_t size = mainland.ringSize(crossing->ring);
+    const Point a = mainland.vertex(crossing->ring, crossing->index);
+    const Point b = mainland.vertex(crossing->ring, crossing->index + 1);
+    const bool rising = b.y > a.y;
+    across.push_back(*clipped(a, b, low, high));
+    // Up one way round the ring and down the other, until the edge turns back or leaves the strip.
+    for (const bool up : {true, false}) {
+        const bool onwards = up == rising;
+        std::size_t at = onwards ? crossing->index + 1 : crossing->index;
+        for (std::size_t steps = 0; steps < size; ++steps) {
+            const std::size_t next = onwards ? at + 1 : at + size - 1;
+            const Point from = mainland.vertex(crossing->ring, at);
+            const Point to = mainland.vertex(crossing->ring, next);
+            const bool turnsBack = up ? to.y < from.y : to.y > from.y;
+            const auto piece = clipped(from, to, low, high);
+            if (turnsBack || !piece) {
+                break;
+            }
+            across.push_back(*piece);
+            at = next % size;
+        }
+    }
+    return across;
+}
+
+struct Machinery {
+    double halfWidthM;         // of the implement at work
+    double halfImplementM;     // along the way
+    double halfTractorM;       // width
+    double aheadM;             // how far the tractor reaches beyond the implement, whichever way it comes
+};
+
+Machinery machineryOf(const Machine& machine) {
+    const Tractor& tractor = machine.spec().tractor;
+    const Implement& implement = machine.spec().implement;
+    const Length front = tractor.length - tractor.rearOverhang;
+    return {.halfWidthM = 0.5 * implement.operatingWidth.si(),
+            .halfImplementM = 0.5 * implement.length.si(),
+            .halfTractorM = 0.5 * tractor.width.si(),
+            .aheadM = std::max(front - implement.offset, implement.offset + tractor.rearOverhang).si()};
+}
+
+class EndDrawer {
+public:
+    EndDrawer(SwathSet& set, const MultiPolygon& mainland, const EndRoom& room, const Machine& machine)
+        : set_{set},
+          along_{direction(set.heading.si())},
+          left_{-along_.y, along_.x},
+          machinery_{machineryOf(machine)},
+          mainland_{mainland, along_, 2.0 * machinery_.halfWidthM},
+          working_{room.working, along_, 2.0 * machinery_.halfWidthM},
+          driving_{room.driving, along_, 2.0 * machinery_.halfWidthM},
+          turningM_{room.turning.si()} {}
+
+    void draw() {
+        set_.totalLength = {};
+        for (Swath& swath : set_.swaths) {
+            const double y = cross(along_, swath.start);
+            const double from = drawnOut({.x = dot(along_, swath.start), .y = y, .ahead = -1.0});
+            const double to = drawnOut({.x = dot(along_, swath.end), .y = y, .ahead = 1.0});
+            swath.start = from * along_ + y * left_;
+            swath.end = to * along_ + y * left_;
+            set_.totalLength += swath.length();
+        }
+    }
+
+private:
+    double drawnOut(const End& end) {
+        const std::vector<Piece> across = edgeAcross(mainland_, end, machinery_.halfWidthM);
+        double wanted = 0.0;
+        for (const Piece& piece : across) {
+            wanted = std::max({wanted, end.ahead * (piece.from.x - end.x), end.ahead * (piece.to.x - end.x)});
+        }
+        if (wanted <= kTouchingM) {
+            return end.x;
+        }
+        // The turn goes to one of the neighbours: one width more on both sides.
+        const double free = std::min(
+            {freeAhead(working_, end, machinery_.halfWidthM),
+             freeAhead(driving_, end, machinery_.halfWidthM) - machinery_.halfImplementM,
+             freeAhead(driving_, end, machinery_.halfTractorM) - machinery_.aheadM,
+             freeAhead(driving_, end, 3.0 * machinery_.halfWidthM) - turningM_});
+        const double more = std::clamp(free, 0.0, wanted);
+        set_.endOverlap += squareMetres(areaBeyond(end, across, more));
+        return end.x + end.ahead * more;
+    }
+
+    /// Of the strip that was added, what lies outside of the mainland.
+    double areaBeyond(const End& end, const std::vector<Piece>& across, double more) const {
+        double inside = 0.0;
+        for (const Piece& piece : across) {
+            const Point from{end.ahead * (piece.from.x - end.x), piece.from.y};
+            const Point to{end.ahead * (piece.to.x - end.x), piece.to.y};
+            inside += std::abs(clampedIntegral(from, to, {0.0, more}));
+        }
+        return std::max(0.0, 2.0 * machinery_.halfWidthM * more - inside);
+    }
+
+    SwathSet& set_;
+    Point along_;
+    Point left_;
+    Machinery machinery_;
+    TurnedEdges mainland_;
+    TurnedEdges working_;
+    TurnedEdges driving_;
+    double turningM_;
+};
+
+constexpr Choice kEndKinds[] = {
+    {"full", "Full width", "Drawn out until the whole width is covered, as far as there is room."},
+    {"centre", "Centre line", "Where the middle of the swath meets the mainland's edge."},
+};
+
+}  // namespace
+
+void drawOutEnds(SwathSet& set, const MultiPolygon& mainland, const EndRoom& room, const Machine& machine) {
+    EndDrawer{set, mainland, room, machine}.draw();
+}
+
+const Parameter kEnds{.key = "swaths.ends",
+                      .name = "Ends",
+                      .description = "Where a swath ends at a slanting edge.",
+                      .kind = ParameterKind::Choice,
+                      .standard = 0.0,
+                      .choices = kEndKinds};
+
+}  // namespace furrow

@@ -1,0 +1,85 @@
+#include "planner/swaths/heading_search.h"
+#include "planner/swaths/methods.h"
+
+#include <cmath>
+#include <format>
+
+namespace furrow {
+
+namespace {
+
+// A direction cannot be told from two points that are closer.
+constexpr double kShortestLineM = 1.0;
+
+Error lineMissing(std::string_view method, std::string_view wanted, std::string_view example) {
+    return {.code = ErrorCode::Usage,
+            .what = std::format("{} needs {}", method, wanted),
+            .where = std::string{kLine.key},
+            .remedy = std::format("give it as WKT in WGS84, {}", example)};
+}
+
+Result<SwathSet> along(const SwathTask& task, Angle heading, Point anchor) {
+    return scanLineFor(task, anchor).and_then([&](const ScanLine& scanLine) {
+        return swathsAlong(scanLine, heading, SwathObjective::Coverage);
+    });
+}
+
+Result<SwathSet> abLine(const SwathTask& task, const JobContext& job) {
+    if (job.stopRequested()) {
+        return std::unexpected(cancelled());
+    }
+    const std::vector<GeoPoint> line = task.settings.line(kLine);
+    if (line.size() != 2) {
+        return std::unexpected(
+            lineMissing("ab-line", "two points", "such as LINESTRING (4.1 52.0, 4.2 52.0)"));
+    }
+    const Point a = task.field.frame().toLocal(line[0]);
+    const Point way = task.field.frame().toLocal(line[1]) - a;
+    if (norm(way) < kShortestLineM) {
+        return std::unexpected(Error{.code = ErrorCode::InputRefused,
+                                     .what = std::format("A and B are {:.2f} m apart", norm(way)),
+                                     .where = std::string{kLine.key},
+                                     .remedy = "give two points at least 1 m apart",
+                                     .place = line[0]});
+    }
+    return along(task, radians(std::atan2(way.y, way.x)), a);
+}
+
+Result<SwathSet> aPlus(const SwathTask& task, const JobContext& job) {
+    if (job.stopRequested()) {
+        return std::unexpected(cancelled());
+    }
+    const std::vector<GeoPoint> line = task.settings.line(kLine);
+    if (line.empty()) {
+        return std::unexpected(lineMissing("a-plus", "a point", "such as POINT (4.1 52.0)"));
+    }
+    return along(task, *task.settings.angle(kAngle), task.field.frame().toLocal(line[0]));
+}
+
+constexpr const Parameter* kAbParameters[] = {&kLine};
+constexpr const Parameter* kAPlusParameters[] = {&kLine, &kAngle};
+
+}  // namespace
+
+const Parameter kLine{.key = "swaths.line",
+                      .name = "Line",
+                      .description = "Guidance line in WGS84: A and B, or A alone with a direction.",
+                      .kind = ParameterKind::Line,
+                      .standard = {},
+                      .choices = {}};
+
+const Method<SwathGenerator> kAbLineMethod{
+    .info = {.id = "ab-line",
+             .name = "AB line",
+             .description = "Along the line from A to B; one swath lies on it.",
+             .parameters = kAbParameters},
+    .run = abLine};
+
+const Method<SwathGenerator> kAPlusMethod{
+    .info = {.id = "a-plus",
+             .name = "A+",
+             .description = "Through point A in the direction that you type.",
+             .parameters = kAPlusParameters},
+    .run = aPlus};
+
+}  // namespace furrow

@@ -1,0 +1,14 @@
+#pragma once
+
+#include "planner/geometry/boundary_distance.h"
+#include "planner/turns/turn.h"
+
+namespace furrow {
+
+/// Whether a footprint keeps inside the edges while it is driven along a turn, asked at places no farther apart
+/// than `step`. What is out of the edges' reach counts as inside: start from a pose that is. Cost: corners times
+/// places.
+bool staysInside(const Turn& turn, const Ring& footprint, const BoundaryDistance& edges, Length step);
+bool isInside(const Pose& pose, const Ring& footprint, const BoundaryDistance& edges);
+
+}  // namespace furrow

@@ -1,0 +1,36 @@
+#pragma once
+
+#include "planner/field/field.h"
+#include "planner/path/path_builder.h"
+#include "planner/route/route.h"
+#include "planner/settings/method.h"
+#include "planner/swaths/swath.h"
+#include "planner/turns/dubins.h"
+
+namespace furrow::test {
+
+/// Any field: for methods that only look at the mainland.
+inline const Field& anyField() {
+    static const Field field =
+        Field::create({.parts = {{.outer = {{5.0, 52.0}, {5.01, 52.0}, {5.01, 52.01}, {5.0, 52.01}}, .holes = {}}}})
+            .value();
+    return field;
+}
+
+inline Result<SwathSet> swathsBy(const Method<SwathGenerator>& method, const MultiPolygon& mainland,
+                                 const Machine& machine, const Settings& settings, const JobContext& job = {}) {
+    return method.run({.field = anyField(), .mainland = mainland, .machine = machine, .settings = settings}, job);
+}
+
+inline Result<Route> routeBy(const Method<RoutePlanner>& method, const SwathSet& swaths, const Machine& machine,
+                             const Settings& settings, const JobContext& job = {}) {
+    return method.run(
+        {.swaths = swaths, .machine = machine, .turn = kDubinsMethod.run, .settings = settings}, job);
+}
+
+inline Result<Path> pathOf(const SwathSet& swaths, const Route& route, const Machine& machine, TurnPlanner* turn,
+                           const JobContext& job = {}) {
+    return buildPath(swathLegs(swaths, route, machine), machine, turn, job);
+}
+
+}  // namespace furrow::test
