@@ -56,14 +56,16 @@ void addPieces(const Ring& places, const std::vector<std::optional<TrackMatch>>&
 }
 
 void addPlannedPath(const Path& path, std::vector<MapLayer>& layers) {
-    MapLayer swaths{.name = "planned swath", .stroke = "#9aa5b1", .width = 1.0, .arrows = true};
+    MapLayer swaths{
+        .name = "planned swath or headland pass", .stroke = "#9aa5b1", .width = 1.0, .arrows = true};
     MapLayer others{.name = "planned turn or transfer", .stroke = "#b8a9c9", .width = 1.0, .dash = "3 2"};
     for (const PathSegment& segment : path.segments) {
         Polyline line;
         for (const PathSample& sample : segment.samples) {
             line.push_back(sample.position);
         }
-        (segment.kind == SegmentKind::Swath ? swaths : others).lines.push_back(std::move(line));
+        const bool works = segment.kind == SegmentKind::Swath || segment.kind == SegmentKind::HeadlandPass;
+        (works ? swaths : others).lines.push_back(std::move(line));
     }
     layers.push_back(std::move(others));
     layers.push_back(std::move(swaths));

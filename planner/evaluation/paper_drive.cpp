@@ -25,7 +25,9 @@ constexpr std::string_view kHeadingDeg = "3";
 // The machine that drives turns wider than the plan says: 2.1 m were planned.
 constexpr double kDrivenRadiusM = 2.8;
 constexpr double kCurvatureRate1pms = 0.35;  ///< how fast it turns its wheels, 1/m per second
-constexpr double kLookAheadM = 1.6;
+// Looking ahead by the way it takes to turn the wheels; less would swing from side to side.
+constexpr double kLookAheadM = 1.0;
+constexpr double kLookAheadS = 0.9;
 constexpr double kStepS = 0.02;
 constexpr double kRecordEveryS = 0.2;
 constexpr double kReceiverNoiseM = 0.02;
@@ -90,7 +92,7 @@ RecordedTrack simulatedDrive(const Path& path) {
     const Line line{path};
     std::mt19937 random{1};
     RecordedTrack track{.source = "simulated drive", .places = TrackPlaces::Local, .samples = {}};
-    PathSample start = line.at(0.0);
+    const PathSample start = line.at(0.0);
     Point place = start.position;
     double heading = start.headingRad;
     double curvature = 0.0;
@@ -105,14 +107,16 @@ RecordedTrack simulatedDrive(const Path& path) {
             nextRecordS += kRecordEveryS;
         }
         wayM = line.nearest(place, wayM);
-        const Point toTarget = line.at(std::min(line.length(), wayM + kLookAheadM)).position - place;
+        const double speedMps = std::max(0.3, line.at(wayM).speedMps);
+        const double aheadM = kLookAheadM + kLookAheadS * speedMps;
+        const Point toTarget = line.at(std::min(line.length(), wayM + aheadM)).position - place;
         const double angle =
             std::remainder(std::atan2(toTarget.y, toTarget.x) - heading, 2.0 * std::numbers::pi);
         const double wanted = 2.0 * std::sin(angle) / std::max(0.5, norm(toTarget));
         const double allowed = std::clamp(wanted, -1.0 / kDrivenRadiusM, 1.0 / kDrivenRadiusM);
         curvature +=
             std::clamp(allowed - curvature, -kCurvatureRate1pms * kStepS, kCurvatureRate1pms * kStepS);
-        const double stepM = std::max(0.3, line.at(wayM).speedMps) * kStepS;
+        const double stepM = speedMps * kStepS;
         heading += 0.5 * curvature * stepM;
         place = place + stepM * direction(heading);
         heading += 0.5 * curvature * stepM;

@@ -30,7 +30,11 @@ constexpr std::pair<std::string_view, std::string_view> kWhereThereIs[] = {
 }  // namespace
 
 Machine paperMachine() {
-    return machineLibrary().front();
+    // In the paper the robot is a point: its implement works where its reference point is.
+    const Machine& robot = machineLibrary().front();
+    MachineSpec spec = robot.spec();
+    spec.implement.offset = metres(0.0);
+    return Machine::create(spec).value_or(robot);
 }
 
 Result<Settings> paperSettings(std::initializer_list<std::pair<std::string_view, std::string_view>> own) {

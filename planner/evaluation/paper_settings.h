@@ -15,7 +15,7 @@ namespace furrow {
 
 class Field;
 
-/// The paper's robot: 2.5 m wide, 2.1 m of turning radius.
+/// The paper's robot: 2.5 m wide, 2.1 m of turning radius, working at its reference point.
 Machine paperMachine();
 
 /// The paper's set-up with some settings of its own: 7.5 m of headland that is not driven, no decomposition,

@@ -21,8 +21,8 @@ struct Choice {
 };
 constexpr std::array kObjectives = {Choice{"swath-count", "number of swaths"},
                                     Choice{"swath-length", "swath length"}, Choice{"coverage", "coverage"}};
-constexpr std::array kPatterns = {Choice{"boustrophedon", "boustrophedon"}, Choice{"snake", "snake"},
-                                  Choice{"spiral", "spiral"}};
+constexpr std::array kPatterns = {Choice{"boustrophedon", "Boustrophedon"}, Choice{"snake", "Snake"},
+                                  Choice{"spiral", "Spiral"}};
 constexpr std::array kCurves = {Choice{"dubins", "Dubins"}, Choice{"reeds-shepp", "Reeds-Shepp"}};
 
 struct Combination {

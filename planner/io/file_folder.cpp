@@ -16,7 +16,6 @@ namespace {
 namespace fs = std::filesystem;
 
 constexpr std::size_t kMostEntries = 10'000;
-constexpr int kDeepest = 2;
 
 Error readFailed(const std::string& where, std::string what, std::string remedy) {
     return {
@@ -94,10 +93,11 @@ Result<void> checkOrdinary(const fs::path& path) {
     return {};
 }
 
-Result<std::vector<FileFolder::Entry>> entriesUnder(const std::string& root, const std::string& where) {
+Result<std::vector<FileFolder::Entry>> entriesUnder(const std::string& root, const std::string& where,
+                                                    int depth) {
     const Quiet quiet;
     std::vector<FileFolder::Entry> entries;
-    VSIDIR* listing = VSIOpenDir(root.c_str(), kDeepest, nullptr);
+    VSIDIR* listing = VSIOpenDir(root.c_str(), depth, nullptr);
     if (listing == nullptr) {
         return std::unexpected(readFailed(where, "the folder or zip cannot be read",
                                           "it may be damaged; copy or export it again"));
@@ -155,11 +155,12 @@ Result<std::string> fileStart(const fs::path& path, std::size_t bytes) {
     return bytesOf(fs::absolute(path).string(), path.string(), bytes);
 }
 
-Result<FileFolder> FileFolder::open(const fs::path& path) {
+Result<FileFolder> FileFolder::open(const fs::path& path, int depth) {
     const std::string absolute = fs::absolute(path).lexically_normal().string();
     // Braces keep a name with blanks, brackets or another ".zip" in it in one piece.
     const std::string root = fs::is_directory(path) ? absolute : std::format("/vsizip/{{{}}}", absolute);
-    auto entries = entriesUnder(root.ends_with('/') ? root.substr(0, root.size() - 1) : root, path.string());
+    auto entries =
+        entriesUnder(root.ends_with('/') ? root.substr(0, root.size() - 1) : root, path.string(), depth);
     if (!entries) {
         return std::unexpected(entries.error());
     }

@@ -23,9 +23,10 @@ Result<std::string> fileStart(const std::filesystem::path& path, std::size_t byt
 /// can lead anywhere.
 class FileFolder {
 public:
-    /// @param path  a folder (its own files and those of its folders, two levels deep) or a zip
+    /// @param path  a folder or a zip
+    /// @param depth  levels of inner folders that are looked into
     /// @return ReadFailed: neither, or damaged. InputRefused: more than 10,000 files.
-    static Result<FileFolder> open(const std::filesystem::path& path);
+    static Result<FileFolder> open(const std::filesystem::path& path, int depth = 2);
 
     struct Entry {
         std::string name;        ///< without folders, as written

@@ -10,6 +10,9 @@ namespace furrow {
 
 namespace {
 
+// In memory a document takes several times its size.
+constexpr std::size_t kLargestGpxBytes = std::size_t{256} << 20U;
+
 /// The name of an element without its prefix: extensions write <gpxtpx:speed>.
 std::string_view localName(const pugi::xml_node& node) {
     const std::string_view name = node.name();
@@ -87,6 +90,10 @@ std::string nameOf(const pugi::xml_node& node, std::string_view kind, int number
 }  // namespace
 
 Result<TrackFile> gpxTracks(std::string_view text, const std::string& where, const JobContext& job) {
+    if (text.size() > kLargestGpxBytes) {
+        return std::unexpected(trackRefused(where, "the GPX file is larger than 256 MiB",
+                                            "cut it into the days or fields that it holds"));
+    }
     pugi::xml_document document;
     const pugi::xml_parse_result parsed = document.load_buffer(text.data(), text.size());
     if (!parsed) {

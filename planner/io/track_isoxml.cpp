@@ -263,6 +263,7 @@ Result<TrackFile> isoxmlTracks(const FileFolder& folder, const std::string& wher
     TrackFile file{.format = "ISOXML time log", .tracks = {}, .notes = {}};
     LogCounts counts;
     std::size_t logs = 0;
+    std::map<std::string, std::map<std::string, std::string>> tasksByFolder;
     for (const FileFolder::Entry& entry : folder.entries()) {
         if (!isLogHeader(entry)) {
             continue;
@@ -291,7 +292,10 @@ Result<TrackFile> isoxmlTracks(const FileFolder& folder, const std::string& wher
         if (!track) {
             return std::unexpected(track.error());
         }
-        const auto tasks = taskNames(folder, entry.folder);
+        if (!tasksByFolder.contains(entry.folder)) {
+            tasksByFolder[entry.folder] = taskNames(folder, entry.folder);
+        }
+        const auto& tasks = tasksByFolder[entry.folder];
         const auto task = tasks.find(inSmallLetters(stem));
         track->source =
             task == tasks.end() || task->second.empty() ? stem : std::format("{} ({})", stem, task->second);

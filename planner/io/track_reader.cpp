@@ -76,9 +76,9 @@ std::string rootOfXml(std::string_view text) {
 Result<TrackFile> readXml(const fs::path& path, std::string_view start, const JobContext& job) {
     const std::string root = rootOfXml(start);
     if (root == "ISO11783_TaskData" || root == "TIM") {
-        // The logs lie beside it.
+        // The logs lie beside it; what is in folders below belongs to others.
         const fs::path folder = fs::absolute(path).parent_path();
-        const auto files = FileFolder::open(folder);
+        const auto files = FileFolder::open(folder, 0);
         return files ? isoxmlTracks(*files, folder.string(), job) : std::unexpected(files.error());
     }
     const auto text = fileBytes(path);

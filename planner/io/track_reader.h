@@ -22,8 +22,8 @@ namespace furrow {
 ///
 /// @return at least one track with at least one sample. Lines, records and messages that carry no place are
 ///         passed over and counted in a note. ReadFailed: not there, cut off, damaged. InputRefused: empty,
-///         no track in it, a place that is no number or not on Earth (with its line), larger than 1 GiB or
-///         5 million samples. Each with what to do. Cancelled.
+///         no track in it, a place that is no number or not on Earth (with its line), larger than 1 GiB
+///         (GPX 256 MiB) or 5 million samples. Each with what to do. Cancelled.
 /// Cost: linear in the size of the file, which is in memory once (of rosbags one chunk or message at a
 /// time). Thread-safe. Nothing is written, nothing is fetched from a network.
 Result<TrackFile> readTracks(const std::filesystem::path& path, const JobContext& job = {});

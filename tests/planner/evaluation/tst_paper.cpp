@@ -60,6 +60,7 @@ private slots:
     void theMachineIsThePapers() {
         QCOMPARE(paperMachine().operatingWidth().si(), 2.5);
         QCOMPARE(paperMachine().minTurningRadius().si(), 2.1);
+        QCOMPARE(paperMachine().spec().implement.offset.si(), 0.0);
     }
 
     void theShapesAreOfAHundredSquareMetres() {

@@ -8,7 +8,11 @@
 #include <QTemporaryDir>
 #include <QTest>
 
+#include <lz4frame.h>
+#include <zstd.h>
+
 #include <cmath>
+#include <cstring>
 #include <limits>
 #include <numbers>
 #include <random>
@@ -48,6 +52,46 @@ bool near(double a, double b, double tolerance) {
     return std::abs(a - b) <= tolerance;
 }
 
+template <class T>
+T numberAt(const QByteArray& bytes, qsizetype at) {
+    T value{};
+    std::memcpy(&value, bytes.constData() + at, sizeof(T));
+    return value;
+}
+
+template <class T>
+QByteArray bytesOfNumber(T value) {
+    return QByteArray{reinterpret_cast<const char*>(&value), sizeof(T)};
+}
+
+QByteArray packed(const QByteArray& bytes, const QByteArray& compression) {
+    QByteArray out(static_cast<qsizetype>(ZSTD_compressBound(static_cast<std::size_t>(bytes.size())) + 1000),
+                   '\0');
+    const auto room = static_cast<std::size_t>(out.size());
+    const auto size = static_cast<std::size_t>(bytes.size());
+    return out.first(static_cast<qsizetype>(
+        compression == "zstd" ? ZSTD_compress(out.data(), room, bytes.constData(), size, 3)
+                              : LZ4F_compressFrame(out.data(), room, bytes.constData(), size, nullptr)));
+}
+
+/// The sample with its only chunk compressed; `statedSize` in place of its size, where that is given.
+QByteArray withCompressedChunk(const QByteArray& compression, quint64 statedSize = 0) {
+    const QByteArray plain = bytesOf(sample("odometry.mcap"));
+    // Magic, header record, chunk record: opcode, length, 16 bytes of times, size, checksum, name, records.
+    const qsizetype chunk = 8 + 9 + static_cast<qsizetype>(numberAt<quint64>(plain, 9));
+    const auto length = static_cast<qsizetype>(numberAt<quint64>(plain, chunk + 1));
+    const QByteArray body = plain.mid(chunk + 9, length);
+    const QByteArray records = body.mid(16 + 8 + 4 + 4 + 8);
+    const QByteArray small = packed(records, compression);
+    const QByteArray made =
+        body.first(16) +
+        bytesOfNumber<quint64>(statedSize > 0 ? statedSize : static_cast<quint64>(records.size())) +
+        body.mid(24, 4) + bytesOfNumber<quint32>(static_cast<quint32>(compression.size())) + compression +
+        bytesOfNumber<quint64>(static_cast<quint64>(small.size())) + small;
+    return plain.first(chunk + 1) + bytesOfNumber<quint64>(static_cast<quint64>(made.size())) + made +
+           plain.mid(chunk + 9 + length);
+}
+
 }  // namespace
 
 class TestTrackReader : public QObject {
@@ -58,6 +102,8 @@ private slots:
     void corners();
     void localCorners_data();
     void localCorners();
+    void compressedChunks_data();
+    void compressedChunks();
     void pathCsvIsATrack();
     void bareXAndY_data();
     void bareXAndY();
@@ -66,6 +112,7 @@ private slots:
     void refusals_data();
     void refusals();
     void nothingIsWrittenBesideAZip();
+    void logsOfOtherFoldersStayOut();
     void cancelled();
     void cutOffAnywhere_data();
     void cutOffAnywhere();
@@ -162,6 +209,42 @@ void TestTrackReader::localCorners() {
         QCOMPARE(track.samples[i].speedMps.has_value(), speeds);
         QCOMPARE(track.samples[i].timeS.has_value(), times);
     }
+}
+
+void TestTrackReader::compressedChunks_data() {
+    QTest::addColumn<QByteArray>("compression");
+    QTest::newRow("zstd") << QByteArray{"zstd"};
+    QTest::newRow("lz4") << QByteArray{"lz4"};
+}
+
+void TestTrackReader::compressedChunks() {
+    QFETCH(QByteArray, compression);
+    const QTemporaryDir folder;
+    const auto plain = readTracks(pathOf(sample("odometry.mcap")));
+    const QByteArray bytes = withCompressedChunk(compression);
+    const auto read = readTracks(pathOf(written(folder, "a.mcap", bytes)));
+    QVERIFY2(read, read ? "" : read.error().line().c_str());
+    QVERIFY(read->tracks == plain->tracks);
+    // Sizes that are not so, below the limit and above it.
+    QCOMPARE(readTracks(pathOf(written(folder, "b.mcap", withCompressedChunk(compression, 10)))).error().code,
+             ErrorCode::ReadFailed);
+    QCOMPARE(
+        readTracks(pathOf(written(folder, "c.mcap", withCompressedChunk(compression, 100'000)))).error().code,
+        ErrorCode::ReadFailed);
+    const auto huge =
+        readTracks(pathOf(written(folder, "d.mcap", withCompressedChunk(compression, quint64{1} << 40))));
+    QCOMPARE(huge.error().code, ErrorCode::InputRefused);
+    std::mt19937 random{11};
+    for (int i = 0; i < 300; ++i) {
+        QByteArray damaged = bytes;
+        damaged[static_cast<qsizetype>(random() % static_cast<unsigned>(bytes.size()))] =
+            static_cast<char>(random() & 0xFFU);
+        const auto answer = readTracks(pathOf(written(folder, "e.mcap", damaged)));
+        QVERIFY(answer || !answer.error().remedy.empty());
+    }
+    const QByteArray unknown = withCompressedChunk("zstd").replace("zstd", "xyzw");
+    const auto refused = readTracks(pathOf(written(folder, "f.mcap", unknown)));
+    QVERIFY(refused.error().what.find("'xyzw' is not known") != std::string::npos);
 }
 
 void TestTrackReader::pathCsvIsATrack() {
@@ -295,6 +378,27 @@ void TestTrackReader::nothingIsWrittenBesideAZip() {
     QVERIFY(readTracks(pathOf(bag)));
     QCOMPARE(QDir{folder.filePath("bag")}.entryList(QDir::AllEntries | QDir::NoDotAndDotDot),
              QStringList{"drive_0.db3"});
+}
+
+void TestTrackReader::logsOfOtherFoldersStayOut() {
+    const QTemporaryDir folder;
+    for (const char* name : {"TASKDATA.XML", "TLG00001.XML", "TLG00001.BIN"}) {
+        const QByteArray bytes = bytesOf(sample(QString{"isoxml/TASKDATA/"} + name));
+        written(folder, name, bytes);
+        written(folder, QString{"old/"} + name, bytes);
+    }
+    const auto main = readTracks(pathOf(folder.filePath("TASKDATA.XML")));
+    QVERIFY(main);
+    QCOMPARE(main->tracks.size(), std::size_t{1});
+    const auto both = readTracks(pathOf(folder.path()));
+    QVERIFY(both);
+    QCOMPARE(both->tracks.size(), std::size_t{2});
+    // One of its files missing is told, not failed, as long as there is another log.
+    QVERIFY(QFile::remove(folder.filePath("old/TLG00001.BIN")));
+    const auto one = readTracks(pathOf(folder.path()));
+    QVERIFY(one);
+    QCOMPARE(one->tracks.size(), std::size_t{1});
+    QCOMPARE(one->notes.front().text, std::string{"TLG00001.bin is not there"});
 }
 
 void TestTrackReader::cancelled() {
