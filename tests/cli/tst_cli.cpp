@@ -151,7 +151,7 @@ private slots:
         QTest::newRow("a plan") << plan(field, {}) << 0 << "Drivable  yes";
         QTest::newRow("turns outside") << plan(field, {"--set", "headland.method=none"}) << 1 << "leaves the field";
         QTest::newRow("no command") << QStringList{} << 2 << "subcommand";
-        QTest::newRow("a command that is not there yet") << QStringList{"bench", "paper"} << 2 << "furrow-cli";
+        QTest::newRow("a command that is not there yet") << QStringList{"batch", "fields.geojson"} << 2 << "furrow-cli";
         QTest::newRow("an option that is not there") << plan(field, {"--fast"}) << 2 << "--fast";
         QTest::newRow("no such method") << plan(field, {"--set", "swaths.method=contour"}) << 2 << "brute-force";
         QTest::newRow("no such setting") << plan(field, {"--set", "headland.witdh_m=3"}) << 2 << "headland.width_m";

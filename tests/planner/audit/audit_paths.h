@@ -31,8 +31,8 @@ public:
         at_.speedMps = 1.0;
     }
 
-    PathDrawer& begin(SegmentKind kind, bool down, int swath = 0, Gear gear = Gear::Forward) {
-        PathSegment segment{.kind = kind, .turnType = {}, .swath = swath, .gear = gear, .implementDown = down};
+    PathDrawer& begin(SegmentKind kind, bool down, int number = 0, Gear gear = Gear::Forward) {
+        PathSegment segment{.kind = kind, .turnType = {}, .number = number, .gear = gear, .implementDown = down};
         at_.curvature1pm = 0.0;
         segment.samples.push_back(at_);
         segments.push_back(segment);
