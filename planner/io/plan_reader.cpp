@@ -140,6 +140,8 @@ MultiPolygon polygonsOf(const Json& geometry, const LocalFrame& frame) {
 
 /// Headings from the points alone: at each one, of the circle through it and its neighbours.
 void deriveMotion(PathSegment& segment) {
+    // Arcs are sampled evenly: what is so much longer than its neighbour is a straight.
+    constexpr double kStraightToChord = 3.0;
     std::vector<PathSample>& samples = segment.samples;
     std::vector<double> chord(samples.size() - 1);
     std::vector<double> way(samples.size() - 1);
@@ -166,8 +168,15 @@ void deriveMotion(PathSegment& segment) {
                 heading += turn(i - 1) * way[i - 1] / (way[i - 1] + way[i - 2]);
             }
         } else {
+            // Between two chords of one arc; where a straight meets an arc, the straight has the heading.
             const double both = way[i - 1] + way[i];
-            heading = chord[i - 1] + (both > 0.0 ? turn(i) * way[i - 1] / both : 0.0);
+            const bool straightBefore = way[i - 1] > kStraightToChord * way[i];
+            const bool straightAfter = way[i] > kStraightToChord * way[i - 1];
+            const double share = straightBefore  ? 0.0
+                                 : straightAfter ? 1.0
+                                 : both > 0.0    ? way[i - 1] / both
+                                                 : 0.0;
+            heading = chord[i - 1] + turn(i) * share;
         }
         samples[i].headingRad = heading + (segment.gear == Gear::Reverse ? std::numbers::pi : 0.0);
     }

@@ -22,9 +22,11 @@ using BreakPath = std::function<void(Segments&)>;
 std::shared_ptr<const Plan> intactPlan() {
     static const std::shared_ptr<const Plan> plan = [] {
         auto field = Field::create(fieldSourceFromLocal({centredRectangle(160.0, 100.0)}, kCentre)).value();
+        Settings mainlandOnly;
+        applySetting(mainlandOnly, "headland.driven", "false").value();
         return makePlan({.field = std::make_shared<const Field>(std::move(field)),
                          .machine = findMachine("agbot").value(),
-                         .settings = {}})
+                         .settings = mainlandOnly})
             .value();
     }();
     return plan;
@@ -162,7 +164,8 @@ private slots:
     void undrivableConnectionsAreToldOnce() {
         Settings settings;
         auto field = Field::create(fieldSourceFromLocal({centredRectangle(120.0, 80.0)}, kCentre)).value();
-        VERIFY_RESULT(applySetting(settings, "headland.width_m", "3"));
+        VERIFY_RESULT(applySetting(settings, "headland.width_m", "5.5"));
+        VERIFY_RESULT(applySetting(settings, "headland.driven", "false"));
         const auto plan = makePlan({.field = std::make_shared<const Field>(std::move(field)),
                                     .machine = findMachine("agbot").value(),
                                     .settings = settings});
