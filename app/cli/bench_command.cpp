@@ -3,6 +3,7 @@
 #include "app/cli/exit_status.h"
 #include "app/cli/terminal.h"
 #include "planner/evaluation/paper.h"
+#include "planner/evaluation/speed.h"
 #include "planner/io/atomic_files.h"
 #include "planner/io/boundary_import.h"
 
@@ -22,6 +23,11 @@ using Json = nlohmann::ordered_json;
 
 struct PaperArguments {
     std::string fields;
+    std::string out;
+    bool json = false;
+};
+
+struct SpeedArguments {
     std::string out;
     bool json = false;
 };
@@ -130,6 +136,53 @@ int runPaper(const PaperArguments& arguments) {
     return kDrivable;
 }
 
+Json speedJson(const std::vector<SpeedCase>& cases) {
+    Json all = Json::array();
+    for (const SpeedCase& each : cases) {
+        all.push_back({{"name", each.name},
+                       {"area_ha", each.areaHa},
+                       {"vertices", each.vertices},
+                       {"threads", each.threads},
+                       {"runs", each.runs},
+                       {"median_s", each.median.si()},
+                       {"yardstick_s", each.yardstick ? Json(each.yardstick->si()) : Json()},
+                       {"ratio", each.ratio() ? Json(*each.ratio()) : Json()}});
+    }
+    return {{"cases", std::move(all)}};
+}
+
+std::string shortTime(Duration time) {
+    const double s = time.si();
+    return s < 1e-3 ? std::format("{:.2f} µs", 1e6 * s) : s < 1.0 ? std::format("{:.2f} ms", 1e3 * s) : std::format("{:.2f} s", s);
+}
+
+int runSpeed(const SpeedArguments& arguments) {
+    const InterruptWatch watch;
+    const auto cases = measureSpeed(terminalJob(watch, 0, arguments.json));
+    clearProgress(arguments.json);
+    if (!cases) {
+        return failWith(cases.error());
+    }
+    const std::string json = speedJson(*cases).dump(2) + "\n";
+    if (!arguments.out.empty()) {
+        const std::vector<FileToWrite> files{{"speed.json", [&json] { return json; }}};
+        if (const auto written = writeTogether(arguments.out, files, {}); !written) {
+            return failWith(written.error());
+        }
+    }
+    if (arguments.json) {
+        std::print("{}", json);
+        return kDrivable;
+    }
+    for (const SpeedCase& each : *cases) {
+        std::println("{:62} {:8.2f} ha {:7} vertices {} thread{} {:>11}{}", each.name, each.areaHa, each.vertices,
+                     each.threads, each.threads == 1 ? " " : "s", shortTime(each.median),
+                     each.ratio() ? std::format("  plain GEOS {:>10}, {:.0f} times", shortTime(*each.yardstick), *each.ratio())
+                                  : "");
+    }
+    return kDrivable;
+}
+
 }  // namespace
 
 void addBenchCommand(CLI::App& app, std::function<int()>& run) {
@@ -145,6 +198,12 @@ void addBenchCommand(CLI::App& app, std::function<int()>& run) {
     paper->add_option("--out", arguments->out,
                       "Write tables (CSV), plots (SVG) and summary.txt to this folder");
     paper->add_flag("--json", arguments->json, "Print one JSON object and nothing else");
+    const auto speedArguments = std::make_shared<SpeedArguments>();
+    CLI::App* speed = bench->add_subcommand(
+        "speed", "Time headings, searches, plans and turns, with plain GEOS as the yardstick in the same run.");
+    speed->add_option("--out", speedArguments->out, "Write speed.json to this folder");
+    speed->add_flag("--json", speedArguments->json, "Print one JSON object and nothing else");
+    speed->callback([&run, speedArguments] { run = [speedArguments] { return runSpeed(*speedArguments); }; });
     paper->callback([&run, arguments] { run = [arguments] { return runPaper(*arguments); }; });
 }
 

@@ -1,0 +1,34 @@
+#pragma once
+
+#include "planner/core/result.h"
+#include "planner/jobs/job.h"
+#include "planner/units/quantity.h"
+
+#include <optional>
+#include <string>
+#include <vector>
+
+namespace furrow {
+
+/// One thing measured, wall time on this machine.
+struct SpeedCase {
+    std::string name;
+    double areaHa = 0.0;
+    std::size_t vertices = 0;
+    int threads = 1;
+    int runs = 0;
+    Duration median;
+    /// The same by plain GEOS in the same run; nothing where there is no such way.
+    std::optional<Duration> yardstick;
+
+    std::optional<double> ratio() const {
+        return yardstick ? std::optional{*yardstick / median} : std::nullopt;
+    }
+};
+
+/// Headings, searches, whole plans and turns, from 0.25 to 256 ha, 10 to 100,000 vertices, on one and two threads.
+/// The yardstick of a search is measured on some of its headings and scaled to all of them where that takes long.
+/// Takes a minute or two. Cancelled.
+Result<std::vector<SpeedCase>> measureSpeed(const JobContext& job);
+
+}  // namespace furrow
