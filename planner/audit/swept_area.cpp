@@ -4,6 +4,8 @@
 #include "planner/audit/length.h"
 #include "planner/geometry/geos_bridge.h"
 
+#include <functional>
+#include <iterator>
 #include <algorithm>
 #include <cmath>
 #include <utility>
@@ -11,6 +13,9 @@
 namespace furrow {
 
 namespace {
+
+constexpr Length kHairWidth = metres(0.1);
+constexpr Area kWorthSplitting = squareMetres(50.0);
 
 constexpr double kReachToleranceM = 0.02;
 
@@ -173,6 +178,27 @@ void addPasses(const AuditInput& input, const MachineShape& shape, const std::ve
     result.error = squareMetres(errorM2 + 2.0 * lengthM * input.positionRounding.si());
 }
 
+/// What hangs together by less than a hand's width is not one piece: corners that a pass leaves are joined by
+/// strips of millimetres along the whole boundary.
+Result<MultiPolygon> withoutHairs(MultiPolygon pieces, const JobContext& job) {
+    MultiPolygon kept;
+    for (Polygon& piece : pieces) {
+        if (area(piece) < kWorthSplitting) {
+            kept.push_back(std::move(piece));
+            continue;
+        }
+        auto parts = eroded({piece}, 0.5 * kHairWidth, kArcTolerance, job).and_then([&](const MultiPolygon& cores) {
+            return dilated(cores, 0.5 * kHairWidth, kArcTolerance, job);
+        });
+        if (!parts) {
+            return parts;
+        }
+        std::ranges::move(*parts, std::back_inserter(kept));
+    }
+    std::ranges::stable_sort(kept, std::ranges::greater{}, [](const Polygon& piece) { return area(piece); });
+    return kept;
+}
+
 }  // namespace
 
 Point mainDirection(const std::vector<SegmentMotion>& motions) {
@@ -231,7 +257,11 @@ Result<SweptArea> measureSweptArea(const AuditInput& input, const MachineShape& 
         result.coveredOfReachable = std::clamp(regions[kCoveredReachable].area / all, 0.0, 1.0);
     }
     result.droppedArea = regions[kDropped].area;
-    result.dropped = std::move(regions[kDropped].polygons);
+    auto pieces = withoutHairs(std::move(regions[kDropped].polygons), job);
+    if (!pieces) {
+        return std::unexpected(pieces.error());
+    }
+    result.dropped = std::move(*pieces);
     result.stripArea = regions[kStrip].area;
     result.strip = std::move(regions[kStrip].polygons);
     result.laneEnds = regions[kEnds].area;

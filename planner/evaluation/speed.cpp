@@ -117,10 +117,11 @@ private:
         const ScanLine scanLine{{field}, {.width = kWidth, .overlap = {}}};
         int turn = 0;
         const auto next = [&turn] { return degrees(turn++ % kHeadings); };
-        const Measured ours = measured([&] { keep(scanLine.figures(next()).coverage); });
-        add("one heading, number and length of swaths", field, 1, ours,
+        const Measured lines = measured([&] { keep(scanLine.lineFigures(next(), SwathObjective::Count).length.si()); });
+        add("one heading, number and length of swaths", field, 1, lines,
             measured([&] { keep(plainFigures(field, kWidth, next(), false).length.si()); }).median);
-        add("one heading, all swath objectives", field, 1, ours,
+        const Measured all = measured([&] { keep(scanLine.figures(next()).coverage); });
+        add("one heading, all swath objectives", field, 1, all,
             measured([&] { keep(plainFigures(field, kWidth, next(), true).coverage); }).median);
         return stopped();
     }
@@ -139,16 +140,18 @@ private:
     }
 
     Result<void> search(const Polygon& field, std::string_view objective, int threads) {
-        const auto settings = paperSettings({{"swaths.objective", objective}});
+        Settings settings;
+        const auto method = applySetting(settings, "swaths.method", "brute-force");
+        const auto wanted = applySetting(settings, "swaths.objective", objective);
         const auto whole = fieldOf(field, "bench");
-        if (!settings || !whole) {
-            return std::unexpected(settings ? whole.error() : settings.error());
+        if (!method || !wanted || !whole) {
+            return std::unexpected(!method ? method.error() : !wanted ? wanted.error() : whole.error());
         }
         const MultiPolygon mainland{field};
         const Machine machine = paperMachine();
-        const SwathTask task{.field = **whole, .mainland = mainland, .machine = machine, .settings = *settings};
+        const SwathTask task{.field = **whole, .mainland = mainland, .machine = machine, .settings = settings};
         const Measured ours = measured([&] {
-            const auto set = swathMethod(*settings)(task, {.stop = job_.stop, .progress = {}, .threads = threads});
+            const auto set = swathMethod(settings)(task, {.stop = job_.stop, .progress = {}, .threads = threads});
             keep(set ? set->coverage : 0.0);
         });
         add(std::format("best of 180 headings, {}", objective), field, threads, ours,

@@ -26,6 +26,9 @@ BoundaryDistance::BoundaryDistance(const MultiPolygon& polygons, Length reach) :
             const Point to = ring[(i + 1) % size];
             const Point after = ring[(i + 2) % size];
             const Point own = inwardNormal(from, to);
+            if (cross(to - from, after - to) < 0.0) {
+                inwardCorners_.push_back(to);
+            }
             edges_.push_back({from, to, inwardNormal(before, from) + own, own + inwardNormal(to, after)});
         }
     };
@@ -33,6 +36,7 @@ BoundaryDistance::BoundaryDistance(const MultiPolygon& polygons, Length reach) :
         add(polygon.outer);
         std::ranges::for_each(polygon.holes, add);
     }
+    std::ranges::sort(inwardCorners_, {}, &Point::x);
     // Cells are twice the reach wide: what is within reach of a piece of an edge that is no longer than a cell
     // lies in the cells around that piece's ends.
     for (std::uint32_t e = 0; e < edges_.size(); ++e) {
@@ -56,6 +60,11 @@ BoundaryDistance::Cell BoundaryDistance::cellOf(double x, double y) const {
     const auto column = static_cast<std::int32_t>(std::floor(x / cellM_));
     const auto row = static_cast<std::int32_t>(std::floor(y / cellM_));
     return static_cast<Cell>(static_cast<std::uint32_t>(column)) << 32U | static_cast<std::uint32_t>(row);
+}
+
+std::span<const Point> BoundaryDistance::inwardCorners(double low, double high) const {
+    return {std::ranges::lower_bound(inwardCorners_, low, {}, &Point::x),
+            std::ranges::upper_bound(inwardCorners_, high, {}, &Point::x)};
 }
 
 std::optional<double> BoundaryDistance::insideM(Point point) const {

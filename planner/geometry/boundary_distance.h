@@ -4,6 +4,7 @@
 
 #include <cstdint>
 #include <optional>
+#include <span>
 #include <unordered_map>
 #include <vector>
 
@@ -20,6 +21,10 @@ public:
     /// Cost: the edges in the cells around the point.
     std::optional<double> insideM(Point point) const;
 
+    /// Corners that point inwards, where a shape can be poked between its own corners; those with x from low to
+    /// high.
+    std::span<const Point> inwardCorners(double low, double high) const;
+
 private:
     struct Edge {
         Point from;
@@ -33,6 +38,7 @@ private:
     double reachM_;
     double cellM_;
     std::vector<Edge> edges_;
+    std::vector<Point> inwardCorners_;  // by x
     std::unordered_map<Cell, std::vector<std::uint32_t>> cells_;
 };
 

@@ -3,7 +3,7 @@
 #include "planner/geometry/boundary_distance.h"
 #include "planner/geometry/geos_bridge.h"
 #include "planner/headland/smooth_ring.h"
-#include "planner/turns/turn_sampling.h"
+#include "planner/turns/footprint_check.h"
 
 #include <algorithm>
 #include <cmath>
@@ -219,16 +219,13 @@ std::vector<Excess> excessesAlong(const Turn& line, const Ring& footprint, const
         const auto steps = static_cast<int>(std::ceil(piece.length.si() / (0.25 * apartM)));
         for (int i = 0; i < steps; ++i) {
             const Length way = piece.length * (static_cast<double>(i) / steps);
-            // In the middle of a straight the footprint keeps to its strip.
+            // In the middle of a straight nothing swings: now and then is often enough.
             const double toEndM = std::min(way, piece.length - way).si();
-            if (piece.curvature == Curvature{} && toEndM > 2.0 * apartM) {
+            if (piece.curvature == Curvature{} && toEndM > 2.0 * apartM && i % 4 != 0) {
                 continue;
             }
             const Pose at = advanced(pose, piece, way);
-            double outsideM = 0.0;
-            for (const Point& corner : placed(footprint, at)) {
-                outsideM = std::max(outsideM, -edge.insideM(corner).value_or(0.0));
-            }
+            const double outsideM = furrow::outsideM(at, footprint, edge);
             if (outsideM <= kTouchingM) {
                 continue;
             }
@@ -248,10 +245,10 @@ std::vector<Excess> excessesAlong(const Turn& line, const Ring& footprint, const
 }
 
 /// All rings of a polygon as lines; nothing where one of them is too tight.
-std::optional<std::vector<Turn>> smoothed(const Polygon& polygon, Length radius) {
+std::optional<std::vector<Turn>> smoothed(const Polygon& polygon, Length radius, Length gentle) {
     std::vector<Turn> lines;
     const auto add = [&](const Ring& ring) {
-        auto line = smoothRing(ring, radius, kMergeTolerance);
+        auto line = smoothRing(ring, radius, kMergeTolerance, gentle);
         if (line) {
             lines.push_back(std::move(*line));
         }
@@ -265,7 +262,7 @@ std::optional<std::vector<Turn>> smoothed(const Polygon& polygon, Length radius)
 
 /// The lines of a region. Most corners can be rounded one by one; where they are too close for that, everything
 /// goes that no disc of the radius can reach.
-Result<PassTracks> linesOf(const MultiPolygon& region, Length radius, const JobContext& job) {
+Result<PassTracks> linesOf(const MultiPolygon& region, Length radius, Length gentle, const JobContext& job) {
     PassTracks tracks;
     // Less than a turn on full lock holds is a crumb of moving the ring.
     const Area least = squareMetres(std::numbers::pi * radius.si() * radius.si());
@@ -273,7 +270,7 @@ Result<PassTracks> linesOf(const MultiPolygon& region, Length radius, const JobC
         if (area(polygon) < least) {
             continue;
         }
-        if (auto lines = smoothed(polygon, radius)) {
+        if (auto lines = smoothed(polygon, radius, gentle)) {
             std::ranges::move(*lines, std::back_inserter(tracks.lines));
             continue;
         }
@@ -283,7 +280,7 @@ Result<PassTracks> linesOf(const MultiPolygon& region, Length radius, const JobC
         }
         tracks.givenUp += reachable->empty() ? 1 : 0;
         for (const Polygon& part : *reachable) {
-            if (auto lines = smoothed(part, radius)) {
+            if (auto lines = smoothed(part, radius, gentle)) {
                 std::ranges::move(*lines, std::back_inserter(tracks.lines));
             } else {
                 ++tracks.givenUp;
@@ -291,15 +288,6 @@ Result<PassTracks> linesOf(const MultiPolygon& region, Length radius, const JobC
         }
     }
     return tracks;
-}
-
-/// The footprint with its sides at the axle: inward corners of the field meet those first.
-Ring checkPoints(const Machine& machine) {
-    Ring points = machine.workingFootprint();
-    const double half = 0.5 * machine.workingFootprintWidth().si();
-    points.push_back({0.0, half});
-    points.push_back({0.0, -half});
-    return points;
 }
 
 /// How far tail or nose reach from the axle: the scale on which a swing-out has to be prepared.
@@ -316,18 +304,23 @@ double overhangM(const Ring& footprint) {
 Result<PassTracks> passTracks(const MultiPolygon& workable, Length inset, const MultiPolygon& drivable,
                               const Machine& machine, const JobContext& job) {
     const Length radius = machine.minTurningRadius();
-    const Ring footprint = checkPoints(machine);
+    const Ring footprint = machine.workingFootprint();
     const double reachM = overhangM(footprint);
     auto base = eroded(workable, inset, kRoundTolerance, job);
     if (!base) {
         return std::unexpected(base.error());
     }
+    // Leaving a pass that runs along the edge swings the tail out as a corner does: where no corner makes room for
+    // that, one place gets it.
+    const double besideM = radius.si() + 0.5 * machine.workingFootprintWidth().si();
+    const double swingM = std::hypot(besideM, reachM) - besideM;
+    const bool touches = inset.si() < 0.5 * machine.workingFootprintWidth().si() + swingM;
     const BoundaryDistance edge{drivable, metres(reachM)};
     Displacement displacement{reachM};
     PassTracks tracks;
     for (int round = 0;; ++round) {
         auto lines = moved(*base, displacement, job).and_then([&](const MultiPolygon& region) {
-            return linesOf(region, radius, job);
+            return linesOf(region, radius, metres(reachM), job);
         });
         if (!lines) {
             return std::unexpected(lines.error());
@@ -335,7 +328,12 @@ Result<PassTracks> passTracks(const MultiPolygon& workable, Length inset, const 
         tracks = std::move(*lines);
         std::vector<Excess> excesses;
         for (const Turn& line : tracks.lines) {
-            std::ranges::copy(excessesAlong(line, footprint, edge, 0.5 * reachM), std::back_inserter(excesses));
+            const std::vector<Excess> found = excessesAlong(line, footprint, edge, 0.5 * reachM);
+            std::ranges::copy(found, std::back_inserter(excesses));
+            const bool canBeLeft = std::ranges::any_of(found, [&](const Excess& excess) { return excess.moveM >= swingM; });
+            if (round == 0 && touches && !canBeLeft) {
+                excesses.push_back({line.start.position, kReserveFactor * swingM + kReserveM});
+            }
         }
         if (excesses.empty() || round == kMostMoves) {
             break;

@@ -65,8 +65,8 @@ std::optional<Point> oneCornerFor(const Corner& a, const Corner& b, double radiu
 /// The corners of a ring while points go: what is left is linked, and only what changes is worked out again.
 class CornerChain {
 public:
-    CornerChain(const Ring& ring, double radiusM, double toleranceM)
-        : radiusM_{radiusM}, toleranceM_{toleranceM}, left_{ring.size()} {
+    CornerChain(const Ring& ring, double radiusM, double toleranceM, double gentleM)
+        : radiusM_{radiusM}, toleranceM_{toleranceM}, gentleM_{gentleM}, left_{ring.size()} {
         for (std::size_t i = 0; i < ring.size(); ++i) {
             corners_.push_back({.at = ring[i]});
             links_.push_back({(i + ring.size() - 1) % ring.size(), (i + 1) % ring.size()});
@@ -123,7 +123,8 @@ private:
         const double turn = std::abs(corner.turnRad);
         corner.needM = turn > kStraightRad ? radiusM_ * kRadiusSlack * std::tan(0.5 * turn) : 0.0;
         // The middle of the arc is t tan(turn / 4) away from the corner.
-        corner.wantM = turn > kStraightRad ? std::max(corner.needM, kRoundingM / std::tan(0.25 * turn)) : 0.0;
+        corner.wantM =
+            turn > kStraightRad ? std::max({corner.needM, gentleM_, kRoundingM / std::tan(0.25 * turn)}) : 0.0;
     }
 
     /// The edge after i is too short: its corners become one, or the one that matters less goes.
@@ -170,6 +171,7 @@ private:
 
     double radiusM_;
     double toleranceM_;
+    double gentleM_;
     std::size_t left_;
     std::vector<Corner> corners_;
     std::vector<Links> links_;
@@ -212,12 +214,12 @@ Turn lineThrough(const std::vector<Corner>& corners) {
 
 }  // namespace
 
-std::optional<Turn> smoothRing(const Ring& given, Length radius, Length tolerance) {
+std::optional<Turn> smoothRing(const Ring& given, Length radius, Length tolerance, Length gentle) {
     const Ring ring = withoutCloseOnes(given);
     if (ring.size() < 3) {
         return std::nullopt;
     }
-    CornerChain chain{ring, radius.si(), tolerance.si()};
+    CornerChain chain{ring, radius.si(), tolerance.si(), gentle.si()};
     if (!chain.makeDrivable()) {
         return std::nullopt;
     }

@@ -11,7 +11,9 @@ namespace furrow {
 /// arcs drawn as chords become arcs again. Where corners are too close to each other some are merged or left out;
 /// the line moves by no more than `tolerance` for each. Starts on the ring's first edge. Nothing where that is not
 /// enough. Cost: O(n) for n points.
-std::optional<Turn> smoothRing(const Ring& ring, Length radius, Length tolerance);
+/// @param gentle  bends begin so far before their corner where there is room: the larger the radius, the less the
+///                tail swings out
+std::optional<Turn> smoothRing(const Ring& ring, Length radius, Length tolerance, Length gentle = {});
 
 /// The same line driven the other way round.
 Turn reversedLine(const Turn& line);

@@ -7,12 +7,15 @@
 #include <cmath>
 #include <iterator>
 #include <limits>
+#include <ranges>
 
 namespace furrow {
 
 namespace {
 
 constexpr std::size_t kMostStarts = 400;
+// What none of so many places allows, no other does.
+constexpr std::size_t kMostChecked = 150;
 constexpr Length kCheckStep = metres(0.25);
 
 /// A place on a closed pass where it may start.
@@ -152,7 +155,7 @@ public:
             byTime.emplace_back(roughDuration(way(places[i].pose, *fixed, fixedIsNext), machine_), i);
         }
         std::ranges::sort(byTime);
-        for (const auto& [time, i] : byTime) {
+        for (const auto& [time, i] : byTime | std::views::take(kMostChecked)) {
             if (staysInside(way(places[i].pose, *fixed, fixedIsNext), footprint_, edges_, kCheckStep)) {
                 return places[i];
             }

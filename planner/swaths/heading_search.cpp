@@ -4,6 +4,7 @@
 #include "planner/swaths/methods.h"
 #include "planner/units/angle.h"
 
+#include <algorithm>
 #include <format>
 
 namespace furrow {
@@ -54,18 +55,36 @@ Result<ScanLine> scanLineFor(const SwathTask& task, std::optional<Point> anchor)
 
 Result<BestHeading> bestHeading(const ScanLine& scanLine, std::span<const Angle> headings, SwathObjective objective,
                           const JobContext& job) {
+    // Where lines decide, areas are only measured for headings that nothing beats in those.
+    std::vector<Angle> left{headings.begin(), headings.end()};
+    if (isOfLines(objective)) {
+        const auto lines = parallelMap<HeadingFigures>(
+            left.size(), [&](std::size_t i) { return scanLine.lineFigures(left[i], objective); }, job.part(0.0, 0.8));
+        if (!lines) {
+            return std::unexpected(lines.error());
+        }
+        const HeadingFigures best = *std::ranges::min_element(
+            *lines, [&](const HeadingFigures& a, const HeadingFigures& b) { return isBetter(objective, a, b); });
+        left.clear();
+        for (std::size_t i = 0; i < headings.size(); ++i) {
+            if (isAsGood(objective, (*lines)[i], best)) {
+                left.push_back(headings[i]);
+            }
+        }
+    }
     const auto figures = parallelMap<HeadingFigures>(
-        headings.size(), [&](std::size_t i) { return scanLine.figures(headings[i], objective); }, job);
+        left.size(), [&](std::size_t i) { return scanLine.figures(left[i], objective); },
+        isOfLines(objective) ? job.part(0.8, 1.0) : job);
     if (!figures) {
         return std::unexpected(figures.error());
     }
     std::size_t best = 0;
-    for (std::size_t i = 1; i < headings.size(); ++i) {
+    for (std::size_t i = 1; i < left.size(); ++i) {
         if (isBetter(objective, (*figures)[i], (*figures)[best])) {
             best = i;
         }
     }
-    return BestHeading{headings[best], (*figures)[best]};
+    return BestHeading{left[best], (*figures)[best]};
 }
 
 Result<SwathSet> swathsAlong(const ScanLine& scanLine, Angle heading, SwathObjective objective) {

@@ -37,6 +37,13 @@ double advantage(SwathObjective objective, const HeadingFigures& a, const Headin
 
 }  // namespace
 
+bool isAsGood(SwathObjective objective, const HeadingFigures& a, const HeadingFigures& b) {
+    if ((a.count == 0) != (b.count == 0)) {
+        return b.count == 0;
+    }
+    return advantage(objective, a, b) >= 0.0;
+}
+
 bool isBetter(SwathObjective objective, const HeadingFigures& a, const HeadingFigures& b) {
     // A heading whose lines miss the mainland altogether is no answer to anything.
     if ((a.count == 0) != (b.count == 0)) {

@@ -22,6 +22,14 @@ struct HeadingFigures {
 /// Whether a is strictly better than b; ties are broken by coverage, then by fewer metres.
 bool isBetter(SwathObjective objective, const HeadingFigures& a, const HeadingFigures& b);
 
+/// Whether a is no worse than b by this objective alone, rounding aside.
+bool isAsGood(SwathObjective objective, const HeadingFigures& a, const HeadingFigures& b);
+
+/// Number and length of swaths say it all.
+constexpr bool isOfLines(SwathObjective objective) {
+    return objective == SwathObjective::Count || objective == SwathObjective::Length;
+}
+
 /// What a search for the best heading looks for.
 extern const Parameter kObjective;
 

@@ -5,6 +5,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <cstdint>
 #include <limits>
 #include <span>
 
@@ -22,6 +23,34 @@ constexpr double kPiecemealFactor = 5.0;
 // How many shifts are tried where the shift is free.
 constexpr int kShifts = 9;
 
+/// Rising numbers at nearly even distances: where a value belongs is guessed and put right by a step or two.
+class Ladder {
+public:
+    explicit Ladder(const std::vector<double>& rungs)
+        : rungs_{rungs},
+          perMetre_{rungs.size() > 1 ? static_cast<double>(rungs.size() - 1) / (rungs.back() - rungs.front()) : 0.0} {}
+
+    /// The number of rungs below a value.
+    std::size_t below(double value) const {
+        const std::size_t size = rungs_.size();
+        if (size == 0 || value <= rungs_.front()) {
+            return 0;
+        }
+        auto at = std::min(size, static_cast<std::size_t>((value - rungs_.front()) * perMetre_) + 1);
+        while (at < size && rungs_[at] < value) {
+            ++at;
+        }
+        while (at > 0 && rungs_[at - 1] >= value) {
+            --at;
+        }
+        return at;
+    }
+
+private:
+    const std::vector<double>& rungs_;
+    double perMetre_;
+};
+
 }  // namespace
 
 /// Everything one heading needs; kept per thread so that trying a heading allocates nothing.
@@ -31,6 +60,7 @@ struct ScanLine::Walk {
     double highY = 0.0;
     double anchorY = 0.0;
     std::vector<double> tracks;              // y of each centre line, rising
+    std::vector<std::uint32_t> tracksBelow;  // each vertex
     std::vector<std::size_t> firstInterval;  // of track i; one more entry than tracks
     std::vector<double> crossings;           // sorted within a track: pairs are intervals
     // Slabs: stretches of y over which the same tracks cover.
@@ -54,6 +84,10 @@ namespace {
 /// Splits overlapping intervals into where at least one and where at least two of them lie.
 void countOverlaps(std::vector<Interval>& intervals, std::vector<Interval>& once,
                    std::vector<Interval>& twice) {
+    if (intervals.size() == 1) {
+        once.push_back(intervals.front());
+        return;
+    }
     std::ranges::sort(intervals, {}, &Interval::from);
     double end = -std::numeric_limits<double>::infinity();       // of the current stretch covered once
     double twiceEnd = -std::numeric_limits<double>::infinity();  // and twice
@@ -211,7 +245,6 @@ void ScanLine::lay(int layout, Walk& walk) const {
         walk.tracks.back() = highest;
     }
     findCrossings(walk);
-    findSlabs(walk);
 }
 
 /// Tracks at the full spacing from the anchor; what is left over at either edge goes by the last pass.
@@ -258,21 +291,21 @@ void ScanLine::layThroughAnchor(Walk& walk) const {
 /// Crossings of every edge with every centre line, sorted into tracks by counting.
 void ScanLine::findCrossings(Walk& walk) const {
     const std::size_t trackCount = walk.tracks.size();
+    const Ladder ladder{walk.tracks};
+    walk.tracksBelow.resize(walk.rotated.size());
+    for (std::size_t i = 0; i < walk.rotated.size(); ++i) {
+        walk.tracksBelow[i] = static_cast<std::uint32_t>(ladder.below(walk.rotated[i].y));
+    }
+    // Half-open: a vertex on a centre line counts for one of its two edges.
     const auto forEachCrossing = [&](auto&& visit) {
         std::size_t begin = 0;
         for (const std::size_t end : ringEnds_) {
-            Point a = walk.rotated[end - 1];
-            for (std::size_t i = begin; i < end; ++i) {
-                const Point b = walk.rotated[i];
-                const double low = std::min(a.y, b.y);
-                const double high = std::max(a.y, b.y);
-                // Half-open: a vertex on a centre line counts for one of its two edges.
-                auto k = static_cast<std::size_t>(std::ranges::lower_bound(walk.tracks, low) -
-                                                  walk.tracks.begin());
-                for (; k < trackCount && walk.tracks[k] < high; ++k) {
-                    visit(k, a, b);
+            std::size_t a = end - 1;
+            for (std::size_t b = begin; b < end; a = b++) {
+                const auto [low, high] = std::minmax(walk.tracksBelow[a], walk.tracksBelow[b]);
+                for (std::size_t k = low; k < high; ++k) {
+                    visit(k, walk.rotated[a], walk.rotated[b]);
                 }
-                a = b;
             }
             begin = end;
         }
@@ -369,7 +402,7 @@ Duration ScanLine::drivingTime(const Walk& walk, const TurnLength& turnLength) c
     return seconds(swathsM / driving_->working.si() + turnsM / driving_->turning.si());
 }
 
-HeadingFigures ScanLine::measure(SwathObjective objective, const Walk& walk) const {
+HeadingFigures ScanLine::measureLines(const Walk& walk) const {
     HeadingFigures figures;
     for (std::size_t k = 0; k < walk.tracks.size(); ++k) {
         for (std::size_t i = walk.firstInterval[k]; i + 1 < walk.firstInterval[k + 1]; i += 2) {
@@ -380,12 +413,19 @@ HeadingFigures ScanLine::measure(SwathObjective objective, const Walk& walk) con
             }
         }
     }
+    return figures;
+}
+
+HeadingFigures ScanLine::measure(SwathObjective objective, Walk& walk) const {
+    findSlabs(walk);
+    HeadingFigures figures = measureLines(walk);
     // Green's theorem on the part of the mainland inside each rectangle: the integral of clamp(x) dy
     // around every ring, edge by edge, slab by slab.
     double coveredM2 = 0.0;
     double doubledM2 = 0.0;
     std::size_t begin = 0;
     const std::vector<double>& edges = walk.slabEdges;
+    const Ladder ladder{edges};
     for (const std::size_t end : ringEnds_) {
         Point a = walk.rotated[end - 1];
         for (std::size_t i = begin; i < end; ++i) {
@@ -398,8 +438,8 @@ HeadingFigures ScanLine::measure(SwathObjective objective, const Walk& walk) con
                 const auto at = [&](double y) {
                     return y <= low.y ? low : y >= high.y ? high : Point{low.x + slope * (y - low.y), y};
                 };
-                auto slab = static_cast<std::size_t>(
-                    std::max<std::ptrdiff_t>(std::ranges::upper_bound(edges, low.y) - edges.begin() - 1, 0));
+                const std::size_t edgesBelow = ladder.below(low.y);
+                std::size_t slab = edgesBelow > 0 ? edgesBelow - 1 : 0;
                 for (; slab + 1 < edges.size() && edges[slab] < high.y; ++slab) {
                     const Point from = at(edges[slab]);
                     const Point to = at(edges[slab + 1]);
@@ -459,18 +499,48 @@ std::pair<int, HeadingFigures> ScanLine::best(Angle heading, SwathObjective obje
     rotate(heading, walk);
     std::pair<int, HeadingFigures> chosen;
     const int layouts = layoutCount(walk);
+    // Areas take most of the time: where lines decide, only layouts that are as good in those get them.
+    const bool linesDecide = layouts > 1 && isOfLines(objective);
+    const HeadingFigures bestLines = linesDecide ? linesOf(objective, walk) : HeadingFigures{};
+    bool first = true;
     for (int layout = 0; layout < layouts; ++layout) {
         lay(layout, walk);
+        if (linesDecide && !isAsGood(objective, measureLines(walk), bestLines)) {
+            continue;
+        }
         const HeadingFigures figures = measure(objective, walk);
         // Of layouts that are as good the one with less overlap; then the first.
         const bool better = isBetter(objective, figures, chosen.second) ||
                             (!isBetter(objective, chosen.second, figures) &&
                              isBetter(SwathObjective::Overlap, figures, chosen.second));
-        if (layout == 0 || better) {
+        if (first || better) {
             chosen = {layout, figures};
         }
+        first = false;
     }
     return chosen;
+}
+
+HeadingFigures ScanLine::linesOf(SwathObjective objective, Walk& walk) const {
+    HeadingFigures best;
+    const int layouts = layoutCount(walk);
+    for (int layout = 0; layout < layouts; ++layout) {
+        lay(layout, walk);
+        const HeadingFigures figures = measureLines(walk);
+        if (layout == 0 || isBetter(objective, figures, best)) {
+            best = figures;
+        }
+    }
+    return best;
+}
+
+HeadingFigures ScanLine::lineFigures(Angle heading, SwathObjective objective) const {
+    if (vertices_.empty()) {
+        return {};
+    }
+    thread_local Walk walk;
+    rotate(heading, walk);
+    return linesOf(objective, walk);
 }
 
 HeadingFigures ScanLine::figures(Angle heading, SwathObjective objective) const {

@@ -55,6 +55,9 @@ public:
     /// vertices and each of the layouts (2, 1 and 9), no allocation after the first call on a thread.
     HeadingFigures figures(Angle heading, SwathObjective objective = SwathObjective::Coverage) const;
 
+    /// Number and length of swaths alone, of the layout that is best in those; areas are 0. Several times cheaper.
+    HeadingFigures lineFigures(Angle heading, SwathObjective objective) const;
+
     /// No layout of this heading takes less time than this; several times cheaper than the time itself. 0
     /// without a driving model.
     Duration timeBound(Angle heading) const;
@@ -79,7 +82,10 @@ private:
     void layThroughAnchor(Walk& walk) const;
     void findCrossings(Walk& walk) const;
     void findSlabs(Walk& walk) const;
-    HeadingFigures measure(SwathObjective objective, const Walk& walk) const;
+    HeadingFigures measureLines(const Walk& walk) const;
+    HeadingFigures measure(SwathObjective objective, Walk& walk) const;
+    /// Of the layout with the best lines; `walk` is rotated.
+    HeadingFigures linesOf(SwathObjective objective, Walk& walk) const;
     /// To and fro with turns of the length that `turnLength(from, to)` gives in metres.
     template <class TurnLength>
     Duration drivingTime(const Walk& walk, const TurnLength& turnLength) const;

@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 
 namespace furrow {
 
@@ -12,11 +13,45 @@ namespace {
 // Outside by less than this is touching.
 constexpr double kTouchingM = 1e-3;
 
+/// How deep a point lies in a shape; 0 outside.
+double depthIn(const Ring& shape, Point point) {
+    bool inside = false;
+    double nearest = std::numeric_limits<double>::infinity();
+    for (std::size_t i = 0; i < shape.size(); ++i) {
+        const Point a = shape[i];
+        const Point b = shape[(i + 1) % shape.size()];
+        if ((a.y > point.y) != (b.y > point.y) &&
+            point.x < a.x + (b.x - a.x) * (point.y - a.y) / (b.y - a.y)) {
+            inside = !inside;
+        }
+        const Point way = b - a;
+        const double share = std::clamp(dot(point - a, way) / std::max(dot(way, way), 1e-12), 0.0, 1.0);
+        nearest = std::min(nearest, distance(point, a + share * way));
+    }
+    return inside ? nearest : 0.0;
+}
+
 }  // namespace
 
+double outsideM(const Pose& pose, const Ring& footprint, const BoundaryDistance& edges) {
+    double farthest = 0.0;
+    double radius = 0.0;
+    for (const Point& corner : placed(footprint, pose)) {
+        farthest = std::max(farthest, -edges.insideM(corner).value_or(0.0));
+        radius = std::max(radius, distance(corner, pose.position));
+    }
+    const Point ahead = direction(pose.heading.si());
+    for (const Point& corner : edges.inwardCorners(pose.position.x - radius, pose.position.x + radius)) {
+        const Point way = corner - pose.position;
+        if (std::abs(way.y) < radius) {
+            farthest = std::max(farthest, depthIn(footprint, {dot(ahead, way), cross(ahead, way)}));
+        }
+    }
+    return farthest;
+}
+
 bool isInside(const Pose& pose, const Ring& footprint, const BoundaryDistance& edges) {
-    return std::ranges::all_of(placed(footprint, pose),
-                               [&](Point corner) { return edges.insideM(corner).value_or(0.0) >= -kTouchingM; });
+    return outsideM(pose, footprint, edges) <= kTouchingM;
 }
 
 bool staysInside(const Turn& turn, const Ring& footprint, const BoundaryDistance& edges, Length step) {

@@ -11,4 +11,8 @@ namespace furrow {
 bool staysInside(const Turn& turn, const Ring& footprint, const BoundaryDistance& edges, Length step);
 bool isInside(const Pose& pose, const Ring& footprint, const BoundaryDistance& edges);
 
+/// How far the footprint at a pose gets across the edges: with one of its corners, or with a side that a corner of
+/// the field pokes into. 0 inside.
+double outsideM(const Pose& pose, const Ring& footprint, const BoundaryDistance& edges);
+
 }  // namespace furrow
