@@ -30,6 +30,20 @@ Pose poseBefore(const Turn& line, std::size_t piece) {
     return pose;
 }
 
+/// The same closed line from where its first straight begins: no corner is cut in two by its start.
+Turn fromAStraight(const Turn& line) {
+    const auto first = std::ranges::find_if(line.pieces, [](const TurnPiece& piece) {
+        return piece.curvature == Curvature{} && piece.length.si() >= kLeastStraightM;
+    });
+    if (first == line.pieces.end()) {
+        return line;
+    }
+    const auto index = first - line.pieces.begin();
+    Turn turned{.type = line.type, .start = poseBefore(line, static_cast<std::size_t>(index)), .pieces = line.pieces};
+    std::ranges::rotate(turned.pieces, turned.pieces.begin() + index);
+    return turned;
+}
+
 /// How a corner is driven: past the point where its two sides meet, and from before it on the next side.
 struct Manoeuvre {
     Length onward;   ///< worked beyond where the rounding began
@@ -116,8 +130,9 @@ Area uncutCorner(const RoundedCorner& corner, Length width) {
     return squareMetres((std::tan(0.5 * a) - 0.5 * a) * r * r);
 }
 
-std::vector<PassStretch> withCorners(const Turn& line, CornerMethod method, const MultiPolygon& drivable,
+std::vector<PassStretch> withCorners(const Turn& closed, CornerMethod method, const MultiPolygon& drivable,
                                      const Machine& machine, std::vector<RoundedCorner>& left) {
+    const Turn line = method == CornerMethod::Rounded ? closed : fromAStraight(closed);
     std::vector<RoundedCorner> corners = roundedCorners(line, machine.minTurningRadius());
     std::vector<PassStretch> stretches{{.line = {.type = {}, .start = line.start, .pieces = {}}}};
     if (method == CornerMethod::Rounded) {

@@ -24,7 +24,7 @@ enum class CornerMethod { Rounded, Loop, Reverse };
 /// A closed pass whose corners are driven into where there is room: straight on as far as the footprint stays
 /// inside, then with the implement up round a loop (forwards) or with a change of gear to as far back as it fits
 /// on the next side. Corners without room stay rounded. @param left  how many did
-std::vector<PassStretch> withCorners(const Turn& line, CornerMethod method, const MultiPolygon& drivable,
+std::vector<PassStretch> withCorners(const Turn& closed, CornerMethod method, const MultiPolygon& drivable,
                                      const Machine& machine, std::vector<RoundedCorner>& left);
 
 }  // namespace furrow

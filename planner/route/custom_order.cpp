@@ -1,6 +1,7 @@
 #include "planner/route/methods.h"
 
 #include <algorithm>
+#include <cstdint>
 #include <cstdlib>
 #include <format>
 #include <string>
@@ -35,8 +36,8 @@ Result<Route> customOrder(const RouteTask& task, const JobContext& job) {
     std::vector<bool> driven(static_cast<std::size_t>(count));
     Route route;
     for (const int number : task.settings.numbers(kOrder)) {
-        if (number == 0 || std::abs(number) > count) {
-            return std::unexpected(refused(std::format("there is no swath {}", std::abs(number)),
+        if (number == 0 || number < -count || number > count) {
+            return std::unexpected(refused(std::format("there is no swath {}", std::abs(std::int64_t{number})),
                                            std::format("use the numbers from 1 to {}", count)));
         }
         const auto swath = static_cast<std::size_t>(std::abs(number) - 1);

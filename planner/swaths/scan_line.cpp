@@ -18,6 +18,8 @@ constexpr double kShortestSwathM = 1e-3;
 constexpr double kMostTracks = 1e6;
 // A width that fits up to rounding does fit.
 constexpr double kFitSlack = 1e-9;
+// A guidance line comes from degrees: flush with the edge up to this is flush, and no swath fits in between.
+constexpr double kFlushM = 1e-3;
 // Land that no swath covers costs its time at least; in bits and pieces, several times that.
 constexpr double kPiecemealFactor = 5.0;
 // How many shifts are tried where the shift is free.
@@ -253,25 +255,29 @@ void ScanLine::layThroughAnchor(Walk& walk) const {
     const double step = (spacing_.width - spacing_.overlap).si();
     const double lowest = walk.lowY + 0.5 * width;
     const double highest = walk.highY - 0.5 * width;
+    const double slack = std::min(kFlushM, 0.01 * step);
     // The whole number of steps that brings the anchor's line into the mainland, as low as it gets.
-    const double first = walk.anchorY - step * std::floor((walk.anchorY - lowest) / step + kFitSlack);
+    const double first = walk.anchorY - step * std::floor((walk.anchorY - lowest + slack) / step);
     if (walk.highY - walk.lowY <= width) {
         const double nearest = walk.anchorY + step * std::round((0.5 * (lowest + highest) - walk.anchorY) / step);
         const bool crosses = nearest > walk.lowY && nearest < walk.highY;
         walk.tracks.push_back(crosses ? nearest : 0.5 * (lowest + highest));
         return;
     }
-    const double slack = kFitSlack * step;
-    if (spacing_.lastPass == LastPass::Spread && walk.anchorY > lowest && walk.anchorY < highest) {
+    if (spacing_.lastPass == LastPass::Spread && walk.anchorY > lowest - slack && walk.anchorY < highest + slack) {
         // As many as needed on each side of the anchor, evenly.
-        const auto spread = [&](double from, double to, bool withEnd) {
-            const auto steps = static_cast<int>(std::max(1.0, std::ceil((to - from) / step - kFitSlack)));
-            for (int i = 0; i < steps + (withEnd ? 1 : 0); ++i) {
+        const auto spread = [&](double from, double to) {
+            if (to - from <= slack) {
+                return;
+            }
+            const auto steps = static_cast<int>(std::max(1.0, std::ceil((to - from - slack) / step)));
+            for (int i = 0; i < steps; ++i) {
                 walk.tracks.push_back(from + (to - from) * i / steps);
             }
         };
-        spread(lowest, walk.anchorY, false);
-        spread(walk.anchorY, highest, true);
+        spread(lowest, walk.anchorY);
+        spread(walk.anchorY, highest);
+        walk.tracks.push_back(highest - walk.anchorY <= slack ? walk.anchorY : highest);
         return;
     }
     if (spacing_.lastPass != LastPass::Gap && first > lowest + slack) {

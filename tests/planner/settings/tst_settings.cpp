@@ -22,9 +22,13 @@ const Parameter kColour{.key = "test.colour", .name = "Colour", .description = "
                         .kind = ParameterKind::Choice, .standard = 1.0, .choices = kColours};
 const Parameter kWet{.key = "test.wet", .name = "Wet", .description = "A flag.",
                      .kind = ParameterKind::Flag, .standard = 1.0, .choices = {}};
+const Parameter kWay{.key = "test.way", .name = "Way", .description = "A line.", .kind = ParameterKind::Line,
+                     .standard = {}, .choices = {}};
+const Parameter kRow{.key = "test.row", .name = "Row", .description = "Numbers.", .kind = ParameterKind::Numbers,
+                     .standard = {}, .choices = {}};
 
 const Parameter* parameterNamed(const QString& key) {
-    for (const Parameter* parameter : {&kWidth, &kTurn, &kPasses, &kColour, &kWet}) {
+    for (const Parameter* parameter : {&kWidth, &kTurn, &kPasses, &kColour, &kWet, &kWay, &kRow}) {
         if (key.toStdString() == parameter->key) {
             return parameter;
         }
@@ -52,6 +56,13 @@ private slots:
         QTest::newRow("a count written as a decimal") << "test.passes" << "7.0" << "7";
         QTest::newRow("a choice") << "test.colour" << "red" << "red";
         QTest::newRow("a flag") << "test.wet" << "false" << "false";
+        QTest::newRow("a line") << "test.way" << "LINESTRING (4.1 52.0, 4.2 52.0)" << "LINESTRING (4.1 52.0, 4.2 52.0)";
+        QTest::newRow("a point") << "test.way" << "POINT(4.1 52)" << "POINT(4.1 52)";
+        QTest::newRow("no line") << "test.way" << "" << "";
+        QTest::newRow("numbers") << "test.row" << "3,-1,2" << "3,-1,2";
+        QTest::newRow("numbers with blanks") << "test.row" << " 3 , -1,2 " << " 3 , -1,2 ";
+        QTest::newRow("one number") << "test.row" << "7" << "7";
+        QTest::newRow("no numbers") << "test.row" << "" << "";
     }
     void acceptsText() {
         QFETCH(QString, key);
@@ -92,6 +103,24 @@ private slots:
         QTest::newRow("no choice is auto") << "test.colour" << "auto" << ErrorCode::Usage << "red, green";
         QTest::newRow("a flag as a number") << "test.wet" << "1" << refused << "true or false";
         QTest::newRow("a flag as yes") << "test.wet" << "yes" << refused << "true or false";
+        QTest::newRow("a line that is no WKT") << "test.way" << "4.1 52.0, 4.2 52.0" << refused << "LINESTRING";
+        QTest::newRow("a line that is an area")
+            << "test.way" << "POLYGON ((4 52, 5 52, 5 53, 4 52))" << refused << "LINESTRING";
+        QTest::newRow("a line that breaks off") << "test.way" << "LINESTRING (4.1 52.0, 4.2" << refused << "LINESTRING";
+        QTest::newRow("a line of one point") << "test.way" << "LINESTRING (4.1 52.0)" << refused << "LINESTRING";
+        QTest::newRow("a line off the globe in the north") << "test.way" << "LINESTRING (4 52, 4 90.1)" << refused << "WGS84";
+        QTest::newRow("a line off the globe in the west") << "test.way" << "LINESTRING (4 52, -180.1 52)" << refused << "WGS84";
+        QTest::newRow("a line in metres") << "test.way" << "LINESTRING (431000 5766000, 431100 5766000)" << refused << "WGS84";
+        QTest::newRow("a line that is not a number") << "test.way" << "POINT (nan 52)" << refused << "WGS84";
+        QTest::newRow("a word for a line") << "test.way" << "auto" << refused << "'auto' is not";
+        QTest::newRow("numbers that are fractions") << "test.row" << "1,2.5" << refused << "whole numbers";
+        QTest::newRow("numbers without commas") << "test.row" << "1 2" << refused << "whole numbers";
+        QTest::newRow("numbers divided otherwise") << "test.row" << "1;2" << refused << "whole numbers";
+        QTest::newRow("numbers with a comma too many") << "test.row" << "1,,2" << refused << "whole numbers";
+        QTest::newRow("numbers that begin with a comma") << "test.row" << ",1" << refused << "whole numbers";
+        QTest::newRow("numbers that end with a comma") << "test.row" << "1,2," << refused << "whole numbers";
+        QTest::newRow("words for numbers") << "test.row" << "one" << refused << "whole numbers";
+        QTest::newRow("too large a number") << "test.row" << "1,99999999999" << refused << "whole numbers";
     }
     void refusesText() {
         QFETCH(QString, key);
@@ -113,10 +142,29 @@ private slots:
         QVERIFY(!settings.set(kWidth, true));
         QVERIFY(!settings.set(kWidth, std::string{"12"}));
         QVERIFY(!settings.set(kColour, 1.0));
+        QVERIFY(!settings.set(kWay, 1.0));
+        QVERIFY(!settings.set(kWay, Auto{}));
+        QVERIFY(!settings.set(kRow, 1.0));
+        QVERIFY(!settings.set(kRow, true));
         QVERIFY(!settings.set(kWet, 1.0));
         QVERIFY(!settings.set(kWet, Auto{}));
         QVERIFY(!settings.set(kColour, Auto{}));
         QVERIFY(!settings.set(kWidth, std::numeric_limits<double>::quiet_NaN()));
+        QVERIFY(settings == Settings{});
+    }
+
+    void linesAndNumbersAreRead() {
+        Settings settings;
+        QVERIFY(settings.line(kWay).empty());
+        QVERIFY(settings.numbers(kRow).empty());
+        VERIFY_RESULT(settings.setText(kWay, "LINESTRING (4.25 52.5, -4.5 -52)"));
+        QCOMPARE(settings.line(kWay), (std::vector<GeoPoint>{{.lonDeg = 4.25, .latDeg = 52.5}, {.lonDeg = -4.5, .latDeg = -52.0}}));
+        VERIFY_RESULT(settings.setText(kWay, "POINT (180 -90)"));
+        QCOMPARE(settings.line(kWay), (std::vector<GeoPoint>{{.lonDeg = 180.0, .latDeg = -90.0}}));
+        VERIFY_RESULT(settings.setText(kRow, "3, -1 ,2"));
+        QCOMPARE(settings.numbers(kRow), (std::vector<int>{3, -1, 2}));
+        VERIFY_RESULT(settings.setText(kWay, ""));
+        VERIFY_RESULT(settings.setText(kRow, ""));
         QVERIFY(settings == Settings{});
     }
 

@@ -1,0 +1,136 @@
+#include "planner/geometry/boundary_distance.h"
+#include "tests/support/field_generator.h"
+#include "tests/support/result_check.h"
+#include "tests/support/wkt.h"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+using namespace furrow;
+
+namespace {
+
+/// Distance to the nearest edge, one after the other, and the side by counting crossings to the right.
+double insideByBruteForce(const MultiPolygon& polygons, Point point) {
+    double nearest = std::numeric_limits<double>::infinity();
+    bool inside = false;
+    forEachEdge(polygons, [&](Point a, Point b) {
+        const Point way = b - a;
+        const double t = std::clamp(dot(point - a, way) / dot(way, way), 0.0, 1.0);
+        nearest = std::min(nearest, distance(point, a + t * way));
+        if ((a.y > point.y) != (b.y > point.y) && point.x < a.x + (b.x - a.x) * (point.y - a.y) / (b.y - a.y)) {
+            inside = !inside;
+        }
+    });
+    return inside ? nearest : -nearest;
+}
+
+}  // namespace
+
+class BoundaryDistanceTest : public QObject {
+    Q_OBJECT
+
+private slots:
+    void byHand_data() {
+        QTest::addColumn<QString>("wkt");
+        QTest::addColumn<double>("reachM");
+        QTest::addColumn<double>("x");
+        QTest::addColumn<double>("y");
+        QTest::addColumn<double>("insideM");  // NaN where nothing is within reach
+        const double nothing = std::numeric_limits<double>::quiet_NaN();
+        const QString square = QStringLiteral("POLYGON((0 0, 100 0, 100 100, 0 100, 0 0))");
+        QTest::newRow("inside") << square << 5.0 << 50.0 << 3.0 << 3.0;
+        QTest::newRow("outside") << square << 5.0 << 50.0 << -3.0 << -3.0;
+        QTest::newRow("on the edge") << square << 5.0 << 100.0 << 40.0 << 0.0;
+        QTest::newRow("on a corner") << square << 5.0 << 100.0 << 100.0 << 0.0;
+        QTest::newRow("nearest of two edges") << square << 5.0 << 2.0 << 4.0 << 2.0;
+        QTest::newRow("outside, past a corner") << square << 6.0 << 103.0 << 104.0 << -5.0;
+        QTest::newRow("outside, level with a corner") << square << 6.0 << 104.0 << 100.0 << -4.0;
+        QTest::newRow("just within reach") << square << 5.0 << 50.0 << 4.999 << 4.999;
+        QTest::newRow("just out of reach") << square << 5.0 << 50.0 << 5.001 << nothing;
+        QTest::newRow("just out of reach outside") << square << 5.0 << 50.0 << -5.001 << nothing;
+        QTest::newRow("past a corner, out of reach") << square << 4.9 << 103.0 << 104.0 << nothing;
+        QTest::newRow("far inside") << square << 5.0 << 50.0 << 50.0 << nothing;
+        QTest::newRow("far away") << square << 5.0 << -1e5 << 2e5 << nothing;
+        QTest::newRow("reach of the whole field") << square << 500.0 << 50.0 << 45.0 << 45.0;
+        QTest::newRow("reach of much less than an edge") << square << 0.1 << 33.3 << 0.05 << 0.05;
+        QTest::newRow("no polygons") << QStringLiteral("POLYGON EMPTY") << 5.0 << 0.0 << 0.0 << nothing;
+        const QString hole =
+            QStringLiteral("POLYGON((0 0, 100 0, 100 100, 0 100, 0 0), (40 40, 40 60, 60 60, 60 40, 40 40))");
+        QTest::newRow("beside a hole") << hole << 8.0 << 37.0 << 50.0 << 3.0;
+        QTest::newRow("in a hole") << hole << 8.0 << 42.0 << 50.0 << -2.0;
+        QTest::newRow("past the corner of a hole") << hole << 8.0 << 36.0 << 63.0 << 5.0;
+        QTest::newRow("middle of a hole out of reach") << hole << 8.0 << 50.0 << 50.0 << nothing;
+        // A needle of 2 m over 100 m: beyond its tip both edges are behind the point.
+        const QString needle = QStringLiteral("POLYGON((0 -1, 100 0, 0 1, 0 -1))");
+        QTest::newRow("ahead of a needle") << needle << 5.0 << 103.0 << 0.0 << -3.0;
+        QTest::newRow("ahead of a needle, to the left") << needle << 5.0 << 101.0 << 2.0 << -std::sqrt(5.0);
+        QTest::newRow("ahead of a needle, to the right") << needle << 5.0 << 101.0 << -2.0 << -std::sqrt(5.0);
+        // 0.01 m above the axis at 50 m; the edges are 0.5 m away from the axis there, sloping by 1 in 100.
+        QTest::newRow("in a needle") << needle << 5.0 << 50.0 << 0.01 << 0.49 * 100.0 / std::hypot(100.0, 1.0);
+        QTest::newRow("above a needle") << needle << 5.0 << 50.0 << 1.5 << -1.0 * 100.0 / std::hypot(100.0, 1.0);
+        // A notch as sharp, cut into a block from the left; its tip is at (100, 0).
+        const QString notch = QStringLiteral("POLYGON((0 -50, 200 -50, 200 50, 0 50, 0 1, 100 0, 0 -1, 0 -50))");
+        QTest::newRow("ahead of a notch") << notch << 5.0 << 103.0 << 0.0 << 3.0;
+        QTest::newRow("ahead of a notch, to the left") << notch << 5.0 << 101.0 << 2.0 << std::sqrt(5.0);
+        QTest::newRow("ahead of a notch, to the right") << notch << 5.0 << 101.0 << -2.0 << std::sqrt(5.0);
+        QTest::newRow("in a notch") << notch << 5.0 << 50.0 << 0.01 << -0.49 * 100.0 / std::hypot(100.0, 1.0);
+        // Two parts 4 m apart.
+        const QString parts = QStringLiteral("MULTIPOLYGON(((0 0, 20 0, 20 20, 0 20, 0 0)), ((24 0, 44 0, 44 20, 24 20, 24 0)))");
+        QTest::newRow("between parts") << parts << 5.0 << 23.0 << 10.0 << -1.0;
+        QTest::newRow("in the other part") << parts << 5.0 << 25.5 << 10.0 << 1.5;
+    }
+    void byHand() {
+        QFETCH(QString, wkt);
+        QFETCH(double, reachM);
+        QFETCH(double, x);
+        QFETCH(double, y);
+        QFETCH(double, insideM);
+        const MultiPolygon polygons =
+            wkt.endsWith("EMPTY") ? MultiPolygon{} : test::polygonsFromWkt(wkt.toStdString());
+        // Far from the origin too, where rounding is coarser, and on both sides of 0.
+        for (const Point by : {Point{}, Point{-30.0, 40.0}, Point{-2e5, 1e5}}) {
+            const BoundaryDistance edges{test::moved(polygons, degrees(0.0), by), metres(reachM)};
+            const auto found = edges.insideM(Point{x, y} + by);
+            QCOMPARE(found.has_value(), !std::isnan(insideM));
+            if (found) {
+                COMPARE_WITHIN(*found, insideM, 1e-9);
+            }
+        }
+    }
+
+    void likeBruteForce_data() {
+        QTest::addColumn<double>("reachM");
+        QTest::newRow("reach of a metre") << 1.0;
+        QTest::newRow("reach of a machine") << 7.0;
+        QTest::newRow("reach of half a field") << 60.0;
+    }
+    void likeBruteForce() {
+        QFETCH(double, reachM);
+        constexpr std::uint64_t kSeed = 77;
+        std::mt19937_64 random{kSeed};
+        int near = 0;
+        for (int i = 0; i < 100; ++i) {
+            const MultiPolygon polygons = test::randomPolygons(random, test::kShapes[static_cast<std::size_t>(i) % 5], 100.0);
+            const BoundaryDistance edges{polygons, metres(reachM)};
+            const Bounds box = bounds(polygons);
+            for (int k = 0; k < 300; ++k) {
+                const Point point{test::uniform(random, box.min.x - 20.0, box.max.x + 20.0),
+                                  test::uniform(random, box.min.y - 20.0, box.max.y + 20.0)};
+                const double expected = insideByBruteForce(polygons, point);
+                const auto found = edges.insideM(point);
+                const QByteArray said = QStringLiteral("seed %1, field %2, POINT(%3 %4): %5 m")
+                                            .arg(kSeed).arg(i).arg(point.x, 0, 'g', 17).arg(point.y, 0, 'g', 17)
+                                            .arg(expected, 0, 'g', 12).toUtf8();
+                VERIFY_TOLD(found.has_value() == (std::abs(expected) <= reachM), said);
+                VERIFY_TOLD(!found || std::abs(*found - expected) < 1e-9, said);
+                near += found ? 1 : 0;
+            }
+        }
+        QVERIFY(near > 100);
+    }
+};
+
+QTEST_APPLESS_MAIN(BoundaryDistanceTest)
+#include "tst_boundary_distance.moc"
