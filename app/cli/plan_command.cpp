@@ -89,7 +89,7 @@ void printPlan(const Plan& plan, const std::vector<std::filesystem::path>& files
         return;
     }
     const Machine& machine = plan.request.machine;
-    const Length turns = plan.path.length() - plan.path.length(SegmentKind::Swath);
+    const Length turns = plan.path.length() - plan.path.workedLength();
     const auto swathCount = static_cast<long long>(plan.swaths.swaths.size());
     std::println("Field     {} · {:.2f} ha · {}", plan.field().name(), inHectares(plan.field().area()),
                  counted(static_cast<long long>(plan.field().vertexCount()), "point", "points"));
@@ -104,10 +104,13 @@ void printPlan(const Plan& plan, const std::vector<std::filesystem::path>& files
                  counted(plan.path.turnCount(), "turn", "turns"),
                  plan.path.length() > metres(0.0) ? 100.0 * (turns / plan.path.length()) : 0.0,
                  hoursMinutes(plan.path.duration()));
+    std::println("Covered   {:.2f} % of the field · {:.0f} m² missed · {:.0f} m² worked twice",
+                 100.0 * plan.audit.coveredShare.value_or(0.0), plan.audit.missed.value_or(Area{}).si(),
+                 plan.audit.overlap.value_or(Area{}).si());
+    const auto blocking = std::ranges::count(plan.findings, Severity::Blocking, &Finding::severity);
     std::println("Drivable  {}", plan.drivable() ? std::string{"yes"}
-                                                 : std::format("no, {} cannot be driven",
-                                                               counted(plan.path.undrivableCount(),
-                                                                       "connection", "connections")));
+                                                 : std::format("no, {} in the way",
+                                                               counted(blocking, "finding stands", "findings stand")));
     constexpr std::size_t kMostShown = 10;
     for (std::size_t i = 0; i < std::min(plan.findings.size(), kMostShown); ++i) {
         const Finding& finding = plan.findings[i];

@@ -1,6 +1,6 @@
 #include "planner/evaluation/speed.h"
 
-#include "planner/evaluation/geos_yardstick.h"
+#include "planner/geometry/geos_yardstick.h"
 #include "planner/evaluation/paper_settings.h"
 #include "planner/machine/machine_library.h"
 #include "planner/plan/method_registry.h"

@@ -132,7 +132,7 @@ Area uncutCorner(const RoundedCorner& corner, Length width) {
 
 std::vector<PassStretch> withCorners(const Turn& closed, CornerMethod method, const MultiPolygon& drivable,
                                      const Machine& machine, std::vector<RoundedCorner>& left) {
-    const Turn line = method == CornerMethod::Rounded ? closed : fromAStraight(closed);
+    const Turn line = fromAStraight(closed);
     std::vector<RoundedCorner> corners = roundedCorners(line, machine.minTurningRadius());
     std::vector<PassStretch> stretches{{.line = {.type = {}, .start = line.start, .pieces = {}}}};
     if (method == CornerMethod::Rounded) {

@@ -54,9 +54,8 @@ Json milliseconds(Duration duration) {
 std::string planSummaryJson(const Plan& plan) {
     const Settings& settings = plan.request.settings;
     const Json machine = Json::parse(machineJson(plan.request.machine.spec()));
-    const double workedM = (plan.path.length(SegmentKind::Swath) + plan.path.length(SegmentKind::HeadlandPass)).si();
-    const double workedS =
-        (plan.path.duration(SegmentKind::Swath) + plan.path.duration(SegmentKind::HeadlandPass)).si();
+    const double workedM = plan.path.workedLength().si();
+    const double workedS = plan.path.workedDuration().si();
     const Json summary{
         {"field",
          {{"id", plan.field().id()},

@@ -45,6 +45,14 @@ Duration Path::duration(SegmentKind kind) const {
     return sum;
 }
 
+Length Path::workedLength() const {
+    return length(SegmentKind::Swath) + length(SegmentKind::HeadlandPass);
+}
+
+Duration Path::workedDuration() const {
+    return duration(SegmentKind::Swath) + duration(SegmentKind::HeadlandPass);
+}
+
 Length Path::reversedLength() const {
     Length sum;
     for (const PathSegment& segment : segments) {

@@ -56,6 +56,9 @@ struct Path {
     /// Of all segments of one kind.
     Length length(SegmentKind kind) const;
     Duration duration(SegmentKind kind) const;
+    /// With the implement down: swaths and headland passes.
+    Length workedLength() const;
+    Duration workedDuration() const;
     /// In reverse gear.
     Length reversedLength() const;
     /// Ways from one swath to the next, however many segments each has.

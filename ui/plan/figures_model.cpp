@@ -8,11 +8,14 @@ void FiguresModel::show(const Plan* plan) {
     std::vector<Figure> figures;
     if (plan != nullptr) {
         const Length path = plan->path.length();
-        const Length working = plan->path.length(SegmentKind::Swath);
+        const Length working = plan->path.workedLength();
         const Length turning = path - working;
         const auto share = [path](Length part) { return path.si() > 0.0 ? part / path : 0.0; };
         const auto with = [](const QString& value, const QString& detail) {
             return QStringLiteral("%1 · %2").arg(value, detail);
+        };
+        const auto shareOfField = [plan](const std::optional<Area>& part) {
+            return part && plan->audit.workable.si() > 0.0 ? *part / plan->audit.workable : 0.0;
         };
         const Area mainland = area(plan->headland.mainland);
         figures = {
@@ -24,10 +27,10 @@ void FiguresModel::show(const Plan* plan) {
             {tr("Working"), with(lengthText(working), percentText(share(working))), {}},
             {tr("Turning"), with(lengthText(turning), percentText(share(turning))), {}},
             {tr("Time"), durationText(plan->path.duration()), {}},
-            {tr("Covered"), percentText(plan->swaths.coverage, 1), tr("Share of the mainland, with square swath ends")},
-            {tr("Overlap"),
-             mainland.si() > 0.0 ? percentText(plan->swaths.overlap / mainland, 1) : percentText(0.0, 1),
-             tr("Share of the mainland that is worked twice")},
+            {tr("Covered"), percentText(plan->audit.coveredShare.value_or(0.0), 1),
+             tr("Share of the field that is worked, measured on the finished path")},
+            {tr("Overlap"), percentText(shareOfField(plan->audit.overlap), 1),
+             tr("Share of the field that is worked twice")},
         };
     }
     const bool sameLength = figures.size() == figures_.size();

@@ -409,7 +409,7 @@ private slots:
         // Far enough inside all four corners of a pass are driven into, whichever way round.
         QCOMPARE(headland->rings.back().stretches.size(), std::size_t{9});
         QVERIFY2(manoeuvres >= 4, qPrintable(QString::number(manoeuvres)));
-        QVERIFY(headland->uncutCorners <= rounded->uncutCorners);
+        QVERIFY2(headland->uncutCorners <= rounded->uncutCorners, qPrintable(QString::number(headland->uncutCorners.si()) + " " + QString::number(rounded->uncutCorners.si())));
     }
 
     // An implement that folds to the tractor's width has room to turn even along the boundary.

@@ -1,4 +1,4 @@
-#include "planner/evaluation/geos_yardstick.h"
+#include "planner/geometry/geos_yardstick.h"
 
 #include <geos_c.h>
 
