@@ -1,4 +1,5 @@
 #include "planner/geometry/geos_bridge.h"
+#include "planner/geometry/geos_yardstick.h"
 #include "tests/support/field_generator.h"
 #include "tests/support/result_check.h"
 #include "tests/support/wkt.h"
@@ -349,6 +350,18 @@ private slots:
         QVERIFY((box.min == Point{0.0, 0.0}) && (box.max == Point{25.0, 30.0}));
         QCOMPARE(vertexCount(polygons), std::size_t{11});
         COMPARE_WITHIN(lengthM(Polyline{{0, 0}, {3, 4}, {3, 10}}), 11.0, 1e-12);
+    }
+
+    // 100 m x 50 m in strips of 2.5 m along and across: 20 of 100 m, 40 of 50 m, nothing left.
+    void theYardstickMeasuresARectangle() {
+        const Polygon field{.outer = {{0, 0}, {100, 0}, {100, 50}, {0, 50}}, .holes = {}};
+        const PlainFigures along = plainFigures(field, metres(2.5), degrees(0.0), true);
+        QCOMPARE(along.count, 20);
+        QVERIFY(std::abs(along.length.si() - 2000.0) < 1e-6);
+        QVERIFY(std::abs(along.coverage - 1.0) < 1e-9);
+        const PlainFigures across = plainFigures(field, metres(2.5), degrees(90.0), false);
+        QCOMPARE(across.count, 40);
+        QVERIFY(std::abs(across.length.si() - 2000.0) < 1e-6);
     }
 };
 
