@@ -62,6 +62,9 @@ constexpr std::array<const Parameter*, 3> kSwathParameters{&kEnds, &kOverlap, &k
 constexpr std::array<const Parameter*, 1> kPathParameters{&kStayInside};
 constexpr std::array<const Parameter*, 2> kGeneralParameters{&kOperationKind, &kMargin};
 
+/// Settings that have one value so far: nothing to choose in a panel, but named in files.
+constexpr std::array<const Parameter*, 1> kSingleValued{&kDecompositionMethod};
+
 template <class Methods>
 std::vector<Choice> choicesFrom(const Methods& methods) {
     std::vector<Choice> choices;
@@ -137,6 +140,7 @@ struct Registry {
             }
             add(stage.parameters);
         }
+        add(kSingleValued);
     }
 };
 
@@ -157,6 +161,10 @@ constexpr Choice kOperations[] = {
     {"mowing", "Mowing", "Cutting grass."},       {"harvest", "Harvest", "Bringing the crop in."},
 };
 
+constexpr Choice kDecompositions[] = {
+    {"none", "One piece", "The mainland is worked in one heading."},
+};
+
 }  // namespace
 
 const Parameter kOperationKind{
@@ -166,6 +174,13 @@ const Parameter kOperationKind{
     .kind = ParameterKind::Choice,
     .standard = 0.0,
     .choices = kOperations};
+
+const Parameter kDecompositionMethod{.key = "decomposition.method",
+                                     .name = "Cells",
+                                     .description = "How the mainland is divided; it is worked in one heading.",
+                                     .kind = ParameterKind::Choice,
+                                     .standard = 0.0,
+                                     .choices = kDecompositions};
 
 const Parameter kMargin{
     .key = "field.margin_m",

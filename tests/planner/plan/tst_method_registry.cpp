@@ -168,6 +168,15 @@ private slots:
         QVERIFY(settings == Settings{});
     }
 
+    // The paper's set-up names it, and what is not there yet is told apart from what does not exist.
+    void decompositionHasOneMethod() {
+        Settings settings;
+        VERIFY_RESULT(applySetting(settings, "decomposition.method", "none"));
+        const auto merged = applySetting(settings, "decomposition.method", "merged");
+        QVERIFY(!merged);
+        QVERIFY2(merged.error().line().contains("none"), merged.error().line().c_str());
+    }
+
     void everyMethodPlansARectangle_data() {
         QTest::addColumn<QString>("key");
         QTest::addColumn<QString>("id");
