@@ -22,6 +22,8 @@ namespace {
 constexpr double kPieceM = 6.0;
 /// What reaches less deep into the footprint only touches it.
 constexpr double kTouchingM = 1e-6;
+// Cosine of 0.01 rad: the side of a part 5 m long is then bridged by less than 2 cm.
+constexpr double kFinestTurnCos = 0.99995;
 // An intrusion without any corner of the footprint outside: too small to measure, but there.
 constexpr double kLeastIntrusionM = 1e-3;
 
@@ -201,6 +203,16 @@ Placed placed(const Part& part, Point carrier, Point nose) {
     return {carrier + part.offsetM * nose, nose};
 }
 
+/// In the middle of the arc that joins two places.
+Placed halfWay(const Placed& a, const Placed& b) {
+    const Point way = b.middle - a.middle;
+    const Point sum = a.nose + b.nose;
+    const double turn = std::atan2(cross(a.nose, b.nose), dot(a.nose, b.nose));
+    // The arc bulges to the side that it turns away from.
+    const double bulge = 0.5 * std::tan(0.25 * turn);
+    return {0.5 * (a.middle + b.middle) + bulge * Point{way.y, -way.x}, (1.0 / lengthOf(sum)) * sum};
+}
+
 Ring hullOf(const Part& part, const Placed& a, const Placed& b) {
     Ring corners = rectangle(a.middle, a.nose, part.halfLengthM, part.halfWidthM);
     std::ranges::copy(rectangle(b.middle, b.nose, part.halfLengthM, part.halfWidthM),
@@ -280,6 +292,13 @@ private:
         }
         if (way > kPieceM && a.nose == b.nose) {
             const Placed between{middle, a.nose};
+            move(part, a, between);
+            move(part, between, b);
+            return;
+        }
+        // Where it turns, a hull bridges what the side of the part goes round: near an edge the steps get finer.
+        if (dot(a.nose, b.nose) < kFinestTurnCos) {
+            const Placed between = halfWay(a, b);
             move(part, a, between);
             move(part, between, b);
             return;
