@@ -4,9 +4,11 @@
 #include <proj.h>
 
 #include <algorithm>
+#include <charconv>
 #include <cmath>
 #include <format>
 #include <memory>
+#include <optional>
 #include <utility>
 
 namespace furrow {
@@ -54,6 +56,28 @@ Result<LocalFrame> LocalFrame::centredOn(GeoPoint centre) {
                   .remedy = "check the file's coordinate system"});
     }
     return LocalFrame{centre};
+}
+
+Result<LocalFrame> LocalFrame::fromProjString(std::string_view proj) {
+    const auto number = [proj](std::string_view key) -> std::optional<double> {
+        const std::size_t at = proj.find(key);
+        double value = 0.0;
+        if (at == std::string_view::npos) {
+            return std::nullopt;
+        }
+        const char* const begin = proj.data() + at + key.size();
+        return std::from_chars(begin, proj.data() + proj.size(), value).ec == std::errc{} ? std::optional{value}
+                                                                                       : std::nullopt;
+    };
+    const auto latitude = number("+lat_0=");
+    const auto longitude = number("+lon_0=");
+    if (!proj.contains("+proj=tmerc") || !latitude || !longitude) {
+        return std::unexpected(Error{.code = ErrorCode::InputRefused,
+                                     .what = std::format("'{}' is no local frame", proj),
+                                     .where = {},
+                                     .remedy = "give a transverse Mercator with +lat_0 and +lon_0"});
+    }
+    return centredOn({.lonDeg = *longitude, .latDeg = *latitude});
 }
 
 std::string LocalFrame::projString() const {

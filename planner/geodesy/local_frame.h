@@ -6,6 +6,7 @@
 
 #include <span>
 #include <string>
+#include <string_view>
 
 namespace furrow {
 
@@ -16,6 +17,9 @@ class LocalFrame {
 public:
     /// InputRefused: the centre is not finite or outside WGS84.
     static Result<LocalFrame> centredOn(GeoPoint centre);
+
+    /// The frame of such a string as projString() gives. InputRefused: another projection, no centre.
+    static Result<LocalFrame> fromProjString(std::string_view proj);
 
     GeoPoint centre() const { return centre_; }
     /// The PROJ string that any other program can rebuild the frame from.

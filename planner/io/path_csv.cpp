@@ -1,24 +1,18 @@
 #include "planner/io/path_csv.h"
 
+#include "planner/io/plan_json.h"
+
 #include <algorithm>
 #include <array>
 #include <charconv>
 #include <cmath>
 #include <format>
 #include <iterator>
-#include <optional>
 #include <vector>
 
 namespace furrow {
 
 namespace {
-
-Error refused(const std::string& where, std::string what) {
-    return {.code = ErrorCode::InputRefused,
-            .what = std::move(what),
-            .where = where,
-            .remedy = "write the plan again with furrow-cli plan"};
-}
 
 std::vector<std::string_view> cellsOf(std::string_view line) {
     std::vector<std::string_view> cells;
@@ -41,16 +35,6 @@ std::string_view takeLine(std::string_view& text) {
         line.remove_suffix(1);
     }
     return line;
-}
-
-std::optional<SegmentKind> segmentKindFrom(std::string_view id) {
-    for (const SegmentKind kind : {SegmentKind::Swath, SegmentKind::Turn, SegmentKind::HeadlandPass,
-                                   SegmentKind::Transfer, SegmentKind::Refill, SegmentKind::Wait}) {
-        if (segmentKindId(kind) == id) {
-            return kind;
-        }
-    }
-    return std::nullopt;
 }
 
 enum Column {
@@ -81,7 +65,7 @@ public:
             const auto found = std::ranges::find(names, kColumns[i]);
             if (found == names.end()) {
                 return std::unexpected(
-                    refused(where_ + ", line 1", std::format("there is no column {}", kColumns[i])));
+                    damagedPlan(where_ + ", line 1", std::format("there is no column {}", kColumns[i])));
             }
             at_[i] = static_cast<std::size_t>(found - names.begin());
         }
@@ -97,13 +81,13 @@ public:
             const auto [end, error] = std::from_chars(cell.data(), cell.data() + cell.size(), value[i]);
             if (error != std::errc{} || end != cell.data() + cell.size() || !std::isfinite(value[i])) {
                 return std::unexpected(
-                    refused(place, std::format("{} is '{}', which is no number", kColumns[i], cell)));
+                    damagedPlan(place, std::format("{} is '{}', which is no number", kColumns[i], cell)));
             }
         }
         const std::string_view kindId = at_[kKind] < cells.size() ? cells[at_[kKind]] : std::string_view{};
         const auto kind = segmentKindFrom(kindId);
         if (!kind) {
-            return std::unexpected(refused(place, std::format("'{}' is no kind of segment", kindId)));
+            return std::unexpected(damagedPlan(place, std::format("'{}' is no kind of segment", kindId)));
         }
         if (path.segments.empty() || value[kOrder] != order_) {
             order_ = value[kOrder];
@@ -170,12 +154,12 @@ Result<Path> readPathCsv(std::string_view text, const std::string& where) {
         }
     }
     if (table.path.segments.empty()) {
-        return std::unexpected(refused(where, "there is no path in it"));
+        return std::unexpected(damagedPlan(where, "there is no path in it"));
     }
     const auto single = std::ranges::find_if(
         table.path.segments, [](const PathSegment& segment) { return segment.samples.size() < 2; });
     if (single != table.path.segments.end()) {
-        return std::unexpected(refused(
+        return std::unexpected(damagedPlan(
             where, std::format("segment {} has one sample only", single - table.path.segments.begin())));
     }
     return std::move(table.path);

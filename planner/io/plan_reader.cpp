@@ -2,17 +2,16 @@
 
 #include "planner/field/field.h"
 #include "planner/io/boundary_import.h"
+#include "planner/io/path_csv.h"
+#include "planner/io/plan_json.h"
 #include "planner/machine/machine_file.h"
 
 #include <nlohmann/json.hpp>
 
 #include <algorithm>
-#include <charconv>
 #include <cmath>
 #include <format>
-#include <fstream>
 #include <iterator>
-#include <map>
 #include <optional>
 #include <string_view>
 #include <utility>
@@ -27,69 +26,6 @@ using Json = nlohmann::json;
 // What nine decimals of a degree leave open.
 constexpr Length kGeoJsonRounding = metres(1e-4);
 
-Error refused(const std::string& where, std::string what) {
-    return {.code = ErrorCode::InputRefused,
-            .what = std::move(what),
-            .where = where,
-            .remedy = "write the plan again with furrow-cli plan"};
-}
-
-Result<std::string> textOf(const fs::path& path) {
-    std::ifstream file{path, std::ios::binary};
-    std::string text{std::istreambuf_iterator<char>{file}, {}};
-    if (!file.is_open() || file.bad()) {
-        return std::unexpected(Error{.code = ErrorCode::ReadFailed,
-                                     .what = "the file could not be read",
-                                     .where = path.string(),
-                                     .remedy = "name the folder of a plan, or its plan.geojson"});
-    }
-    return text;
-}
-
-Result<Json> jsonOf(const fs::path& path) {
-    const auto text = textOf(path);
-    if (!text) {
-        return std::unexpected(text.error());
-    }
-    try {
-        return Json::parse(*text);
-    } catch (const Json::parse_error& error) {
-        return std::unexpected(refused(path.string(), std::format("it is not JSON (byte {})", error.byte)));
-    }
-}
-
-std::optional<SegmentKind> segmentKindFrom(std::string_view id) {
-    for (const SegmentKind kind : {SegmentKind::Swath, SegmentKind::Turn, SegmentKind::HeadlandPass,
-                                   SegmentKind::Transfer, SegmentKind::Refill, SegmentKind::Wait}) {
-        if (segmentKindId(kind) == id) {
-            return kind;
-        }
-    }
-    return std::nullopt;
-}
-
-/// "+proj=tmerc +lat_0=51.3 +lon_0=9.2 ..."
-std::optional<LocalFrame> frameFrom(std::string_view proj) {
-    const auto number = [proj](std::string_view key) -> std::optional<double> {
-        const std::size_t at = proj.find(key);
-        double value = 0.0;
-        if (at == std::string_view::npos) {
-            return std::nullopt;
-        }
-        const char* begin = proj.data() + at + key.size();
-        return std::from_chars(begin, proj.data() + proj.size(), value).ec == std::errc{}
-                   ? std::optional{value}
-                   : std::nullopt;
-    };
-    const auto latitude = number("+lat_0=");
-    const auto longitude = number("+lon_0=");
-    if (!latitude || !longitude) {
-        return std::nullopt;
-    }
-    const auto frame = LocalFrame::centredOn({.lonDeg = *longitude, .latDeg = *latitude});
-    return frame ? std::optional{*frame} : std::nullopt;
-}
-
 MultiPolygon inFrame(const MultiPolygon& polygons, const LocalFrame& from, const LocalFrame& to) {
     if (from == to) {
         return polygons;
@@ -99,43 +35,6 @@ MultiPolygon inFrame(const MultiPolygon& polygons, const LocalFrame& from, const
         moved.push_back(to.toLocal(from.toGeo(polygon)));
     }
     return moved;
-}
-
-GeoRing pointsOf(const Json& coordinates) {
-    GeoRing points;
-    for (const Json& position : coordinates) {
-        points.push_back({position.at(0).get<double>(), position.at(1).get<double>()});
-    }
-    return points;
-}
-
-GeoPolygon polygonOf(const Json& rings) {
-    GeoPolygon polygon;
-    for (std::size_t i = 0; i < rings.size(); ++i) {
-        GeoRing ring = pointsOf(rings[i]);
-        if (ring.size() > 1 && ring.front() == ring.back()) {
-            ring.pop_back();
-        }
-        if (i == 0) {
-            polygon.outer = std::move(ring);
-        } else {
-            polygon.holes.push_back(std::move(ring));
-        }
-    }
-    return polygon;
-}
-
-MultiPolygon polygonsOf(const Json& geometry, const LocalFrame& frame) {
-    MultiPolygon polygons;
-    const Json& coordinates = geometry.at("coordinates");
-    if (geometry.at("type") == "Polygon") {
-        polygons.push_back(frame.toLocal(polygonOf(coordinates)));
-    } else {
-        for (const Json& part : coordinates) {
-            polygons.push_back(frame.toLocal(polygonOf(part)));
-        }
-    }
-    return polygons;
 }
 
 /// Headings from the points alone: at each one, of the circle through it and its neighbours.
@@ -213,7 +112,7 @@ public:
             }
         } catch (const Json::exception&) {
             return std::unexpected(
-                refused(std::format("{}, feature {}", origin_, number), "it is not what a plan's is"));
+                damagedPlan(std::format("{}, feature {}", origin_, number), "it is not what a plan's is"));
         }
         std::ranges::stable_sort(segments, {}, &OrderedSegment::order);
         std::ranges::stable_sort(swaths, {}, &SwathFeature::order);
@@ -267,106 +166,6 @@ private:
     std::string origin_;
 };
 
-/// The table, by the names in its first line.
-class CsvPath {
-public:
-    CsvPath(std::string_view text, std::string origin) : rest_{text}, origin_{std::move(origin)} {}
-
-    Result<std::vector<PathSegment>> read() {
-        const std::vector<std::string_view> names = cells(line());
-        for (std::size_t i = 0; i < names.size(); ++i) {
-            column_[std::string{names[i]}] = i;
-        }
-        for (const char* needed : {"s_m", "t_s", "x_m", "y_m", "heading_rad", "curvature_1pm", "speed_mps",
-                                   "gear", "implement_down", "segment", "order"}) {
-            if (!column_.contains(needed)) {
-                return std::unexpected(refused(origin_, std::format("it has no column {}", needed)));
-            }
-        }
-        std::vector<PathSegment> segments;
-        double order = -1.0;
-        while (!rest_.empty()) {
-            cells_ = cells(line());
-            if (cells_.size() == 1 && cells_.front().empty()) {
-                continue;
-            }
-            if (cells_.size() < names.size()) {
-                return std::unexpected(wrong("it has too few columns"));
-            }
-            const PathSample sample{.sM = number("s_m"),
-                                    .tS = number("t_s"),
-                                    .position = {number("x_m"), number("y_m")},
-                                    .headingRad = number("heading_rad"),
-                                    .curvature1pm = number("curvature_1pm"),
-                                    .speedMps = number("speed_mps")};
-            const double next = number("order");
-            const double gear = number("gear");
-            const auto kind = segmentKindFrom(cells_[column_["segment"]]);
-            if (!kind) {
-                return std::unexpected(wrong("its segment is not of a known kind"));
-            }
-            const bool down = number("implement_down") != 0.0;
-            if (!valid_) {
-                return std::unexpected(wrong("a value is not a finite number"));
-            }
-            if (segments.empty() || next != order) {
-                segments.push_back({.kind = *kind,
-                                    .turnType = {},
-                                    .gear = gear < 0.0 ? Gear::Reverse : Gear::Forward,
-                                    .implementDown = down});
-                order = next;
-            }
-            segments.back().samples.push_back(sample);
-        }
-        for (const PathSegment& segment : segments) {
-            if (segment.samples.size() < 2) {
-                return std::unexpected(refused(origin_, "a segment has a single row"));
-            }
-        }
-        return segments;
-    }
-
-private:
-    std::string_view line() {
-        ++line_;
-        const std::size_t end = std::min(rest_.find('\n'), rest_.size());
-        std::string_view found = rest_.substr(0, end);
-        rest_.remove_prefix(std::min(end + 1, rest_.size()));
-        if (found.ends_with('\r')) {
-            found.remove_suffix(1);
-        }
-        return found;
-    }
-    static std::vector<std::string_view> cells(std::string_view line) {
-        std::vector<std::string_view> found;
-        for (;;) {
-            const std::size_t comma = line.find(',');
-            found.push_back(line.substr(0, comma));
-            if (comma == std::string_view::npos) {
-                return found;
-            }
-            line.remove_prefix(comma + 1);
-        }
-    }
-    double number(const char* name) {
-        const std::string_view cell = cells_[column_[name]];
-        double value = 0.0;
-        const auto [end, failed] = std::from_chars(cell.data(), cell.data() + cell.size(), value);
-        valid_ = valid_ && failed == std::errc{} && end == cell.data() + cell.size() && std::isfinite(value);
-        return value;
-    }
-    Error wrong(std::string what) const {
-        return refused(std::format("{}, line {}", origin_, line_), std::move(what));
-    }
-
-    std::string_view rest_;
-    std::string origin_;
-    std::map<std::string, std::size_t> column_;
-    std::vector<std::string_view> cells_;
-    std::size_t line_ = 0;
-    bool valid_ = true;
-};
-
 /// Swaths and headland passes have their numbers in plan.geojson, each kind in the order it is driven.
 void numberSegments(std::vector<PathSegment>& segments, const FeatureReader& features) {
     for (const SegmentKind kind : {SegmentKind::Swath, SegmentKind::HeadlandPass}) {
@@ -383,7 +182,7 @@ void numberSegments(std::vector<PathSegment>& segments, const FeatureReader& fea
 
 Result<Machine> machineOf(const Json& summary, const fs::path& path) {
     if (!summary.contains("machine") || !summary["machine"].is_object()) {
-        return std::unexpected(refused(path.string(), "it names no machine"));
+        return std::unexpected(damagedPlan(path.string(), "it names no machine"));
     }
     return parseMachine(summary["machine"].dump(), path.string());
 }
@@ -394,7 +193,7 @@ Result<WrittenPlan> readPlan(const fs::path& path, const JobContext& job) {
     std::error_code ignored;
     const bool isFolder = fs::is_directory(path, ignored);
     const fs::path geojson = isFolder ? path / "plan.geojson" : path;
-    const auto collection = jsonOf(geojson);
+    const auto collection = planJson(geojson);
     if (!collection) {
         return std::unexpected(collection.error());
     }
@@ -409,15 +208,13 @@ Result<WrittenPlan> readPlan(const fs::path& path, const JobContext& job) {
     plan.positionRounding = isFolder ? metres(0.0) : kGeoJsonRounding;
     if (isFolder) {
         const fs::path summaryPath = path / "summary.json";
-        const auto summary = jsonOf(summaryPath);
+        const auto summary = planJson(summaryPath);
         if (!summary) {
             return std::unexpected(summary.error());
         }
-        const auto frame = summary->is_object() && summary->contains("crs") && (*summary)["crs"].is_string()
-                               ? frameFrom((*summary)["crs"].get<std::string>())
-                               : std::nullopt;
+        const auto frame = planFrame(*summary, summaryPath);
         if (!frame) {
-            return std::unexpected(refused(summaryPath.string() + ", crs", "it names no local frame"));
+            return std::unexpected(frame.error());
         }
         plan.frame = *frame;
         auto machine = machineOf(*summary, summaryPath);
@@ -443,15 +240,12 @@ Result<WrittenPlan> readPlan(const fs::path& path, const JobContext& job) {
     }
     if (isFolder) {
         const fs::path csv = path / "path.csv";
-        const auto text = textOf(csv);
-        if (!text) {
-            return std::unexpected(text.error());
+        const auto text = planFileBytes(csv);
+        auto read = text ? readPathCsv(*text, csv.string()) : std::unexpected(text.error());
+        if (!read) {
+            return std::unexpected(read.error());
         }
-        auto segments = CsvPath{*text, csv.string()}.read();
-        if (!segments) {
-            return std::unexpected(segments.error());
-        }
-        plan.segments = std::move(*segments);
+        plan.segments = std::move(read->segments);
         if (plan.segments.size() == features.segments.size()) {
             for (std::size_t i = 0; i < plan.segments.size(); ++i) {
                 const PathSegment& drawn = features.segments[i].segment;
@@ -460,7 +254,7 @@ Result<WrittenPlan> readPlan(const fs::path& path, const JobContext& job) {
                 plan.segments[i].reason = drawn.reason;
             }
         } else {
-            return std::unexpected(refused(
+            return std::unexpected(damagedPlan(
                 path.string(), std::format("path.csv has {} segments and plan.geojson {}",
                                            plan.segments.size(), features.segments.size())));
         }
@@ -470,7 +264,7 @@ Result<WrittenPlan> readPlan(const fs::path& path, const JobContext& job) {
         }
     }
     if (plan.segments.empty()) {
-        return std::unexpected(refused(geojson.string(), "there is no path in it"));
+        return std::unexpected(damagedPlan(geojson.string(), "there is no path in it"));
     }
     numberSegments(plan.segments, features);
     bool headlandDriven = false;

@@ -17,6 +17,16 @@ std::string_view segmentKindId(SegmentKind kind) {
     return "";
 }
 
+std::optional<SegmentKind> segmentKindFrom(std::string_view id) {
+    for (const SegmentKind kind : {SegmentKind::Swath, SegmentKind::Turn, SegmentKind::HeadlandPass,
+                                   SegmentKind::Transfer, SegmentKind::Refill, SegmentKind::Wait}) {
+        if (segmentKindId(kind) == id) {
+            return kind;
+        }
+    }
+    return std::nullopt;
+}
+
 Length Path::length() const {
     return segments.empty() ? Length{} : metres(segments.back().samples.back().sM);
 }

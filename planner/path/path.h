@@ -15,6 +15,8 @@ enum class SegmentKind { Swath, Turn, HeadlandPass, Transfer, Refill, Wait };
 
 /// "swath", "turn", "headland_pass" ... as in plan files.
 std::string_view segmentKindId(SegmentKind kind);
+/// The kind of such an id; nothing for others.
+std::optional<SegmentKind> segmentKindFrom(std::string_view id);
 
 /// The vehicle at one instant.
 struct PathSample {
