@@ -51,6 +51,18 @@ Measured measured(const std::function<void()>& work) {
     return {seconds(times[times.size() / 2]), static_cast<int>(times.size())};
 }
 
+using OwnSettings = std::initializer_list<std::pair<std::string_view, std::string_view>>;
+
+Result<Settings> settingsWith(OwnSettings own) {
+    Settings settings;
+    for (const auto& [key, value] : own) {
+        if (const auto applied = applySetting(settings, key, value); !applied) {
+            return std::unexpected(applied.error());
+        }
+    }
+    return settings;
+}
+
 /// An oval field with gentle waves: as many points as wanted, all of them different, the same every time.
 Polygon waveField(double areaHa, std::size_t vertices) {
     Polygon field;
@@ -139,34 +151,31 @@ private:
         return seconds(tookS * kHeadings / std::max(1, tried));
     }
 
-    Result<void> search(const Polygon& field, std::string_view objective, int threads) {
-        Settings settings;
-        const auto method = applySetting(settings, "swaths.method", "brute-force");
-        const auto wanted = applySetting(settings, "swaths.objective", objective);
+    Result<void> search(const Polygon& field, std::string_view objective, std::initializer_list<int> threadCounts) {
+        const auto settings = settingsWith({{"swaths.method", "brute-force"}, {"swaths.objective", objective}});
         const auto whole = fieldOf(field, "bench");
-        if (!method || !wanted || !whole) {
-            return std::unexpected(!method ? method.error() : !wanted ? wanted.error() : whole.error());
+        if (!settings || !whole) {
+            return std::unexpected(settings ? whole.error() : settings.error());
         }
         const MultiPolygon mainland{field};
         const Machine machine = paperMachine();
-        const SwathTask task{.field = **whole, .mainland = mainland, .machine = machine, .settings = settings};
-        const Measured ours = measured([&] {
-            const auto set = swathMethod(settings)(task, {.stop = job_.stop, .progress = {}, .threads = threads});
-            keep(set ? set->coverage : 0.0);
-        });
-        add(std::format("best of 180 headings, {}", objective), field, threads, ours,
-            plainSearch(field, objective == "coverage"));
+        const SwathTask task{.field = **whole, .mainland = mainland, .machine = machine, .settings = *settings};
+        const Duration plain = plainSearch(field, objective == "coverage");
+        for (const int threads : threadCounts) {
+            const Measured ours = measured([&] {
+                const auto set = swathMethod(*settings)(task, {.stop = job_.stop, .progress = {}, .threads = threads});
+                keep(set ? set->coverage : 0.0);
+            });
+            add(std::format("best of 180 headings, {}", objective), field, threads, ours, plain);
+        }
         return stopped();
     }
 
     Result<void> searches() {
         for (const double areaHa : {0.25, 1.0, 4.0, 16.0, 64.0, 256.0}) {
-            const Polygon field = waveField(areaHa, 20);
             for (const std::string_view objective : {"swath-count", "coverage"}) {
-                for (const int threads : {1, 2}) {
-                    if (const auto ran = search(field, objective, threads); !ran) {
-                        return ran;
-                    }
+                if (const auto ran = search(waveField(areaHa, 20), objective, {1, 2}); !ran) {
+                    return ran;
                 }
             }
         }
@@ -175,7 +184,7 @@ private:
 
     Result<void> vertices() {
         for (const std::size_t count : {10UZ, 100UZ, 1000UZ, 10000UZ, 100000UZ}) {
-            if (const auto ran = search(waveField(16.0, count), "swath-count", 1); !ran) {
+            if (const auto ran = search(waveField(16.0, count), "swath-count", {1}); !ran) {
                 return ran;
             }
         }
@@ -190,16 +199,15 @@ private:
         convex = scaledTo(convex, squareMetres(1e4));
         const MultiPolygon mainland{convex};
         for (const std::string_view objective : {"swath-count", "time"}) {
-            Settings settings;
-            const auto applied = applySetting(settings, "swaths.objective", objective);
+            const auto settings = settingsWith({{"swaths.objective", objective}});
             const auto whole = fieldOf(convex, "bench");
-            if (!applied || !whole) {
-                return std::unexpected(applied ? whole.error() : applied.error());
+            if (!settings || !whole) {
+                return std::unexpected(settings ? whole.error() : settings.error());
             }
             const Machine machine = paperMachine();
-            const SwathTask task{.field = **whole, .mainland = mainland, .machine = machine, .settings = settings};
+            const SwathTask task{.field = **whole, .mainland = mainland, .machine = machine, .settings = *settings};
             add(std::format("exact search of a convex cell, {}", objective), convex, 1, measured([&] {
-                    const auto set = swathMethod(settings)(task, {.stop = job_.stop, .progress = {}, .threads = 1});
+                    const auto set = swathMethod(*settings)(task, {.stop = job_.stop, .progress = {}, .threads = 1});
                     keep(set ? set->coverage : 0.0);
                 }),
                 std::nullopt);
@@ -207,23 +215,17 @@ private:
         return stopped();
     }
 
-    Result<void> plan(std::string name, const Polygon& shape,
-                      std::initializer_list<std::pair<std::string_view, std::string_view>> own) {
+    Result<void> plan(std::string name, const Polygon& shape, OwnSettings own) {
         const auto field = fieldOf(shape, "bench");
-        if (!field) {
-            return std::unexpected(field.error());
-        }
-        Settings settings;
-        for (const auto& [key, value] : own) {
-            if (const auto applied = applySetting(settings, key, value); !applied) {
-                return applied;
-            }
+        const auto settings = settingsWith(own);
+        if (!field || !settings) {
+            return std::unexpected(field ? settings.error() : field.error());
         }
         const Machine machine = findMachine("agbot").value();
         for (const int threads : {1, 2}) {
             std::optional<Error> failed;
             const Measured ours = measured([&] {
-                const auto made = makePlan({.field = *field, .machine = machine, .settings = settings},
+                const auto made = makePlan({.field = *field, .machine = machine, .settings = *settings},
                                            {.stop = job_.stop, .progress = {}, .threads = threads});
                 if (!made) {
                     failed = made.error();
