@@ -14,8 +14,9 @@ namespace {
 // Rounding must not turn 7.5 m / 2.5 m into two passes.
 constexpr double kPassSlack = 1e-9;
 
-int passesForTurns(const Machine& machine, TurnPlanner* turn) {
-    const double room = roomForTurns(machine, turn, true) / machine.operatingWidth();
+int passesForTurns(const HeadlandTask& task) {
+    const double room =
+        roomForTurns(task.machine, task.turn, task.drawsOutEnds) / task.machine.operatingWidth();
     return std::max(1, static_cast<int>(std::ceil(room - kPassSlack)));
 }
 
@@ -38,8 +39,11 @@ Result<bool> isWorthWorking(const MultiPolygon& mainland, const Machine& machine
     });
 }
 
-Result<Headland> constantWidth(const Field& field, const Machine& machine, TurnPlanner* turn, const Settings& settings,
-                               Length margin, const JobContext& job) {
+Result<Headland> constantWidth(const HeadlandTask& task, const JobContext& job) {
+    const Field& field = task.field;
+    const Machine& machine = task.machine;
+    const Settings& settings = task.settings;
+    const Length margin = task.margin;
     const auto givenWidth = settings.length(kHeadlandWidth);
     const auto givenPasses = settings.count(kHeadlandPasses);
     if (givenWidth && givenPasses) {
@@ -54,7 +58,7 @@ Result<Headland> constantWidth(const Field& field, const Machine& machine, TurnP
     Headland headland;
     headland.passes = givenPasses  ? *givenPasses
                       : givenWidth ? passesWithin(*givenWidth, margin, machine)
-                                   : passesForTurns(machine, turn);
+                                   : passesForTurns(task);
     headland.width = givenWidth ? std::max(*givenWidth, margin) : widthOf(headland.passes);
     const Length wanted = headland.width;
     for (;;) {
@@ -91,7 +95,7 @@ Result<Headland> constantWidth(const Field& field, const Machine& machine, TurnP
              {}});
     }
     headland.mainlandRatio = area(headland.mainland) / area(field.workable());
-    if (const auto added = addPasses(headland, field, machine, settings, margin, job); !added) {
+    if (const auto added = addPasses(headland, task, job); !added) {
         return std::unexpected(added.error());
     }
     return headland;

@@ -42,14 +42,20 @@ struct Headland {
 /// InputRefused: the margin alone leaves nothing of the field.
 Error nothingLeft(Length margin);
 
+/// What a headland is made from; nothing of it is kept.
+struct HeadlandTask {
+    const Field& field;
+    const MultiPolygon& drivable;  ///< where tractor and implement may be
+    const Machine& machine;
+    TurnPlanner* turn;  ///< how it will turn
+    const Settings& settings;
+    Length margin;              ///< what everything keeps from the boundary
+    bool drawsOutEnds = false;  ///< swaths will reach beyond the mainland where that slants
+};
+
 /// The common signature of all headland methods.
 ///
-/// @param field     a checked field
-/// @param machine   for widths and the room its turns need
-/// @param turn      how it will turn
-/// @param margin    what everything keeps from the boundary
 /// @return a headland whose mainland is not empty. InputRefused: nothing of the field is left. Cancelled.
-using HeadlandGenerator = Result<Headland>(const Field& field, const Machine& machine, TurnPlanner* turn,
-                                           const Settings& settings, Length margin, const JobContext& job);
+using HeadlandGenerator = Result<Headland>(const HeadlandTask& task, const JobContext& job);
 
 }  // namespace furrow

@@ -1,6 +1,5 @@
 #include "planner/headland/headland_passes.h"
 
-#include "planner/geometry/geos_bridge.h"
 #include "planner/headland/corner_manoeuvres.h"
 #include "planner/headland/pass_tracks.h"
 #include "planner/headland/smooth_ring.h"
@@ -59,22 +58,18 @@ Length uncutEdge(const Machine& machine) {
     return 0.5 * (machine.workingFootprintWidth() - machine.operatingWidth());
 }
 
-Result<void> addPasses(Headland& headland, const Field& field, const Machine& machine, const Settings& settings,
-                       Length margin, const JobContext& job) {
+Result<void> addPasses(Headland& headland, const HeadlandTask& task, const JobContext& job) {
+    const Machine& machine = task.machine;
+    const Settings& settings = task.settings;
     if (!settings.flag(kHeadlandDriven) || headland.passes == 0) {
         return {};
     }
-    const auto drivable = margin > metres(0.0) ? eroded(field.drivable(), margin, kArcTolerance, job)
-                                               : Result<MultiPolygon>{field.drivable()};
-    if (!drivable) {
-        return std::unexpected(drivable.error());
-    }
     const bool clockwise = settings.choice(kHeadlandDirection) == "clockwise";
     headland.uncutStrip = uncutEdge(machine);
-    const std::vector<Length> all = insets(headland, machine, margin);
+    const std::vector<Length> all = insets(headland, machine, task.margin);
     int givenUp = 0;
     for (std::size_t ring = 0; ring < all.size(); ++ring) {
-        const auto tracks = passTracks(field.workable(), all[ring], *drivable, machine, job);
+        const auto tracks = passTracks(task.field.workable(), all[ring], task.drivable, machine, job);
         if (!tracks) {
             return std::unexpected(tracks.error());
         }
@@ -87,7 +82,7 @@ Result<void> addPasses(Headland& headland, const Field& field, const Machine& ma
             headland.rings.push_back(
                 {.ring = static_cast<int>(ring),
                  .width = machine.operatingWidth(),
-                 .stretches = withCorners(clockwise ? reversedLine(line) : line, cornerMethod(settings), *drivable,
+                 .stretches = withCorners(clockwise ? reversedLine(line) : line, cornerMethod(settings), task.drivable,
                                           machine, rounded)});
             for (const RoundedCorner& corner : rounded) {
                 headland.uncutCorners += ring == 0 ? uncutCorner(corner, machine.operatingWidth()) : Area{};

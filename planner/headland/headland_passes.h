@@ -15,8 +15,7 @@ extern const Parameter kHeadlandCorner;
 /// the boundary, rounded with the machine's radius, and is moved inwards where the swept footprint needs it
 ///. What stays uncut is noted in the headland. Cost: some GEOS buffers for each pass.
 /// Cancelled.
-Result<void> addPasses(Headland& headland, const Field& field, const Machine& machine, const Settings& settings,
-                       Length margin, const JobContext& job);
+Result<void> addPasses(Headland& headland, const HeadlandTask& task, const JobContext& job);
 
 /// The strip that the outermost pass leaves along the boundary because the tractor is wider than the implement.
 Length uncutEdge(const Machine& machine);

@@ -5,8 +5,9 @@ namespace furrow {
 
 namespace {
 
-Result<Headland> noHeadland(const Field& field, const Machine&, TurnPlanner*, const Settings&, Length margin,
-                            const JobContext& job) {
+Result<Headland> noHeadland(const HeadlandTask& task, const JobContext& job) {
+    const Field& field = task.field;
+    const Length margin = task.margin;
     // The margin is kept everywhere, headland or not.
     auto mainland = margin > metres(0.0) ? eroded(field.workable(), margin, kArcTolerance, job)
                                          : Result<MultiPolygon>{field.workable()};

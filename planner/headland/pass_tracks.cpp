@@ -52,19 +52,29 @@ Polygon disc(Point centre, double radiusM) {
     return polygon;
 }
 
+/// How a ring turns at one of its points, to the left, and which way leads inside from there.
+struct Bend {
+    double turnRad = 0.0;
+    Point inward;
+};
+
+Bend bendAt(const Ring& ring, std::size_t i) {
+    const Point in = ring[i] - ring[(i + ring.size() - 1) % ring.size()];
+    const Point out = ring[(i + 1) % ring.size()] - ring[i];
+    const double turn = std::atan2(cross(in, out), dot(in, out));
+    return {turn, direction(std::atan2(in.y, in.x) + 0.5 * turn + 0.5 * std::numbers::pi)};
+}
+
 /// Around a corner that points into the region a disc of the radius that touches it there: what is left can be
 /// driven around it.
 MultiPolygon discsAtInwardCorners(const Polygon& region, double radiusM) {
     MultiPolygon discs;
     const auto visit = [&](const Ring& ring) {
         for (std::size_t i = 0; i < ring.size(); ++i) {
-            const Point in = ring[i] - ring[(i + ring.size() - 1) % ring.size()];
-            const Point out = ring[(i + 1) % ring.size()] - ring[i];
-            const double turn = std::atan2(cross(in, out), dot(in, out));
+            const Bend bend = bendAt(ring, i);
             // The disc sticks out of the edges by this; less is not worth one.
-            if (turn < 0.0 && radiusM * (1.0 - std::cos(0.5 * turn)) > kRoundTolerance.si()) {
-                const double bisector = std::atan2(in.y, in.x) + 0.5 * turn + 0.5 * std::numbers::pi;
-                discs.push_back(disc(ring[i] - radiusM * direction(bisector), radiusM));
+            if (bend.turnRad < 0.0 && radiusM * (1.0 - std::cos(0.5 * bend.turnRad)) > kRoundTolerance.si()) {
+                discs.push_back(disc(ring[i] - radiusM * bend.inward, radiusM));
             }
         }
     };
@@ -184,13 +194,10 @@ Ring moved(const Ring& ring, const Displacement& displacement) {
     const Ring dense = densified(ring, displacement);
     Ring result;
     for (std::size_t i = 0; i < dense.size(); ++i) {
-        const Point in = dense[i] - dense[(i + dense.size() - 1) % dense.size()];
-        const Point out = dense[(i + 1) % dense.size()] - dense[i];
-        const double turn = std::atan2(cross(in, out), dot(in, out));
-        const double inward = std::atan2(in.y, in.x) + 0.5 * turn + 0.5 * std::numbers::pi;
+        const Bend bend = bendAt(dense, i);
         // At a corner the point moves along the bisector so that both edges move by the same.
-        const double mitre = 1.0 / std::max(0.5, std::cos(0.5 * turn));
-        result.push_back(dense[i] + displacement.at(dense[i]) * mitre * direction(inward));
+        const double mitre = 1.0 / std::max(0.5, std::cos(0.5 * bend.turnRad));
+        result.push_back(dense[i] + displacement.at(dense[i]) * mitre * bend.inward);
     }
     return simplified(std::move(result));
 }

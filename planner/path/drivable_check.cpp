@@ -28,22 +28,6 @@ Ring shrunken(Ring footprint) {
     return footprint;
 }
 
-/// A disc drawn around every gate: within it the footprint may cross the boundary.
-MultiPolygon openGates(const Field& field) {
-    constexpr int kCorners = 32;
-    MultiPolygon discs;
-    for (const Gate& gate : field.source().gates) {
-        const Point centre = field.frame().toLocal(gate.position);
-        Polygon disc;
-        for (int i = 0; i < kCorners; ++i) {
-            disc.outer.push_back(centre +
-                                 0.5 * gate.width.si() * direction(2.0 * std::numbers::pi * i / kCorners));
-        }
-        discs.push_back(std::move(disc));
-    }
-    return discs;
-}
-
 /// The same without holes: what lies outside of this lies outside the field.
 MultiPolygon withoutHoles(const MultiPolygon& polygons) {
     MultiPolygon filled;
@@ -75,47 +59,45 @@ std::vector<Polyline> cornerTracks(const std::vector<Polyline>& outlines) {
     return tracks;
 }
 
-/// Whether a corner of the footprint gets outside along a pass that begins inside: a pass is too long to be drawn
-/// outline by outline.
-bool leavesAlong(const PathSegment& pass, const Ring& footprint, const BoundaryDistance& edges) {
+/// Where a footprint gets farthest outside along a headland pass; nothing where it stays inside. A pass is too long
+/// to be drawn outline by outline.
+std::optional<BlockedConnection> farthestAlong(const PathSegment& pass, const Ring& footprint,
+                                               const BoundaryDistance& drivable, const BoundaryDistance& land) {
+    BlockedConnection farthest;
+    Pose worst;
     for (std::size_t i = 0; i + 1 < pass.samples.size(); ++i) {
         const PathSample& from = pass.samples[i];
-        const PathSample& to = pass.samples[i + 1];
-        const Turn step{.type = {},
-                        .start = {.position = from.position, .heading = radians(from.headingRad)},
-                        .pieces = {{.length = metres(to.sM - from.sM),
-                                    .curvature = Curvature::fromSi(from.curvature1pm),
-                                    .endCurvature = Curvature::fromSi(from.curvature1pm),
-                                    .gear = pass.gear}}};
-        if (!staysInside(step, footprint, edges, kPassStep)) {
-            return true;
+        const Pose start{.position = from.position, .heading = radians(from.headingRad)};
+        const Length way = metres(pass.samples[i + 1].sM - from.sM);
+        const Curvature curvature = Curvature::fromSi(from.curvature1pm);
+        const TurnPiece piece{.length = way, .curvature = curvature, .endCurvature = curvature, .gear = pass.gear};
+        const auto steps = std::max(1, static_cast<int>(std::ceil(way / kPassStep)));
+        for (int k = 0; k < steps; ++k) {
+            const Pose pose = advanced(start, piece, way * (static_cast<double>(k) / steps));
+            if (const Length outside = metres(outsideM(pose, footprint, drivable)); outside > farthest.outside) {
+                farthest.outside = outside;
+                worst = pose;
+            }
         }
     }
-    return false;
+    if (farthest.outside == metres(0.0)) {
+        return std::nullopt;
+    }
+    farthest.place = worst.position;
+    farthest.obstacle = outsideM(worst, footprint, land) == 0.0;
+    return farthest;
 }
 
 }  // namespace
 
-Result<MultiPolygon> drivableArea(const Field& field, Length margin, const JobContext& job) {
-    auto area = margin > metres(0.0) ? eroded(field.drivable(), margin, kArcTolerance, job)
-                                     : Result<MultiPolygon>{field.drivable()};
-    if (!area || field.source().gates.empty()) {
-        return area;
-    }
-    std::ranges::move(openGates(field), std::back_inserter(*area));
-    return unionOf(*area, job);
-}
-
-Result<std::vector<BlockedConnection>> blockedConnections(const Path& path, const Field& field,
-                                                          const Machine& machine, Length margin,
-                                                          const JobContext& job) {
-    const auto area = drivableArea(field, margin, job);
-    if (!area) {
-        return std::unexpected(area.error());
-    }
-    const PreparedArea drivable{*area};
-    const PreparedArea land{withoutHoles(*area)};
-    const BoundaryDistance edges{*area, machine.workingFootprintWidth() + machine.spec().tractor.length};
+Result<std::vector<BlockedConnection>> blockedConnections(const Path& path, const MultiPolygon& drivableArea,
+                                                          const Machine& machine, const JobContext& job) {
+    const MultiPolygon landArea = withoutHoles(drivableArea);
+    const PreparedArea drivable{drivableArea};
+    const PreparedArea land{landArea};
+    const Length reach = machine.workingFootprintWidth() + machine.spec().tractor.length;
+    const BoundaryDistance drivableEdges{drivableArea, reach};
+    const BoundaryDistance landEdges{landArea, reach};
     const Ring raised = shrunken(machine.turningFootprint());
     const Ring lowered = shrunken(machine.workingFootprint());
     std::vector<std::size_t> connections;
@@ -128,10 +110,14 @@ Result<std::vector<BlockedConnection>> blockedConnections(const Path& path, cons
         connections.size(),
         [&](std::size_t i) -> std::optional<BlockedConnection> {
             const PathSegment& segment = path.segments[connections[i]];
-            if (segment.kind == SegmentKind::HeadlandPass && !leavesAlong(segment, lowered, edges)) {
-                return std::nullopt;
+            if (segment.kind == SegmentKind::HeadlandPass) {
+                auto found = farthestAlong(segment, lowered, drivableEdges, landEdges);
+                if (found) {
+                    found->segment = connections[i];
+                }
+                return found;
             }
-            const auto outlines = outlinesAlong(segment, segment.implementDown ? lowered : raised);
+            const auto outlines = outlinesAlong(segment, raised);
             // Along a straight or bulging boundary the hull decides; only inward corners need more.
             if (drivable.coversHullOf(outlines)) {
                 return std::nullopt;

@@ -1,6 +1,7 @@
 #pragma once
 
-#include "planner/field/field.h"
+#include "planner/geometry/polygon.h"
+#include "planner/jobs/job.h"
 #include "planner/machine/machine.h"
 #include "planner/path/path.h"
 
@@ -14,15 +15,12 @@ struct BlockedConnection {
     Length outside;           ///< by how much
 };
 
-/// Where tractor and implement may be: the field less `margin` and less the obstacles that may not be driven
-/// on, with the gates open. Cancelled.
-Result<MultiPolygon> drivableArea(const Field& field, Length margin, const JobContext& job);
-
-/// Connections whose footprint leaves the drivable area: the outline of tractor and raised implement at
-/// every sample and the track of each of its corners, less `margin` from the boundary. Gates are open.
-/// Cost: about 20 microseconds for each sample. Cancelled.
-Result<std::vector<BlockedConnection>> blockedConnections(const Path& path, const Field& field,
-                                                          const Machine& machine, Length margin,
-                                                          const JobContext& job);
+/// Connections and headland passes whose footprint leaves the drivable area: of connections the outline of tractor
+/// and raised implement at every sample and the track of each of its corners; of passes, which are long, the
+/// outline with the implement down every half metre.
+/// @param drivable  of drivableArea
+/// Cost: about 20 microseconds for each sample of a connection. Cancelled.
+Result<std::vector<BlockedConnection>> blockedConnections(const Path& path, const MultiPolygon& drivable,
+                                                          const Machine& machine, const JobContext& job);
 
 }  // namespace furrow

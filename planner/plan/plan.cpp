@@ -1,5 +1,6 @@
 #include "planner/plan/plan.h"
 
+#include "planner/field/drivable_area.h"
 #include "planner/geometry/geos_bridge.h"
 #include "planner/headland/headland_passes.h"
 #include "planner/headland/turning_room.h"
@@ -100,8 +101,12 @@ Finding blockedFinding(const Path& path, const BlockedConnection& blocked, const
             .suggestion = std::move(suggestion)};
 }
 
+bool drawsOutEnds(const Settings& settings) {
+    return settings.choice(kEnds) == "full";
+}
+
 /// The swaths of the chosen method, with ends as the settings want them.
-Result<SwathSet> swathStage(const Plan& plan, const JobContext& job) {
+Result<SwathSet> swathStage(const Plan& plan, const MultiPolygon& drivable, const JobContext& job) {
     const PlanRequest& request = plan.request;
     const Field& field = *request.field;
     auto swaths = swathMethod(request.settings)({.field = field,
@@ -110,39 +115,34 @@ Result<SwathSet> swathStage(const Plan& plan, const JobContext& job) {
                                                  .settings = request.settings},
                                                 job);
     // With one pass or none there is no room to draw them out into.
-    if (!swaths || request.settings.choice(kEnds) != "full" || plan.headland.passes < 2) {
+    if (!swaths || !drawsOutEnds(request.settings) || plan.headland.passes < 2) {
         return swaths;
     }
     const Length outermost = plan.margin + uncutEdge(request.machine) + request.machine.operatingWidth();
     const auto working = eroded(field.workable(), outermost, kArcTolerance, job);
-    const auto driving = drivableArea(field, plan.margin, job);
-    if (!working || !driving) {
-        return std::unexpected(working ? driving.error() : working.error());
+    if (!working) {
+        return std::unexpected(working.error());
     }
     drawOutEnds(*swaths, plan.headland.mainland, 
                 {.working = *working,
-                 .driving = *driving,
+                 .driving = drivable,
                  .turning = reachOfLevelTurn(request.machine, turnMethod(request.settings))},
                 request.machine);
     return swaths;
 }
 
 /// Headland passes before or after the swaths, all joined by turns.
-Result<Path> pathStage(const Plan& plan, const JobContext& job) {
+Result<Path> pathStage(const Plan& plan, const MultiPolygon& drivable, const JobContext& job) {
     const Settings& settings = plan.request.settings;
     const Machine& machine = plan.request.machine;
     TurnPlanner* const turn = turnMethod(settings);
     std::vector<Leg> legs = swathLegs(plan.swaths, plan.route, machine);
     if (!plan.headland.rings.empty()) {
         const bool first = settings.choice(kHeadlandWhen) == "before";
-        const auto drivable = drivableArea(*plan.request.field, plan.margin, job);
-        if (!drivable) {
-            return std::unexpected(drivable.error());
-        }
         HeadlandDrive drive{.insideOut = settings.choice(kHeadlandOrder) == "inside-out",
                             .before = {},
                             .after = {},
-                            .drivable = *drivable};
+                            .drivable = drivable};
         if (first && !legs.empty()) {
             drive.after = legs.front().line.start;
         } else if (!legs.empty()) {
@@ -179,15 +179,6 @@ void addAuditFindings(Plan& plan) {
     std::ranges::move(added, std::back_inserter(plan.findings));
 }
 
-}  // namespace
-
-bool Plan::drivable() const {
-    return std::ranges::none_of(
-        findings, [](const Finding& finding) { return finding.severity == Severity::Blocking; });
-}
-
-namespace {
-
 Polyline lineOf(const Turn& turn) {
     Polyline line;
     for (const TurnSample& sample : sampled(turn, kChordTolerance)) {
@@ -197,6 +188,11 @@ Polyline lineOf(const Turn& turn) {
 }
 
 }  // namespace
+
+bool Plan::drivable() const {
+    return std::ranges::none_of(
+        findings, [](const Finding& finding) { return finding.severity == Severity::Blocking; });
+}
 
 AuditInput auditInput(const Plan& plan) {
     const Field& field = plan.field();
@@ -245,15 +241,26 @@ Result<std::shared_ptr<const Plan>> makePlan(const PlanRequest& request, const J
     if (auto fits = checkThatItFits(field, machine, plan->margin, job); !fits) {
         return std::unexpected(fits.error());
     }
+    const auto drivable = drivableArea(field, plan->margin, job);
+    if (!drivable) {
+        return std::unexpected(drivable.error());
+    }
     auto headland = timed(plan->timings.headland, [&] {
-        return headlandMethod(settings)(field, machine, turnMethod(settings), settings, plan->margin, job.part(0.0, 0.1));
+        return headlandMethod(settings)({.field = field,
+                                         .drivable = *drivable,
+                                         .machine = machine,
+                                         .turn = turnMethod(settings),
+                                         .settings = settings,
+                                         .margin = plan->margin,
+                                         .drawsOutEnds = drawsOutEnds(settings)},
+                                        job.part(0.0, 0.1));
     });
     if (!headland) {
         return std::unexpected(headland.error());
     }
     plan->headland = std::move(*headland);
 
-    auto swaths = timed(plan->timings.swaths, [&] { return swathStage(*plan, job.part(0.1, 0.8)); });
+    auto swaths = timed(plan->timings.swaths, [&] { return swathStage(*plan, *drivable, job.part(0.1, 0.8)); });
     if (!swaths) {
         return std::unexpected(swaths.error());
     }
@@ -271,7 +278,7 @@ Result<std::shared_ptr<const Plan>> makePlan(const PlanRequest& request, const J
     }
     plan->route = std::move(*route);
 
-    auto path = timed(plan->timings.path, [&] { return pathStage(*plan, job.part(0.85, 0.9)); });
+    auto path = timed(plan->timings.path, [&] { return pathStage(*plan, *drivable, job.part(0.85, 0.9)); });
     if (!path) {
         return std::unexpected(path.error());
     }
@@ -279,7 +286,7 @@ Result<std::shared_ptr<const Plan>> makePlan(const PlanRequest& request, const J
 
     const Point middle = field.frame().toLocal(middleOf(field.source().parts));
     if (settings.flag(kStayInside)) {
-        const auto blocked = blockedConnections(plan->path, field, machine, plan->margin, job.part(0.9, 0.95));
+        const auto blocked = blockedConnections(plan->path, *drivable, machine, job.part(0.9, 0.95));
         if (!blocked) {
             return std::unexpected(blocked.error());
         }

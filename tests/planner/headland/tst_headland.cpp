@@ -4,6 +4,7 @@
 #include "planner/turns/dubins.h"
 #include "tests/support/field_generator.h"
 #include "tests/support/result_check.h"
+#include "tests/support/stages.h"
 #include "tests/support/wkt.h"
 
 #include <numbers>
@@ -97,7 +98,7 @@ private slots:
         const Field field = fieldFrom({test::centredRectangle(fieldWidthM, fieldHeightM)});
         const Settings settings = settingsWith(givenWidthM >= 0.0 ? std::optional{givenWidthM} : std::nullopt,
                                                givenPasses >= 0.0 ? std::optional{givenPasses} : std::nullopt);
-        const auto headland = kConstantWidthMethod.run(field, agbot(), kDubinsMethod.run, settings, metres(marginM), {});
+        const auto headland = test::headlandBy(kConstantWidthMethod, field, agbot(), settings, metres(marginM));
         VERIFY_RESULT(headland);
         COMPARE_WITHIN(headland->width.si(), widthM, 1e-12);
         QCOMPARE(headland->passes, passes);
@@ -112,7 +113,7 @@ private slots:
     void holesGetARing() {
         const Field field = fieldFrom(test::polygonsFromWkt(
             "POLYGON((-50 -50, 50 -50, 50 50, -50 50, -50 -50), (-10 -10, -10 10, 10 10, 10 -10, -10 -10))"));
-        const auto headland = kConstantWidthMethod.run(field, agbot(), kDubinsMethod.run, settingsWith(7.5, {}), {}, {});
+        const auto headland = test::headlandBy(kConstantWidthMethod, field, agbot(), settingsWith(7.5, {}), {});
         VERIFY_RESULT(headland);
         // The square less the hole with strips of 7.5 m along its sides and a quarter circle at each corner.
         const double expectedM2 = 85.0 * 85.0 - (400.0 + 80.0 * 7.5 + kPi * 7.5 * 7.5);
@@ -129,14 +130,14 @@ private slots:
                              .passable = true,
                              .buffer = metres(0.0)}};
         const auto headland =
-            kConstantWidthMethod.run(Field::create(source).value(), agbot(), kDubinsMethod.run, settingsWith(5.0, {}), {}, {});
+            test::headlandBy(kConstantWidthMethod, Field::create(source).value(), agbot(), settingsWith(5.0, {}), {});
         VERIFY_RESULT(headland);
         COMPARE_WITHIN(area(headland->mainland).si(), 90.0 * 90.0 - (400.0 + 80.0 * 5.0 + kPi * 25.0), 1.0);
     }
 
     void everyPartHasItsOwn() {
         const Field field = fieldFrom({test::rectangle(60.0, 60.0, {-100.0, -30.0}), test::rectangle(40.0, 40.0, {0.0, -20.0})});
-        const auto headland = kConstantWidthMethod.run(field, agbot(), kDubinsMethod.run, settingsWith(5.0, {}), {}, {});
+        const auto headland = test::headlandBy(kConstantWidthMethod, field, agbot(), settingsWith(5.0, {}), {});
         VERIFY_RESULT(headland);
         QCOMPARE(headland->mainland.size(), std::size_t{2});
         COMPARE_WITHIN(area(headland->mainland).si(), 2500.0 + 900.0, 0.02);
@@ -144,7 +145,7 @@ private slots:
 
     void bothWidthAndPassesAreRefused() {
         const Field field = fieldFrom({test::centredRectangle(100.0, 60.0)});
-        const auto headland = kConstantWidthMethod.run(field, agbot(), kDubinsMethod.run, settingsWith(7.5, 2.0), {}, {});
+        const auto headland = test::headlandBy(kConstantWidthMethod, field, agbot(), settingsWith(7.5, 2.0), {});
         QVERIFY(!headland);
         QCOMPARE(headland.error().code, ErrorCode::Usage);
         QVERIFY(headland.error().line().contains("headland.width_m"));
@@ -161,7 +162,7 @@ private slots:
         QFETCH(double, marginM);
         QFETCH(double, mainlandM2);
         const Field field = fieldFrom({test::centredRectangle(100.0, 60.0)});
-        const auto headland = kNoHeadlandMethod.run(field, agbot(), kDubinsMethod.run, {}, metres(marginM), {});
+        const auto headland = test::headlandBy(kNoHeadlandMethod, field, agbot(), {}, metres(marginM));
         VERIFY_RESULT(headland);
         QCOMPARE(headland->passes, 0);
         COMPARE_WITHIN(headland->width.si(), marginM, 1e-12);
@@ -174,7 +175,7 @@ private slots:
     void aMarginThatLeavesNothingIsRefused() {
         const Field field = fieldFrom({test::centredRectangle(100.0, 60.0)});
         for (const auto* method : {&kConstantWidthMethod, &kNoHeadlandMethod}) {
-            const auto headland = method->run(field, agbot(), kDubinsMethod.run, {}, metres(31.0), {});
+            const auto headland = test::headlandBy(*method, field, agbot(), {}, metres(31.0));
             QVERIFY(!headland);
             QCOMPARE(headland.error().code, ErrorCode::InputRefused);
             QVERIFY2(headland.error().where.contains("margin"), headland.error().line().c_str());
@@ -186,7 +187,8 @@ private slots:
         stop.request_stop();
         const Field field = fieldFrom({test::centredRectangle(100.0, 60.0)});
         for (const auto* method : {&kConstantWidthMethod, &kNoHeadlandMethod}) {
-            const auto headland = method->run(field, agbot(), kDubinsMethod.run, {}, metres(1.0), {.stop = stop.get_token()});
+            const auto headland =
+                test::headlandBy(*method, field, agbot(), {}, metres(1.0), true, {.stop = stop.get_token()});
             QVERIFY(!headland);
             QCOMPARE(headland.error().code, ErrorCode::Cancelled);
         }
@@ -210,6 +212,16 @@ private slots:
         const double byHandM = std::hypot(r + 1.0, 3.0);
         QVERIFY(roomForTurns(machine, kDubinsMethod.run, false).si() >= byHandM - 0.01);
         QVERIFY(roomForTurns(machine, kDubinsMethod.run, false).si() <= byHandM + 2.0 * r);
+    }
+
+    // The paper's 7.5 m where swaths end on their centre lines; one pass more where they are drawn out.
+    void drawnOutEndsNeedMoreRoom() {
+        const Field field = fieldFrom({test::centredRectangle(100.0, 60.0)});
+        for (const auto& [drawsOutEnds, widthM] : {std::pair{false, 7.5}, {true, 10.0}}) {
+            const auto headland = test::headlandBy(kConstantWidthMethod, field, agbot(), {}, {}, drawsOutEnds);
+            VERIFY_RESULT(headland);
+            COMPARE_WITHIN(headland->width.si(), widthM, 1e-12);
+        }
     }
 };
 

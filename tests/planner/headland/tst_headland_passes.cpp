@@ -9,6 +9,7 @@
 #include "planner/turns/turn_sampling.h"
 #include "tests/support/field_generator.h"
 #include "tests/support/result_check.h"
+#include "tests/support/stages.h"
 #include "tests/support/wkt.h"
 
 #include <algorithm>
@@ -49,7 +50,7 @@ Result<Headland> headlandOf(const Field& field, const Machine& machine,
     for (const auto& [parameter, text] : given) {
         settings.setText(*parameter, text).value();
     }
-    return kConstantWidthMethod.run(field, machine, kDubinsMethod.run, settings, metres(marginM), {});
+    return test::headlandBy(kConstantWidthMethod, field, machine, settings, metres(marginM));
 }
 
 double totalTurning(const Turn& line) {

@@ -1,3 +1,4 @@
+#include "planner/field/drivable_area.h"
 #include "planner/machine/machine_library.h"
 #include "planner/path/drivable_check.h"
 #include "planner/path/path_builder.h"
@@ -50,6 +51,13 @@ Field fieldWith(double topM, const MultiPolygon& holes = {}) {
     return Field::create(test::fieldSourceFromLocal({land}, kCentre)).value();
 }
 
+Result<std::vector<BlockedConnection>> blockedOn(const Path& path, const Field& field, Length margin,
+                                                 const JobContext& job) {
+    return drivableArea(field, margin, job).and_then([&](const MultiPolygon& drivable) {
+        return blockedConnections(path, drivable, smallMachine(), job);
+    });
+}
+
 }  // namespace
 
 class DrivableCheckTest : public QObject {
@@ -76,7 +84,7 @@ private slots:
         QFETCH(double, marginM);
         QFETCH(bool, blocked);
         QFETCH(double, outsideM);
-        const auto found = blockedConnections(uTurn(kDubinsMethod.run), fieldWith(topM), smallMachine(), metres(marginM), {});
+        const auto found = blockedOn(uTurn(kDubinsMethod.run), fieldWith(topM), metres(marginM), {});
         VERIFY_RESULT(found);
         QCOMPARE(!found->empty(), blocked);
         if (blocked) {
@@ -105,7 +113,7 @@ private slots:
         QFETCH(bool, blocked);
         Polygon hole = test::rectangle(1.0, 1.0, {x, y});
         std::ranges::reverse(hole.outer);
-        const auto found = blockedConnections(uTurn(kDubinsMethod.run), fieldWith(30.0, {hole}), smallMachine(), {}, {});
+        const auto found = blockedOn(uTurn(kDubinsMethod.run), fieldWith(30.0, {hole}), {}, {});
         VERIFY_RESULT(found);
         QCOMPARE(!found->empty(), blocked);
         if (blocked) {
@@ -131,7 +139,7 @@ private slots:
                              .passable = passable,
                              .buffer = {}}};
         const auto found =
-            blockedConnections(uTurn(kDubinsMethod.run), Field::create(source).value(), smallMachine(), {}, {});
+            blockedOn(uTurn(kDubinsMethod.run), Field::create(source).value(), {}, {});
         VERIFY_RESULT(found);
         QCOMPARE(!found->empty(), blocked);
     }
@@ -154,7 +162,7 @@ private slots:
                          .position = LocalFrame::centredOn(kCentre)->toGeo(Point{x, 10.0}),
                          .width = metres(widthM)}};
         const auto found =
-            blockedConnections(uTurn(kDubinsMethod.run), Field::create(source).value(), smallMachine(), {}, {});
+            blockedOn(uTurn(kDubinsMethod.run), Field::create(source).value(), {}, {});
         VERIFY_RESULT(found);
         QCOMPARE(!found->empty(), blocked);
     }
@@ -165,15 +173,15 @@ private slots:
         swaths.swaths = {{.start = {-500, 0}, .end = {500, 0}, .number = 1, .track = 0, .width = metres(4.0)}};
         const Route route{.steps = {{.swath = 0, .reversed = false}}, .lengthInPlace = {}};
         const Path path = test::pathOf(swaths, route, smallMachine(), kDubinsMethod.run, {}).value();
-        const auto found = blockedConnections(path, fieldWith(20.0), smallMachine(), {}, {});
+        const auto found = blockedOn(path, fieldWith(20.0), {}, {});
         VERIFY_RESULT(found);
         QVERIFY(found->empty());
     }
 
     void threadsAgree() {
         const Field field = fieldWith(12.0);
-        const auto one = blockedConnections(uTurn(kDubinsMethod.run), field, smallMachine(), {}, {.threads = 1});
-        const auto many = blockedConnections(uTurn(kDubinsMethod.run), field, smallMachine(), {}, {.threads = 8});
+        const auto one = blockedOn(uTurn(kDubinsMethod.run), field, {}, {.threads = 1});
+        const auto many = blockedOn(uTurn(kDubinsMethod.run), field, {}, {.threads = 8});
         VERIFY_RESULT(one);
         VERIFY_RESULT(many);
         QCOMPARE(one->size(), many->size());
@@ -184,7 +192,7 @@ private slots:
         std::stop_source stop;
         stop.request_stop();
         const auto found =
-            blockedConnections(uTurn(kDubinsMethod.run), fieldWith(20.0), smallMachine(), {}, {.stop = stop.get_token()});
+            blockedOn(uTurn(kDubinsMethod.run), fieldWith(20.0), {}, {.stop = stop.get_token()});
         QVERIFY(!found);
         QCOMPARE(found.error().code, ErrorCode::Cancelled);
     }

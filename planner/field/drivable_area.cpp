@@ -1,0 +1,41 @@
+#include "planner/field/drivable_area.h"
+
+#include "planner/geometry/geos_bridge.h"
+
+#include <algorithm>
+#include <iterator>
+#include <numbers>
+
+namespace furrow {
+
+namespace {
+
+/// A disc drawn around every gate: within it the footprint may cross the boundary.
+MultiPolygon openGates(const Field& field) {
+    constexpr int kCorners = 32;
+    MultiPolygon discs;
+    for (const Gate& gate : field.source().gates) {
+        const Point centre = field.frame().toLocal(gate.position);
+        Polygon disc;
+        for (int i = 0; i < kCorners; ++i) {
+            disc.outer.push_back(centre +
+                                 0.5 * gate.width.si() * direction(2.0 * std::numbers::pi * i / kCorners));
+        }
+        discs.push_back(std::move(disc));
+    }
+    return discs;
+}
+
+}  // namespace
+
+Result<MultiPolygon> drivableArea(const Field& field, Length margin, const JobContext& job) {
+    auto area = margin > metres(0.0) ? eroded(field.drivable(), margin, kArcTolerance, job)
+                                     : Result<MultiPolygon>{field.drivable()};
+    if (!area || field.source().gates.empty()) {
+        return area;
+    }
+    std::ranges::move(openGates(field), std::back_inserter(*area));
+    return unionOf(*area, job);
+}
+
+}  // namespace furrow
