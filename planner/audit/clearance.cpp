@@ -22,8 +22,8 @@ namespace {
 constexpr double kPieceM = 6.0;
 /// What reaches less deep into the footprint only touches it.
 constexpr double kTouchingM = 1e-6;
-// Cosine of 0.01 rad: the side of a part 5 m long is then bridged by less than 2 cm.
-constexpr double kFinestTurnCos = 0.99995;
+// Steps that turn get finer down to hulls that reach this far beyond what is swept.
+constexpr double kFinestM = 0.002;
 // An intrusion without any corner of the footprint outside: too small to measure, but there.
 constexpr double kLeastIntrusionM = 1e-3;
 
@@ -213,6 +213,13 @@ Placed halfWay(const Placed& a, const Placed& b) {
     return {0.5 * (a.middle + b.middle) + bulge * Point{way.y, -way.x}, (1.0 / lengthOf(sum)) * sum};
 }
 
+/// How far the hull of both places reaches beyond what the part sweeps between them, at most: its corners
+/// turn by half of the angle to either side of the place in the middle, which lies on an arc.
+double bridgedBy(const Part& part, const Placed& a, const Placed& b) {
+    const double turn = std::abs(std::atan2(cross(a.nose, b.nose), dot(a.nose, b.nose)));
+    return (0.5 * part.radius() + 0.125 * lengthOf(b.middle - a.middle)) * turn;
+}
+
 Ring hullOf(const Part& part, const Placed& a, const Placed& b) {
     Ring corners = rectangle(a.middle, a.nose, part.halfLengthM, part.halfWidthM);
     std::ranges::copy(rectangle(b.middle, b.nose, part.halfLengthM, part.halfWidthM),
@@ -296,15 +303,25 @@ private:
             move(part, between, b);
             return;
         }
-        // Where it turns, a hull bridges what the side of the part goes round: near an edge the steps get finer.
-        if (dot(a.nose, b.nose) < kFinestTurnCos) {
+        Ring hull = hullOf(part, a, b);
+        SegmentClearance step;
+        const bool mayBeOutside = meter_.measure(hull, limit, step);
+        // Where it turns, a hull bridges what the side of the part goes round. That matters where it decides
+        // between inside and outside, and for the least clearance; what is farther outside stays there.
+        const double bridged = bridgedBy(part, a, b);
+        const bool decides = mayBeOutside ? -step.clearanceM < bridged : step.clearanceM < limit;
+        if (decides && bridged > kFinestM) {
             const Placed between = halfWay(a, b);
             move(part, a, between);
             move(part, between, b);
             return;
         }
-        Ring hull = hullOf(part, a, b);
-        if (meter_.measure(hull, limit, found_)) {
+        if (step.clearanceM < found_.clearanceM) {
+            found_.clearanceM = step.clearanceM;
+            found_.place = step.place;
+            found_.beyondLand = step.beyondLand;
+        }
+        if (mayBeOutside) {
             found_.suspects[&part == &footprint_.tractor ? 0 : 1].push_back(std::move(hull));
         }
         smallest_.lowerTo(found_.clearanceM);

@@ -10,7 +10,8 @@ namespace furrow {
 
 /// What the footprint of one segment comes to, against the edge of the drivable area.
 struct SegmentClearance {
-    /// Negative: that far outside, and exact. Otherwise no less than the smallest of the path.
+    /// Negative: that far outside, to what one step of a turn cuts off. Otherwise no less than the smallest of
+    /// the path.
     double clearanceM = std::numeric_limits<double>::infinity();
     Point place;              ///< where it is farthest outside
     bool beyondLand = false;  ///< outside the outer boundary, not in something inside the field

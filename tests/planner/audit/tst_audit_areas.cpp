@@ -266,6 +266,21 @@ private slots:
         QVERIFY(clearance(Mounting::Trailed).maxHitchAngle->si() > 0.5);
         QVERIFY(!clearance(Mounting::Mounted).maxHitchAngle);
     }
+    // Round a pond on 8 m, 4 m wide: its inner side passes 6 m from the middle, 1 cm from the water. Between two
+    // samples, 0.16 rad apart, the straight hull of that side would be 2 cm nearer.
+    void roundAPondByACentimetre() {
+        constexpr int kSides = 720;
+        MultiPolygon field{rectangle(100, 60)};
+        Ring& pond = field.front().holes.emplace_back();
+        for (int i = 0; i < kSides; ++i) {
+            pond.push_back(Point{50.0, 30.0} + 5.99 * direction(-2.0 * kPi * i / kSides));
+        }
+        PathDrawer drawer{{50.0, 22.0}};
+        drawer.begin(SegmentKind::Turn, true).arc(15.0 * kPi, 0.125, 37);
+        const AuditReport report = reportOf(field, plainMachine(4.0, 8.0), drawer.segments);
+        COMPARE_WITHIN(report.minClearance->si(), 0.01, 1e-3);
+        COMPARE_WITHIN(report.outside->si(), 0.0, 1e-6);
+    }
     void cancels() {
         PathDrawer drawer{{0.0, 5.0}};
         drawer.begin(SegmentKind::Swath, true).straight(100.0);
