@@ -1,3 +1,4 @@
+#include "app/cli/batch_command.h"
 #include "app/cli/bench_command.h"
 #include "app/cli/compare_command.h"
 #include "app/cli/audit_command.h"
@@ -23,6 +24,7 @@ int main(int argc, char** argv) {
     app.footer("furrow-cli COMMAND --help explains a command.");
     std::function<int()> run;
     addPlanCommand(app, run);
+    addBatchCommand(app, run);
     addBenchCommand(app, run);
     addCompareCommand(app, run);
     addAuditCommand(app, run);

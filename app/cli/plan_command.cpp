@@ -1,15 +1,11 @@
 #include "app/cli/plan_command.h"
 
 #include "app/cli/exit_status.h"
-#include "app/cli/machine_argument.h"
+#include "app/cli/planning_arguments.h"
 #include "app/cli/terminal.h"
 #include "planner/io/boundary_import.h"
-#include "planner/io/format_registry.h"
 #include "planner/io/plan_folder.h"
 #include "planner/io/plan_summary.h"
-#include "planner/io/settings_file.h"
-#include "planner/plan/general_parameters.h"
-#include "planner/plan/method_registry.h"
 #include "planner/units/angle.h"
 
 #include <algorithm>
@@ -29,45 +25,8 @@ namespace {
 struct PlanArguments {
     std::string field;
     std::optional<std::string> fieldId;
-    std::string machine;
-    std::optional<std::string> operation;
-    std::string settingsFile;
-    std::vector<std::string> assignments;
-    int threads = 0;
-    std::string out;
-    std::vector<std::string> formats;
-    bool json = false;
-    bool quiet = false;
+    PlanningArguments planning;
 };
-
-/// Settings file first, then --set in their order, then --operation.
-Result<Settings> settingsFrom(const PlanArguments& arguments) {
-    Settings settings;
-    Result<void> applied;
-    if (!arguments.settingsFile.empty()) {
-        applied = applySettingsFile(settings, arguments.settingsFile);
-    }
-    for (const std::string& assignment : arguments.assignments) {
-        const std::size_t equals = assignment.find('=');
-        if (applied && equals == std::string::npos) {
-            applied =
-                std::unexpected(Error{.code = ErrorCode::Usage,
-                                      .what = std::format("'{}' has no '='", assignment),
-                                      .where = "--set",
-                                      .remedy = "write key=value, for example --set headland.passes=2"});
-        }
-        if (applied) {
-            applied = applySetting(settings, assignment.substr(0, equals), assignment.substr(equals + 1));
-        }
-    }
-    if (applied && arguments.operation) {
-        applied = settings.setText(kOperationKind, *arguments.operation);
-    }
-    if (!applied) {
-        return std::unexpected(applied.error());
-    }
-    return settings;
-}
 
 std::string kilometres(Length length) {
     return length < metres(1000.0) ? std::format("{:.0f} m", length.si())
@@ -128,24 +87,12 @@ void printPlan(const Plan& plan, const std::vector<std::filesystem::path>& files
 }
 
 int runPlan(const PlanArguments& arguments) {
+    const PlanningArguments& planning = arguments.planning;
     const InterruptWatch watch;
-    const JobContext job = terminalJob(watch, arguments.threads, arguments.quiet || arguments.json);
-    const auto settings = settingsFrom(arguments);
-    if (!settings) {
-        return failWith(settings.error());
-    }
-    std::vector<std::string_view> formatIds{arguments.formats.begin(), arguments.formats.end()};
-    if (formatIds.empty()) {
-        formatIds.assign(standardPlanFormats().begin(), standardPlanFormats().end());
-    }
-    for (const std::string_view id : formatIds) {
-        if (const auto known = findPlanFormat(id); !known) {
-            return failWith(known.error());
-        }
-    }
-    const auto machine = machineFrom(arguments.machine);
-    if (!machine) {
-        return failWith(machine.error());
+    const JobContext job = terminalJob(watch, planning.threads, planning.quiet || planning.json);
+    const auto choices = choicesFrom(planning, standardPlanFormats());
+    if (!choices) {
+        return failWith(choices.error());
     }
     const auto sources = readBoundaries(arguments.field, job);
     if (!sources) {
@@ -160,21 +107,21 @@ int runPlan(const PlanArguments& arguments) {
         return failWith(field.error());
     }
     const auto plan = makePlan({.field = std::make_shared<const Field>(std::move(*field)),
-                                .machine = *machine,
-                                .settings = *settings},
+                                .machine = choices->machine,
+                                .settings = choices->settings},
                                job);
-    clearProgress(arguments.quiet || arguments.json);
+    clearProgress(planning.quiet || planning.json);
     if (!plan) {
         return failWith(plan.error());
     }
-    const auto written = writePlanFolder(**plan, arguments.out, formatIds, job);
+    const auto written = writePlanFolder(**plan, planning.out, choices->formats, job);
     if (!written) {
         return failWith(written.error());
     }
-    if (arguments.json) {
+    if (planning.json) {
         std::print("{}", planSummaryJson(**plan));
     } else {
-        printPlan(**plan, *written, arguments.quiet);
+        printPlan(**plan, *written, planning.quiet);
     }
     return (*plan)->drivable() ? kDrivable : kBlockingFinding;
 }
@@ -188,25 +135,7 @@ void addPlanCommand(CLI::App& app, std::function<int()>& run) {
         ->required();
     plan->add_option("--field-id", arguments->fieldId,
                      "Which field of the file: its id, its name, or its number from 1");
-    plan->add_option(
-        "--machine", arguments->machine,
-        "A machine of furrow-cli list machines, or a machine file (default: the first of the list)");
-    plan->add_option("--operation", arguments->operation,
-                     "tillage, sowing, spraying, spreading, mowing or harvest");
-    plan->add_option("--settings", arguments->settingsFile, "A JSON file of settings");
-    plan->add_option("--set", arguments->assignments,
-                     "One setting, for example headland.width_m=12; may be given several times")
-        ->take_all()
-        ->allow_extra_args(false);
-    plan->add_option("--threads", arguments->threads,
-                     "Threads to plan with (default: all); the plan is the same")
-        ->check(CLI::Range(1, 1024));
-    plan->add_option("--out", arguments->out, "The folder to write to; made if it is not there")->required();
-    plan->add_option("--format", arguments->formats,
-                     "What to write besides summary.json (default: geojson,csv,isoxml)")
-        ->delimiter(',');
-    plan->add_flag("--json", arguments->json, "Print the summary as one JSON object and nothing else");
-    plan->add_flag("--quiet", arguments->quiet, "Print nothing but errors");
+    addPlanningOptions(*plan, arguments->planning);
     plan->footer(
         "Examples:\n"
         "  furrow-cli plan field.geojson --out plan\n"

@@ -255,6 +255,20 @@ Result<MultiPolygon> unionOf(const MultiPolygon& polygons, const JobContext& job
         .transform([](const Geometry& result) { return fromGeos(result.get()); });
 }
 
+Result<Length> breadthOf(const MultiPolygon& polygons, const JobContext& job) {
+    if (polygons.empty()) {
+        return Length{};
+    }
+    const Geometry input = toGeos(polygons);
+    const double tolerance = std::max(0.01, 0.005 * std::sqrt(std::abs(area(polygons).si())));
+    return run(job, [&] { return GEOSMaximumInscribedCircle_r(handle(), input.get(), tolerance); })
+        .transform([](const Geometry& radius) {
+            double length = 0.0;
+            GEOSGeomGetLength_r(handle(), radius.get(), &length);
+            return metres(2.0 * length);
+        });
+}
+
 Result<std::optional<InvalidPlace>> findInvalidPlace(const MultiPolygon& polygons, const JobContext& job) {
     const Geometry input = toGeos(polygons);
     std::optional<InvalidPlace> problem;

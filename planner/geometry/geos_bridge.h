@@ -38,6 +38,9 @@ Result<MultiPolygon> intersection(const MultiPolygon& a, const MultiPolygon& b, 
 /// Of polygons that may overlap each other.
 Result<MultiPolygon> unionOf(const MultiPolygon& polygons, const JobContext& job, Length grid = {});
 
+/// Across the widest circle that fits inside, to a centimetre or a hundredth of it; 0 of nothing.
+Result<Length> breadthOf(const MultiPolygon& polygons, const JobContext& job);
+
 /// Why polygons break the rules of simple features, and where.
 struct InvalidPlace {
     std::string reason;  ///< GEOS's words: "Self-intersection", "Ring Self-intersection" ...

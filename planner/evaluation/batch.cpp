@@ -1,0 +1,374 @@
+#include "planner/evaluation/batch.h"
+
+#include "planner/geometry/geos_bridge.h"
+#include "planner/io/boundary_import.h"
+#include "planner/io/plan_folder.h"
+#include "planner/jobs/parallel.h"
+#include "planner/plan/plan.h"
+
+#include <nlohmann/json.hpp>
+
+#include <algorithm>
+#include <array>
+#include <cerrno>
+#include <cmath>
+#include <cstring>
+#include <format>
+#include <fstream>
+#include <memory>
+#include <mutex>
+#include <ranges>
+#include <set>
+#include <system_error>
+#include <utility>
+
+namespace furrow {
+
+namespace {
+
+using Json = nlohmann::ordered_json;
+
+// Narrower fields than this many operating widths are counted apart.
+constexpr double kNarrowWidths = 5.0;
+
+constexpr std::array<std::pair<BatchOutcome, std::string_view>, 4> kOutcomes{{
+    {BatchOutcome::Drivable, "drivable"},
+    {BatchOutcome::Blocked, "blocked"},
+    {BatchOutcome::Refused, "refused"},
+    {BatchOutcome::Failed, "failed"},
+}};
+
+std::string_view idOf(BatchOutcome outcome) {
+    return std::ranges::find(kOutcomes, outcome, &std::pair<BatchOutcome, std::string_view>::first)->second;
+}
+
+template <class Value>
+Json orNull(const std::optional<Value>& value) {
+    if constexpr (std::is_same_v<Value, double>) {
+        return value ? Json(*value) : Json(nullptr);
+    } else {
+        return value ? Json(value->si()) : Json(nullptr);
+    }
+}
+
+Json jsonOf(const BatchRecord& record) {
+    return {{"file", record.file},
+            {"number", record.number},
+            {"id", record.id},
+            {"folder", record.folder},
+            {"outcome", idOf(record.outcome)},
+            {"error", record.error},
+            {"area_m2", record.area.si()},
+            {"vertices", record.vertices},
+            {"breadth_m", record.breadth.si()},
+            {"covered", orNull(record.covered)},
+            {"covered_of_reachable", orNull(record.coveredOfReachable)},
+            {"missed_m2", orNull(record.missed)},
+            {"outside_m2", orNull(record.outside)},
+            {"min_clearance_m", orNull(record.clearance)},
+            {"swaths", record.swaths},
+            {"turns", record.turns},
+            {"undrivable_turns", record.undrivableTurns},
+            {"blocking", record.blocking},
+            {"time_ms", record.time.si() * 1e3}};
+}
+
+std::optional<double> numberIn(const Json& json, const char* key) {
+    return json.contains(key) && json[key].is_number() ? std::optional{json[key].get<double>()} : std::nullopt;
+}
+
+/// A line of an earlier run; nothing for one that was cut short.
+std::optional<BatchRecord> recordFrom(const std::string& line) {
+    const Json json = Json::parse(line, nullptr, false);
+    if (!json.is_object() || !json.contains("time_ms")) {
+        return std::nullopt;
+    }
+    const std::string outcome = json.value("outcome", "");
+    const auto known = std::ranges::find(kOutcomes, std::string_view{outcome},
+                                         &std::pair<BatchOutcome, std::string_view>::second);
+    if (known == kOutcomes.end()) {
+        return std::nullopt;
+    }
+    BatchRecord record{.file = json.value("file", ""),
+                       .number = json.value("number", std::size_t{0}),
+                       .id = json.value("id", ""),
+                       .folder = json.value("folder", ""),
+                       .outcome = known->first,
+                       .error = json.value("error", ""),
+                       .area = squareMetres(numberIn(json, "area_m2").value_or(0.0)),
+                       .vertices = json.value("vertices", std::size_t{0}),
+                       .breadth = metres(numberIn(json, "breadth_m").value_or(0.0)),
+                       .covered = numberIn(json, "covered"),
+                       .coveredOfReachable = numberIn(json, "covered_of_reachable"),
+                       .missed = numberIn(json, "missed_m2").transform(squareMetres),
+                       .outside = numberIn(json, "outside_m2").transform(squareMetres),
+                       .clearance = numberIn(json, "min_clearance_m").transform(metres),
+                       .swaths = json.value("swaths", 0),
+                       .turns = json.value("turns", 0),
+                       .undrivableTurns = json.value("undrivable_turns", 0),
+                       .blocking = json.value("blocking", std::map<std::string, int>{}),
+                       .time = seconds(numberIn(json, "time_ms").value_or(0.0) / 1e3)};
+    return record;
+}
+
+std::vector<BatchRecord> recordsIn(const std::filesystem::path& path) {
+    std::vector<BatchRecord> records;
+    std::ifstream file{path};
+    for (std::string line; std::getline(file, line);) {
+        if (auto record = recordFrom(line)) {
+            records.push_back(std::move(*record));
+        }
+    }
+    return records;
+}
+
+/// The record on disk, one line at a time.
+class RecordFile {
+public:
+    /// Begins with these lines.
+    Result<void> open(const std::filesystem::path& path, const std::vector<BatchRecord>& known) {
+        path_ = path;
+        file_.open(path, std::ios::trunc);
+        for (const BatchRecord& record : known) {
+            file_ << jsonOf(record).dump() << '\n';
+        }
+        file_.flush();
+        return written();
+    }
+
+    Result<void> add(const BatchRecord& record) {
+        const std::lock_guard lock{mutex_};
+        file_ << jsonOf(record).dump() << '\n';
+        file_.flush();
+        return written();
+    }
+
+private:
+    Result<void> written() const {
+        if (file_) {
+            return {};
+        }
+        return std::unexpected(Error{.code = ErrorCode::WriteFailed,
+                                     .what = std::format("could not write: {}", std::strerror(errno)),
+                                     .where = path_.string(),
+                                     .remedy = "make room or choose another folder; --resume goes on from here"});
+    }
+
+    std::filesystem::path path_;
+    std::ofstream file_;
+    std::mutex mutex_;
+};
+
+struct BatchField {
+    std::filesystem::path file;
+    std::size_t number = 0;
+    FieldSource source;
+};
+
+Result<std::vector<BatchField>> fieldsOf(const BatchTask& task, const JobContext& job) {
+    std::vector<BatchField> fields;
+    std::size_t all = 0;
+    for (const std::filesystem::path& file : task.files) {
+        auto sources = readBoundaries(file, {.stop = job.stop, .progress = {}, .threads = job.threads});
+        if (!sources) {
+            return std::unexpected(sources.error());
+        }
+        for (std::size_t i = 0; i < sources->size(); ++i) {
+            const Area area = areaOf((*sources)[i]);
+            if (area < task.smallest || (task.largest && area > *task.largest)) {
+                continue;
+            }
+            // Dealt out like cards: large fields lie side by side in most files.
+            if (all++ % task.shard.count == task.shard.number - 1) {
+                fields.push_back({file, i + 1, std::move((*sources)[i])});
+            }
+        }
+    }
+    return fields;
+}
+
+void fill(BatchRecord& record, const Plan& plan) {
+    record.outcome = plan.drivable() ? BatchOutcome::Drivable : BatchOutcome::Blocked;
+    record.covered = plan.audit.coveredShare;
+    record.coveredOfReachable = plan.audit.coveredOfReachable;
+    record.missed = plan.audit.missed;
+    record.outside = plan.audit.outside;
+    record.clearance = plan.audit.minClearance;
+    record.swaths = static_cast<int>(plan.swaths.swaths.size());
+    record.turns = plan.path.turnCount();
+    record.undrivableTurns = plan.path.undrivableCount();
+    record.time = plan.timings.total;
+    for (const Finding& finding : plan.findings) {
+        if (finding.severity == Severity::Blocking) {
+            ++record.blocking[finding.kind];
+        }
+    }
+}
+
+/// WriteFailed and Cancelled end the batch; everything else becomes part of the record.
+Result<BatchRecord> planned(const BatchField& each, const BatchTask& task, const JobContext& job) {
+    BatchRecord record{.file = each.file.filename().string(),
+                       .number = each.number,
+                       .id = each.source.id,
+                       .folder = {},
+                       .outcome = BatchOutcome::Failed,
+                       .error = {},
+                       .area = areaOf(each.source)};
+    const auto unplanned = [&record](const Error& error) -> Result<BatchRecord> {
+        if (error.code == ErrorCode::Cancelled || error.code == ErrorCode::WriteFailed) {
+            return std::unexpected(error);
+        }
+        record.outcome = error.code == ErrorCode::InputRefused ? BatchOutcome::Refused : BatchOutcome::Failed;
+        record.error = error.line();
+        return record;
+    };
+    auto field = Field::create(each.source, job);
+    if (!field) {
+        return unplanned(field.error());
+    }
+    record.vertices = field->vertexCount();
+    const auto breadth = breadthOf(field->workable(), job);
+    if (!breadth) {
+        return unplanned(breadth.error());
+    }
+    record.breadth = *breadth;
+    const auto plan = makePlan({.field = std::make_shared<const Field>(std::move(*field)),
+                                .machine = task.machine,
+                                .settings = task.settings},
+                               job);
+    if (!plan) {
+        return unplanned(plan.error());
+    }
+    fill(record, **plan);
+    record.folder = std::format("{}-{:05}", each.file.stem().string(), each.number);
+    const auto written = writePlanFolder(**plan, task.out / record.folder, task.formats, job);
+    if (!written) {
+        return unplanned(written.error());
+    }
+    return record;
+}
+
+template <class Value>
+Value percentile(std::vector<Value> values, double share) {
+    if (values.empty()) {
+        return Value{};
+    }
+    const auto at = static_cast<std::ptrdiff_t>(share * static_cast<double>(values.size() - 1) + 0.5);
+    std::ranges::nth_element(values, values.begin() + at);
+    return values[static_cast<std::size_t>(at)];
+}
+
+BatchTotals totalsOf(const std::vector<const BatchRecord*>& records) {
+    BatchTotals totals{.fields = records.size()};
+    std::vector<double> covered;
+    std::vector<double> coveredOfReachable;
+    std::vector<Duration> times;
+    for (const BatchRecord* record : records) {
+        if (record->outcome != BatchOutcome::Drivable && record->outcome != BatchOutcome::Blocked) {
+            continue;
+        }
+        ++totals.planned;
+        totals.drivable += record->outcome == BatchOutcome::Drivable ? 1 : 0;
+        covered.push_back(record->covered.value_or(0.0));
+        coveredOfReachable.push_back(record->coveredOfReachable.value_or(0.0));
+        times.push_back(record->time);
+        totals.turns += record->turns;
+        totals.undrivableTurns += record->undrivableTurns;
+        for (const auto& [kind, count] : record->blocking) {
+            ++totals.fieldsBlocked[kind];
+        }
+    }
+    totals.medianCovered = percentile(covered, 0.5);
+    totals.tenthCovered = percentile(covered, 0.1);
+    totals.medianCoveredOfReachable = percentile(coveredOfReachable, 0.5);
+    totals.medianTime = percentile(times, 0.5);
+    totals.slowTime = percentile(times, 0.95);
+    return totals;
+}
+
+Json jsonOf(const BatchTotals& totals) {
+    return {{"fields", totals.fields},
+            {"planned", totals.planned},
+            {"drivable", totals.drivable},
+            {"covered_median", totals.medianCovered},
+            {"covered_p10", totals.tenthCovered},
+            {"covered_of_reachable_median", totals.medianCoveredOfReachable},
+            {"time_ms_median", totals.medianTime.si() * 1e3},
+            {"time_ms_p95", totals.slowTime.si() * 1e3},
+            {"turns", totals.turns},
+            {"undrivable_turns", totals.undrivableTurns},
+            {"fields_blocked", totals.fieldsBlocked}};
+}
+
+BatchReport reportOf(std::vector<BatchRecord> records, const Machine& machine) {
+    BatchReport report;
+    std::ranges::sort(records, {}, [](const BatchRecord& record) { return std::pair{record.file, record.number}; });
+    report.records = std::move(records);
+    std::vector<const BatchRecord*> wide;
+    std::vector<const BatchRecord*> narrow;
+    for (const BatchRecord& record : report.records) {
+        // What was refused before its breadth was known is counted with the others.
+        const bool isNarrow = record.breadth > metres(0.0) && record.breadth < kNarrowWidths * machine.operatingWidth();
+        (isNarrow ? narrow : wide).push_back(&record);
+    }
+    report.wide = totalsOf(wide);
+    report.narrow = totalsOf(narrow);
+    return report;
+}
+
+}  // namespace
+
+std::filesystem::path batchRecordPath(const std::filesystem::path& out, const Shard& shard) {
+    return out / (shard.count == 1 ? "batch.jsonl" : std::format("batch-{}-of-{}.jsonl", shard.number, shard.count));
+}
+
+Result<BatchReport> runBatch(const BatchTask& task, const JobContext& job) {
+    const auto fields = fieldsOf(task, job);
+    if (!fields) {
+        return std::unexpected(fields.error());
+    }
+    std::error_code failed;
+    std::filesystem::create_directories(task.out, failed);
+    const std::filesystem::path path = batchRecordPath(task.out, task.shard);
+    std::vector<BatchRecord> records = task.resume ? recordsIn(path) : std::vector<BatchRecord>{};
+    RecordFile file;
+    if (const auto opened = file.open(path, records); !opened) {
+        return std::unexpected(opened.error());
+    }
+    std::set<std::pair<std::string, std::size_t>> done;
+    for (const BatchRecord& record : records) {
+        done.emplace(record.file, record.number);
+    }
+    std::vector<const BatchField*> open;
+    for (const BatchField& field : *fields) {
+        if (!done.contains({field.file.filename().string(), field.number})) {
+            open.push_back(&field);
+        }
+    }
+    std::mutex mutex;
+    std::optional<Error> error;
+    const auto ran = parallelFor(
+        open.size(),
+        [&](std::size_t i) {
+            auto record = planned(*open[i], task, {.stop = job.stop, .progress = {}, .threads = 1});
+            const Result<void> kept =
+                record ? file.add(*record) : Result<void>{std::unexpected(record.error())};
+            const std::lock_guard lock{mutex};
+            if (!kept) {
+                error = kept.error();
+            } else {
+                records.push_back(std::move(*record));
+            }
+        },
+        job);
+    if (!ran || error) {
+        return std::unexpected(ran ? *error : ran.error());
+    }
+    return reportOf(std::move(records), task.machine);
+}
+
+std::string batchJson(const BatchReport& report) {
+    return Json{{"wide", jsonOf(report.wide)}, {"narrow", jsonOf(report.narrow)}}.dump(2) + "\n";
+}
+
+}  // namespace furrow
