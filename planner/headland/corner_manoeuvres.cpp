@@ -1,13 +1,16 @@
 #include "planner/headland/corner_manoeuvres.h"
 
+#include "planner/turns/connection.h"
 #include "planner/turns/dubins.h"
-#include "planner/turns/reeds_shepp.h"
 #include "planner/turns/footprint_check.h"
+#include "planner/turns/reeds_shepp.h"
 
 #include <algorithm>
 #include <cmath>
 #include <numbers>
 #include <optional>
+#include <utility>
+#include <vector>
 
 namespace furrow {
 
@@ -18,6 +21,8 @@ constexpr double kCornerRadii = 2.0;
 constexpr double kSmallestCornerRad = std::numbers::pi / 4.0;
 // What turns by more is a loop round something, not a corner.
 constexpr double kLargestCornerRad = 5.0 * std::numbers::pi / 6.0;
+// Into a sharp corner it is driven no farther than so many widths past the point where the sides meet.
+constexpr double kMostWidthsOnward = 2.0;
 // Straights shorter than this between arcs belong to the corner.
 constexpr double kLeastStraightM = 0.5;
 constexpr double kStepM = 0.1;
@@ -51,6 +56,18 @@ struct Manoeuvre {
     Length back;     ///< worked before where the rounding ended
 };
 
+std::vector<TurnPlanner*> plannersOf(CornerMethod method, const Machine& machine) {
+    std::vector<TurnPlanner*> planners;
+    if (method != CornerMethod::Reverse) {
+        planners.push_back(kDubinsMethod.run);
+    }
+    // Of a machine that cannot reverse these are the same forward turns.
+    if (method == CornerMethod::Reverse || (method == CornerMethod::Quickest && canReverse(machine))) {
+        planners.push_back(kReedsSheppMethod.run);
+    }
+    return planners;
+}
+
 std::optional<Manoeuvre> manoeuvre(const Turn& line, const RoundedCorner& corner, CornerMethod method,
                                    const BoundaryDistance& edge, const Machine& machine) {
     const Pose entry = poseBefore(line, corner.firstPiece);
@@ -60,7 +77,10 @@ std::optional<Manoeuvre> manoeuvre(const Turn& line, const RoundedCorner& corner
     // From the start of the rounding to where the sides meet, and from there to its end.
     const double toCorner = cross(exit.position - entry.position, out) / cross(in, out);
     const double fromCorner = cross(in, exit.position - entry.position) / cross(in, out);
-    const double halfWidth = 0.5 * machine.operatingWidth().si();
+    // The outer edges of both sides meet so far beyond their middles.
+    const double width = machine.operatingWidth().si();
+    const double beyond =
+        std::min(0.5 * width * std::tan(0.5 * std::abs(corner.turn.si())), kMostWidthsOnward * width);
     const double lead = -machine.spec().implement.offset.si();
     const Ring working = machine.workingFootprint();
     const auto farthest = [&](const Pose& from, double sign, double wanted) {
@@ -74,19 +94,22 @@ std::optional<Manoeuvre> manoeuvre(const Turn& line, const RoundedCorner& corner
         }
         return best;
     };
-    const double onward = farthest(entry, 1.0, toCorner + halfWidth + lead);
-    const double back = farthest(exit, -1.0, fromCorner + halfWidth - lead);
+    const double onward = farthest(entry, 1.0, toCorner + beyond + lead);
+    const double back = farthest(exit, -1.0, fromCorner + beyond - lead);
     if (onward <= 0.0 && back <= 0.0) {
         return std::nullopt;
     }
     const Pose from{.position = entry.position + onward * in, .heading = entry.heading};
     const Pose to{.position = exit.position - back * out, .heading = exit.heading};
-    const Turn turn = method == CornerMethod::Loop ? dubinsTurn(from, to, machine.minTurningRadius())
-                                                   : reedsSheppTurn(from, to, machine.minTurningRadius());
-    if (!staysInside(turn, machine.turningFootprint(), edge, metres(2.0 * kStepM))) {
-        return std::nullopt;
+    std::optional<Turn> quickest;
+    for (TurnPlanner* const plan : plannersOf(method, machine)) {
+        Turn turn = connection(from, to, machine, plan);
+        if ((!quickest || roughDuration(turn, machine) < roughDuration(*quickest, machine)) &&
+            staysInside(turn, machine.turningFootprint(), edge, metres(2.0 * kStepM))) {
+            quickest = std::move(turn);
+        }
     }
-    return Manoeuvre{metres(onward), turn, metres(back)};
+    return quickest.transform([&](const Turn& turn) { return Manoeuvre{metres(onward), turn, metres(back)}; });
 }
 
 }  // namespace
@@ -144,10 +167,7 @@ std::vector<PassStretch> withCorners(const Turn& closed, CornerMethod method, co
     std::size_t next = 0;
     const auto work = [&](const TurnPiece& piece) { stretches.back().line.pieces.push_back(piece); };
     for (const RoundedCorner& corner : corners) {
-        // Past the third of a circle the two sides meet too far away to be driven to.
-        const double turn = std::abs(corner.turn.si());
-        const bool possible = turn < 2.0 * std::numbers::pi / 3.0 && corner.firstPiece > 0;
-        const auto found = possible ? manoeuvre(line, corner, method, edge, machine) : std::nullopt;
+        const auto found = corner.firstPiece > 0 ? manoeuvre(line, corner, method, edge, machine) : std::nullopt;
         if (!found) {
             left.push_back(corner);
             continue;

@@ -32,9 +32,14 @@ constexpr Choice kCornerKinds[] = {
     {"reverse", "Reverse", "Straight into the corner and back into it on the next side."},
 };
 
-CornerMethod cornerMethod(const Settings& settings) {
+/// Rounded one inside the other, passes would leave a crescent between them at every corner, and inner ones have
+/// the room of the outer ones to do better.
+CornerMethod cornerMethod(const Settings& settings, std::size_t ring) {
     const std::string id = settings.choice(kHeadlandCorner);
-    return id == "loop" ? CornerMethod::Loop : id == "reverse" ? CornerMethod::Reverse : CornerMethod::Rounded;
+    return id == "loop"      ? CornerMethod::Loop
+           : id == "reverse" ? CornerMethod::Reverse
+           : ring == 0       ? CornerMethod::Rounded
+                             : CornerMethod::Quickest;
 }
 
 /// From the edge to the line of every pass, outermost first.
@@ -82,8 +87,8 @@ Result<void> addPasses(Headland& headland, const HeadlandTask& task, const JobCo
             headland.rings.push_back(
                 {.ring = static_cast<int>(ring),
                  .width = machine.operatingWidth(),
-                 .stretches = withCorners(clockwise ? reversedLine(line) : line, cornerMethod(settings), task.drivable,
-                                          machine, rounded)});
+                 .stretches = withCorners(clockwise ? reversedLine(line) : line, cornerMethod(settings, ring),
+                                          task.drivable, machine, rounded)});
             for (const RoundedCorner& corner : rounded) {
                 headland.uncutCorners += ring == 0 ? uncutCorner(corner, machine.operatingWidth()) : Area{};
             }

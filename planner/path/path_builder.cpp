@@ -1,9 +1,13 @@
 #include "planner/path/path_builder.h"
 
+#include "planner/jobs/parallel.h"
 #include "planner/path/speed_profile.h"
 #include "planner/turns/connection.h"
+#include "planner/turns/manoeuvre_search.h"
 
 #include <cmath>
+#include <optional>
+#include <utility>
 
 namespace furrow {
 
@@ -12,6 +16,9 @@ namespace {
 // Legs that meet closer than this need no connection.
 constexpr double kSamePlaceM = 1e-6;
 constexpr double kSameHeadingRad = 1e-9;
+// A searched way that is longer than so many radii and widths together is a transfer, not a turn.
+constexpr double kTransferRadii = 8.0;
+constexpr double kTransferWidths = 4.0;
 
 bool isSamePose(const Pose& a, const Pose& b) {
     return distance(a.position, b.position) < kSamePlaceM &&
@@ -34,23 +41,39 @@ std::vector<Leg> swathLegs(const SwathSet& swaths, const Route& route, const Mac
     return legs;
 }
 
-Result<Path> buildPath(std::span<const Leg> legs, const Machine& machine, TurnPlanner* turn, const JobContext& job) {
+WayFinder waysBy(TurnPlanner* turn, const Machine& machine) {
+    return [turn, &machine](const Pose& leaving, const Pose& arriving, const JobContext&) {
+        return connection(leaving, arriving, machine, turn);
+    };
+}
+
+Result<Path> buildPath(std::span<const Leg> legs, const Machine& machine, const WayFinder& way, const JobContext& job) {
+    const std::size_t gaps = legs.empty() ? 0 : legs.size() - 1;
+    const Length longest = kTransferRadii * machine.minTurningRadius() + kTransferWidths * machine.operatingWidth();
+    auto ways = parallelMap<std::optional<Leg>>(
+        gaps,
+        [&](std::size_t i) -> std::optional<Leg> {
+            const Pose leaving = legs[i].line.end();
+            const Pose arriving = legs[i + 1].line.start;
+            if (isSamePose(leaving, arriving)) {
+                return std::nullopt;
+            }
+            Turn turn = way(leaving, arriving, job);
+            const bool isTransfer = turn.type == kCombinedTurn && turn.length() > longest;
+            return Leg{.kind = isTransfer ? SegmentKind::Transfer : SegmentKind::Turn,
+                       .number = 0,
+                       .line = std::move(turn),
+                       .implementDown = false};
+        },
+        job);
+    if (!ways) {
+        return std::unexpected(ways.error());
+    }
     std::vector<Leg> all;
     for (std::size_t i = 0; i < legs.size(); ++i) {
-        if (job.stopRequested()) {
-            return std::unexpected(cancelled());
-        }
         all.push_back(legs[i]);
-        if (i + 1 == legs.size()) {
-            break;
-        }
-        const Pose leaving = legs[i].line.end();
-        const Pose arriving = legs[i + 1].line.start;
-        if (!isSamePose(leaving, arriving)) {
-            all.push_back({.kind = SegmentKind::Turn,
-                           .number = 0,
-                           .line = connection(leaving, arriving, machine, turn),
-                           .implementDown = false});
+        if (i < gaps && (*ways)[i]) {
+            all.push_back(std::move(*(*ways)[i]));
         }
     }
     return withSpeeds(all, machine);

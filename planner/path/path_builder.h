@@ -5,6 +5,7 @@
 #include "planner/route/route.h"
 #include "planner/turns/turn_method.h"
 
+#include <functional>
 #include <span>
 #include <vector>
 
@@ -21,14 +22,20 @@ struct Leg {
 /// One leg for each step of the route.
 std::vector<Leg> swathLegs(const SwathSet& swaths, const Route& route, const Machine& machine);
 
-/// The line that the machine drives: these legs in their order, joined by turns in free space where one does
-/// not begin where the one before ends.
+/// Finds the way between two legs; asked by several threads at once.
+using WayFinder = std::function<Turn(const Pose& leaving, const Pose& arriving, const JobContext& job)>;
+
+/// Turns of one kind in free space.
+WayFinder waysBy(TurnPlanner* turn, const Machine& machine);
+
+/// The line that the machine drives: these legs in their order, joined by ways where one does not begin where the
+/// one before ends.
 ///
 /// @return segments in driving order, each sampled at every change of curvature and so that chords stay
 ///         within 5 mm of the curve; position is continuous, heading too unless the turns are `straight`.
 /// Speed starts and ends at 0, stops where gear or heading change, and obeys the limits for work, turns,
 /// reversing, sideways and lengthwise acceleration; a turn lasts at least as long as the implement needs to be
 /// lifted and lowered. Between two samples the acceleration is constant. Cost: O(samples). Cancelled.
-Result<Path> buildPath(std::span<const Leg> legs, const Machine& machine, TurnPlanner* turn, const JobContext& job);
+Result<Path> buildPath(std::span<const Leg> legs, const Machine& machine, const WayFinder& way, const JobContext& job);
 
 }  // namespace furrow

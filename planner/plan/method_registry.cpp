@@ -4,6 +4,7 @@
 #include "planner/plan/general_parameters.h"
 #include "planner/route/methods.h"
 #include "planner/swaths/methods.h"
+#include "planner/turns/best_feasible.h"
 #include "planner/turns/continuous_curvature.h"
 #include "planner/turns/dubins.h"
 #include "planner/turns/named_turns.h"
@@ -42,6 +43,7 @@ constexpr std::array kRouteMethods{
     &kCustomMethod,
 };
 constexpr std::array kTurnMethods{
+    &kBestFeasibleMethod,
     // the shortest curves
     &kDubinsMethod,
     &kReedsSheppMethod,

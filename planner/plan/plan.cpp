@@ -11,6 +11,7 @@
 #include "planner/plan/method_registry.h"
 #include "planner/swaths/full_ends.h"
 #include "planner/swaths/methods.h"
+#include "planner/turns/best_feasible.h"
 #include "planner/turns/straight_turn.h"
 #include "planner/turns/turn_sampling.h"
 
@@ -151,7 +152,16 @@ Result<Path> pathStage(const Plan& plan, const MultiPolygon& drivable, const Job
         const std::vector<Leg> passes = headlandLegs(plan.headland.rings, drive, machine, turn);
         legs.insert(first ? legs.begin() : legs.end(), passes.begin(), passes.end());
     }
-    return buildPath(legs, machine, turn, job);
+    if (turn != kBestFeasibleMethod.run || !settings.flag(kStayInside)) {
+        return buildPath(legs, machine, waysBy(turn, machine), job);
+    }
+    const Rig rig{drivable, machine};
+    return buildPath(
+        legs, machine,
+        [&rig](const Pose& leaving, const Pose& arriving, const JobContext& part) {
+            return feasibleConnection(rig, leaving, arriving, {}, part);
+        },
+        job);
 }
 
 std::string blockedReason(const BlockedConnection& blocked) {

@@ -63,9 +63,19 @@ Pose Turn::end() const {
     return pose;
 }
 
+Duration gearChangeDuration(const Machine& machine) {
+    const Tractor& tractor = machine.spec().tractor;
+    return seconds((machine.turningSpeed() + tractor.reverseSpeed).si() / (2.0 * tractor.maxAcceleration.si()));
+}
+
 Duration roughDuration(const Turn& turn, const Machine& machine) {
     Duration sum;
+    const TurnPiece* before = nullptr;
     for (const TurnPiece& piece : turn.pieces) {
+        if (before != nullptr && before->gear != piece.gear) {
+            sum += gearChangeDuration(machine);
+        }
+        before = &piece;
         const Speed speed =
             piece.gear == Gear::Forward ? machine.turningSpeed() : machine.spec().tractor.reverseSpeed;
         sum += seconds(piece.length.si() / speed.si());

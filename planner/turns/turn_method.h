@@ -17,7 +17,11 @@ inline bool canReverse(const Machine& machine) {
            (implement.mounting != Mounting::Trailed || implement.canReverse);
 }
 
-/// How long a turn takes at the speeds for turning and reversing, without speeding up or braking.
+/// What a change of gear costs: braking from the one speed and speeding up to the other.
+Duration gearChangeDuration(const Machine& machine);
+
+/// How long a turn takes at the speeds for turning and reversing; of speeding up and braking only what its changes
+/// of gear need.
 Duration roughDuration(const Turn& turn, const Machine& machine);
 
 }  // namespace furrow

@@ -1,0 +1,127 @@
+#include "planner/turns/best_feasible.h"
+
+#include "planner/turns/connection.h"
+#include "planner/turns/dubins.h"
+#include "planner/turns/named_turns.h"
+#include "planner/turns/reeds_shepp.h"
+
+#include <algorithm>
+#include <array>
+#include <optional>
+#include <utility>
+#include <vector>
+
+namespace furrow {
+
+namespace {
+
+constexpr Length kCheckStep = metres(0.2);
+// Outside by less than this is touching.
+constexpr double kTouchingM = 1e-3;
+// A way that is dearer by this than its length alone is worth looking for another.
+constexpr double kDearWay = 1.5;
+
+constexpr std::array kForward{&kDubinsMethod, &kOmegaMethod, &kPTurnMethod, &kUTurnMethod};
+constexpr std::array kReversing{&kReedsSheppMethod, &kFishtailMethod, &kThreePointMethod};
+
+struct Candidate {
+    Turn turn;
+    Duration time;
+};
+
+/// All turns between two poses, the quickest first.
+std::vector<Candidate> candidates(const Pose& leaving, const Pose& arriving, const Machine& machine) {
+    std::vector<Candidate> found;
+    const auto add = [&](const Method<TurnPlanner>* method) {
+        Turn turn = connection(leaving, arriving, machine, method->run);
+        // A method that does not suit the poses gives another's turn.
+        if (turn.type == method->info.id || method == &kDubinsMethod) {
+            const Duration time = roughDuration(turn, machine);
+            found.push_back({std::move(turn), time});
+        }
+    };
+    std::ranges::for_each(kForward, add);
+    if (canReverse(machine)) {
+        std::ranges::for_each(kReversing, add);
+    }
+    std::ranges::stable_sort(found, {}, &Candidate::time);
+    return found;
+}
+
+Turn runBestFeasible(const Pose& from, const Pose& to, const Machine& machine) {
+    Turn quickest = dubinsTurn(from, to, machine.minTurningRadius());
+    if (canReverse(machine)) {
+        for (const auto* method : kReversing) {
+            Turn other = method->run(from, to, machine);
+            if (roughDuration(other, machine) < roughDuration(quickest, machine)) {
+                quickest = std::move(other);
+            }
+        }
+    }
+    return quickest;
+}
+
+/// Time with every metre as dear as where it lies.
+double costS(const Turn& turn, const Machine& machine, const TravelCost& travel) {
+    double cost = 0.0;
+    Pose pose = turn.start;
+    double wayM = 0.0;
+    for (const TurnPiece& piece : turn.pieces) {
+        const auto steps = std::max(1, static_cast<int>(piece.length / machine.minTurningRadius()));
+        for (int i = 0; i < steps; ++i) {
+            const Pose middle = advanced(pose, piece, piece.length * ((i + 0.5) / steps));
+            cost += (piece.length / steps).si() * travel(middle.position);
+        }
+        wayM += piece.length.si();
+        pose = advanced(pose, piece, piece.length);
+    }
+    return wayM > 0.0 ? roughDuration(turn, machine).si() * cost / wayM : 0.0;
+}
+
+/// With the straight that the implement needs before it is lowered, where that fits.
+std::optional<Turn> searched(const Rig& rig, const Pose& leaving, const Pose& arriving, const TravelCost& travel,
+                             const JobContext& job) {
+    const Length runIn = rig.machine().spec().implement.runIn;
+    const Pose before{.position = arriving.position - runIn.si() * direction(arriving.heading.si()),
+                      .heading = arriving.heading};
+    if (rig.outsideM(Rig::inLine(leaving)) > kTouchingM || rig.outsideM(Rig::inLine(before)) > kTouchingM) {
+        return std::nullopt;
+    }
+    auto way = searchManoeuvre(rig, leaving, before, travel, job);
+    if (way && runIn > metres(0.0)) {
+        way->pieces.push_back({.length = runIn, .curvature = {}});
+    }
+    return way;
+}
+
+}  // namespace
+
+Turn feasibleConnection(const Rig& rig, const Pose& leaving, const Pose& arriving, const TravelCost& travel,
+                        const JobContext& job) {
+    const Machine& machine = rig.machine();
+    std::vector<Candidate> turns = candidates(leaving, arriving, machine);
+    const auto fits = std::ranges::find_if(turns, [&](const Candidate& candidate) {
+        return rig.driven(Rig::inLine(leaving), candidate.turn, kCheckStep).has_value();
+    });
+    const bool found = fits != turns.end();
+    if (found && (!travel || costS(fits->turn, machine, travel) < kDearWay * fits->time.si())) {
+        return std::move(fits->turn);
+    }
+    auto way = searched(rig, leaving, arriving, travel, job);
+    if (!way) {
+        return std::move(found ? fits->turn : turns.front().turn);
+    }
+    if (found && costS(fits->turn, machine, travel) <= costS(*way, machine, travel)) {
+        return std::move(fits->turn);
+    }
+    return std::move(*way);
+}
+
+const Method<TurnPlanner> kBestFeasibleMethod{
+    .info = {.id = "best-feasible",
+             .name = "Best that fits",
+             .description = "The quickest turn of any kind that stays inside the field, in several moves where it must.",
+             .parameters = {}},
+    .run = runBestFeasible};
+
+}  // namespace furrow

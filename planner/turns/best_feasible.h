@@ -1,0 +1,20 @@
+#pragma once
+
+#include "planner/settings/method.h"
+#include "planner/turns/manoeuvre_search.h"
+#include "planner/turns/turn_method.h"
+
+namespace furrow {
+
+/// In free space the quickest of all turns; in a field, by feasibleConnection, the quickest that fits.
+extern const Method<TurnPlanner> kBestFeasibleMethod;
+
+/// The way from where one working stretch ends to where the next begins that stays inside: the quickest turn of any
+/// type whose swept shape does, or else a searched way of several moves. Where there is none either, the quickest
+/// turn of free space, which leaves the field.
+/// @param travel  what it costs to drive where; empty: the same everywhere
+/// Cost: some ten microseconds where a turn fits, up to half a second where nothing does.
+Turn feasibleConnection(const Rig& rig, const Pose& leaving, const Pose& arriving, const TravelCost& travel,
+                        const JobContext& job);
+
+}  // namespace furrow

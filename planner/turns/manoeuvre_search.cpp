@@ -1,0 +1,304 @@
+#include "planner/turns/manoeuvre_search.h"
+
+#include "planner/turns/dubins.h"
+#include "planner/turns/reeds_shepp.h"
+#include "planner/turns/turn_method.h"
+
+#include <algorithm>
+#include <cmath>
+#include <cstdint>
+#include <limits>
+#include <numbers>
+#include <queue>
+#include <unordered_map>
+#include <utility>
+#include <vector>
+
+namespace furrow {
+
+namespace {
+
+constexpr double kPi = std::numbers::pi;
+// A move turns by this many radians on full lock.
+constexpr double kMoveRad = kPi / 9.0;
+constexpr int kHeadings = 36;
+// Straight on, in the open, in longer moves.
+constexpr double kLongMove = 4.0;
+constexpr Length kCheckStep = metres(0.25);
+constexpr std::size_t kMostMoves = 6000;
+// The way to the goal is taken for longer than it is known to be: fewer moves for a slightly longer way.
+constexpr double kGreed = 1.15;
+// Every so many moves the goal is tried from afar; from near each time.
+constexpr std::size_t kShotEvery = 8;
+constexpr double kNearRadii = 8.0;
+constexpr double kInfinite = std::numeric_limits<double>::infinity();
+
+using Cell = std::uint64_t;
+
+Cell packed(std::int64_t a, std::int64_t b) {
+    return static_cast<Cell>(static_cast<std::uint32_t>(a)) << 32U | static_cast<std::uint32_t>(b);
+}
+
+/// How far it is to the goal on a grid of places where the tractor may stand, worked out no farther than asked.
+class GridDistance {
+public:
+    GridDistance(const Rig& rig, const TravelCost& travel, Point goal, double cellM)
+        : rig_{rig}, travel_{travel}, origin_{goal}, cellM_{cellM} {
+        open_.push({0.0, 0, 0});
+        reached_[packed(0, 0)] = {.distance = 0.0, .travel = 1.0};
+    }
+
+    /// Infinite where there is no way, or none within `most`.
+    double from(Point point, double most) {
+        const auto column = static_cast<std::int32_t>(std::lround((point.x - origin_.x) / cellM_));
+        const auto row = static_cast<std::int32_t>(std::lround((point.y - origin_.y) / cellM_));
+        const Cell cell = packed(column, row);
+        while (true) {
+            if (const auto found = reached_.find(cell); found != reached_.end() && found->second.settled) {
+                return found->second.distance;
+            }
+            if (open_.empty() || open_.top().distance > most) {
+                return kInfinite;
+            }
+            settleNearest();
+        }
+    }
+
+private:
+    struct Place {
+        double distance = kInfinite;
+        double travel = 0.0;  ///< 0: nobody may stand there
+        bool settled = false;
+    };
+    struct Entry {
+        double distance;
+        std::int32_t column;
+        std::int32_t row;
+        bool operator<(const Entry& other) const { return distance > other.distance; }
+    };
+
+    void settleNearest() {
+        const Entry nearest = open_.top();
+        open_.pop();
+        Place& place = reached_[packed(nearest.column, nearest.row)];
+        if (place.settled) {
+            return;
+        }
+        place.settled = true;
+        const double here = place.distance;
+        for (std::int32_t dx = -1; dx <= 1; ++dx) {
+            for (std::int32_t dy = -1; dy <= 1; ++dy) {
+                const std::int32_t column = nearest.column + dx;
+                const std::int32_t row = nearest.row + dy;
+                auto [found, isNew] = reached_.try_emplace(packed(column, row));
+                Place& next = found->second;
+                if (isNew) {
+                    const Point point = origin_ + Point{column * cellM_, row * cellM_};
+                    next.travel = rig_.mayStandAt(point) ? (travel_ ? travel_(point) : 1.0) : 0.0;
+                }
+                const double distance = here + cellM_ * std::hypot(dx, dy) * next.travel;
+                if (!next.settled && next.travel > 0.0 && distance < next.distance) {
+                    next.distance = distance;
+                    open_.push({distance, column, row});
+                }
+            }
+        }
+    }
+
+    const Rig& rig_;
+    const TravelCost& travel_;
+    Point origin_;
+    double cellM_;
+    std::unordered_map<Cell, Place> reached_;
+    std::priority_queue<Entry> open_;
+};
+
+struct Node {
+    RigState state;
+    TurnPiece piece;  ///< that led here
+    std::size_t before = 0;
+    double timeS = 0.0;
+};
+
+class Search {
+public:
+    Search(const Rig& rig, const Pose& from, const Pose& to, const TravelCost& travel, const JobContext& job)
+        : rig_{rig},
+          machine_{rig.machine()},
+          to_{to},
+          travel_{travel},
+          job_{job},
+          radiusM_{machine_.minTurningRadius().si()},
+          reverses_{canReverse(machine_)},
+          forwardMps_{machine_.turningSpeed().si()},
+          reverseMps_{machine_.spec().tractor.reverseSpeed.si()},
+          gearChangeS_{gearChangeDuration(machine_).si()},
+          grid_{rig, travel_, to.position, std::clamp(0.4 * radiusM_, 0.6, 4.0)} {
+        nodes_.push_back({.state = Rig::inLine(from), .piece = {}});
+    }
+
+    std::optional<Turn> run() {
+        const double greatest = 40.0 * radiusM_ + 20.0 * distance(nodes_.front().state.tractor.position, to_.position);
+        mostWayM_ = std::max(greatest, 2000.0);
+        push(0);
+        for (std::size_t moves = 0; !open_.empty() && moves < kMostMoves; ++moves) {
+            const auto [priority, index] = open_.top();
+            if (best_ && priority >= bestS_) {
+                break;
+            }
+            if (moves % 64 == 0 && job_.stopRequested()) {
+                return std::nullopt;
+            }
+            open_.pop();
+            if (nodes_[index].timeS > reached_[keyOf(nodes_[index])] + 1e-9) {
+                continue;
+            }
+            const bool isNear = freeWayM(nodes_[index].state.tractor) < kNearRadii * radiusM_;
+            if (isNear || moves % kShotEvery == 0) {
+                shoot(index);
+            }
+            expand(index);
+        }
+        return best_;
+    }
+
+private:
+    using Key = std::uint64_t;
+
+    Key keyOf(const Node& node) const {
+        const double cellM = 0.5 * kMoveRad * radiusM_;
+        const auto x = static_cast<std::int64_t>(std::floor((node.state.tractor.position.x - to_.position.x) / cellM)) & 0xFFFFFF;
+        const auto y = static_cast<std::int64_t>(std::floor((node.state.tractor.position.y - to_.position.y) / cellM)) & 0xFFFFFF;
+        const double turns = node.state.tractor.heading.si() / (2.0 * kPi);
+        const auto heading = static_cast<Key>((turns - std::floor(turns)) * kHeadings) % kHeadings;
+        return static_cast<Key>(x) << 40U | static_cast<Key>(y) << 16U | heading << 1U |
+               (node.piece.gear == Gear::Reverse ? 1U : 0U);
+    }
+
+    double freeWayM(const Pose& pose) const {
+        const Length radius = metres(radiusM_);
+        return (reverses_ ? reedsSheppLength(pose, to_, radius) : dubinsLength(pose, to_, radius)).si();
+    }
+
+    double secondsOf(const TurnPiece& piece, const Node& before) const {
+        const bool changes = before.piece.length > metres(0.0) && before.piece.gear != piece.gear;
+        const double speed = piece.gear == Gear::Forward ? forwardMps_ : reverseMps_;
+        return piece.length.si() / speed + (changes ? gearChangeS_ : 0.0);
+    }
+
+    void push(std::size_t index) {
+        const Node& node = nodes_[index];
+        const double byGrid = grid_.from(node.state.tractor.position, mostWayM_);
+        if (byGrid == kInfinite) {
+            return;
+        }
+        const double leftM = std::max(freeWayM(node.state.tractor), byGrid);
+        reached_[keyOf(node)] = node.timeS;
+        open_.push({node.timeS + kGreed * leftM / forwardMps_, index});
+    }
+
+    void expand(std::size_t index) {
+        const Node node = nodes_[index];
+        const double travel = travel_ ? travel_(node.state.tractor.position) : 1.0;
+        const auto move = [&](Gear gear, double curvature, double lengthM) {
+            const TurnPiece piece{.length = metres(lengthM),
+                                  .curvature = Curvature::fromSi(curvature),
+                                  .endCurvature = Curvature::fromSi(curvature),
+                                  .gear = gear};
+            Node next{.state = {}, .piece = piece, .before = index, .timeS = node.timeS + travel * secondsOf(piece, node)};
+            const Pose end = advanced(node.state.tractor, piece, piece.length);
+            next.state.tractor = end;
+            const auto known = reached_.find(keyOf(next));
+            if (known != reached_.end() && known->second <= next.timeS) {
+                return;
+            }
+            const auto state = rig_.driven(node.state, piece, kCheckStep);
+            if (!state) {
+                return;
+            }
+            next.state = *state;
+            nodes_.push_back(next);
+            push(nodes_.size() - 1);
+        };
+        const double shortM = kMoveRad * radiusM_;
+        for (const Gear gear : {Gear::Forward, Gear::Reverse}) {
+            if (gear == Gear::Reverse && !reverses_) {
+                break;
+            }
+            for (const double curvature : {-1.0 / radiusM_, 0.0, 1.0 / radiusM_}) {
+                move(gear, curvature, shortM);
+            }
+        }
+        move(Gear::Forward, 0.0, kLongMove * shortM);
+    }
+
+    /// The rest of the way in one curve.
+    void shoot(std::size_t index) {
+        const Node& node = nodes_[index];
+        const auto attempt = [&](const Turn& rest) {
+            double timeS = node.timeS;
+            Node before = node;
+            for (const TurnPiece& piece : rest.pieces) {
+                timeS += secondsOf(piece, before);
+                before.piece = piece;
+            }
+            if (timeS < bestS_ && rig_.driven(node.state, rest, kCheckStep)) {
+                bestS_ = timeS;
+                best_ = joined(index, rest);
+            }
+        };
+        const Length radius = metres(radiusM_);
+        attempt(dubinsTurn(node.state.tractor, to_, radius));
+        if (reverses_) {
+            attempt(reedsSheppTurn(node.state.tractor, to_, radius));
+        }
+    }
+
+    Turn joined(std::size_t index, const Turn& rest) const {
+        Turn turn{.type = kCombinedTurn, .start = nodes_.front().state.tractor, .pieces = {}};
+        for (std::size_t i = index; i != 0; i = nodes_[i].before) {
+            turn.pieces.push_back(nodes_[i].piece);
+        }
+        std::ranges::reverse(turn.pieces);
+        turn.pieces.insert(turn.pieces.end(), rest.pieces.begin(), rest.pieces.end());
+        // Moves that go on as the one before did are one.
+        std::vector<TurnPiece> merged;
+        for (const TurnPiece& piece : turn.pieces) {
+            if (!merged.empty() && merged.back().gear == piece.gear && merged.back().curvature == piece.curvature &&
+                merged.back().endCurvature == piece.endCurvature && piece.curvature == piece.endCurvature) {
+                merged.back().length = merged.back().length + piece.length;
+            } else {
+                merged.push_back(piece);
+            }
+        }
+        turn.pieces = std::move(merged);
+        return turn;
+    }
+
+    const Rig& rig_;
+    const Machine& machine_;
+    Pose to_;
+    const TravelCost& travel_;
+    const JobContext& job_;
+    double radiusM_;
+    bool reverses_;
+    double forwardMps_;
+    double reverseMps_;
+    double gearChangeS_;
+    GridDistance grid_;
+    double mostWayM_ = 0.0;
+    std::vector<Node> nodes_;
+    std::unordered_map<Key, double> reached_;
+    std::priority_queue<std::pair<double, std::size_t>, std::vector<std::pair<double, std::size_t>>, std::greater<>> open_;
+    std::optional<Turn> best_;
+    double bestS_ = kInfinite;
+};
+
+}  // namespace
+
+std::optional<Turn> searchManoeuvre(const Rig& rig, const Pose& from, const Pose& to, const TravelCost& travel,
+                                    const JobContext& job) {
+    return Search{rig, from, to, travel, job}.run();
+}
+
+}  // namespace furrow
