@@ -25,7 +25,9 @@ constexpr double kReserveM = 0.01;
 constexpr double kReserveFactor = 1.15;
 // Where it moves by less it does not move: the bend that begins there swings nothing out.
 constexpr double kLeastMoveM = 2e-4;
-constexpr int kMostMoves = 6;
+constexpr int kMostMoves = 10;
+// Places that are looked at lie so many of the distances between two moves apart.
+constexpr double kLookShare = 0.1;
 // Points of a ring that can be moved lie no farther apart.
 constexpr double kDenseM = 1.0;
 // Points of a moved ring that make less difference are left out.
@@ -223,12 +225,12 @@ std::vector<Excess> excessesAlong(const Turn& line, const Ring& footprint, const
     double lastM = -apartM;
     Pose pose = line.start;
     for (const TurnPiece& piece : line.pieces) {
-        const auto steps = static_cast<int>(std::ceil(piece.length.si() / (0.25 * apartM)));
+        const auto steps = static_cast<int>(std::ceil(piece.length.si() / (kLookShare * apartM)));
         for (int i = 0; i < steps; ++i) {
             const Length way = piece.length * (static_cast<double>(i) / steps);
             // In the middle of a straight nothing swings: now and then is often enough.
             const double toEndM = std::min(way, piece.length - way).si();
-            if (piece.curvature == Curvature{} && toEndM > 2.0 * apartM && i % 4 != 0) {
+            if (piece.curvature == Curvature{} && toEndM > 2.0 * apartM && i % 10 != 0) {
                 continue;
             }
             const Pose at = advanced(pose, piece, way);

@@ -17,6 +17,8 @@ namespace {
 
 // Places along a headland pass where the footprint is looked at lie no farther apart.
 constexpr Length kPassStep = metres(0.5);
+// Passes lie along the edge: what they are outside by less is drawing.
+constexpr Length kPassReserve = metres(0.005);
 // Taken off the footprint all round, so that touching the edge up to rounding is staying inside.
 constexpr double kTouchingM = 1e-3;
 
@@ -80,7 +82,7 @@ std::optional<BlockedConnection> farthestAlong(const PathSegment& pass, const Ri
             }
         }
     }
-    if (farthest.outside == metres(0.0)) {
+    if (farthest.outside <= kPassReserve) {
         return std::nullopt;
     }
     farthest.place = worst.position;
