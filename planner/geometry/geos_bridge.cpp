@@ -214,6 +214,23 @@ Result<MultiPolygon> combined(const MultiPolygon& a, const MultiPolygon& b, cons
 
 }  // namespace
 
+Result<MultiPolygon> erodedSharp(const MultiPolygon& polygons, Length distance, const JobContext& job) {
+    constexpr double kMitreLimit = 2.0;
+    if (polygons.empty()) {
+        return MultiPolygon{};
+    }
+    if (vertexCount(polygons) > kDenseVertices) {
+        return eroded(polygons, distance, kArcTolerance, job);
+    }
+    const Geometry input = toGeos(polygons);
+    return run(job,
+               [&] {
+                   return GEOSBufferWithStyle_r(handle(), input.get(), -distance.si(), 8, GEOSBUF_CAP_ROUND,
+                                                GEOSBUF_JOIN_MITRE, kMitreLimit);
+               })
+        .transform([](const Geometry& result) { return fromGeos(result.get()); });
+}
+
 Result<MultiPolygon> eroded(const MultiPolygon& polygons, Length distance, Length tolerance,
                             const JobContext& job) {
     if (vertexCount(polygons) <= kDenseVertices) {

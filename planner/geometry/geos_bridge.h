@@ -22,6 +22,9 @@ inline constexpr Length kArcTolerance = metres(0.01);
 Result<MultiPolygon> eroded(const MultiPolygon& polygons, Length distance, Length tolerance,
                             const JobContext& job);
 
+/// The same with corners kept sharp, but for those that would stick out by more than twice the distance.
+Result<MultiPolygon> erodedSharp(const MultiPolygon& polygons, Length distance, const JobContext& job);
+
 /// What is at most `distance` away; corners become arcs drawn to `tolerance`.
 Result<MultiPolygon> dilated(const MultiPolygon& polygons, Length distance, Length tolerance,
                              const JobContext& job);

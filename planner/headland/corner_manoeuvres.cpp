@@ -9,8 +9,6 @@
 #include <cmath>
 #include <numbers>
 #include <optional>
-#include <utility>
-#include <vector>
 
 namespace furrow {
 
@@ -56,18 +54,6 @@ struct Manoeuvre {
     Length back;     ///< worked before where the rounding ended
 };
 
-std::vector<TurnPlanner*> plannersOf(CornerMethod method, const Machine& machine) {
-    std::vector<TurnPlanner*> planners;
-    if (method != CornerMethod::Reverse) {
-        planners.push_back(kDubinsMethod.run);
-    }
-    // Of a machine that cannot reverse these are the same forward turns.
-    if (method == CornerMethod::Reverse || (method == CornerMethod::Quickest && canReverse(machine))) {
-        planners.push_back(kReedsSheppMethod.run);
-    }
-    return planners;
-}
-
 std::optional<Manoeuvre> manoeuvre(const Turn& line, const RoundedCorner& corner, CornerMethod method,
                                    const BoundaryDistance& edge, const Machine& machine) {
     const Pose entry = poseBefore(line, corner.firstPiece);
@@ -101,15 +87,13 @@ std::optional<Manoeuvre> manoeuvre(const Turn& line, const RoundedCorner& corner
     }
     const Pose from{.position = entry.position + onward * in, .heading = entry.heading};
     const Pose to{.position = exit.position - back * out, .heading = exit.heading};
-    std::optional<Turn> quickest;
-    for (TurnPlanner* const plan : plannersOf(method, machine)) {
-        Turn turn = connection(from, to, machine, plan);
-        if ((!quickest || roughDuration(turn, machine) < roughDuration(*quickest, machine)) &&
-            staysInside(turn, machine.turningFootprint(), edge, metres(2.0 * kStepM))) {
-            quickest = std::move(turn);
-        }
+    // Of a machine that cannot reverse the second are forward turns as well.
+    const Turn turn =
+        connection(from, to, machine, method == CornerMethod::Loop ? kDubinsMethod.run : kReedsSheppMethod.run);
+    if (!staysInside(turn, machine.turningFootprint(), edge, metres(2.0 * kStepM))) {
+        return std::nullopt;
     }
-    return quickest.transform([&](const Turn& turn) { return Manoeuvre{metres(onward), turn, metres(back)}; });
+    return Manoeuvre{metres(onward), turn, metres(back)};
 }
 
 }  // namespace

@@ -19,11 +19,11 @@ std::vector<RoundedCorner> roundedCorners(const Turn& line, Length radius);
 /// (1 - pi/4) (R + w/2)².
 Area uncutCorner(const RoundedCorner& corner, Length width);
 
-enum class CornerMethod { Rounded, Loop, Reverse, Quickest };
+enum class CornerMethod { Rounded, Loop, Reverse };
 
 /// A closed pass whose corners are driven into where there is room: straight on as far as the footprint stays
-/// inside, then with the implement up round a loop (forwards), with a change of gear, or the quicker of both, to as
-/// far back as it fits on the next side. Corners without room stay rounded. @param left  which did
+/// inside, then with the implement up round a loop (forwards) or with a change of gear to as far back as it fits
+/// on the next side. Corners without room stay rounded. @param left  which did
 std::vector<PassStretch> withCorners(const Turn& closed, CornerMethod method, const MultiPolygon& drivable,
                                      const Machine& machine, std::vector<RoundedCorner>& left);
 

@@ -18,10 +18,13 @@ struct PassStretch {
     bool working = true;
 };
 
-/// One drivable ring of the headland; its stretches follow on each other and close.
+/// One ring of the headland, or a part of one.
 struct HeadlandPass {
     int ring = 0;  ///< from the boundary or obstacle, 0 outermost
     Length width;
+    /// Each stretch begins where the one before ends, the first where the last does. Otherwise turns have to lead
+    /// from one to the next.
+    bool closed = true;
     std::vector<PassStretch> stretches;
 
     Length length() const;

@@ -1,11 +1,14 @@
 #include "planner/headland/headland_passes.h"
 
 #include "planner/headland/corner_manoeuvres.h"
+#include "planner/headland/inner_passes.h"
 #include "planner/headland/pass_tracks.h"
 #include "planner/headland/smooth_ring.h"
 
 #include <algorithm>
-#include <format>
+#include <iterator>
+#include <utility>
+#include <vector>
 
 namespace furrow {
 
@@ -27,19 +30,15 @@ constexpr Choice kDirections[] = {
     {"clockwise", "Clockwise", "Seen from above, turning right at corners."},
 };
 constexpr Choice kCornerKinds[] = {
-    {"rounded", "Rounded", "Round the corner with the machine's radius; what is left there is shown."},
+    {"rounded", "Rounded",
+     "The outermost pass goes round with the machine's radius; inner ones reach into their corners."},
     {"loop", "Loop", "Straight into the corner and on after a loop, where there is room for it."},
     {"reverse", "Reverse", "Straight into the corner and back into it on the next side."},
 };
 
-/// Rounded one inside the other, passes would leave a crescent between them at every corner, and inner ones have
-/// the room of the outer ones to do better.
-CornerMethod cornerMethod(const Settings& settings, std::size_t ring) {
+CornerMethod cornerMethod(const Settings& settings) {
     const std::string id = settings.choice(kHeadlandCorner);
-    return id == "loop"      ? CornerMethod::Loop
-           : id == "reverse" ? CornerMethod::Reverse
-           : ring == 0       ? CornerMethod::Rounded
-                             : CornerMethod::Quickest;
+    return id == "loop" ? CornerMethod::Loop : id == "reverse" ? CornerMethod::Reverse : CornerMethod::Rounded;
 }
 
 /// From the edge to the line of every pass, outermost first.
@@ -72,33 +71,47 @@ Result<void> addPasses(Headland& headland, const HeadlandTask& task, const JobCo
     const bool clockwise = settings.choice(kHeadlandDirection) == "clockwise";
     headland.uncutStrip = uncutEdge(machine);
     const std::vector<Length> all = insets(headland, machine, task.margin);
-    int givenUp = 0;
-    for (std::size_t ring = 0; ring < all.size(); ++ring) {
-        const auto tracks = passTracks(task.field.workable(), all[ring], task.drivable, machine, job);
-        if (!tracks) {
-            return std::unexpected(tracks.error());
+    const CornerMethod corners = cornerMethod(settings);
+    for (std::size_t i = 0; i < all.size(); ++i) {
+        const int ring = static_cast<int>(i);
+        std::vector<HeadlandPass> passes;
+        if (ring > 0) {
+            const auto strips = passesAlongStrips(task, all[i] - 0.5 * machine.operatingWidth(), ring, job);
+            if (!strips) {
+                return std::unexpected(strips.error());
+            }
+            passes = *strips;
         }
-        givenUp += tracks->givenUp;
-        if (ring == 0) {
-            headland.uncutStrip += tracks->movedIn;
-        }
-        for (const Turn& line : tracks->lines) {
-            std::vector<RoundedCorner> rounded;
-            headland.rings.push_back(
-                {.ring = static_cast<int>(ring),
-                 .width = machine.operatingWidth(),
-                 .stretches = withCorners(clockwise ? reversedLine(line) : line, cornerMethod(settings, ring),
-                                          task.drivable, machine, rounded)});
-            for (const RoundedCorner& corner : rounded) {
-                headland.uncutCorners += ring == 0 ? uncutCorner(corner, machine.operatingWidth()) : Area{};
+        bool inStretches = ring > 0 && corners == CornerMethod::Rounded;
+        if (!inStretches) {
+            const auto tracks = passTracks(task.field.workable(), all[i], task.drivable, machine, job);
+            if (!tracks) {
+                return std::unexpected(tracks.error());
+            }
+            inStretches = tracks->givenUp > 0;
+            if (ring == 0 && !inStretches) {
+                headland.uncutStrip += tracks->movedIn;
+            }
+            for (const Turn& line : inStretches ? std::vector<Turn>{} : tracks->lines) {
+                std::vector<RoundedCorner> rounded;
+                passes.push_back({.ring = ring,
+                                  .width = machine.operatingWidth(),
+                                  .closed = true,
+                                  .stretches = withCorners(clockwise ? reversedLine(line) : line, corners,
+                                                           task.drivable, machine, rounded)});
+                for (const RoundedCorner& corner : rounded) {
+                    headland.uncutCorners += ring == 0 ? uncutCorner(corner, machine.operatingWidth()) : Area{};
+                }
             }
         }
-    }
-    if (givenUp > 0) {
-        headland.notes.push_back({std::format("{} of the headland passes are too tight for this machine and are not driven",
-                                              givenUp),
-                                  "headland",
-                                  {}});
+        if (inStretches) {
+            const auto inner = innerPasses(task, all[i], ring, clockwise, job);
+            if (!inner) {
+                return std::unexpected(inner.error());
+            }
+            passes.insert(passes.end(), inner->begin(), inner->end());
+        }
+        std::ranges::move(passes, std::back_inserter(headland.rings));
     }
     return {};
 }

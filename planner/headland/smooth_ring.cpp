@@ -29,6 +29,7 @@ struct Corner {
     double wantM = 0.0;    ///< for a gentle bend
     double lengthM = 0.0;  ///< of the edge to the next corner
     Point way;             ///< unit vector of that edge
+    bool isCut = false;    ///< a line ends and another begins here: nothing is rounded
 };
 
 Ring withoutCloseOnes(const Ring& ring) {
@@ -65,8 +66,14 @@ std::optional<Point> oneCornerFor(const Corner& a, const Corner& b, double radiu
 /// The corners of a ring while points go: what is left is linked, and only what changes is worked out again.
 class CornerChain {
 public:
-    CornerChain(const Ring& ring, double radiusM, double toleranceM, double gentleM)
-        : radiusM_{radiusM}, toleranceM_{toleranceM}, gentleM_{gentleM}, left_{ring.size()} {
+    /// @param sharpestRad  corners that turn by more are cut; none where it is not given
+    CornerChain(const Ring& ring, double radiusM, double toleranceM, double gentleM,
+                std::optional<double> sharpestRad = std::nullopt)
+        : radiusM_{radiusM},
+          toleranceM_{toleranceM},
+          gentleM_{gentleM},
+          sharpestRad_{sharpestRad},
+          left_{ring.size()} {
         for (std::size_t i = 0; i < ring.size(); ++i) {
             corners_.push_back({.at = ring[i]});
             links_.push_back({(i + ring.size() - 1) % ring.size(), (i + 1) % ring.size()});
@@ -87,7 +94,10 @@ public:
             pending_.pop_back();
             while (!gone_.contains(i) && corners_[i].needM + corners_[links_[i].next].needM > corners_[i].lengthM) {
                 if (left_ <= 3 || !shorten(i)) {
-                    return false;
+                    if (!sharpestRad_) {
+                        return false;
+                    }
+                    cut(corners_[i].needM >= corners_[links_[i].next].needM ? i : links_[i].next);
                 }
             }
         }
@@ -121,21 +131,34 @@ private:
         const Point before = corners_[links_[i].before].way;
         corner.turnRad = std::atan2(cross(before, corner.way), dot(before, corner.way));
         const double turn = std::abs(corner.turnRad);
+        corner.isCut = corner.isCut || (sharpestRad_ && turn > *sharpestRad_);
+        if (corner.isCut) {
+            corner.needM = corner.wantM = 0.0;
+            return;
+        }
         corner.needM = turn > kStraightRad ? radiusM_ * kRadiusSlack * std::tan(0.5 * turn) : 0.0;
         // The middle of the arc is t tan(turn / 4) away from the corner.
         corner.wantM =
             turn > kStraightRad ? std::max({corner.needM, gentleM_, kRoundingM / std::tan(0.25 * turn)}) : 0.0;
     }
 
+    void cut(std::size_t i) {
+        corners_[i].isCut = true;
+        measureTurn(i);
+    }
+
     /// The edge after i is too short: its corners become one, or the one that matters less goes.
     bool shorten(std::size_t i) {
         const std::size_t next = links_[i].next;
-        if (const auto meeting = oneCornerFor(corners_[i], corners_[next], radiusM_, toleranceM_)) {
+        const bool cutAtOne = corners_[i].isCut || corners_[next].isCut;
+        if (const auto meeting = cutAtOne ? std::nullopt
+                                          : oneCornerFor(corners_[i], corners_[next], radiusM_, toleranceM_)) {
             corners_[i].at = *meeting;
             drop(next);
             return true;
         }
-        const std::size_t gone = moveWithout(i) <= moveWithout(next) ? i : next;
+        const bool firstGoes = corners_[next].isCut || (!corners_[i].isCut && moveWithout(i) <= moveWithout(next));
+        const std::size_t gone = firstGoes ? i : next;
         if (moveWithout(gone) > toleranceM_) {
             return false;
         }
@@ -172,6 +195,7 @@ private:
     double radiusM_;
     double toleranceM_;
     double gentleM_;
+    std::optional<double> sharpestRad_;
     std::size_t left_;
     std::vector<Corner> corners_;
     std::vector<Links> links_;
@@ -179,7 +203,8 @@ private:
     std::vector<std::size_t> pending_;
 };
 
-Turn lineThrough(const std::vector<Corner>& corners) {
+/// From each corner to where its rounding begins and ends.
+std::vector<double> roundingsOf(const std::vector<Corner>& corners) {
     const std::size_t size = corners.size();
     std::vector<double> cuts(size);
     for (std::size_t i = 0; i < size; ++i) {
@@ -191,19 +216,28 @@ Turn lineThrough(const std::vector<Corner>& corners) {
         const double spareAfter = 0.5 * (corner.lengthM - corner.needM - next.needM);
         cuts[i] = std::min(corner.wantM, corner.needM + std::min(spareBefore, spareAfter));
     }
-    const Corner& first = corners.front();
+    return cuts;
+}
+
+/// From the end of one corner's rounding over `edges` edges: straights, and arcs round the corners between and, if
+/// it closes, round the first one.
+Turn lineThrough(const std::vector<Corner>& corners, const std::vector<double>& cuts, std::size_t from,
+                 std::size_t edges, bool closes) {
+    const std::size_t size = corners.size();
+    const Corner& first = corners[from];
     Turn line{.type = {},
-              .start = {.position = first.at + cuts[0] * first.way,
+              .start = {.position = first.at + cuts[from] * first.way,
                         .heading = radians(std::atan2(first.way.y, first.way.x))},
               .pieces = {}};
-    for (std::size_t i = 1; i <= size; ++i) {
-        const Corner& before = corners[i - 1];
-        const Corner& corner = corners[i % size];
-        if (const double straightM = before.lengthM - cuts[i - 1] - cuts[i % size]; straightM > 1e-9) {
+    for (std::size_t i = 1; i <= edges; ++i) {
+        const std::size_t before = (from + i - 1) % size;
+        const std::size_t at = (from + i) % size;
+        const Corner& corner = corners[at];
+        if (const double straightM = corners[before].lengthM - cuts[before] - cuts[at]; straightM > 1e-9) {
             line.pieces.push_back({.length = metres(straightM), .curvature = {}});
         }
-        if (std::abs(corner.turnRad) > kStraightRad) {
-            const double radiusM = cuts[i % size] / std::tan(0.5 * std::abs(corner.turnRad));
+        if ((i < edges || closes) && std::abs(corner.turnRad) > kStraightRad) {
+            const double radiusM = cuts[at] / std::tan(0.5 * std::abs(corner.turnRad));
             line.pieces.push_back({.length = metres(radiusM * std::abs(corner.turnRad)),
                                    .curvature = Curvature::fromSi(std::copysign(1.0 / radiusM, corner.turnRad))});
             line.pieces.back().endCurvature = line.pieces.back().curvature;
@@ -226,7 +260,40 @@ std::optional<Turn> smoothRing(const Ring& given, Length radius, Length toleranc
     const std::vector<Corner> corners = chain.take();
     const bool sharp = std::ranges::any_of(
         corners, [](const Corner& corner) { return std::abs(corner.turnRad) > kSharpestRad; });
-    return sharp ? std::nullopt : std::optional{lineThrough(corners)};
+    return sharp ? std::nullopt : std::optional{lineThrough(corners, roundingsOf(corners), 0, corners.size(), true)};
+}
+
+SmoothStretches smoothStretches(const Ring& given, Length radius, Length tolerance, Length width, Area mostUncut) {
+    const Ring ring = withoutCloseOnes(given);
+    if (ring.size() < 3) {
+        return {};
+    }
+    // Between two passes that are rounded alike: 2 (tan(a/2) - a/2) R w, and for small angles a^3 R w / 12.
+    double sharpestRad = 0.1;
+    const double share = 0.5 * mostUncut.si() / (radius.si() * width.si());
+    while (sharpestRad < 3.0 && std::tan(0.5 * sharpestRad) - 0.5 * sharpestRad < share) {
+        sharpestRad += 0.02;
+    }
+    CornerChain chain{ring, radius.si(), tolerance.si(), 0.0, sharpestRad};
+    chain.makeDrivable();
+    const std::vector<Corner> corners = chain.take();
+    const std::vector<double> cuts = roundingsOf(corners);
+    std::vector<std::size_t> ends;
+    for (std::size_t i = 0; i < corners.size(); ++i) {
+        if (corners[i].isCut) {
+            ends.push_back(i);
+        }
+    }
+    if (ends.empty()) {
+        return {.lines = {lineThrough(corners, cuts, 0, corners.size(), true)}, .closed = true};
+    }
+    SmoothStretches stretches;
+    for (std::size_t k = 0; k < ends.size(); ++k) {
+        const std::size_t next = ends[(k + 1) % ends.size()];
+        const std::size_t edges = (next + corners.size() - ends[k] - 1) % corners.size() + 1;
+        stretches.lines.push_back(lineThrough(corners, cuts, ends[k], edges, false));
+    }
+    return stretches;
 }
 
 Turn reversedLine(const Turn& line) {

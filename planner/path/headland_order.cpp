@@ -1,5 +1,6 @@
 #include "planner/path/headland_order.h"
 
+#include "planner/headland/smooth_ring.h"
 #include "planner/turns/connection.h"
 #include "planner/turns/footprint_check.h"
 
@@ -18,15 +19,36 @@ constexpr std::size_t kMostStarts = 400;
 constexpr std::size_t kMostChecked = 150;
 constexpr Length kCheckStep = metres(0.25);
 
-/// A place on a closed pass where it may start.
+/// A place on a pass where it may start.
 struct StartPlace {
     std::size_t stretch = 0;
     std::size_t piece = 0;
     Length way;  ///< along that piece
     Pose pose;
+    Pose end;  ///< where the pass ends then
+    bool reversed = false;  ///< a single stretch, the other way round
 };
 
+/// Of a pass in stretches: before each of them.
+std::vector<StartPlace> startsOfStretches(const HeadlandPass& pass) {
+    std::vector<StartPlace> places;
+    const std::size_t count = pass.stretches.size();
+    for (std::size_t s = 0; s < count; ++s) {
+        places.push_back({.stretch = s,
+                          .pose = pass.stretches[s].line.start,
+                          .end = pass.stretches[(s + count - 1) % count].line.end()});
+    }
+    if (count == 1) {
+        const Turn back = reversedLine(pass.stretches.front().line);
+        places.push_back({.pose = back.start, .end = back.end(), .reversed = true});
+    }
+    return places;
+}
+
 std::vector<StartPlace> startPlaces(const HeadlandPass& pass) {
+    if (!pass.closed) {
+        return startsOfStretches(pass);
+    }
     const Length step = std::max(0.5 * pass.width, (1.0 / kMostStarts) * pass.length());
     std::vector<StartPlace> places;
     for (std::size_t s = 0; s < pass.stretches.size(); ++s) {
@@ -35,7 +57,8 @@ std::vector<StartPlace> startPlaces(const HeadlandPass& pass) {
         for (std::size_t p = 0; p < stretch.line.pieces.size(); ++p) {
             const TurnPiece& piece = stretch.line.pieces[p];
             for (Length way; stretch.working && way < piece.length; way += step) {
-                places.push_back({s, p, way, advanced(pose, piece, way)});
+                const Pose here = advanced(pose, piece, way);
+                places.push_back({.stretch = s, .piece = p, .way = way, .pose = here, .end = here});
             }
             pose = advanced(pose, piece, piece.length);
         }
@@ -52,6 +75,16 @@ Leg legOf(const HeadlandPass& pass, const PassStretch& stretch) {
 
 /// The pass once round from a place on it.
 std::vector<Leg> legsFrom(const HeadlandPass& pass, const StartPlace& start) {
+    if (!pass.closed) {
+        std::vector<Leg> legs;
+        for (std::size_t i = 0; i < pass.stretches.size(); ++i) {
+            legs.push_back(legOf(pass, pass.stretches[(start.stretch + i) % pass.stretches.size()]));
+        }
+        if (start.reversed) {
+            legs.front().line = reversedLine(legs.front().line);
+        }
+        return legs;
+    }
     const PassStretch& first = pass.stretches[start.stretch];
     const TurnPiece& split = first.line.pieces[start.piece];
     PassStretch head{.line = {.type = {}, .start = start.pose, .pieces = {}}, .working = true};
@@ -152,11 +185,11 @@ public:
         }
         std::vector<std::pair<Duration, std::size_t>> byTime;
         for (std::size_t i = 0; i < places.size(); ++i) {
-            byTime.emplace_back(roughDuration(way(places[i].pose, *fixed, fixedIsNext), machine_), i);
+            byTime.emplace_back(roughDuration(way(places[i], *fixed, fixedIsNext), machine_), i);
         }
         std::ranges::sort(byTime);
         for (const auto& [time, i] : byTime | std::views::take(kMostChecked)) {
-            if (staysInside(way(places[i].pose, *fixed, fixedIsNext), footprint_, edges_, kCheckStep)) {
+            if (staysInside(way(places[i], *fixed, fixedIsNext), footprint_, edges_, kCheckStep)) {
                 return places[i];
             }
         }
@@ -164,8 +197,9 @@ public:
     }
 
 private:
-    Turn way(const Pose& place, const Pose& fixed, bool fixedIsNext) const {
-        return fixedIsNext ? connection(place, fixed, machine_, turn_) : connection(fixed, place, machine_, turn_);
+    Turn way(const StartPlace& place, const Pose& fixed, bool fixedIsNext) const {
+        return fixedIsNext ? connection(place.end, fixed, machine_, turn_)
+                           : connection(fixed, place.pose, machine_, turn_);
     }
 
     const Machine& machine_;
@@ -198,7 +232,7 @@ std::vector<Leg> headlandLegs(const std::vector<HeadlandPass>& passes, const Hea
         }
         const StartPlace& start = chooser.best(places[i], met, backwards);
         lined.push_back(legsFrom(passes[i], start));
-        met = start.pose;
+        met = backwards ? start.pose : start.end;
     }
     if (backwards) {
         std::ranges::reverse(lined);

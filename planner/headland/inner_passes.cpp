@@ -1,0 +1,261 @@
+#include "planner/headland/inner_passes.h"
+
+#include "planner/geometry/boundary_distance.h"
+#include "planner/geometry/geos_bridge.h"
+#include "planner/headland/smooth_ring.h"
+#include "planner/turns/footprint_check.h"
+
+#include <algorithm>
+#include <cmath>
+#include <iterator>
+#include <utility>
+
+namespace furrow {
+
+namespace {
+
+// What rounding may leave at one corner between two passes: a share of the square of the width, and never more than
+// this.
+constexpr double kUncutShare = 0.1;
+constexpr Area kMostUncut = squareMetres(10.0);
+// How far the line may move where corners are merged, as a share of the width.
+constexpr double kMergeShare = 0.02;
+// Into a sharp corner it is driven no farther than so many widths past the point where the sides meet.
+constexpr double kMostWidthsOnward = 2.0;
+constexpr double kLookM = 0.1;
+// Stretches shorter than this share of the width are not worth lowering the implement for.
+constexpr double kShortest = 0.2;
+// Strips that are smaller, as a share of the square of the width, or narrower than this are left.
+constexpr double kLeastStripShare = 0.3;
+constexpr double kNarrowestStripM = 0.25;
+constexpr int kMostParts = 64;
+
+/// The edges that passes may not cross and what they are driven with.
+struct Room {
+    Room(const HeadlandTask& task)
+        : machine{task.machine},
+          working{task.machine.workingFootprint()},
+          edge{task.drivable, task.machine.workingFootprintWidth() + task.machine.spec().tractor.length} {}
+
+    const Machine& machine;
+    Ring working;
+    BoundaryDistance edge;
+
+    /// How far on it can be driven, no farther than wanted.
+    double farthest(const Pose& from, double sign, double wantedM) const {
+        double best = 0.0;
+        for (double m = std::min(kLookM, wantedM); m <= wantedM + 1e-9; m += kLookM) {
+            const Pose pose{.position = from.position + sign * m * direction(from.heading.si()), .heading = from.heading};
+            if (!isInside(pose, working, edge)) {
+                break;
+            }
+            best = m;
+        }
+        return best;
+    }
+};
+
+/// The line from so far before its start to so far past its end; shorter where that is less than nothing.
+Turn extended(Turn line, double beforeM, double pastM) {
+    const auto change = [](TurnPiece& piece, double by) { piece.length = metres(std::max(0.0, piece.length.si() + by)); };
+    const bool startsStraight = line.pieces.front().curvature == Curvature{};
+    if (beforeM > 0.0 || startsStraight) {
+        const double byM = std::max(beforeM, -line.pieces.front().length.si());
+        line.start.position = line.start.position - byM * direction(line.start.heading.si());
+        if (startsStraight) {
+            change(line.pieces.front(), byM);
+        } else {
+            line.pieces.insert(line.pieces.begin(), {.length = metres(byM), .curvature = {}});
+        }
+    }
+    if (line.pieces.back().curvature == Curvature{}) {
+        change(line.pieces.back(), pastM);
+    } else if (pastM > 0.0) {
+        line.pieces.push_back({.length = metres(pastM), .curvature = {}});
+    }
+    std::erase_if(line.pieces, [](const TurnPiece& piece) { return piece.length <= metres(0.0); });
+    return line;
+}
+
+double turnBetween(const Turn& before, const Turn& after) {
+    const Point in = direction(before.end().heading.si());
+    const Point out = direction(after.start.heading.si());
+    return std::abs(std::atan2(cross(in, out), dot(in, out)));
+}
+
+HeadlandPass passOf(std::vector<Turn> lines, bool closed, int ring, const Room& room) {
+    HeadlandPass pass{.ring = ring, .width = room.machine.operatingWidth(), .closed = closed, .stretches = {}};
+    const double widthM = pass.width.si();
+    // The implement works this far behind the vehicle's reference point.
+    const double leadM = -room.machine.spec().implement.offset.si();
+    const auto beyondM = [&](const Turn& before, const Turn& after) {
+        return std::min(0.5 * widthM * std::tan(0.5 * turnBetween(before, after)), kMostWidthsOnward * widthM);
+    };
+    for (std::size_t i = 0; i < lines.size(); ++i) {
+        Turn line = lines[i];
+        if (!closed) {
+            const double backM = beyondM(lines[(i + lines.size() - 1) % lines.size()], line) - leadM;
+            const double onM = beyondM(line, lines[(i + 1) % lines.size()]) + leadM;
+            line = extended(line, backM > 0.0 ? room.farthest(line.start, -1.0, backM) : backM,
+                            onM > 0.0 ? room.farthest(line.end(), 1.0, onM) : onM);
+        }
+        if (line.length().si() > kShortest * widthM) {
+            pass.stretches.push_back({.line = std::move(line)});
+        }
+    }
+    return pass;
+}
+
+/// The two corners of a ring that are farthest apart.
+std::pair<Point, Point> farthestCorners(const Ring& ring) {
+    std::pair<Point, Point> farthest{ring.front(), ring.front()};
+    for (std::size_t i = 0; i < ring.size(); ++i) {
+        for (std::size_t k = i + 1; k < ring.size(); ++k) {
+            if (distance(ring[i], ring[k]) > distance(farthest.first, farthest.second)) {
+                farthest = {ring[i], ring[k]};
+            }
+        }
+    }
+    return farthest;
+}
+
+/// A strip in pieces that one straight pass each can cover: cut across in the middle where it bends.
+Result<std::vector<Polygon>> straightParts(const Polygon& strip, double widthM, const JobContext& job) {
+    std::vector<Polygon> open{strip};
+    std::vector<Polygon> straight;
+    while (!open.empty()) {
+        Polygon part = std::move(open.back());
+        open.pop_back();
+        const auto [a, b] = farthestCorners(part.outer);
+        const double lengthM = distance(a, b);
+        const Point along = (1.0 / std::max(lengthM, 1e-9)) * (b - a);
+        double leftM = 0.0;
+        double rightM = 0.0;
+        for (const Point& point : part.outer) {
+            leftM = std::max(leftM, cross(along, point - a));
+            rightM = std::min(rightM, cross(along, point - a));
+        }
+        if (leftM - rightM <= 1.05 * widthM || lengthM < 2.0 * widthM ||
+            straight.size() + open.size() > static_cast<std::size_t>(kMostParts)) {
+            straight.push_back(std::move(part));
+            continue;
+        }
+        const Point across{-along.y, along.x};
+        const Point middle = 0.5 * (a + b);
+        for (const double side : {-1.0, 1.0}) {
+            const Point far = middle + side * lengthM * along;
+            Ring half{middle - 2.0 * lengthM * across, far - 2.0 * lengthM * across, far + 2.0 * lengthM * across,
+                      middle + 2.0 * lengthM * across};
+            if (side < 0.0) {
+                std::ranges::reverse(half);
+            }
+            auto cut = intersection({part}, {{.outer = std::move(half), .holes = {}}}, job);
+            if (!cut) {
+                return std::unexpected(cut.error());
+            }
+            std::ranges::move(*cut, std::back_inserter(open));
+        }
+    }
+    return straight;
+}
+
+/// Along the middle of a straight strip.
+Turn lineAlong(const Polygon& part) {
+    const auto [a, b] = farthestCorners(part.outer);
+    const double lengthM = distance(a, b);
+    const Point along = (1.0 / lengthM) * (b - a);
+    double leftM = 0.0;
+    double rightM = 0.0;
+    for (const Point& point : part.outer) {
+        leftM = std::max(leftM, cross(along, point - a));
+        rightM = std::min(rightM, cross(along, point - a));
+    }
+    const Point start = a + 0.5 * (leftM + rightM) * Point{-along.y, along.x};
+    return {.type = {},
+            .start = {.position = start, .heading = radians(std::atan2(along.y, along.x))},
+            .pieces = {{.length = metres(lengthM), .curvature = {}}}};
+}
+
+}  // namespace
+
+Result<std::vector<HeadlandPass>> innerPasses(const HeadlandTask& task, Length inset, int ring, bool clockwise,
+                                              const JobContext& job) {
+    const auto region = erodedSharp(task.field.workable(), inset, job);
+    if (!region) {
+        return std::unexpected(region.error());
+    }
+    const Room room{task};
+    const Length width = task.machine.operatingWidth();
+    const Area mostUncut = std::min(kMostUncut, squareMetres(kUncutShare * width.si() * width.si()));
+    std::vector<HeadlandPass> passes;
+    const auto add = [&](const Ring& each) {
+        SmoothStretches smooth =
+            smoothStretches(each, task.machine.minTurningRadius(), kMergeShare * width, width, mostUncut);
+        if (clockwise) {
+            std::ranges::reverse(smooth.lines);
+            std::ranges::transform(smooth.lines, smooth.lines.begin(), reversedLine);
+        }
+        if (!smooth.lines.empty()) {
+            HeadlandPass pass = passOf(std::move(smooth.lines), smooth.closed, ring, room);
+            if (!pass.stretches.empty()) {
+                passes.push_back(std::move(pass));
+            }
+        }
+    };
+    for (const Polygon& polygon : *region) {
+        add(polygon.outer);
+        std::ranges::for_each(polygon.holes, add);
+    }
+    return passes;
+}
+
+Result<std::vector<HeadlandPass>> passesAlongStrips(const HeadlandTask& task, Length inset, int ring,
+                                                    const JobContext& job) {
+    const Length width = task.machine.operatingWidth();
+    const Length half = 0.5 * width;
+    const auto inside = eroded(task.field.workable(), inset, kArcTolerance, job);
+    if (!inside) {
+        return std::unexpected(inside.error());
+    }
+    // What the next pass covers, its corners driven into: a little less is opened than half a width.
+    const auto strips = erodedSharp(*inside, 0.999 * half, job)
+                            .and_then([&](const MultiPolygon& core) { return dilated(core, 1.5 * half, kArcTolerance, job); })
+                            .and_then([&](const MultiPolygon& covered) { return difference(*inside, covered, job); });
+    if (!strips) {
+        return std::unexpected(strips.error());
+    }
+    const Room room{task};
+    const double leadM = -task.machine.spec().implement.offset.si();
+    std::vector<HeadlandPass> passes;
+    for (const Polygon& strip : *strips) {
+        if (area(strip) < squareMetres(kLeastStripShare * width.si() * width.si())) {
+            continue;
+        }
+        const auto parts = straightParts({.outer = strip.outer, .holes = {}}, width.si(), job);
+        if (!parts) {
+            return std::unexpected(parts.error());
+        }
+        for (const Polygon& part : *parts) {
+            Turn line = lineAlong(part);
+            if (area(part).si() < kNarrowestStripM * line.length().si() || line.length() < kShortest * width) {
+                continue;
+            }
+            // Only as far as the machine fits, from the middle outwards.
+            const Pose middle = advanced(line.start, line.pieces.front(), 0.5 * line.length());
+            if (!isInside(middle, room.working, room.edge)) {
+                continue;
+            }
+            const double halfM = 0.5 * line.length().si();
+            const double onM = room.farthest(middle, 1.0, halfM + leadM);
+            const double backM = room.farthest(middle, -1.0, std::max(0.0, halfM - leadM));
+            line.start.position = middle.position - backM * direction(middle.heading.si());
+            line.pieces.front().length = metres(backM + onM);
+            if (line.length() > kShortest * width) {
+                passes.push_back({.ring = ring, .width = width, .closed = false, .stretches = {{.line = line}}});
+            }
+        }
+    }
+    return passes;
+}
+
+}  // namespace furrow
