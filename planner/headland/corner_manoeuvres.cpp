@@ -1,5 +1,6 @@
 #include "planner/headland/corner_manoeuvres.h"
 
+#include "planner/turns/best_feasible.h"
 #include "planner/turns/connection.h"
 #include "planner/turns/dubins.h"
 #include "planner/turns/footprint_check.h"
@@ -55,7 +56,8 @@ struct Manoeuvre {
 };
 
 std::optional<Manoeuvre> manoeuvre(const Turn& line, const RoundedCorner& corner, CornerMethod method,
-                                   const BoundaryDistance& edge, const Machine& machine) {
+                                   const BoundaryDistance& edge, const Rig& rig, const JobContext& job) {
+    const Machine& machine = rig.machine();
     const Pose entry = poseBefore(line, corner.firstPiece);
     const Pose exit = poseBefore(line, corner.lastPiece + 1);
     const Point in = direction(entry.heading.si());
@@ -81,16 +83,19 @@ std::optional<Manoeuvre> manoeuvre(const Turn& line, const RoundedCorner& corner
         return best;
     };
     const double onward = farthest(entry, 1.0, toCorner + beyond + lead);
-    const double back = farthest(exit, -1.0, fromCorner + beyond - lead);
+    // On the next side it needs its run-in before it is lowered.
+    const double runIn = machine.spec().implement.runIn.si();
+    const double back = std::max(0.0, farthest(exit, -1.0, fromCorner + beyond - lead + runIn) - runIn);
     if (onward <= 0.0 && back <= 0.0) {
         return std::nullopt;
     }
     const Pose from{.position = entry.position + onward * in, .heading = entry.heading};
     const Pose to{.position = exit.position - back * out, .heading = exit.heading};
-    // Of a machine that cannot reverse the second are forward turns as well.
-    const Turn turn =
-        connection(from, to, machine, method == CornerMethod::Loop ? kDubinsMethod.run : kReedsSheppMethod.run);
-    if (!staysInside(turn, machine.turningFootprint(), edge, metres(2.0 * kStepM))) {
+    // Of a machine that cannot reverse the last are forward turns as well.
+    const Turn turn = method == CornerMethod::Searched ? feasibleConnection(rig, from, to, {}, job)
+                      : method == CornerMethod::Loop   ? connection(from, to, machine, kDubinsMethod.run)
+                                                       : connection(from, to, machine, kReedsSheppMethod.run);
+    if (!rig.driven(Rig::inLine(from), turn, metres(2.0 * kStepM))) {
         return std::nullopt;
     }
     return Manoeuvre{metres(onward), turn, metres(back)};
@@ -123,6 +128,7 @@ std::vector<RoundedCorner> roundedCorners(const Turn& line, Length radius) {
             }
         }
         corner.turn = radians(turnRad);
+        corner.place = 0.5 * (poseBefore(line, corner.firstPiece).position + poseBefore(line, corner.lastPiece + 1).position);
         corner.radius = metres(arcM / std::max(1e-9, std::abs(turnRad)));
         if (std::abs(turnRad) >= kSmallestCornerRad && std::abs(turnRad) <= kLargestCornerRad) {
             corners.push_back(corner);
@@ -138,7 +144,8 @@ Area uncutCorner(const RoundedCorner& corner, Length width) {
 }
 
 std::vector<PassStretch> withCorners(const Turn& closed, CornerMethod method, const MultiPolygon& drivable,
-                                     const Machine& machine, std::vector<RoundedCorner>& left) {
+                                     const Machine& machine, const std::function<bool(const RoundedCorner&)>& wanted,
+                                     std::vector<RoundedCorner>& left, const JobContext& job) {
     const Turn line = fromAStraight(closed);
     std::vector<RoundedCorner> corners = roundedCorners(line, machine.minTurningRadius());
     std::vector<PassStretch> stretches{{.line = {.type = {}, .start = line.start, .pieces = {}}}};
@@ -148,10 +155,11 @@ std::vector<PassStretch> withCorners(const Turn& closed, CornerMethod method, co
         return stretches;
     }
     const BoundaryDistance edge{drivable, machine.operatingWidth() + machine.spec().tractor.length};
+    const Rig rig{drivable, machine};
     std::size_t next = 0;
     const auto work = [&](const TurnPiece& piece) { stretches.back().line.pieces.push_back(piece); };
     for (const RoundedCorner& corner : corners) {
-        const auto found = corner.firstPiece > 0 ? manoeuvre(line, corner, method, edge, machine) : std::nullopt;
+        const auto found = corner.firstPiece > 0 && wanted(corner) ? manoeuvre(line, corner, method, edge, rig, job) : std::nullopt;
         if (!found) {
             left.push_back(corner);
             continue;

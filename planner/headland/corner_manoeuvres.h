@@ -2,6 +2,9 @@
 
 #include "planner/headland/headland.h"
 
+#include <functional>
+#include <vector>
+
 namespace furrow {
 
 /// A place where a rounded pass leaves a corner uncut.
@@ -9,6 +12,7 @@ struct RoundedCorner {
     std::size_t firstPiece = 0;  ///< of the line: the arcs that round it
     std::size_t lastPiece = 0;
     Angle turn;                  ///< positive to the left
+    Point place;                 ///< between where the rounding begins and ends
     Length radius;               ///< on average
 };
 
@@ -19,12 +23,15 @@ std::vector<RoundedCorner> roundedCorners(const Turn& line, Length radius);
 /// (1 - pi/4) (R + w/2)².
 Area uncutCorner(const RoundedCorner& corner, Length width);
 
-enum class CornerMethod { Rounded, Loop, Reverse };
+enum class CornerMethod { Rounded, Loop, Reverse, Searched };
 
 /// A closed pass whose corners are driven into where there is room: straight on as far as the footprint stays
-/// inside, then with the implement up round a loop (forwards) or with a change of gear to as far back as it fits
-/// on the next side. Corners without room stay rounded. @param left  which did
+/// inside, then with the implement up round a loop (forwards), with a change of gear or by whatever way is found
+/// to as far back as it fits on the next side. Corners without room stay rounded.
+/// @param wanted  whether a corner is to be driven into at all
+/// @param left    which stayed rounded
 std::vector<PassStretch> withCorners(const Turn& closed, CornerMethod method, const MultiPolygon& drivable,
-                                     const Machine& machine, std::vector<RoundedCorner>& left);
+                                     const Machine& machine, const std::function<bool(const RoundedCorner&)>& wanted,
+                                     std::vector<RoundedCorner>& left, const JobContext& job);
 
 }  // namespace furrow

@@ -4,8 +4,10 @@
 #include "planner/headland/inner_passes.h"
 #include "planner/headland/pass_tracks.h"
 #include "planner/headland/smooth_ring.h"
+#include "planner/turns/turn_method.h"
 
 #include <algorithm>
+#include <cmath>
 #include <iterator>
 #include <utility>
 #include <vector>
@@ -16,6 +18,12 @@ namespace {
 
 // A strip narrower than this between the innermost pass and the mainland is rounding.
 constexpr Length kLeastStrip = metres(0.01);
+
+// A rounded outermost pass may leave so much of the field at its corners; where it would leave more, a machine that
+// can reverse drives into them.
+constexpr double kMostUncutShare = 0.004;
+// Beside an edge a machine gets free only if it has a finger's breadth to begin with.
+constexpr Length kBesideEdge = metres(0.02);
 
 constexpr Choice kOrders[] = {
     {"outside-in", "From outside in", "The pass along the boundary first."},
@@ -31,7 +39,7 @@ constexpr Choice kDirections[] = {
 };
 constexpr Choice kCornerKinds[] = {
     {"rounded", "Rounded",
-     "The outermost pass goes round with the machine's radius; inner ones reach into their corners."},
+     "The outermost pass goes round with the machine's radius where little is left; others reach into corners."},
     {"loop", "Loop", "Straight into the corner and on after a loop, where there is room for it."},
     {"reverse", "Reverse", "Straight into the corner and back into it on the next side."},
 };
@@ -56,6 +64,107 @@ std::vector<Length> insets(const Headland& headland, const Machine& machine, Len
     return all;
 }
 
+/// One ring all around, its corners rounded or driven into on the way.
+struct ClosedRing {
+    std::vector<HeadlandPass> passes;
+    std::vector<RoundedCorner> rounded;  ///< corners that stayed so
+    Length movedIn;
+    bool complete = true;  ///< every line of it could be rounded
+};
+
+/// How a ring gets round its corners.
+struct CornerRules {
+    CornerMethod method = CornerMethod::Rounded;
+    std::vector<Point> driven;  ///< with CornerMethod::Searched: these corners and no others
+};
+
+/// From the middle of a corner to the ends of what belongs to it.
+double cornerReachM(const Machine& machine) {
+    return machine.minTurningRadius().si() + 0.5 * machine.workingFootprintWidth().si();
+}
+
+bool isAt(const RoundedCorner& corner, Point place, const Machine& machine) {
+    return distance(corner.place, place) < cornerReachM(machine);
+}
+
+Result<ClosedRing> closedRing(const HeadlandTask& task, Length inset, int ring, const CornerRules& corners,
+                              const JobContext& job) {
+    const Machine& machine = task.machine;
+    const bool clockwise = task.settings.choice(kHeadlandDirection) == "clockwise";
+    const auto tracks = passTracks(task.field.workable(), inset, task.drivable, machine, corners.driven, job);
+    if (!tracks) {
+        return std::unexpected(tracks.error());
+    }
+    const auto wanted = [&](const RoundedCorner& corner) {
+        return corners.method != CornerMethod::Searched ||
+               std::ranges::any_of(corners.driven, [&](Point place) { return isAt(corner, place, machine); });
+    };
+    ClosedRing result{.passes = {}, .rounded = {}, .movedIn = tracks->movedIn, .complete = tracks->givenUp == 0};
+    for (const Turn& line : tracks->lines) {
+        result.passes.push_back({.ring = ring,
+                                 .width = machine.operatingWidth(),
+                                 .closed = true,
+                                 .stretches = withCorners(clockwise ? reversedLine(line) : line, corners.method,
+                                                          task.drivable, machine, wanted, result.rounded, job)});
+    }
+    return result;
+}
+
+/// Corners of the field, not those of obstacles and not those that point into it.
+std::vector<RoundedCorner> outwardCorners(const ClosedRing& ring, bool clockwise) {
+    std::vector<RoundedCorner> outward;
+    std::ranges::copy_if(ring.rounded, std::back_inserter(outward),
+                         [&](const RoundedCorner& corner) { return (corner.turn > radians(0.0)) != clockwise; });
+    return outward;
+}
+
+/// What stays uncut at rounded corners: the rounding of each and, along both its sides, what the swing of tail or
+/// nose keeps the machine away, falling off within the overhang.
+Area leftAt(const std::vector<RoundedCorner>& corners, const Machine& machine) {
+    double overhangM = 0.0;
+    for (const Point& corner : machine.workingFootprint()) {
+        overhangM = std::max(overhangM, std::abs(corner.x));
+    }
+    const double besideM = cornerReachM(machine);
+    const double swingM = std::hypot(besideM, overhangM) - besideM;
+    Area sum;
+    for (const RoundedCorner& corner : corners) {
+        sum += uncutCorner(corner, machine.operatingWidth()) +
+               squareMetres(2.0 * swingM * (overhangM + besideM * std::tan(0.25 * std::abs(corner.turn.si()))));
+    }
+    return sum;
+}
+
+/// The outermost pass, rounded. Where that leaves too much, a machine that can reverse drives into the corners that
+/// it gets out of again.
+Result<ClosedRing> outermostRing(const HeadlandTask& task, Length inset, const JobContext& job) {
+    auto rounded = closedRing(task, inset, 0, {}, job);
+    if (!rounded || !rounded->complete || !canReverse(task.machine)) {
+        return rounded;
+    }
+    const std::vector<RoundedCorner> outward =
+        outwardCorners(*rounded, task.settings.choice(kHeadlandDirection) == "clockwise");
+    if (leftAt(outward, task.machine) <= kMostUncutShare * area(task.field.workable())) {
+        return rounded;
+    }
+    CornerRules corners{.method = CornerMethod::Searched, .driven = {}};
+    std::ranges::transform(outward, std::back_inserter(corners.driven), &RoundedCorner::place);
+    while (!corners.driven.empty()) {
+        auto sharp = closedRing(task, inset + kBesideEdge, 0, corners, job);
+        if (!sharp) {
+            return sharp;
+        }
+        const auto failed = std::erase_if(corners.driven, [&](Point place) {
+            return std::ranges::any_of(sharp->rounded,
+                                       [&](const RoundedCorner& corner) { return isAt(corner, place, task.machine); });
+        });
+        if (failed == 0) {
+            return sharp;
+        }
+    }
+    return rounded;
+}
+
 }  // namespace
 
 Length uncutEdge(const Machine& machine) {
@@ -69,49 +178,44 @@ Result<void> addPasses(Headland& headland, const HeadlandTask& task, const JobCo
         return {};
     }
     const bool clockwise = settings.choice(kHeadlandDirection) == "clockwise";
+    const CornerMethod method = cornerMethod(settings);
     headland.uncutStrip = uncutEdge(machine);
     const std::vector<Length> all = insets(headland, machine, task.margin);
-    const CornerMethod corners = cornerMethod(settings);
+    const auto keep = [&](std::vector<HeadlandPass> passes) {
+        std::ranges::move(passes, std::back_inserter(headland.rings));
+    };
     for (std::size_t i = 0; i < all.size(); ++i) {
         const int ring = static_cast<int>(i);
-        std::vector<HeadlandPass> passes;
         if (ring > 0) {
-            const auto strips = passesAlongStrips(task, all[i] - 0.5 * machine.operatingWidth(), ring, job);
+            auto strips = passesAlongStrips(task, all[i] - 0.5 * machine.operatingWidth(), ring, job);
             if (!strips) {
                 return std::unexpected(strips.error());
             }
-            passes = *strips;
+            keep(std::move(*strips));
         }
-        bool inStretches = ring > 0 && corners == CornerMethod::Rounded;
-        if (!inStretches) {
-            const auto tracks = passTracks(task.field.workable(), all[i], task.drivable, machine, job);
-            if (!tracks) {
-                return std::unexpected(tracks.error());
+        if (ring == 0 || method != CornerMethod::Rounded) {
+            auto closed = ring == 0 && method == CornerMethod::Rounded
+                              ? outermostRing(task, all[i], job)
+                              : closedRing(task, all[i], ring, {.method = method, .driven = {}}, job);
+            if (!closed) {
+                return std::unexpected(closed.error());
             }
-            inStretches = tracks->givenUp > 0;
-            if (ring == 0 && !inStretches) {
-                headland.uncutStrip += tracks->movedIn;
-            }
-            for (const Turn& line : inStretches ? std::vector<Turn>{} : tracks->lines) {
-                std::vector<RoundedCorner> rounded;
-                passes.push_back({.ring = ring,
-                                  .width = machine.operatingWidth(),
-                                  .closed = true,
-                                  .stretches = withCorners(clockwise ? reversedLine(line) : line, corners,
-                                                           task.drivable, machine, rounded)});
-                for (const RoundedCorner& corner : rounded) {
-                    headland.uncutCorners += ring == 0 ? uncutCorner(corner, machine.operatingWidth()) : Area{};
+            if (closed->complete) {
+                if (ring == 0) {
+                    headland.uncutStrip += closed->movedIn;
+                    for (const RoundedCorner& corner : closed->rounded) {
+                        headland.uncutCorners += uncutCorner(corner, machine.operatingWidth());
+                    }
                 }
+                keep(std::move(closed->passes));
+                continue;
             }
         }
-        if (inStretches) {
-            const auto inner = innerPasses(task, all[i], ring, clockwise, job);
-            if (!inner) {
-                return std::unexpected(inner.error());
-            }
-            passes.insert(passes.end(), inner->begin(), inner->end());
+        auto stretches = innerPasses(task, all[i], ring, clockwise, job);
+        if (!stretches) {
+            return std::unexpected(stretches.error());
         }
-        std::ranges::move(passes, std::back_inserter(headland.rings));
+        keep(std::move(*stretches));
     }
     return {};
 }

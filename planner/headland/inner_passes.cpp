@@ -19,7 +19,7 @@ namespace {
 constexpr double kUncutShare = 0.1;
 constexpr Area kMostUncut = squareMetres(10.0);
 // How far the line may move where corners are merged, as a share of the width.
-constexpr double kMergeShare = 0.02;
+constexpr double kMergeShare = 0.05;
 // Into a sharp corner it is driven no farther than so many widths past the point where the sides meet.
 constexpr double kMostWidthsOnward = 2.0;
 constexpr double kLookM = 0.1;
@@ -41,17 +41,22 @@ struct Room {
     Ring working;
     BoundaryDistance edge;
 
-    /// How far on it can be driven, no farther than wanted.
-    double farthest(const Pose& from, double sign, double wantedM) const {
-        double best = 0.0;
-        for (double m = std::min(kLookM, wantedM); m <= wantedM + 1e-9; m += kLookM) {
-            const Pose pose{.position = from.position + sign * m * direction(from.heading.si()), .heading = from.heading};
-            if (!isInside(pose, working, edge)) {
-                break;
-            }
+    bool isFreeAt(const Pose& from, double aheadM) const {
+        return isInside({.position = from.position + aheadM * direction(from.heading.si()), .heading = from.heading},
+                        working, edge);
+    }
+
+    /// How far on it can be driven (back where the sign is -1), no farther than wanted. Negative, down to `least`:
+    /// so far before the place it has to stop.
+    double farthest(const Pose& from, double sign, double wantedM, double leastM = 0.0) const {
+        double best = std::min(0.0, wantedM);
+        while (best > leastM && !isFreeAt(from, sign * best)) {
+            best -= kLookM;
+        }
+        for (double m = best + kLookM; m <= wantedM + 1e-9 && isFreeAt(from, sign * m); m += kLookM) {
             best = m;
         }
-        return best;
+        return std::max(best, leastM);
     }
 };
 
@@ -96,8 +101,17 @@ HeadlandPass passOf(std::vector<Turn> lines, bool closed, int ring, const Room& 
         if (!closed) {
             const double backM = beyondM(lines[(i + lines.size() - 1) % lines.size()], line) - leadM;
             const double onM = beyondM(line, lines[(i + 1) % lines.size()]) + leadM;
-            line = extended(line, backM > 0.0 ? room.farthest(line.start, -1.0, backM) : backM,
-                            onM > 0.0 ? room.farthest(line.end(), 1.0, onM) : onM);
+            // Of the straights at both ends as much may go as the machine is longer than there is room.
+            const auto straightM = [](const TurnPiece& piece) {
+                return piece.curvature == Curvature{} ? piece.length.si() : 0.0;
+            };
+            const double share = line.pieces.size() == 1 ? 0.5 : 1.0;
+            // Beside the edge it comes into its lane backwards and needs its run-in again.
+            const double runInM = room.machine.spec().implement.runIn.si();
+            const double before =
+                room.farthest(line.start, -1.0, backM + runInM, -share * straightM(line.pieces.front())) - runInM;
+            const double past = room.farthest(line.end(), 1.0, onM, -share * straightM(line.pieces.back()));
+            line = extended(std::move(line), before, past);
         }
         if (line.length().si() > kShortest * widthM) {
             pass.stretches.push_back({.line = std::move(line)});
@@ -178,19 +192,18 @@ Turn lineAlong(const Polygon& part) {
 
 }  // namespace
 
-Result<std::vector<HeadlandPass>> innerPasses(const HeadlandTask& task, Length inset, int ring, bool clockwise,
-                                              const JobContext& job) {
-    const auto region = erodedSharp(task.field.workable(), inset, job);
-    if (!region) {
-        return std::unexpected(region.error());
-    }
+std::vector<HeadlandPass> passesOn(const MultiPolygon& region, const HeadlandTask& task, int ring, bool clockwise,
+                                   Length gentle) {
     const Room room{task};
     const Length width = task.machine.operatingWidth();
     const Area mostUncut = std::min(kMostUncut, squareMetres(kUncutShare * width.si() * width.si()));
     std::vector<HeadlandPass> passes;
     const auto add = [&](const Ring& each) {
-        SmoothStretches smooth =
-            smoothStretches(each, task.machine.minTurningRadius(), kMergeShare * width, width, mostUncut);
+        SmoothStretches smooth = smoothStretches(each, {.radius = task.machine.minTurningRadius(),
+                                                        .tolerance = kMergeShare * width,
+                                                        .gentle = gentle,
+                                                        .width = width,
+                                                        .mostUncut = mostUncut});
         if (clockwise) {
             std::ranges::reverse(smooth.lines);
             std::ranges::transform(smooth.lines, smooth.lines.begin(), reversedLine);
@@ -202,11 +215,18 @@ Result<std::vector<HeadlandPass>> innerPasses(const HeadlandTask& task, Length i
             }
         }
     };
-    for (const Polygon& polygon : *region) {
+    for (const Polygon& polygon : region) {
         add(polygon.outer);
         std::ranges::for_each(polygon.holes, add);
     }
     return passes;
+}
+
+Result<std::vector<HeadlandPass>> innerPasses(const HeadlandTask& task, Length inset, int ring, bool clockwise,
+                                              const JobContext& job) {
+    return erodedSharp(task.field.workable(), inset, job).transform([&](const MultiPolygon& region) {
+        return passesOn(region, task, ring, clockwise, {});
+    });
 }
 
 Result<std::vector<HeadlandPass>> passesAlongStrips(const HeadlandTask& task, Length inset, int ring,

@@ -7,6 +7,12 @@
 
 namespace furrow {
 
+/// The passes along the edges of a region, in stretches: cut at corners where rounding would leave something between
+/// two passes, and drawn out into those corners as far as the machine stays inside.
+/// @param gentle  bends begin so far before their corner where there is room
+std::vector<HeadlandPass> passesOn(const MultiPolygon& region, const HeadlandTask& task, int ring, bool clockwise,
+                                   Length gentle);
+
 /// Passes inside of the outermost one. They have its room to turn in: each follows the edge with its corners kept
 /// sharp, in stretches that reach into them, so that nothing is left between one pass and the next.
 ///

@@ -311,7 +311,7 @@ double overhangM(const Ring& footprint) {
 }  // namespace
 
 Result<PassTracks> passTracks(const MultiPolygon& workable, Length inset, const MultiPolygon& drivable,
-                              const Machine& machine, const JobContext& job) {
+                              const Machine& machine, std::span<const Point> driven, const JobContext& job) {
     const Length radius = machine.minTurningRadius();
     const Ring footprint = machine.workingFootprint();
     const double reachM = overhangM(footprint);
@@ -337,7 +337,10 @@ Result<PassTracks> passTracks(const MultiPolygon& workable, Length inset, const 
         tracks = std::move(*lines);
         std::vector<Excess> excesses;
         for (const Turn& line : tracks.lines) {
-            const std::vector<Excess> found = excessesAlong(line, footprint, edge, 0.5 * reachM);
+            std::vector<Excess> found = excessesAlong(line, footprint, edge, 0.5 * reachM);
+            std::erase_if(found, [&](const Excess& excess) {
+                return std::ranges::any_of(driven, [&](Point corner) { return distance(corner, excess.place) < besideM + reachM; });
+            });
             std::ranges::copy(found, std::back_inserter(excesses));
             const bool canBeLeft = std::ranges::any_of(found, [&](const Excess& excess) { return excess.moveM >= swingM; });
             if (round == 0 && touches && !canBeLeft) {

@@ -6,6 +6,7 @@
 #include "planner/machine/machine.h"
 #include "planner/turns/turn.h"
 
+#include <span>
 #include <vector>
 
 namespace furrow {
@@ -21,11 +22,12 @@ struct PassTracks {
 /// @param workable  the field less its obstacles
 /// @param inset     from the edges of `workable` to the line
 /// @param drivable  where the footprint may be
+/// @param driven    corners that are going to be driven into: the line does not move in for their rounding
 /// Rounded with the machine's radius. Where tail or nose would swing out of `drivable` the line moves in
 /// by as much and approaches that exponentially, the curve on which the swinging corner follows a straight
 /// edge. Cancelled. Cost: one GEOS
 /// buffer, a few rounds of looking along the line, and GEOS overlays where corners are too close to each other.
 Result<PassTracks> passTracks(const MultiPolygon& workable, Length inset, const MultiPolygon& drivable,
-                              const Machine& machine, const JobContext& job);
+                              const Machine& machine, std::span<const Point> driven, const JobContext& job);
 
 }  // namespace furrow

@@ -263,18 +263,18 @@ std::optional<Turn> smoothRing(const Ring& given, Length radius, Length toleranc
     return sharp ? std::nullopt : std::optional{lineThrough(corners, roundingsOf(corners), 0, corners.size(), true)};
 }
 
-SmoothStretches smoothStretches(const Ring& given, Length radius, Length tolerance, Length width, Area mostUncut) {
+SmoothStretches smoothStretches(const Ring& given, const StretchRules& rules) {
     const Ring ring = withoutCloseOnes(given);
     if (ring.size() < 3) {
         return {};
     }
     // Between two passes that are rounded alike: 2 (tan(a/2) - a/2) R w, and for small angles a^3 R w / 12.
     double sharpestRad = 0.1;
-    const double share = 0.5 * mostUncut.si() / (radius.si() * width.si());
+    const double share = 0.5 * rules.mostUncut.si() / (rules.radius.si() * rules.width.si());
     while (sharpestRad < 3.0 && std::tan(0.5 * sharpestRad) - 0.5 * sharpestRad < share) {
         sharpestRad += 0.02;
     }
-    CornerChain chain{ring, radius.si(), tolerance.si(), 0.0, sharpestRad};
+    CornerChain chain{ring, rules.radius.si(), rules.tolerance.si(), rules.gentle.si(), sharpestRad};
     chain.makeDrivable();
     const std::vector<Corner> corners = chain.take();
     const std::vector<double> cuts = roundingsOf(corners);

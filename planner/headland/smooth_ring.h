@@ -16,15 +16,25 @@ namespace furrow {
 ///                tail swings out
 std::optional<Turn> smoothRing(const Ring& ring, Length radius, Length tolerance, Length gentle = {});
 
-/// The same in stretches that each can be driven: cut at corners where rounding would leave more than `mostUncut`
-/// between two passes of this width, and where corners are too close to be rounded. One closed stretch where
-/// there is none; otherwise each begins at the corner where the one before ends. No stretch of a ring of less than
-/// 3 points. Cost: O(n).
+/// How a ring is cut into stretches.
+struct StretchRules {
+    Length radius;
+    Length tolerance;  ///< that the line may move by where corners are merged
+    Length gentle;     ///< bends begin so far before their corner where there is room
+    Length width;      ///< of a pass
+    Area mostUncut;    ///< between two such passes that are rounded alike
+};
+
+/// Lines that follow on each other round a ring.
 struct SmoothStretches {
     std::vector<Turn> lines;
-    bool closed = false;
+    bool closed = false;  ///< one line, which ends where it begins
 };
-SmoothStretches smoothStretches(const Ring& ring, Length radius, Length tolerance, Length width, Area mostUncut);
+
+/// A ring in stretches that each can be driven: cut at corners where rounding would leave more than allowed, and
+/// where corners are too close to be rounded. Each begins at the corner where the one before ends. None of a ring
+/// of less than 3 points. Cost: O(n).
+SmoothStretches smoothStretches(const Ring& ring, const StretchRules& rules);
 
 /// The same line driven the other way round.
 Turn reversedLine(const Turn& line);

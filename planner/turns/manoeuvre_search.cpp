@@ -26,6 +26,8 @@ constexpr int kHeadings = 36;
 constexpr double kLongMove = 4.0;
 constexpr Length kCheckStep = metres(0.25);
 constexpr std::size_t kMostMoves = 6000;
+// Moves that are looked at for a quicker way when one was found.
+constexpr std::size_t kMovesAfterFirst = 150;
 // The way to the goal is taken for longer than it is known to be: fewer moves for a slightly longer way.
 constexpr double kGreed = 1.15;
 // Every so many moves the goal is tried from afar; from near each time.
@@ -113,9 +115,32 @@ private:
     std::priority_queue<Entry> open_;
 };
 
+// Beside an edge a machine gets free in steps of this length, each with the sharpest of these shares of its
+// smallest radius' curvature that keeps it inside: its tail or nose follows the edge meanwhile.
+constexpr double kEscapeStepM = 0.2;
+constexpr int kMostEscapeSteps = 90;
+constexpr double kEscapeShares[] = {1.0, 0.5, 0.25, 0.125, 0.06, 0.03, 0.015, 0.008};
+// It is free when it can turn by this on full lock.
+constexpr double kFreeRad = 0.5;
+
+/// A way out from beside an edge, or a way in, driven backwards in time.
+struct Escape {
+    std::vector<TurnPiece> pieces;
+    Pose end;
+};
+
+std::vector<TurnPiece> backInTime(std::vector<TurnPiece> pieces) {
+    std::ranges::reverse(pieces);
+    for (TurnPiece& piece : pieces) {
+        std::swap(piece.curvature, piece.endCurvature);
+        piece.gear = piece.gear == Gear::Forward ? Gear::Reverse : Gear::Forward;
+    }
+    return pieces;
+}
+
 struct Node {
     RigState state;
-    TurnPiece piece;  ///< that led here
+    std::vector<TurnPiece> pieces;  ///< that led here
     std::size_t before = 0;
     double timeS = 0.0;
 };
@@ -134,16 +159,31 @@ public:
           reverseMps_{machine_.spec().tractor.reverseSpeed.si()},
           gearChangeS_{gearChangeDuration(machine_).si()},
           grid_{rig, travel_, to.position, std::clamp(0.4 * radiusM_, 0.6, 4.0)} {
-        nodes_.push_back({.state = Rig::inLine(from), .piece = {}});
+        nodes_.push_back({.state = Rig::inLine(from), .pieces = {}});
+        ends_.push_back({.pieces = {}, .end = to});
     }
 
     std::optional<Turn> run() {
         const double greatest = 40.0 * radiusM_ + 20.0 * distance(nodes_.front().state.tractor.position, to_.position);
         mostWayM_ = std::max(greatest, 2000.0);
         push(0);
+        for (Escape& escape : escapes(from())) {
+            double timeS = 0.0;
+            Node node{.state = Rig::inLine(escape.end), .pieces = std::move(escape.pieces)};
+            for (const TurnPiece& piece : node.pieces) {
+                timeS += secondsOf(piece, nullptr);
+            }
+            node.timeS = timeS;
+            nodes_.push_back(std::move(node));
+            push(nodes_.size() - 1);
+        }
+        for (Escape& escape : escapes(to_)) {
+            ends_.push_back({.pieces = backInTime(std::move(escape.pieces)), .end = escape.end});
+        }
+        std::size_t movesLeft = kMovesAfterFirst;
         for (std::size_t moves = 0; !open_.empty() && moves < kMostMoves; ++moves) {
             const auto [priority, index] = open_.top();
-            if (best_ && priority >= bestS_) {
+            if (best_ && (priority >= bestS_ || --movesLeft == 0)) {
                 break;
             }
             if (moves % 64 == 0 && job_.stopRequested()) {
@@ -172,7 +212,69 @@ private:
         const double turns = node.state.tractor.heading.si() / (2.0 * kPi);
         const auto heading = static_cast<Key>((turns - std::floor(turns)) * kHeadings) % kHeadings;
         return static_cast<Key>(x) << 40U | static_cast<Key>(y) << 16U | heading << 1U |
-               (node.piece.gear == Gear::Reverse ? 1U : 0U);
+               (!node.pieces.empty() && node.pieces.back().gear == Gear::Reverse ? 1U : 0U);
+    }
+
+    const Pose& from() const { return nodes_.front().state.tractor; }
+
+    TurnPiece pieceOf(Gear gear, double curvature, double lengthM) const {
+        return {.length = metres(lengthM),
+                .curvature = Curvature::fromSi(curvature),
+                .endCurvature = Curvature::fromSi(curvature),
+                .gear = gear};
+    }
+
+    bool isFree(const RigState& state, Gear gear, double side) const {
+        return rig_.driven(state, pieceOf(gear, side / radiusM_, kFreeRad * radiusM_), kCheckStep).has_value();
+    }
+
+    /// Out from beside an edge, in both gears and to both sides; none where it can turn at once. Not with a
+    /// trailed implement, which does not go the same way back.
+    std::vector<Escape> escapes(const Pose& pose) const {
+        std::vector<Escape> found;
+        const RigState start = Rig::inLine(pose);
+        if (rig_.hasTrailer() || !reverses_) {
+            return found;
+        }
+        for (const Gear gear : {Gear::Forward, Gear::Reverse}) {
+            for (const double side : {-1.0, 1.0}) {
+                if (isFree(start, gear, side)) {
+                    return {};
+                }
+            }
+        }
+        for (const Gear gear : {Gear::Forward, Gear::Reverse}) {
+            for (const double side : {-1.0, 1.0}) {
+                if (auto escape = escapeTo(start, gear, side)) {
+                    found.push_back(std::move(*escape));
+                }
+            }
+        }
+        return found;
+    }
+
+    std::optional<Escape> escapeTo(RigState state, Gear gear, double side) const {
+        Escape escape;
+        for (int i = 0; i < kMostEscapeSteps; ++i) {
+            if (i > 0 && isFree(state, gear, side)) {
+                escape.end = state.tractor;
+                return escape;
+            }
+            std::optional<RigState> next;
+            for (const double share : kEscapeShares) {
+                const TurnPiece piece = pieceOf(gear, side * share / radiusM_, kEscapeStepM);
+                next = rig_.driven(state, piece, kCheckStep);
+                if (next) {
+                    escape.pieces.push_back(piece);
+                    break;
+                }
+            }
+            if (!next) {
+                return std::nullopt;
+            }
+            state = *next;
+        }
+        return std::nullopt;
     }
 
     double freeWayM(const Pose& pose) const {
@@ -180,8 +282,8 @@ private:
         return (reverses_ ? reedsSheppLength(pose, to_, radius) : dubinsLength(pose, to_, radius)).si();
     }
 
-    double secondsOf(const TurnPiece& piece, const Node& before) const {
-        const bool changes = before.piece.length > metres(0.0) && before.piece.gear != piece.gear;
+    double secondsOf(const TurnPiece& piece, const TurnPiece* before) const {
+        const bool changes = before != nullptr && before->gear != piece.gear;
         const double speed = piece.gear == Gear::Forward ? forwardMps_ : reverseMps_;
         return piece.length.si() / speed + (changes ? gearChangeS_ : 0.0);
     }
@@ -201,11 +303,12 @@ private:
         const Node node = nodes_[index];
         const double travel = travel_ ? travel_(node.state.tractor.position) : 1.0;
         const auto move = [&](Gear gear, double curvature, double lengthM) {
-            const TurnPiece piece{.length = metres(lengthM),
-                                  .curvature = Curvature::fromSi(curvature),
-                                  .endCurvature = Curvature::fromSi(curvature),
-                                  .gear = gear};
-            Node next{.state = {}, .piece = piece, .before = index, .timeS = node.timeS + travel * secondsOf(piece, node)};
+            const TurnPiece piece = pieceOf(gear, curvature, lengthM);
+            const TurnPiece* const last = node.pieces.empty() ? nullptr : &node.pieces.back();
+            Node next{.state = {},
+                      .pieces = {piece},
+                      .before = index,
+                      .timeS = node.timeS + travel * secondsOf(piece, last)};
             const Pose end = advanced(node.state.tractor, piece, piece.length);
             next.state.tractor = end;
             const auto known = reached_.find(keyOf(next));
@@ -217,7 +320,7 @@ private:
                 return;
             }
             next.state = *state;
-            nodes_.push_back(next);
+            nodes_.push_back(std::move(next));
             push(nodes_.size() - 1);
         };
         const double shortM = kMoveRad * radiusM_;
@@ -235,29 +338,38 @@ private:
     /// The rest of the way in one curve.
     void shoot(std::size_t index) {
         const Node& node = nodes_[index];
-        const auto attempt = [&](const Turn& rest) {
+        const auto attempt = [&](Turn rest, const Escape& end) {
+            const std::size_t checked = rest.pieces.size();
+            rest.pieces.insert(rest.pieces.end(), end.pieces.begin(), end.pieces.end());
             double timeS = node.timeS;
-            Node before = node;
+            const TurnPiece* before = node.pieces.empty() ? nullptr : &node.pieces.back();
             for (const TurnPiece& piece : rest.pieces) {
                 timeS += secondsOf(piece, before);
-                before.piece = piece;
+                before = &piece;
             }
-            if (timeS < bestS_ && rig_.driven(node.state, rest, kCheckStep)) {
+            if (timeS >= bestS_) {
+                return;
+            }
+            // The way in along the edge was driven before.
+            const Turn open{.type = rest.type, .start = rest.start, .pieces = {rest.pieces.begin(), rest.pieces.begin() + static_cast<std::ptrdiff_t>(checked)}};
+            if (rig_.driven(node.state, open, kCheckStep)) {
                 bestS_ = timeS;
                 best_ = joined(index, rest);
             }
         };
         const Length radius = metres(radiusM_);
-        attempt(dubinsTurn(node.state.tractor, to_, radius));
-        if (reverses_) {
-            attempt(reedsSheppTurn(node.state.tractor, to_, radius));
+        for (const Escape& end : ends_) {
+            attempt(dubinsTurn(node.state.tractor, end.end, radius), end);
+            if (reverses_) {
+                attempt(reedsSheppTurn(node.state.tractor, end.end, radius), end);
+            }
         }
     }
 
     Turn joined(std::size_t index, const Turn& rest) const {
         Turn turn{.type = kCombinedTurn, .start = nodes_.front().state.tractor, .pieces = {}};
         for (std::size_t i = index; i != 0; i = nodes_[i].before) {
-            turn.pieces.push_back(nodes_[i].piece);
+            turn.pieces.insert(turn.pieces.end(), nodes_[i].pieces.rbegin(), nodes_[i].pieces.rend());
         }
         std::ranges::reverse(turn.pieces);
         turn.pieces.insert(turn.pieces.end(), rest.pieces.begin(), rest.pieces.end());
@@ -286,6 +398,7 @@ private:
     double reverseMps_;
     double gearChangeS_;
     GridDistance grid_;
+    std::vector<Escape> ends_;  ///< the goal itself and the ways in to it
     double mostWayM_ = 0.0;
     std::vector<Node> nodes_;
     std::unordered_map<Key, double> reached_;

@@ -36,6 +36,8 @@ public:
     /// After all of a turn.
     std::optional<RigState> driven(const RigState& from, const Turn& turn, Length step) const;
 
+    bool hasTrailer() const { return trailed_.has_value(); }
+
     /// A place for the tractor's middle where at least its wheels are inside, whichever way it points.
     bool mayStandAt(Point point) const;
 
