@@ -68,6 +68,7 @@ std::vector<Length> insets(const Headland& headland, const Machine& machine, Len
 struct ClosedRing {
     std::vector<HeadlandPass> passes;
     std::vector<RoundedCorner> rounded;  ///< corners that stayed so
+    std::vector<Point> outside;          ///< beside corners that are driven into
     Length movedIn;
     bool complete = true;  ///< every line of it could be rounded
 };
@@ -106,6 +107,11 @@ Result<ClosedRing> closedRing(const HeadlandTask& task, Length inset, int ring, 
                                  .closed = true,
                                  .stretches = withCorners(clockwise ? reversedLine(line) : line, corners.method,
                                                           task.drivable, machine, wanted, result.rounded, job)});
+        for (const PassStretch& stretch : result.passes.back().stretches) {
+            if (corners.method == CornerMethod::Searched && stretch.working) {
+                std::ranges::move(placesOutside(stretch.line, task.drivable, machine), std::back_inserter(result.outside));
+            }
+        }
     }
     return result;
 }
@@ -158,8 +164,17 @@ Result<ClosedRing> outermostRing(const HeadlandTask& task, Length inset, const J
             return std::ranges::any_of(sharp->rounded,
                                        [&](const RoundedCorner& corner) { return isAt(corner, place, task.machine); });
         });
-        if (failed == 0) {
+        if (failed > 0) {
+            continue;
+        }
+        if (sharp->outside.empty()) {
             return sharp;
+        }
+        for (const Point place : sharp->outside) {
+            if (!corners.driven.empty()) {
+                corners.driven.erase(std::ranges::min_element(
+                    corners.driven, {}, [place](Point corner) { return distance(corner, place); }));
+            }
         }
     }
     return rounded;

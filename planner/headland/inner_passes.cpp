@@ -88,18 +88,28 @@ double turnBetween(const Turn& before, const Turn& after) {
     return std::abs(std::atan2(cross(in, out), dot(in, out)));
 }
 
-HeadlandPass passOf(std::vector<Turn> lines, bool closed, int ring, const Room& room) {
+HeadlandPass passOf(std::vector<Turn> lines, bool closed, int ring, bool clockwise, const Room& room) {
     HeadlandPass pass{.ring = ring, .width = room.machine.operatingWidth(), .closed = closed, .stretches = {}};
     const double widthM = pass.width.si();
     // The implement works this far behind the vehicle's reference point.
     const double leadM = -room.machine.spec().implement.offset.si();
+    const double noseM = (room.machine.spec().tractor.length - room.machine.spec().tractor.rearOverhang).si();
+    // Outer rings run counter-clockwise: their corners turn left but for those that point into the field.
+    const auto turnsInward = [clockwise](const std::vector<Turn>& all, std::size_t i) {
+        const Turn& before = all[(i + all.size() - 1) % all.size()];
+        const double turn = cross(direction(before.end().heading.si()), direction(all[i].start.heading.si()));
+        return (turn > 0.0) != clockwise;
+    };
     const auto beyondM = [&](const Turn& before, const Turn& after) {
         return std::min(0.5 * widthM * std::tan(0.5 * turnBetween(before, after)), kMostWidthsOnward * widthM);
     };
     for (std::size_t i = 0; i < lines.size(); ++i) {
         Turn line = lines[i];
         if (!closed) {
-            const double backM = beyondM(lines[(i + lines.size() - 1) % lines.size()], line) - leadM;
+            // The pass outside of this one ends where its nose meets the edge: what its implement leaves there as
+            // well is worked from here.
+            const double fromEdgeM = ring * widthM < noseM + leadM && turnsInward(lines, i) ? ring * widthM : 0.0;
+            const double backM = beyondM(lines[(i + lines.size() - 1) % lines.size()], line) + fromEdgeM - leadM;
             const double onM = beyondM(line, lines[(i + 1) % lines.size()]) + leadM;
             // Of the straights at both ends as much may go as the machine is longer than there is room.
             const auto straightM = [](const TurnPiece& piece) {
@@ -209,7 +219,7 @@ std::vector<HeadlandPass> passesOn(const MultiPolygon& region, const HeadlandTas
             std::ranges::transform(smooth.lines, smooth.lines.begin(), reversedLine);
         }
         if (!smooth.lines.empty()) {
-            HeadlandPass pass = passOf(std::move(smooth.lines), smooth.closed, ring, room);
+            HeadlandPass pass = passOf(std::move(smooth.lines), smooth.closed, ring, clockwise, room);
             if (!pass.stretches.empty()) {
                 passes.push_back(std::move(pass));
             }

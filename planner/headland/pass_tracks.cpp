@@ -343,7 +343,7 @@ Result<PassTracks> passTracks(const MultiPolygon& workable, Length inset, const 
             });
             std::ranges::copy(found, std::back_inserter(excesses));
             const bool canBeLeft = std::ranges::any_of(found, [&](const Excess& excess) { return excess.moveM >= swingM; });
-            if (round == 0 && touches && !canBeLeft) {
+            if (round == 0 && touches && !canBeLeft && driven.empty()) {
                 excesses.push_back({line.start.position, kReserveFactor * swingM + kReserveM});
             }
         }
@@ -358,6 +358,16 @@ Result<PassTracks> passTracks(const MultiPolygon& workable, Length inset, const 
         }
     }
     return tracks;
+}
+
+std::vector<Point> placesOutside(const Turn& line, const MultiPolygon& drivable, const Machine& machine) {
+    const Ring footprint = machine.workingFootprint();
+    const double reachM = overhangM(footprint);
+    std::vector<Point> places;
+    for (const Excess& excess : excessesAlong(line, footprint, BoundaryDistance{drivable, metres(reachM)}, 0.5 * reachM)) {
+        places.push_back(excess.place);
+    }
+    return places;
 }
 
 }  // namespace furrow
