@@ -28,11 +28,17 @@ constexpr Length kCheckStep = metres(0.25);
 constexpr std::size_t kMostMoves = 6000;
 // Moves that are looked at for a quicker way when one was found.
 constexpr std::size_t kMovesAfterFirst = 150;
-// The way to the goal is taken for longer than it is known to be: fewer moves for a slightly longer way.
+// The way to the goal is taken for longer than it is known to be: fewer moves for a slightly longer way. From afar
+// more so: there many ways are as good as each other.
 constexpr double kGreed = 1.15;
+constexpr double kGreedAfar = 2.0;
 // Every so many moves the goal is tried from afar; from near each time.
 constexpr std::size_t kShotEvery = 8;
 constexpr double kNearRadii = 8.0;
+// Far ways are guided by a coarser grid.
+constexpr double kMostCellsAcross = 200.0;
+// Larger regions are not searched.
+constexpr std::size_t kMostCells = 200'000;
 constexpr double kInfinite = std::numeric_limits<double>::infinity();
 
 using Cell = std::uint64_t;
@@ -44,9 +50,11 @@ Cell packed(std::int64_t a, std::int64_t b) {
 /// How far it is to the goal on a grid of places where the tractor may stand, worked out no farther than asked.
 class GridDistance {
 public:
-    GridDistance(const Rig& rig, const TravelCost& travel, Point goal, double cellM)
-        : rig_{rig}, travel_{travel}, origin_{goal}, cellM_{cellM} {
-        open_.push({0.0, 0, 0});
+    /// @param towards  places near here are going to be asked: worked out in this direction first (Silver 2005,
+    ///                 Cooperative Pathfinding: reverse resumable A*)
+    GridDistance(const Rig& rig, const TravelCost& travel, Point goal, Point towards, double cellM)
+        : rig_{rig}, travel_{travel}, origin_{goal}, towards_{towards}, cellM_{cellM} {
+        open_.push({norm(towards - goal), 0, 0});
         reached_[packed(0, 0)] = {.distance = 0.0, .travel = 1.0};
     }
 
@@ -59,7 +67,7 @@ public:
             if (const auto found = reached_.find(cell); found != reached_.end() && found->second.settled) {
                 return found->second.distance;
             }
-            if (open_.empty() || open_.top().distance > most) {
+            if (open_.empty() || open_.top().atLeast > most || settled_ == kMostCells) {
                 return kInfinite;
             }
             settleNearest();
@@ -73,10 +81,10 @@ private:
         bool settled = false;
     };
     struct Entry {
-        double distance;
+        double atLeast;  ///< from the goal by here to `towards_`
         std::int32_t column;
         std::int32_t row;
-        bool operator<(const Entry& other) const { return distance > other.distance; }
+        bool operator<(const Entry& other) const { return atLeast > other.atLeast; }
     };
 
     void settleNearest() {
@@ -87,6 +95,7 @@ private:
             return;
         }
         place.settled = true;
+        ++settled_;
         const double here = place.distance;
         for (std::int32_t dx = -1; dx <= 1; ++dx) {
             for (std::int32_t dy = -1; dy <= 1; ++dy) {
@@ -94,14 +103,14 @@ private:
                 const std::int32_t row = nearest.row + dy;
                 auto [found, isNew] = reached_.try_emplace(packed(column, row));
                 Place& next = found->second;
+                const Point point = origin_ + Point{column * cellM_, row * cellM_};
                 if (isNew) {
-                    const Point point = origin_ + Point{column * cellM_, row * cellM_};
                     next.travel = rig_.mayStandAt(point) ? (travel_ ? travel_(point) : 1.0) : 0.0;
                 }
                 const double distance = here + cellM_ * std::hypot(dx, dy) * next.travel;
                 if (!next.settled && next.travel > 0.0 && distance < next.distance) {
                     next.distance = distance;
-                    open_.push({distance, column, row});
+                    open_.push({distance + norm(towards_ - point), column, row});
                 }
             }
         }
@@ -110,7 +119,9 @@ private:
     const Rig& rig_;
     const TravelCost& travel_;
     Point origin_;
+    Point towards_;
     double cellM_;
+    std::size_t settled_ = 0;
     std::unordered_map<Cell, Place> reached_;
     std::priority_queue<Entry> open_;
 };
@@ -158,14 +169,15 @@ public:
           forwardMps_{machine_.turningSpeed().si()},
           reverseMps_{machine_.spec().tractor.reverseSpeed.si()},
           gearChangeS_{gearChangeDuration(machine_).si()},
-          grid_{rig, travel_, to.position, std::clamp(0.4 * radiusM_, 0.6, 4.0)} {
+          grid_{rig, travel_, to.position, from.position,
+                std::max(std::clamp(0.4 * radiusM_, 0.6, 4.0), distance(from.position, to.position) / kMostCellsAcross)} {
         nodes_.push_back({.state = Rig::inLine(from), .pieces = {}});
         ends_.push_back({.pieces = {}, .end = to});
     }
 
     std::optional<Turn> run() {
-        const double greatest = 40.0 * radiusM_ + 20.0 * distance(nodes_.front().state.tractor.position, to_.position);
-        mostWayM_ = std::max(greatest, 2000.0);
+        mostWayM_ = 200.0 + 60.0 * radiusM_ + 8.0 * distance(from().position, to_.position);
+        greed_ = grid_.from(from().position, mostWayM_) > kNearRadii * radiusM_ ? kGreedAfar : kGreed;
         push(0);
         for (Escape& escape : escapes(from())) {
             double timeS = 0.0;
@@ -296,7 +308,7 @@ private:
         }
         const double leftM = std::max(freeWayM(node.state.tractor), byGrid);
         reached_[keyOf(node)] = node.timeS;
-        open_.push({node.timeS + kGreed * leftM / forwardMps_, index});
+        open_.push({node.timeS + greed_ * leftM / forwardMps_, index});
     }
 
     void expand(std::size_t index) {
@@ -400,6 +412,7 @@ private:
     GridDistance grid_;
     std::vector<Escape> ends_;  ///< the goal itself and the ways in to it
     double mostWayM_ = 0.0;
+    double greed_ = kGreed;
     std::vector<Node> nodes_;
     std::unordered_map<Key, double> reached_;
     std::priority_queue<std::pair<double, std::size_t>, std::vector<std::pair<double, std::size_t>>, std::greater<>> open_;

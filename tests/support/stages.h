@@ -48,7 +48,7 @@ inline Result<Route> routeBy(const Method<RoutePlanner>& method, const SwathSet&
 
 inline Result<Path> pathOf(const SwathSet& swaths, const Route& route, const Machine& machine, TurnPlanner* turn,
                            const JobContext& job = {}) {
-    return buildPath(swathLegs(swaths, route, machine), machine, turn, job);
+    return buildPath(swathLegs(swaths, route, machine), machine, waysBy(turn, machine), job);
 }
 
 }  // namespace furrow::test

@@ -221,7 +221,7 @@ private slots:
             const PreparedArea inside{field};
             for (int pass = 0; pass < 2; ++pass) {
                 const auto tracks = passTracks(
-                    field, 0.5 * driven.workingFootprintWidth() + pass * driven.operatingWidth(), field, driven, {});
+                    field, 0.5 * driven.workingFootprintWidth() + pass * driven.operatingWidth(), field, driven, {}, {});
                 VERIFY_RESULT(tracks);
                 for (const Turn& line : tracks->lines) {
                     const QString said = QStringLiteral("seed %1, field %2, pass %3").arg(kSeed).arg(i).arg(pass);
@@ -257,7 +257,7 @@ private slots:
         std::stop_source stop;
         stop.request_stop();
         const MultiPolygon field{test::rectangle(100.0, 60.0)};
-        const auto tracks = passTracks(field, metres(2.0), field, agbot(), {.stop = stop.get_token()});
+        const auto tracks = passTracks(field, metres(2.0), field, agbot(), {}, {.stop = stop.get_token()});
         QVERIFY(!tracks);
         QCOMPARE(tracks.error().code, ErrorCode::Cancelled);
     }
@@ -435,7 +435,8 @@ private slots:
         for (const CornerMethod method : {CornerMethod::Loop, CornerMethod::Reverse}) {
             for (const Turn& way : {*line, reversedLine(*line)}) {
                 std::vector<RoundedCorner> left;
-                const auto stretches = withCorners(way, method, drivable, agbot(), left);
+                const auto stretches = withCorners(
+                    way, method, drivable, agbot(), [](const RoundedCorner&) { return true; }, left, {});
                 QVERIFY(left.empty());
                 QCOMPARE(std::ranges::count(stretches, false, &PassStretch::working), std::ptrdiff_t{4});
                 for (std::size_t i = 0; i < stretches.size(); ++i) {
