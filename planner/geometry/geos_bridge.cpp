@@ -272,6 +272,38 @@ Result<MultiPolygon> unionOf(const MultiPolygon& polygons, const JobContext& job
         .transform([](const Geometry& result) { return fromGeos(result.get()); });
 }
 
+Result<MultiPolygon> cutAlong(const MultiPolygon& polygons, const std::vector<Polyline>& lines, const JobContext& job) {
+    const Geometry area = toGeos(polygons);
+    const Geometry cuts = toGeos(lines);
+    const auto edges = run(job, [&] { return GEOSBoundary_r(handle(), area.get()); });
+    if (!edges) {
+        return std::unexpected(edges.error());
+    }
+    const auto noded = run(job, [&] { return GEOSUnion_r(handle(), edges->get(), cuts.get()); });
+    if (!noded) {
+        return std::unexpected(noded.error());
+    }
+    const auto faces = run(job, [&] {
+        const GEOSGeometry* const all[] = {noded->get()};
+        return GEOSPolygonize_r(handle(), all, 1);
+    });
+    if (!faces) {
+        return std::unexpected(faces.error());
+    }
+    // Faces of holes and of what the lines enclose outside are no pieces.
+    const GEOSPreparedGeometry* const prepared = GEOSPrepare_r(handle(), area.get());
+    MultiPolygon pieces;
+    for (Polygon& face : fromGeos(faces->get())) {
+        const Geometry one = toGeos(face);
+        const Geometry inner{GEOSPointOnSurface_r(handle(), one.get())};
+        if (inner && GEOSPreparedContains_r(handle(), prepared, inner.get()) == 1) {
+            pieces.push_back(std::move(face));
+        }
+    }
+    GEOSPreparedGeom_destroy_r(handle(), prepared);
+    return pieces;
+}
+
 Result<Length> breadthOf(const MultiPolygon& polygons, const JobContext& job) {
     if (polygons.empty()) {
         return Length{};

@@ -41,6 +41,9 @@ Result<MultiPolygon> intersection(const MultiPolygon& a, const MultiPolygon& b, 
 /// Of polygons that may overlap each other.
 Result<MultiPolygon> unionOf(const MultiPolygon& polygons, const JobContext& job, Length grid = {});
 
+/// The pieces into which lines cut polygons; lines that end inside cut nothing off.
+Result<MultiPolygon> cutAlong(const MultiPolygon& polygons, const std::vector<Polyline>& lines, const JobContext& job);
+
 /// Across the widest circle that fits inside, to a centimetre or a hundredth of it; 0 of nothing.
 Result<Length> breadthOf(const MultiPolygon& polygons, const JobContext& job);
 

@@ -4,6 +4,8 @@
 
 #include <nlohmann/json.hpp>
 
+#include <algorithm>
+
 namespace furrow {
 
 namespace {
@@ -62,6 +64,7 @@ public:
     std::string write() {
         addField();
         addAreas();
+        addCells();
         addHeadlandPasses();
         addSwaths();
         addPath();
@@ -117,6 +120,20 @@ private:
         add("mainland", Json::object(), polygonGeometry(inWgs84(headland.mainland)));
     }
 
+    std::size_t cellOf(std::size_t swath) const {
+        const auto& cells = plan_.cells.cells;
+        return static_cast<std::size_t>(std::ranges::find_if(cells, [swath](const Cell& cell) {
+                                            return std::ranges::binary_search(cell.swaths, swath);
+                                        }) -
+                                        cells.begin());
+    }
+
+    void addCells() {
+        for (std::size_t i = 0; i < plan_.cells.cells.size(); ++i) {
+            add("cell", {{"number", i}}, polygonGeometry(inWgs84(plan_.cells.cells[i].outline)));
+        }
+    }
+
     void addSwaths() {
         for (std::size_t order = 0; order < plan_.route.steps.size(); ++order) {
             const RouteStep& step = plan_.route.steps[order];
@@ -126,7 +143,7 @@ private:
             add("swath",
                 {{"number", swath.number},
                  {"order", order},
-                 {"cell", 0},
+                 {"cell", cellOf(step.swath)},
                  {"width_m", swath.width.si()},
                  {"tramline", false}},
                 lineGeometry(frame_.toGeo(line)));

@@ -8,8 +8,6 @@ namespace furrow {
 extern const Parameter kOperationKind;
 /// What everything keeps from the boundary.
 extern const Parameter kMargin;
-/// Whether the mainland is divided into cells.
-extern const Parameter kDecompositionMethod;
 /// Whether connections are checked against the drivable area.
 extern const Parameter kStayInside;
 

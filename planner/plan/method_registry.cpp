@@ -34,6 +34,12 @@ constexpr std::array kSwathMethods{
     &kEdgeMethod,
     &kOksanenMethod,
 };
+constexpr std::array kDecompositionMethods{
+    &kMergedCellsMethod,
+    &kBoustrophedonCellsMethod,
+    &kTrapezoidalMethod,
+    &kOnePieceMethod,
+};
 constexpr std::array kRouteMethods{
     &kBoustrophedonMethod,
     &kSnakeMethod,
@@ -63,9 +69,6 @@ constexpr std::array kTurnMethods{
 constexpr std::array<const Parameter*, 3> kSwathParameters{&kEnds, &kOverlap, &kLastPass};
 constexpr std::array<const Parameter*, 1> kPathParameters{&kStayInside};
 constexpr std::array<const Parameter*, 2> kGeneralParameters{&kOperationKind, &kMargin};
-
-/// Settings that have one value so far: nothing to choose in a panel, but named in files.
-constexpr std::array<const Parameter*, 1> kSingleValued{&kDecompositionMethod};
 
 template <class Methods>
 std::vector<Choice> choicesFrom(const Methods& methods) {
@@ -113,6 +116,13 @@ struct Registry {
     StageEntry swaths{kSwathMethods,   "swaths",  "Swaths",
                       "swaths.method", "Heading", "How the direction of the swaths is found.",
                       kSwathParameters};
+    StageEntry decomposition{kDecompositionMethods,
+                             "decomposition",
+                             "Cells",
+                             "decomposition.method",
+                             "Cells",
+                             "How the mainland is divided; the swaths of a cell are driven together.",
+                             {}};
     StageEntry route{kRouteMethods,
                      "route",
                      "Route",
@@ -123,7 +133,7 @@ struct Registry {
     StageEntry path{kTurnMethods,   "path", "Turns",
                     "path.method",  "Turn", "How the machine gets from one swath to the next.",
                     kPathParameters};
-    std::vector<StageInfo> stages{headland.info, swaths.info, route.info, path.info};
+    std::vector<StageInfo> stages{headland.info, decomposition.info, swaths.info, route.info, path.info};
     std::vector<const Parameter*> parameters;
 
     Registry() {
@@ -142,7 +152,6 @@ struct Registry {
             }
             add(stage.parameters);
         }
-        add(kSingleValued);
     }
 };
 
@@ -163,10 +172,6 @@ constexpr Choice kOperations[] = {
     {"mowing", "Mowing", "Cutting grass."},       {"harvest", "Harvest", "Bringing the crop in."},
 };
 
-constexpr Choice kDecompositions[] = {
-    {"none", "One piece", "The mainland is worked in one heading."},
-};
-
 }  // namespace
 
 const Parameter kOperationKind{
@@ -176,13 +181,6 @@ const Parameter kOperationKind{
     .kind = ParameterKind::Choice,
     .standard = 0.0,
     .choices = kOperations};
-
-const Parameter kDecompositionMethod{.key = "decomposition.method",
-                                     .name = "Cells",
-                                     .description = "How the mainland is divided; it is worked in one heading.",
-                                     .kind = ParameterKind::Choice,
-                                     .standard = 0.0,
-                                     .choices = kDecompositions};
 
 const Parameter kMargin{
     .key = "field.margin_m",
@@ -242,6 +240,10 @@ HeadlandGenerator* headlandMethod(const Settings& settings) {
 
 SwathGenerator* swathMethod(const Settings& settings) {
     return chosen(kSwathMethods, registry().swaths, settings);
+}
+
+Decomposer* decompositionMethod(const Settings& settings) {
+    return chosen(kDecompositionMethods, registry().decomposition, settings);
 }
 
 RoutePlanner* routeMethod(const Settings& settings) {

@@ -16,7 +16,7 @@ namespace furrow {
 
 /// One stage of the pipeline with its methods; the first method is the default.
 struct StageInfo {
-    std::string_view id;      ///< "headland", "swaths", "route", "path"
+    std::string_view id;      ///< "headland", "decomposition", "swaths", "route", "path"
     std::string_view name;    ///< "Headland"
     const Parameter* method;  ///< the setting that picks the method
     std::vector<MethodInfo> methods;
@@ -41,6 +41,7 @@ Result<void> applySetting(Settings& settings, std::string_view key, std::string_
 /// The methods that a request has chosen. The settings hold only names that exist.
 HeadlandGenerator* headlandMethod(const Settings& settings);
 SwathGenerator* swathMethod(const Settings& settings);
+Decomposer* decompositionMethod(const Settings& settings);
 RoutePlanner* routeMethod(const Settings& settings);
 TurnPlanner* turnMethod(const Settings& settings);
 

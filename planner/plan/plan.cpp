@@ -276,12 +276,21 @@ Result<std::shared_ptr<const Plan>> makePlan(const PlanRequest& request, const J
     }
     plan->swaths = std::move(*swaths);
 
-    auto route = timed(plan->timings.route, [&] {
-        return routeMethod(settings)({.swaths = plan->swaths,
-                                      .machine = machine,
-                                      .turn = turnMethod(settings),
-                                      .settings = settings},
-                                     job.part(0.8, 0.85));
+    auto route = timed(plan->timings.route, [&]() -> Result<Route> {
+        auto cells = decompositionMethod(settings)({.mainland = plan->headland.mainland,
+                                                    .swaths = plan->swaths,
+                                                    .machine = machine,
+                                                    .settings = settings},
+                                                   job.part(0.8, 0.82));
+        if (!cells) {
+            return std::unexpected(cells.error());
+        }
+        plan->cells = std::move(*cells);
+        RouteTask task{.swaths = plan->swaths, .machine = machine, .turn = turnMethod(settings), .settings = settings};
+        for (const Cell& cell : plan->cells.cells) {
+            task.cells.push_back(cell.swaths);
+        }
+        return routeMethod(settings)(task, job.part(0.82, 0.85));
     });
     if (!route) {
         return std::unexpected(route.error());

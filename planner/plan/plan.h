@@ -1,6 +1,7 @@
 #pragma once
 
 #include "planner/audit/audit.h"
+#include "planner/decomposition/decomposition.h"
 #include "planner/field/field.h"
 #include "planner/headland/headland.h"
 #include "planner/machine/machine.h"
@@ -41,6 +42,7 @@ struct Plan {
     Length margin;  ///< as used: the setting, or the boundary's accuracy
     Headland headland;
     SwathSet swaths;
+    Decomposition cells;
     Route route;
     Path path;
     AuditReport audit;

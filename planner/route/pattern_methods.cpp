@@ -1,3 +1,4 @@
+#include "planner/route/cell_sequence.h"
 #include "planner/route/methods.h"
 #include "planner/route/patterns.h"
 
@@ -6,25 +7,25 @@ namespace furrow {
 namespace {
 
 Result<Route> boustrophedon(const RouteTask& task, const JobContext& job) {
-    return bestRoute(toAndFroOrder(trackCount(task.swaths)), task, job);
+    return routeOverCells(toAndFroOrder, task, job);
 }
 
 Result<Route> snake(const RouteTask& task, const JobContext& job) {
-    return bestRoute(snakeOrder(trackCount(task.swaths)), task, job);
+    return routeOverCells(snakeOrder, task, job);
 }
 
 Result<Route> spiral(const RouteTask& task, const JobContext& job) {
     const auto cluster = static_cast<std::size_t>(*task.settings.count(kCluster));
-    return bestRoute(spiralOrder(trackCount(task.swaths), cluster), task, job);
+    return routeOverCells([cluster](std::size_t count) { return spiralOrder(count, cluster); }, task, job);
 }
 
 Result<Route> skip(const RouteTask& task, const JobContext& job) {
     const auto skipped = static_cast<std::size_t>(*task.settings.count(kSkip));
-    return bestRoute(skipOrder(trackCount(task.swaths), skipped), task, job);
+    return routeOverCells([skipped](std::size_t count) { return skipOrder(count, skipped); }, task, job);
 }
 
 Result<Route> racetrack(const RouteTask& task, const JobContext& job) {
-    return bestRoute(racetrackOrder(trackCount(task.swaths)), task, job);
+    return routeOverCells(racetrackOrder, task, job);
 }
 
 constexpr const Parameter* kCornerOnly[] = {&kCorner};

@@ -113,35 +113,48 @@ Duration turningTime(const std::vector<RouteStep>& steps, const RouteTask& task)
     return sum;
 }
 
-Result<Route> bestRoute(const TrackOrder& order, const RouteTask& task, const JobContext& job) {
-    if (job.stopRequested()) {
-        return std::unexpected(cancelled());
+std::vector<std::vector<RouteStep>> variantsOf(const TrackOrder& order, const SwathSet& swaths, const Settings& settings) {
+    std::vector<std::vector<RouteStep>> variants{alongTracks(swaths, order, false)};
+    if (settings.choice(kCorner) != "best") {
+        return variants;
     }
-    Route route{.steps = alongTracks(task.swaths, order, false), .lengthInPlace = {}};
-    if (task.settings.choice(kCorner) == "best") {
-        const std::size_t last = order.empty() ? 0 : order.size() - 1;
-        Duration quickest = turningTime(route.steps, task);
-        for (const bool mirrored : {false, true}) {
-            for (const bool backwards : {false, true}) {
-                TrackOrder variant = order;
-                if (mirrored) {
-                    std::ranges::for_each(variant, [last](std::size_t& track) { track = last - track; });
-                }
-                if (backwards) {
-                    std::ranges::reverse(variant);
-                }
-                for (const bool firstReversed : {false, true}) {
-                    if (job.stopRequested()) {
-                        return std::unexpected(cancelled());
-                    }
-                    auto steps = alongTracks(task.swaths, variant, firstReversed);
-                    if (const Duration time = turningTime(steps, task); time < quickest - kSameTime) {
-                        quickest = time;
-                        route.steps = std::move(steps);
-                    }
+    const std::size_t last = order.empty() ? 0 : order.size() - 1;
+    for (const bool mirrored : {false, true}) {
+        for (const bool backwards : {false, true}) {
+            TrackOrder variant = order;
+            if (mirrored) {
+                std::ranges::for_each(variant, [last](std::size_t& track) { track = last - track; });
+            }
+            if (backwards) {
+                std::ranges::reverse(variant);
+            }
+            for (const bool firstReversed : {false, true}) {
+                if (mirrored || backwards || firstReversed) {
+                    variants.push_back(alongTracks(swaths, variant, firstReversed));
                 }
             }
         }
+    }
+    return variants;
+}
+
+Result<Route> bestRoute(const TrackOrder& order, const RouteTask& task, const JobContext& job) {
+    std::vector<std::vector<RouteStep>> variants = variantsOf(order, task.swaths, task.settings);
+    Route route{.steps = variants.front(), .lengthInPlace = {}};
+    if (variants.size() > 1) {
+        Duration quickest = turningTime(route.steps, task);
+        for (std::vector<RouteStep>& steps : variants) {
+            if (job.stopRequested()) {
+                return std::unexpected(cancelled());
+            }
+            if (const Duration time = turningTime(steps, task); time < quickest - kSameTime) {
+                quickest = time;
+                route.steps = std::move(steps);
+            }
+        }
+    }
+    if (job.stopRequested()) {
+        return std::unexpected(cancelled());
     }
     route.lengthInPlace = lengthInPlace(route.steps, task.swaths);
     return route;

@@ -29,6 +29,10 @@ std::vector<RouteStep> alongTracks(const SwathSet& swaths, const TrackOrder& ord
 /// Time for all turns between the steps.
 Duration turningTime(const std::vector<RouteStep>& steps, const RouteTask& task);
 
+/// The ways to drive tracks in this order: with route.corner `best` from all four start corners and both ways
+/// through the order, eight of them; with `first` the one from the start of the first swath.
+std::vector<std::vector<RouteStep>> variantsOf(const TrackOrder& order, const SwathSet& swaths, const Settings& settings);
+
 /// The route in this order of tracks. With route.corner `best` the quickest of all four start corners and of
 /// both ways through the order; with `first` from the start of the first swath. Cancelled.
 /// Cost: eight times the turns.

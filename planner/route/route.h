@@ -48,6 +48,8 @@ struct RouteTask {
     const Machine& machine;
     TurnPlanner* turn;  ///< how it gets from swath to swath
     const Settings& settings;
+    /// Swaths that are driven together, as indices in the order of the set; none: all of them.
+    std::vector<std::vector<std::size_t>> cells = {};
 };
 
 /// The common signature of all route methods: every swath exactly once. InputRefused: a custom order that

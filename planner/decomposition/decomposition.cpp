@@ -1,0 +1,347 @@
+#include "planner/decomposition/decomposition.h"
+
+#include "planner/geometry/geos_bridge.h"
+
+#include <algorithm>
+#include <cmath>
+#include <iterator>
+#include <limits>
+#include <numeric>
+#include <optional>
+#include <tuple>
+#include <utility>
+
+namespace furrow {
+
+namespace {
+
+// Corners whose heights differ by less lie on one line.
+constexpr double kLevelM = 1e-6;
+// Cuts reach this far across the edges they end on, so that they are cut through.
+constexpr double kAcrossM = 1e-4;
+// Borders shorter than this join nothing.
+constexpr double kLeastBorderM = 0.5;
+
+/// Turned so that the swaths are level.
+class LevelFrame {
+public:
+    explicit LevelFrame(Angle heading) : along_{direction(heading.si())} {}
+
+    Point to(Point point) const { return {dot(along_, point), cross(along_, point)}; }
+    Point from(Point point) const { return point.x * along_ + point.y * Point{-along_.y, along_.x}; }
+
+    MultiPolygon to(const MultiPolygon& polygons) const {
+        MultiPolygon turned = polygons;
+        const auto turn = [this](Ring& ring) { std::ranges::transform(ring, ring.begin(), [this](Point p) { return to(p); }); };
+        for (Polygon& polygon : turned) {
+            turn(polygon.outer);
+            std::ranges::for_each(polygon.holes, turn);
+        }
+        return turned;
+    }
+    MultiPolygon from(MultiPolygon polygons) const {
+        const auto turn = [this](Ring& ring) { std::ranges::transform(ring, ring.begin(), [this](Point p) { return from(p); }); };
+        for (Polygon& polygon : polygons) {
+            turn(polygon.outer);
+            std::ranges::for_each(polygon.holes, turn);
+        }
+        return polygons;
+    }
+
+private:
+    Point along_;
+};
+
+/// A level stretch of a ring, mostly one corner, between the edges that leave it.
+struct Ledge {
+    Point left;
+    Point right;
+    bool isValley = false;   ///< both edges go up from it
+    bool isPeak = false;     ///< both go down
+    bool isInward = false;   ///< it points into the mainland
+};
+
+/// The ledges of one ring, counter-clockwise outside and clockwise round holes.
+std::vector<Ledge> ledgesOf(const Ring& ring) {
+    std::vector<Ledge> ledges;
+    const std::size_t size = ring.size();
+    const auto level = [](Point a, Point b) { return std::abs(a.y - b.y) < kLevelM; };
+    std::size_t first = 0;
+    while (first < size && level(ring[first], ring[(first + size - 1) % size])) {
+        ++first;
+    }
+    for (std::size_t i = first; i < first + size;) {
+        std::size_t last = i;
+        while (last + 1 < first + size && level(ring[last % size], ring[(last + 1) % size])) {
+            ++last;
+        }
+        const Point before = ring[(i + size - 1) % size];
+        const Point begin = ring[i % size];
+        const Point end = ring[last % size];
+        const Point after = ring[(last + 1) % size];
+        const bool fromAbove = before.y > begin.y;
+        const bool toAbove = after.y > end.y;
+        Ledge ledge{.left = begin.x < end.x ? begin : end,
+                    .right = begin.x < end.x ? end : begin,
+                    .isValley = fromAbove && toAbove,
+                    .isPeak = !fromAbove && !toAbove};
+        if (begin == end) {
+            ledge.isInward = cross(begin - before, after - begin) < 0.0;
+        } else {
+            // The mainland lies to the left of the way: above a ledge that is driven to the right.
+            const bool isAbove = end.x > begin.x;
+            ledge.isInward = ledge.isValley ? !isAbove : isAbove;
+        }
+        ledges.push_back(ledge);
+        i = last + 1;
+    }
+    return ledges;
+}
+
+/// From a ledge to the nearest edges to its left and right, on the side where the mainland is open.
+void addCuts(const MultiPolygon& mainland, const Ledge& ledge, double side, std::vector<Polyline>& cuts) {
+    const double y = 0.5 * (ledge.left.y + ledge.right.y);
+    const double probe = y + side * kLevelM;
+    double left = -std::numeric_limits<double>::infinity();
+    double right = std::numeric_limits<double>::infinity();
+    int toTheLeft = 0;
+    const double middle = 0.5 * (ledge.left.x + ledge.right.x);
+    forEachEdge(mainland, [&](Point a, Point b) {
+        if ((a.y > probe) == (b.y > probe)) {
+            return;
+        }
+        const double x = a.x + (probe - a.y) / (b.y - a.y) * (b.x - a.x);
+        if (x < middle) {
+            left = std::max(left, x);
+            ++toTheLeft;
+        } else {
+            right = std::min(right, x);
+        }
+    });
+    // Between a pair of edges, or outside.
+    if (toTheLeft % 2 == 0) {
+        return;
+    }
+    if (std::isfinite(left) && ledge.left.x - left > kLevelM) {
+        cuts.push_back({{left - kAcrossM, ledge.left.y}, ledge.left});
+    }
+    if (std::isfinite(right) && right - ledge.right.x > kLevelM) {
+        cuts.push_back({ledge.right, {right + kAcrossM, ledge.right.y}});
+    }
+}
+
+std::vector<Polyline> cutsOf(const MultiPolygon& mainland, bool atEveryCorner) {
+    std::vector<Polyline> cuts;
+    const auto visit = [&](const Ring& ring) {
+        for (const Ledge& ledge : ledgesOf(ring)) {
+            if (ledge.isInward && (ledge.isValley || ledge.isPeak)) {
+                // Below a valley that points inwards, as the lower end of an obstacle does, and above a peak.
+                addCuts(mainland, ledge, ledge.isValley ? -1.0 : 1.0, cuts);
+            } else if (atEveryCorner) {
+                addCuts(mainland, ledge, 1.0, cuts);
+                addCuts(mainland, ledge, -1.0, cuts);
+            }
+        }
+    };
+    for (const Polygon& polygon : mainland) {
+        visit(polygon.outer);
+        std::ranges::for_each(polygon.holes, visit);
+    }
+    return cuts;
+}
+
+bool isIn(const Polygon& polygon, Point point) {
+    bool inside = false;
+    forEachEdge({polygon}, [&](Point a, Point b) {
+        if ((a.y > point.y) != (b.y > point.y) && point.x < a.x + (point.y - a.y) / (b.y - a.y) * (b.x - a.x)) {
+            inside = !inside;
+        }
+    });
+    return inside;
+}
+
+double distanceTo(const Polygon& polygon, Point point) {
+    double square = std::numeric_limits<double>::infinity();
+    forEachEdge({polygon}, [&](Point a, Point b) {
+        const Point way = b - a;
+        const double share = std::clamp(dot(point - a, way) / std::max(dot(way, way), 1e-12), 0.0, 1.0);
+        const Point off = point - (a + share * way);
+        square = std::min(square, dot(off, off));
+    });
+    return std::sqrt(square);
+}
+
+/// Level cells, lowest first.
+struct LevelCells {
+    MultiPolygon cells;
+    std::vector<Polyline> cuts;
+};
+
+Result<LevelCells> levelCells(const MultiPolygon& mainland, bool atEveryCorner, const JobContext& job) {
+    LevelCells level{.cells = {}, .cuts = cutsOf(mainland, atEveryCorner)};
+    if (level.cuts.empty()) {
+        level.cells = mainland;
+    } else {
+        auto cells = cutAlong(mainland, level.cuts, job);
+        if (!cells) {
+            return std::unexpected(cells.error());
+        }
+        level.cells = std::move(*cells);
+    }
+    std::ranges::sort(level.cells, {}, [](const Polygon& cell) {
+        const Bounds box = bounds({cell});
+        return std::tuple{box.min.y, box.min.x};
+    });
+    return level;
+}
+
+/// Which cells are one: a group for each, named by its lowest member.
+using Groups = std::vector<std::size_t>;
+
+/// How long the border is that the top of one cell shares with the bottom of another, along a cut.
+double borderM(const Polygon& below, const Polygon& above) {
+    double length = 0.0;
+    forEachEdge({below}, [&](Point a, Point b) {
+        // Tops run to the left, bottoms to the right.
+        if (std::abs(a.y - b.y) > kLevelM || b.x >= a.x) {
+            return;
+        }
+        forEachEdge({above}, [&](Point c, Point d) {
+            if (std::abs(c.y - d.y) > kLevelM || d.x <= c.x || std::abs(c.y - a.y) > kLevelM) {
+                return;
+            }
+            length += std::max(0.0, std::min(a.x, d.x) - std::max(b.x, c.x));
+        });
+    });
+    return length;
+}
+
+/// Every cell goes on into at most one above it and out of at most one below: a line along the heading still meets
+/// each group in one piece.
+Groups merged(const MultiPolygon& cells) {
+    struct Border {
+        double lengthM;
+        std::size_t below;
+        std::size_t above;
+    };
+    std::vector<Border> borders;
+    for (std::size_t i = 0; i < cells.size(); ++i) {
+        for (std::size_t k = 0; k < cells.size(); ++k) {
+            if (i != k) {
+                if (const double lengthM = borderM(cells[i], cells[k]); lengthM > kLeastBorderM) {
+                    borders.push_back({lengthM, i, k});
+                }
+            }
+        }
+    }
+    std::ranges::stable_sort(borders, std::greater{}, &Border::lengthM);
+    Groups group(cells.size());
+    std::iota(group.begin(), group.end(), std::size_t{0});
+    std::vector<bool> goesOn(cells.size(), false);
+    std::vector<bool> comesFrom(cells.size(), false);
+    for (const Border& border : borders) {
+        if (goesOn[border.below] || comesFrom[border.above] || group[border.below] == group[border.above]) {
+            continue;
+        }
+        goesOn[border.below] = comesFrom[border.above] = true;
+        const std::size_t kept = std::min(group[border.below], group[border.above]);
+        const std::size_t gone = std::max(group[border.below], group[border.above]);
+        std::ranges::replace(group, gone, kept);
+    }
+    return group;
+}
+
+/// Puts every swath into the cell its middle lies in.
+void dealOut(const SwathSet& swaths, const LevelFrame& frame, const MultiPolygon& cells, const Groups& group,
+             std::vector<Cell>& into, const std::vector<std::size_t>& indexOf) {
+    for (std::size_t s = 0; s < swaths.swaths.size(); ++s) {
+        const Swath& swath = swaths.swaths[s];
+        const Point middle = frame.to(0.5 * (swath.start + swath.end));
+        auto home = std::ranges::find_if(cells, [&](const Polygon& cell) { return isIn(cell, middle); });
+        if (home == cells.end()) {
+            // On an edge, or drawn out beyond it.
+            home = std::ranges::min_element(cells, {}, [&](const Polygon& cell) { return distanceTo(cell, middle); });
+        }
+        into[indexOf[group[static_cast<std::size_t>(home - cells.begin())]]].swaths.push_back(s);
+    }
+}
+
+Result<Decomposition> decomposed(const DecompositionTask& task, bool atEveryCorner, bool merge, const JobContext& job) {
+    const LevelFrame frame{task.swaths.heading};
+    const auto level = levelCells(frame.to(task.mainland), atEveryCorner, job);
+    if (!level) {
+        return std::unexpected(level.error());
+    }
+    const MultiPolygon& cells = level->cells;
+    Groups group(cells.size());
+    std::iota(group.begin(), group.end(), std::size_t{0});
+    if (merge) {
+        group = merged(cells);
+    }
+    Decomposition result;
+    std::vector<std::size_t> indexOf(cells.size());
+    for (std::size_t i = 0; i < cells.size(); ++i) {
+        if (group[i] != i) {
+            continue;
+        }
+        indexOf[i] = result.cells.size();
+        MultiPolygon members;
+        for (std::size_t k = i; k < cells.size(); ++k) {
+            if (group[k] == i) {
+                members.push_back(cells[k]);
+            }
+        }
+        const Bounds box = bounds(members);
+        result.altitude = result.altitude + metres(box.height());
+        auto outline = members.size() == 1 ? Result<MultiPolygon>{members} : unionOf(members, job);
+        if (!outline) {
+            return std::unexpected(outline.error());
+        }
+        result.cells.push_back({.outline = frame.from(std::move(*outline)), .swaths = {}});
+    }
+    dealOut(task.swaths, frame, cells, group, result.cells, indexOf);
+    return result;
+}
+
+Result<Decomposition> onePiece(const DecompositionTask& task, const JobContext& job) {
+    if (job.stopRequested()) {
+        return std::unexpected(cancelled());
+    }
+    Decomposition whole{.cells = {{.outline = task.mainland, .swaths = {}}},
+                        .altitude = metres(bounds(LevelFrame{task.swaths.heading}.to(task.mainland)).height())};
+    whole.cells.front().swaths.resize(task.swaths.swaths.size());
+    std::iota(whole.cells.front().swaths.begin(), whole.cells.front().swaths.end(), std::size_t{0});
+    return whole;
+}
+
+}  // namespace
+
+const Method<Decomposer> kOnePieceMethod{
+    .info = {.id = "none",
+             .name = "One piece",
+             .description = "Swath after swath over all of the mainland, whatever cuts them.",
+             .parameters = {}},
+    .run = onePiece};
+
+const Method<Decomposer> kTrapezoidalMethod{
+    .info = {.id = "trapezoidal",
+             .name = "Trapezoids",
+             .description = "Cut along the swaths at every corner.",
+             .parameters = {}},
+    .run = [](const DecompositionTask& task, const JobContext& job) { return decomposed(task, true, false, job); }};
+
+const Method<Decomposer> kBoustrophedonCellsMethod{
+    .info = {.id = "boustrophedon",
+             .name = "At obstacles",
+             .description = "Cut along the swaths where an obstacle or a bay begins or ends.",
+             .parameters = {}},
+    .run = [](const DecompositionTask& task, const JobContext& job) { return decomposed(task, false, false, job); }};
+
+const Method<Decomposer> kMergedCellsMethod{
+    .info = {.id = "merged",
+             .name = "As few as possible",
+             .description = "Cut where an obstacle or a bay begins or ends, and joined again where one follows on the other.",
+             .parameters = {}},
+    .run = [](const DecompositionTask& task, const JobContext& job) { return decomposed(task, false, true, job); }};
+
+}  // namespace furrow

@@ -1,0 +1,49 @@
+#pragma once
+
+#include "planner/core/result.h"
+#include "planner/jobs/job.h"
+#include "planner/machine/machine.h"
+#include "planner/settings/method.h"
+#include "planner/settings/settings.h"
+#include "planner/swaths/swath.h"
+
+#include <cstddef>
+#include <vector>
+
+namespace furrow {
+
+/// One piece of the mainland; its swaths are driven together.
+struct Cell {
+    MultiPolygon outline;
+    std::vector<std::size_t> swaths;  ///< indices into the swath set, in its order
+};
+
+/// The mainland in cells.
+struct Decomposition {
+    std::vector<Cell> cells;  ///< from right to left of the swath heading; some may have no swath
+    Length altitude;          ///< sum of the cells' extents across the heading
+};
+
+/// What cells are made from; nothing of it is kept.
+struct DecompositionTask {
+    const MultiPolygon& mainland;
+    const SwathSet& swaths;  ///< of all of the mainland, in one heading
+    const Machine& machine;
+    const Settings& settings;
+};
+
+/// The common signature of all decompositions: the cells tile the mainland. Swaths are not cut: each lies in one
+/// cell as it is. Cancelled. Cost: O(n) edges for each of the corners that are cut at, and one GEOS noding.
+using Decomposer = Result<Decomposition>(const DecompositionTask& task, const JobContext& job);
+
+extern const Method<Decomposer> kOnePieceMethod;
+/// Cut along the heading at every corner (Chazelle 1987).
+extern const Method<Decomposer> kTrapezoidalMethod;
+/// Cut only where the number of pieces of a line across the mainland changes (Choset & Pignon 1998,
+/// doi 10.1007/978-1-4471-1273-0_32).
+extern const Method<Decomposer> kBoustrophedonCellsMethod;
+/// The same, then every two cells that lie one above the other are joined where that leaves fewer places to drive
+/// to: each with the neighbour with which it shares the longest border.
+extern const Method<Decomposer> kMergedCellsMethod;
+
+}  // namespace furrow

@@ -1,0 +1,240 @@
+#include "planner/route/cell_sequence.h"
+
+#include "planner/turns/dubins.h"
+
+#include <algorithm>
+#include <iterator>
+#include <limits>
+#include <utility>
+#include <vector>
+
+namespace furrow {
+
+namespace {
+
+constexpr double kInfinite = std::numeric_limits<double>::infinity();
+constexpr std::size_t kMostExact = 8;
+constexpr int kMostRounds = 4;
+
+/// One way to drive one cell.
+struct Variant {
+    std::vector<RouteStep> steps;
+    double timeS = 0.0;
+    Pose begin;
+    Pose end;
+};
+
+using Sequence = std::vector<std::size_t>;  ///< of cells
+
+class CellSequencer {
+public:
+    CellSequencer(const RouteTask& task, std::vector<std::vector<Variant>> cells) : task_{task}, cells_{std::move(cells)} {
+        for (const auto& variants : cells_) {
+            first_.push_back(all_.size());
+            for (const Variant& variant : variants) {
+                all_.push_back(&variant);
+            }
+        }
+        links_.resize(all_.size() * all_.size());
+        const double speed = task.machine.turningSpeed().si();
+        for (std::size_t a = 0; a < all_.size(); ++a) {
+            for (std::size_t b = 0; b < all_.size(); ++b) {
+                links_[a * all_.size() + b] =
+                    dubinsLength(all_[a]->end, all_[b]->begin, task.machine.minTurningRadius()).si() / speed;
+            }
+        }
+    }
+
+    /// @param fromFirst  begin with the first variant of the first cell
+    std::vector<RouteStep> best(bool fromFirst, const JobContext& job) {
+        const Sequence sequence = cells_.size() <= kMostExact ? exact(fromFirst) : improved(nearest(fromFirst), fromFirst, job);
+        std::vector<RouteStep> steps;
+        for (const std::size_t variant : variantsFor(sequence, fromFirst).second) {
+            std::ranges::copy(all_[variant]->steps, std::back_inserter(steps));
+        }
+        return steps;
+    }
+
+private:
+    double link(std::size_t a, std::size_t b) const { return links_[a * all_.size() + b]; }
+    std::size_t endOf(std::size_t cell) const { return first_[cell] + cells_[cell].size(); }
+    bool mayBegin(std::size_t variant, bool fromFirst) const { return !fromFirst || variant == first_[0]; }
+
+    /// The best variant of each cell in this sequence (Viterbi), and the time of all.
+    std::pair<double, std::vector<std::size_t>> variantsFor(const Sequence& sequence, bool fromFirst) const {
+        std::vector<double> time(all_.size(), kInfinite);
+        std::vector<std::size_t> before(all_.size(), 0);
+        for (std::size_t v = first_[sequence.front()]; v < endOf(sequence.front()); ++v) {
+            time[v] = mayBegin(v, fromFirst) ? all_[v]->timeS : kInfinite;
+        }
+        for (std::size_t i = 1; i < sequence.size(); ++i) {
+            for (std::size_t v = first_[sequence[i]]; v < endOf(sequence[i]); ++v) {
+                for (std::size_t u = first_[sequence[i - 1]]; u < endOf(sequence[i - 1]); ++u) {
+                    if (const double total = time[u] + link(u, v) + all_[v]->timeS; total < time[v]) {
+                        time[v] = total;
+                        before[v] = u;
+                    }
+                }
+            }
+        }
+        const std::size_t last = sequence.back();
+        std::size_t best = first_[last];
+        for (std::size_t v = first_[last]; v < endOf(last); ++v) {
+            best = time[v] < time[best] ? v : best;
+        }
+        std::vector<std::size_t> chosen{best};
+        for (std::size_t i = sequence.size(); i-- > 1;) {
+            chosen.push_back(before[chosen.back()]);
+        }
+        std::ranges::reverse(chosen);
+        return {time[best], std::move(chosen)};
+    }
+
+    /// Held & Karp 1962, doi 10.1137/0110015, over cells and variants.
+    Sequence exact(bool fromFirst) const {
+        const std::size_t count = cells_.size();
+        const std::size_t sets = std::size_t{1} << count;
+        std::vector<double> time(sets * all_.size(), kInfinite);
+        std::vector<std::size_t> before(sets * all_.size(), all_.size());
+        const auto cellOf = [this](std::size_t variant) {
+            return static_cast<std::size_t>(std::ranges::upper_bound(first_, variant) - first_.begin()) - 1;
+        };
+        for (std::size_t v = 0; v < all_.size(); ++v) {
+            if (mayBegin(v, fromFirst)) {
+                time[(std::size_t{1} << cellOf(v)) * all_.size() + v] = all_[v]->timeS;
+            }
+        }
+        for (std::size_t set = 1; set < sets; ++set) {
+            for (std::size_t u = 0; u < all_.size(); ++u) {
+                const double here = time[set * all_.size() + u];
+                if (here == kInfinite) {
+                    continue;
+                }
+                for (std::size_t v = 0; v < all_.size(); ++v) {
+                    const std::size_t bit = std::size_t{1} << cellOf(v);
+                    const std::size_t next = (set | bit) * all_.size() + v;
+                    if ((set & bit) == 0 && here + link(u, v) + all_[v]->timeS < time[next]) {
+                        time[next] = here + link(u, v) + all_[v]->timeS;
+                        before[next] = u;
+                    }
+                }
+            }
+        }
+        std::size_t set = sets - 1;
+        std::size_t at = 0;
+        for (std::size_t v = 0; v < all_.size(); ++v) {
+            at = time[set * all_.size() + v] < time[set * all_.size() + at] ? v : at;
+        }
+        Sequence sequence;
+        while (at != all_.size()) {
+            sequence.push_back(cellOf(at));
+            const std::size_t previous = before[set * all_.size() + at];
+            set &= ~(std::size_t{1} << cellOf(at));
+            at = previous;
+        }
+        std::ranges::reverse(sequence);
+        return sequence;
+    }
+
+    Sequence nearest(bool fromFirst) const {
+        Sequence best;
+        double bestTime = kInfinite;
+        for (std::size_t start = 0; start < (fromFirst ? 1 : cells_.size()); ++start) {
+            Sequence sequence{start};
+            std::vector<bool> done(cells_.size(), false);
+            done[start] = true;
+            std::size_t at = first_[start];
+            while (sequence.size() < cells_.size()) {
+                std::size_t next = all_.size();
+                for (std::size_t cell = 0; cell < cells_.size(); ++cell) {
+                    for (std::size_t v = first_[cell]; !done[cell] && v < endOf(cell); ++v) {
+                        next = next == all_.size() || link(at, v) < link(at, next) ? v : next;
+                    }
+                }
+                const auto cell = static_cast<std::size_t>(std::ranges::upper_bound(first_, next) - first_.begin()) - 1;
+                done[cell] = true;
+                sequence.push_back(cell);
+                at = next;
+            }
+            if (const double time = variantsFor(sequence, fromFirst).first; time < bestTime) {
+                bestTime = time;
+                best = std::move(sequence);
+            }
+        }
+        return best;
+    }
+
+    /// 2-opt.
+    Sequence improved(Sequence sequence, bool fromFirst, const JobContext& job) const {
+        double time = variantsFor(sequence, fromFirst).first;
+        for (int round = 0; round < kMostRounds; ++round) {
+            bool better = false;
+            for (std::size_t i = fromFirst ? 1 : 0; i + 1 < sequence.size(); ++i) {
+                for (std::size_t k = i + 1; k < sequence.size() && !job.stopRequested(); ++k) {
+                    Sequence turned = sequence;
+                    std::reverse(turned.begin() + static_cast<std::ptrdiff_t>(i), turned.begin() + static_cast<std::ptrdiff_t>(k) + 1);
+                    if (const double other = variantsFor(turned, fromFirst).first; other < time - 1e-6) {
+                        time = other;
+                        sequence = std::move(turned);
+                        better = true;
+                    }
+                }
+            }
+            if (!better) {
+                break;
+            }
+        }
+        return sequence;
+    }
+
+    const RouteTask& task_;
+    std::vector<std::vector<Variant>> cells_;
+    std::vector<const Variant*> all_;
+    std::vector<std::size_t> first_;  ///< variant of each cell
+    std::vector<double> links_;
+};
+
+std::vector<Variant> variantsIn(const std::vector<std::size_t>& cell, const PatternOrder& order, const RouteTask& task) {
+    SwathSet part;
+    for (const std::size_t swath : cell) {
+        part.swaths.push_back(task.swaths.swaths[swath]);
+    }
+    std::vector<Variant> variants;
+    for (std::vector<RouteStep>& steps : variantsOf(order(trackCount(part)), part, task.settings)) {
+        for (RouteStep& step : steps) {
+            step.swath = cell[step.swath];
+        }
+        Variant variant{.steps = std::move(steps), .timeS = 0.0, .begin = {}, .end = {}};
+        variant.timeS = turningTime(variant.steps, task).si();
+        variant.begin = vehicleAt(startPose(variant.steps.front(), task.swaths), task.machine);
+        variant.end = vehicleAt(endPose(variant.steps.back(), task.swaths), task.machine);
+        variants.push_back(std::move(variant));
+    }
+    return variants;
+}
+
+}  // namespace
+
+Result<Route> routeOverCells(const PatternOrder& order, const RouteTask& task, const JobContext& job) {
+    std::vector<std::vector<Variant>> cells;
+    for (const std::vector<std::size_t>& cell : task.cells) {
+        if (job.stopRequested()) {
+            return std::unexpected(cancelled());
+        }
+        if (!cell.empty()) {
+            cells.push_back(variantsIn(cell, order, task));
+        }
+    }
+    if (cells.size() <= 1) {
+        return bestRoute(order(trackCount(task.swaths)), task, job);
+    }
+    const bool fromFirst = cells.front().size() == 1;
+    Route route{.steps = CellSequencer{task, std::move(cells)}.best(fromFirst, job), .lengthInPlace = {}};
+    if (job.stopRequested()) {
+        return std::unexpected(cancelled());
+    }
+    route.lengthInPlace = lengthInPlace(route.steps, task.swaths);
+    return route;
+}
+
+}  // namespace furrow
