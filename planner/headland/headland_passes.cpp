@@ -208,7 +208,8 @@ Result<void> addPasses(Headland& headland, const HeadlandTask& task, const JobCo
             }
             keep(std::move(*strips));
         }
-        if (ring == 0 || method != CornerMethod::Rounded) {
+        // What cannot reverse would not get out of a corner again.
+        if (ring == 0 || method != CornerMethod::Rounded || !canReverse(machine)) {
             auto closed = ring == 0 && method == CornerMethod::Rounded
                               ? outermostRing(task, all[i], job)
                               : closedRing(task, all[i], ring, {.method = method, .driven = {}}, job);
