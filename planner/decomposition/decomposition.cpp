@@ -19,6 +19,8 @@ namespace {
 constexpr double kLevelM = 1e-6;
 // Cuts reach this far across the edges they end on, so that they are cut through.
 constexpr double kAcrossM = 1e-4;
+// An edge that leaves a corner almost along the heading is this far from it on the next line at most.
+constexpr double kBesideM = 1e-3;
 // Borders shorter than this join nothing.
 constexpr double kLeastBorderM = 0.5;
 
@@ -98,35 +100,30 @@ std::vector<Ledge> ledgesOf(const Ring& ring) {
     return ledges;
 }
 
-/// From a ledge to the nearest edges to its left and right, on the side where the mainland is open.
+/// From a ledge to the nearest edges to its left and right, on the side where the mainland is open: above it, or
+/// below where `side` is -1.
 void addCuts(const MultiPolygon& mainland, const Ledge& ledge, double side, std::vector<Polyline>& cuts) {
-    const double y = 0.5 * (ledge.left.y + ledge.right.y);
-    const double probe = y + side * kLevelM;
-    double left = -std::numeric_limits<double>::infinity();
-    double right = std::numeric_limits<double>::infinity();
-    int toTheLeft = 0;
-    const double middle = 0.5 * (ledge.left.x + ledge.right.x);
+    const double probe = 0.5 * (ledge.left.y + ledge.right.y) + side * kLevelM;
+    std::vector<double> crossings;
     forEachEdge(mainland, [&](Point a, Point b) {
-        if ((a.y > probe) == (b.y > probe)) {
-            return;
-        }
-        const double x = a.x + (probe - a.y) / (b.y - a.y) * (b.x - a.x);
-        if (x < middle) {
-            left = std::max(left, x);
-            ++toTheLeft;
-        } else {
-            right = std::min(right, x);
+        if ((a.y > probe) != (b.y > probe)) {
+            crossings.push_back(a.x + (probe - a.y) / (b.y - a.y) * (b.x - a.x));
         }
     });
-    // Between a pair of edges, or outside.
-    if (toTheLeft % 2 == 0) {
-        return;
-    }
-    if (std::isfinite(left) && ledge.left.x - left > kLevelM) {
-        cuts.push_back({{left - kAcrossM, ledge.left.y}, ledge.left});
-    }
-    if (std::isfinite(right) && right - ledge.right.x > kLevelM) {
-        cuts.push_back({ledge.right, {right + kAcrossM, ledge.right.y}});
+    std::ranges::sort(crossings);
+    for (std::size_t i = 1; i < crossings.size(); i += 2) {
+        const double left = crossings[i - 1];
+        const double right = crossings[i];
+        // The stretch of mainland that the ledge lies in or at the end of.
+        if (left > ledge.left.x + kBesideM || right < ledge.right.x - kBesideM) {
+            continue;
+        }
+        if (ledge.left.x - left > kBesideM) {
+            cuts.push_back({{left - kAcrossM, ledge.left.y}, ledge.left});
+        }
+        if (right - ledge.right.x > kBesideM) {
+            cuts.push_back({ledge.right, {right + kAcrossM, ledge.right.y}});
+        }
     }
 }
 

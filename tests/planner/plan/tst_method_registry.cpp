@@ -168,13 +168,16 @@ private slots:
         QVERIFY(settings == Settings{});
     }
 
-    // The paper's set-up names it, and what is not there yet is told apart from what does not exist.
-    void decompositionHasOneMethod() {
-        Settings settings;
-        VERIFY_RESULT(applySetting(settings, "decomposition.method", "none"));
-        const auto merged = applySetting(settings, "decomposition.method", "merged");
-        QVERIFY(!merged);
-        QVERIFY2(merged.error().line().contains("none"), merged.error().line().c_str());
+    // In the contract's order, the default first.
+    void decompositionsInTheContractsOrder() {
+        const auto stage = std::ranges::find(stages(), "decomposition", &StageInfo::id);
+        QVERIFY(stage != stages().end());
+        QStringList ids;
+        for (const MethodInfo& method : stage->methods) {
+            ids << QString::fromUtf8(method.id);
+        }
+        QCOMPARE(ids.join(QLatin1Char{' '}), QStringLiteral("merged boustrophedon trapezoidal none"));
+        QCOMPARE(Settings{}.choice(*stage->method), std::string{"merged"});
     }
 
     void everyMethodPlansARectangle_data() {
