@@ -179,16 +179,21 @@ void addPasses(const AuditInput& input, const MachineShape& shape, const std::ve
 }
 
 /// What hangs together by less than a hand's width is not one piece: corners that a pass leaves are joined by
-/// strips of millimetres along the whole boundary.
-Result<MultiPolygon> withoutHairs(MultiPolygon pieces, const JobContext& job) {
+/// strips of millimetres along the whole boundary, or as wide as the vehicle keeps the implement away from it.
+Length hairWidth(const AuditInput& input) {
+    return kHairWidth + (input.machine ? 0.5 * (input.machine->workingFootprintWidth() - input.machine->operatingWidth())
+                                       : Length{});
+}
+
+Result<MultiPolygon> withoutHairs(MultiPolygon pieces, Length hair, const JobContext& job) {
     MultiPolygon kept;
     for (Polygon& piece : pieces) {
         if (area(piece) < kWorthSplitting) {
             kept.push_back(std::move(piece));
             continue;
         }
-        auto parts = eroded({piece}, 0.5 * kHairWidth, kArcTolerance, job).and_then([&](const MultiPolygon& cores) {
-            return dilated(cores, 0.5 * kHairWidth, kArcTolerance, job);
+        auto parts = eroded({piece}, 0.5 * hair, kArcTolerance, job).and_then([&](const MultiPolygon& cores) {
+            return dilated(cores, 0.5 * hair, kArcTolerance, job);
         });
         if (!parts) {
             return parts;
@@ -257,7 +262,7 @@ Result<SweptArea> measureSweptArea(const AuditInput& input, const MachineShape& 
         result.coveredOfReachable = std::clamp(regions[kCoveredReachable].area / all, 0.0, 1.0);
     }
     result.droppedArea = regions[kDropped].area;
-    auto pieces = withoutHairs(std::move(regions[kDropped].polygons), job);
+    auto pieces = withoutHairs(std::move(regions[kDropped].polygons), hairWidth(input), job);
     if (!pieces) {
         return std::unexpected(pieces.error());
     }

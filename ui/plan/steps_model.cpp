@@ -53,6 +53,9 @@ QString resultOf(std::string_view stage, const Plan& plan) {
                                  StepsModel::tr("mainland %1").arg(percentText(plan.headland.mainlandRatio))}
                          .join(kSeparator);
     }
+    if (stage == "decomposition") {
+        return StepsModel::tr("%n cell(s)", nullptr, static_cast<int>(plan.cells.cells.size()));
+    }
     if (stage == "swaths") {
         return QStringList{StepsModel::tr("%n swath(s)", nullptr, static_cast<int>(plan.swaths.swaths.size())),
                            lengthText(plan.swaths.totalLength), bearingText(plan.swaths.heading)}
