@@ -24,6 +24,8 @@ std::shared_ptr<const Plan> intactPlan() {
         auto field = Field::create(fieldSourceFromLocal({centredRectangle(160.0, 100.0)}, kCentre)).value();
         Settings mainlandOnly;
         applySetting(mainlandOnly, "headland.driven", "false").value();
+        // Every second segment is a turn: these never change gear.
+        applySetting(mainlandOnly, "path.method", "dubins").value();
         return makePlan({.field = std::make_shared<const Field>(std::move(field)),
                          .machine = findMachine("agbot").value(),
                          .settings = mainlandOnly})
@@ -166,6 +168,8 @@ private slots:
         auto field = Field::create(fieldSourceFromLocal({centredRectangle(120.0, 80.0)}, kCentre)).value();
         VERIFY_RESULT(applySetting(settings, "headland.width_m", "5.5"));
         VERIFY_RESULT(applySetting(settings, "headland.driven", "false"));
+        // Turns that take no notice of the room there is.
+        VERIFY_RESULT(applySetting(settings, "path.method", "dubins"));
         const auto plan = makePlan({.field = std::make_shared<const Field>(std::move(field)),
                                     .machine = findMachine("agbot").value(),
                                     .settings = settings});

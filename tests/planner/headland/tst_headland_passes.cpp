@@ -94,6 +94,29 @@ Polyline pointsOf(const Turn& line) {
     return points;
 }
 
+/// Of all stretches of a pass; where the implement works straight on past a corner, the corner is in them twice.
+std::vector<Polyline> linesOf(const HeadlandPass& pass) {
+    std::vector<Polyline> lines;
+    for (const PassStretch& stretch : pass.stretches) {
+        lines.push_back(pointsOf(stretch.line));
+    }
+    return lines;
+}
+
+double angleBetween(const Pose& a, const Pose& b) {
+    return std::remainder(b.heading.si() - a.heading.si(), 2.0 * kPi);
+}
+
+/// Once round: its bends, and the corners between one stretch and the next.
+double totalTurning(const HeadlandPass& pass) {
+    double turned = 0.0;
+    for (std::size_t i = 0; i < pass.stretches.size(); ++i) {
+        const Turn& line = pass.stretches[i].line;
+        turned += totalTurning(line) + angleBetween(line.end(), pass.stretches[(i + 1) % pass.stretches.size()].line.start);
+    }
+    return turned;
+}
+
 double distanceTo(const Polyline& line, Point point) {
     double nearest = 1e9;
     for (std::size_t i = 1; i < line.size(); ++i) {
@@ -101,6 +124,14 @@ double distanceTo(const Polyline& line, Point point) {
         const double square = dot(way, way);
         const double t = square > 0.0 ? std::clamp(dot(point - line[i - 1], way) / square, 0.0, 1.0) : 0.0;
         nearest = std::min(nearest, distance(point, line[i - 1] + t * way));
+    }
+    return nearest;
+}
+
+double distanceTo(const std::vector<Polyline>& lines, Point point) {
+    double nearest = 1e9;
+    for (const Polyline& line : lines) {
+        nearest = std::min(nearest, distanceTo(line, point));
     }
     return nearest;
 }
@@ -299,7 +330,8 @@ private slots:
         QFETCH(bool, wide);
         QFETCH(double, marginM);
         QFETCH(QList<double>, insetsM);
-        const Field field = fieldFrom({test::centredRectangle(100.0, 60.0)});
+        // Large enough that rounding the outermost pass leaves little of it.
+        const Field field = fieldFrom({test::centredRectangle(200.0, 120.0)});
         const auto headland = headlandOf(field, wide ? wideTractor() : agbot(), {{&kHeadlandPasses, "3"}}, marginM);
         VERIFY_RESULT(headland);
         QCOMPARE(headland->rings.size(), static_cast<std::size_t>(insetsM.size()));
@@ -309,14 +341,19 @@ private slots:
             const HeadlandPass& pass = headland->rings[i];
             QCOMPARE(pass.ring, static_cast<int>(i));
             QCOMPARE(pass.width.si(), 2.5);
-            QCOMPARE(pass.stretches.size(), std::size_t{1});
-            QVERIFY(pass.stretches.front().working);
-            const Polyline points = pointsOf(pass.stretches.front().line);
+            // The outermost is one rounded line; those inside of it, sides that meet at sharp corners.
+            QCOMPARE(pass.closed, i == 0);
+            QCOMPARE(pass.stretches.size(), std::size_t{i == 0 ? 1U : 4U});
+            for (const PassStretch& stretch : pass.stretches) {
+                QVERIFY(stretch.working);
+                QVERIFY(i == 0 || sharpest(stretch.line) == 0.0);
+            }
+            const std::vector<Polyline> points = linesOf(pass);
             for (const Point side : {Point{middle.x, box.min.y}, Point{middle.x, box.max.y}, Point{box.min.x, middle.y},
                                      Point{box.max.x, middle.y}}) {
                 COMPARE_WITHIN(distanceTo(points, side), insetsM[static_cast<qsizetype>(i)], 2e-3);
             }
-            COMPARE_WITHIN(totalTurning(pass.stretches.front().line), 2.0 * kPi, 1e-5);
+            COMPARE_WITHIN(totalTurning(pass), 2.0 * kPi, 1e-5);
         }
         // The mainland begins half an operating width inside the innermost pass.
         COMPARE_WITHIN(headland->width.si(), insetsM.back() + 1.25, 1e-9);
@@ -329,7 +366,7 @@ private slots:
         VERIFY_RESULT(headland);
         QCOMPARE(headland->rings.size(), std::size_t{4});
         const Bounds box = bounds(field.boundary());
-        const Polyline points = pointsOf(headland->rings.back().stretches.front().line);
+        const std::vector<Polyline> points = linesOf(headland->rings.back());
         COMPARE_WITHIN(distanceTo(points, {0.5 * (box.min.x + box.max.x), box.min.y}), 7.75, 2e-3);
     }
 
@@ -345,8 +382,9 @@ private slots:
         QCOMPARE(right->rings.size(), std::size_t{4});
         int outer = 0;
         for (std::size_t i = 0; i < 4; ++i) {
-            const Turn& there = left->rings[i].stretches.front().line;
-            const Turn& back = right->rings[i].stretches.front().line;
+            const HeadlandPass& there = left->rings[i];
+            const HeadlandPass& back = right->rings[i];
+            QCOMPARE(there.stretches.size(), back.stretches.size());
             COMPARE_WITHIN(totalTurning(there) + totalTurning(back), 0.0, 1e-9);
             COMPARE_WITHIN(there.length().si(), back.length().si(), 1e-6);
             outer += totalTurning(there) > 0.0 ? 1 : 0;
@@ -378,7 +416,8 @@ private slots:
     void intoTheCorners() {
         QFETCH(QString, corner);
         QFETCH(QString, direction);
-        const Field field = fieldFrom({test::centredRectangle(100.0, 60.0)});
+        // Large enough that the rounded pass, which the others are compared with, leaves its corners.
+        const Field field = fieldFrom({test::centredRectangle(200.0, 120.0)});
         const std::string kind = corner.toStdString();
         const std::string way = direction.toStdString();
         const auto rounded = headlandOf(field, agbot(), {{&kHeadlandPasses, "8"}, {&kHeadlandDirection, way}});
@@ -419,12 +458,39 @@ private slots:
         spec.implement.operatingWidth = metres(6.0);
         spec.implement.raisedWidth = metres(2.5);
         const Machine machine = Machine::create(spec).value();
-        const Field field = fieldFrom({test::centredRectangle(100.0, 60.0)});
+        const Field field = fieldFrom({test::centredRectangle(200.0, 120.0)});
         const auto rounded = headlandOf(field, machine, {{&kHeadlandPasses, "2"}});
         const auto reverse = headlandOf(field, machine, {{&kHeadlandPasses, "2"}, {&kHeadlandCorner, "reverse"}});
         VERIFY_RESULT(rounded);
         VERIFY_RESULT(reverse);
         QVERIFY2(reverse->uncutCorners < rounded->uncutCorners, qPrintable(QString::number(reverse->uncutCorners.si())));
+    }
+
+    // Where rounding would leave more than 0.4 % of the field, what can reverse drives into the corners.
+    void intoTheCornersOfASmallField() {
+        const Field field = fieldFrom({test::centredRectangle(40.0, 30.0)});
+        const auto driven = headlandOf(field, agbot(), {{&kHeadlandPasses, "2"}});
+        VERIFY_RESULT(driven);
+        const HeadlandPass& outermost = driven->rings.front();
+        QVERIFY(outermost.closed);
+        QCOMPARE(std::ranges::count(outermost.stretches, false, &PassStretch::working), std::ptrdiff_t{4});
+        COMPARE_WITHIN(driven->uncutCorners.si(), 0.0, 1e-12);
+        for (std::size_t i = 0; i < outermost.stretches.size(); ++i) {
+            const Turn& line = outermost.stretches[i].line;
+            QVERIFY(apart(line.end(), outermost.stretches[(i + 1) % outermost.stretches.size()].line.start) < 1e-5);
+            QVERIFY(sharpest(line) <= (1.0 + 1e-9) / agbot().minTurningRadius().si());
+        }
+        // Two centimetres farther in than a pass that goes round: it has to get free from beside the edge.
+        const Bounds box = bounds(field.boundary());
+        COMPARE_WITHIN(distanceTo(linesOf(outermost), {0.5 * (box.min.x + box.max.x), box.min.y}), 1.27, 2e-3);
+
+        MachineSpec spec = agbot().spec();
+        spec.tractor.canReverse = false;
+        const auto rounded = headlandOf(field, Machine::create(spec).value(), {{&kHeadlandPasses, "2"}});
+        VERIFY_RESULT(rounded);
+        QCOMPARE(rounded->rings.front().stretches.size(), std::size_t{1});
+        const double besideM = agbot().minTurningRadius().si() + 0.5 * agbot().operatingWidth().si();
+        QVERIFY(rounded->uncutCorners.si() >= 4.0 * (1.0 - kPi / 4.0) * besideM * besideM - 1e-6);
     }
 
     // Half-way round a corner is no place to begin: all four are found from there too.
