@@ -140,9 +140,15 @@ private slots:
         write(*planOf("home_field", "agbot"), folder.path());
         const QString csv = folder.filePath("path.csv");
         QList<QByteArray> lines = contents(csv).split('\n');
-        QList<QByteArray> cells = lines[5].split(',');
+        // On the straight of a swath: on a bend the audit allows for steering between two samples.
+        qsizetype moved = 2;
+        while (moved + 1 < lines.size() && !(lines[moved - 1].contains(",swath,") && lines[moved + 1].contains(",swath,"))) {
+            ++moved;
+        }
+        QList<QByteArray> cells = lines[moved].split(',');
+        QVERIFY(cells.size() > 2);
         cells[2] = QByteArray::number(cells[2].toDouble() + 1.0, 'g', 17);
-        lines[5] = cells.join(',');
+        lines[moved] = cells.join(',');
         replace(csv, lines.join('\n'));
         const Answer answer = cli({"audit", folder.path()});
         QCOMPARE(answer.status, 1);

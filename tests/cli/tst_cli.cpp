@@ -99,14 +99,35 @@ private slots:
         QCOMPARE(furrow({"plan", sample("home_field"), "--out", folder.path(), "--quiet"}).status, 0);
         QMap<QString, int> kinds;
         const QJsonObject plan = QJsonDocument::fromJson(read(folder.filePath("plan.geojson"))).object();
+        QList<QJsonObject> path;
         for (const QJsonValue& feature : plan["features"].toArray()) {
-            ++kinds[feature["properties"]["kind"].toString()];
+            const QJsonObject properties = feature["properties"].toObject();
+            ++kinds[properties["kind"].toString()];
+            if (properties["kind"] == "path") {
+                path << properties;
+            }
         }
         QCOMPARE(kinds["field"], 1);
         QCOMPARE(kinds["mainland"], 1);
         QCOMPARE(kinds["headland"], 1);
         QVERIFY(kinds["swath"] > 10);
-        QCOMPARE(kinds["path"], 2 * (kinds["swath"] + kinds["headland_pass"]) - 1);
+        // Worked stretches in turn with the ways between them, which have a line for each gear.
+        int worked = 0;
+        int ways = 0;
+        for (qsizetype i = 0; i < path.size(); ++i) {
+            QCOMPARE(path[i]["order"].toInt(), static_cast<int>(i));
+            if (path[i]["implement_down"].toBool()) {
+                ++worked;
+                QVERIFY(i == 0 || !path[i - 1]["implement_down"].toBool());
+            } else if (i > 0 && path[i - 1]["implement_down"].toBool()) {
+                ++ways;
+            } else {
+                QVERIFY(i > 0 && path[i]["gear"].toInt() == -path[i - 1]["gear"].toInt());
+            }
+        }
+        QCOMPARE(worked, kinds["swath"] + kinds["headland_pass"]);
+        QCOMPARE(ways, worked - 1);
+        QVERIFY(path.last()["implement_down"].toBool());
         const QList<QByteArray> rows = read(folder.filePath("path.csv")).trimmed().split('\n');
         QCOMPARE(rows.front(), QByteArray("s_m,t_s,x_m,y_m,lon_deg,lat_deg,heading_rad,curvature_1pm,speed_mps,gear,"
                                           "implement_down,segment,order,machine,level"));
@@ -151,7 +172,19 @@ private slots:
         QTest::newRow("a plan") << plan(field, {}) << 0 << "Drivable  yes";
         QTest::newRow("turns outside") << plan(field, {"--set", "headland.method=none"}) << 1 << "leaves the field";
         QTest::newRow("no command") << QStringList{} << 2 << "subcommand";
-        QTest::newRow("a command that is not there yet") << QStringList{"batch", "fields.geojson"} << 2 << "furrow-cli";
+        QTest::newRow("a command that is not there") << QStringList{"harvest", "fields.geojson"} << 2 << "furrow-cli";
+        const auto batch = [&](const QString& input, const QString& folder, const QStringList& more) {
+            return QStringList{"batch", input, "--out", folder_.filePath(folder)} + more;
+        };
+        QTest::newRow("a batch") << batch(two, "batch", {}) << 0 << "planned 2 (100.0 %)";
+        QTest::newRow("a batch with totals for programs") << batch(two, "batch", {"--json"}) << 0 << "\"fields\": 2";
+        QTest::newRow("a batch with a field that is refused") << batch(bowTie, "refused", {}) << 1 << "planned 0 (0.0 %)";
+        QTest::newRow("half of a batch") << batch(two, "half", {"--shard", "2/2"}) << 0 << "batch-2-of-2.jsonl";
+        for (const char* shard : {"3/2", "0/2", "2", "1/0", "1/2/3", "a/b", "-1/2"}) {
+            QTest::addRow("no shard: %s", shard) << batch(two, "batch", {"--shard", shard}) << 2 << "--shard";
+        }
+        QTest::newRow("a batch of no file") << batch(folder_.filePath("none.shp"), "batch", {}) << 4 << "none.shp";
+        QTest::newRow("a batch into a file") << QStringList{"batch", two, "--out", file + "/batch"} << 4 << "could not";
         QTest::newRow("an option that is not there") << plan(field, {"--fast"}) << 2 << "--fast";
         QTest::newRow("no such method") << plan(field, {"--set", "swaths.method=contour"}) << 2 << "brute-force";
         QTest::newRow("no such setting") << plan(field, {"--set", "headland.witdh_m=3"}) << 2 << "headland.width_m";

@@ -209,7 +209,7 @@ private slots:
         QFETCH(int, index);
         PlanSession session;
         session.openSample(index);
-        QTRY_COMPARE_WITH_TIMEOUT(session.state(), PlanSession::State::Ready, 20000);
+        QTRY_COMPARE_WITH_TIMEOUT(session.state(), PlanSession::State::Ready, 60000);
         QCOMPARE(session.fieldName(), session.sampleNames().at(index));
         session.findings()->setAll(true);
         QCOMPARE(session.findings()->rowCount(), static_cast<int>(session.plan()->findings.size()));
