@@ -211,7 +211,7 @@ public:
             }
             const std::vector<Scored> now = candidatesAt(places[i]);
             const double moved = i == 0 ? 0.0 : distance(places[i - 1], places[i]);
-            const std::optional<Point> course = courseAt(places, i);
+            const Course course = courseAt(places, i);
             std::vector<double> nowCosts;
             for (const Scored& scored : now) {
                 double best = before.empty() ? 0.0 : kInfinity;
@@ -280,25 +280,49 @@ private:
         return found;
     }
 
-    /// The way driven around a sample; nothing where the machine hardly moved.
-    static std::optional<Point> courseAt(const Ring& places, std::size_t i) {
-        const Point step = places[std::min(i + 1, places.size() - 1)] - places[i == 0 ? 0 : i - 1];
+    /// Unit vectors of the way driven around a sample. Where the machine changes gear there are two, to the sample
+    /// and on from it: what lies between them is nobody's course.
+    struct Course {
+        std::optional<Point> onward;  ///< nothing where the machine hardly moved
+        std::optional<Point> before;
+    };
+
+    static std::optional<Point> unit(Point step, double shortestM) {
         const double length = norm(step);
-        return length >= kShortestCourseM && std::isfinite(length) ? std::optional{(1.0 / length) * step}
-                                                                   : std::nullopt;
+        return length >= shortestM && std::isfinite(length) ? std::optional{(1.0 / length) * step} : std::nullopt;
     }
 
-    double placeCost(const Scored& scored, std::optional<Point> course, const TrackSample& sample) const {
+    static Course courseAt(const Ring& places, std::size_t i) {
+        // Where one segment of a plan ends and the next begins its place is there twice.
+        const std::size_t last = places.size() - 1;
+        Point before = places[i] - places[i - std::min<std::size_t>(i, 1)];
+        if (before == Point{}) {
+            before = places[i] - places[i - std::min<std::size_t>(i, 2)];
+        }
+        Point after = places[std::min(i + 1, last)] - places[i];
+        if (after == Point{}) {
+            after = places[std::min(i + 2, last)] - places[i];
+        }
+        if (dot(before, after) < 0.0 && std::max(norm(before), norm(after)) >= kShortestCourseM) {
+            return {.onward = unit(after, 0.0), .before = unit(before, 0.0)};
+        }
+        return {.onward = unit(before + after, kShortestCourseM), .before = std::nullopt};
+    }
+
+    double placeCost(const Scored& scored, const Course& course, const TrackSample& sample) const {
         const Edge& edge = edges_[scored.edge];
         const double off = scored.foot.offM / (kScaleOfRadius * radiusM_);
         double cost = off * off;
-        if (!course && sample.headingRad) {
+        if (course.onward) {
+            double along = dot(*course.onward, edge.along);
+            if (course.before) {
+                along = std::max(along, dot(*course.before, edge.along));
+            }
+            cost += kDirectionCost * (1.0 - along);
+        } else if (sample.headingRad) {
             // Standing, the nose says where it would drive; backwards in reverse gear.
             const double way = path_.segments[edge.segment].gear == Gear::Reverse ? -1.0 : 1.0;
-            course = way * direction(*sample.headingRad);
-        }
-        if (course) {
-            cost += kDirectionCost * (1.0 - dot(*course, edge.along));
+            cost += kDirectionCost * (1.0 - way * dot(direction(*sample.headingRad), edge.along));
         }
         return cost;
     }

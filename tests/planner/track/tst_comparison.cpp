@@ -214,6 +214,38 @@ private slots:
     }
 
     // Last swath first, each the other way round: everything still finds its place; left becomes right.
+    // Forwards to a corner, back beside its own line and on forwards: the way between the samples before and after a
+    // change of gear is nobody's course.
+    void changesOfGearAreFound() {
+        Path path;
+        double wayM = 0.0;
+        const auto drive = [&](SegmentKind kind, Gear gear, const Polyline& line) {
+            path.segments.push_back({.kind = kind, .gear = gear});
+            for (std::size_t i = 0; i < line.size(); ++i) {
+                wayM += i == 0 ? 0.0 : distance(line[i - 1], line[i]);
+                path.segments.back().samples.push_back(
+                    {.sM = wayM, .tS = wayM, .position = line[i], .headingRad = 0.0, .speedMps = 1.0});
+            }
+        };
+        drive(SegmentKind::Swath, Gear::Forward, {{0, 0}, {18, 0}, {19.7, 0}, {20, 0}});
+        drive(SegmentKind::Turn, Gear::Reverse, {{20, 0}, {19.8, 0.03}, {19.4, 0.1}});
+        drive(SegmentKind::HeadlandPass, Gear::Forward, {{19.4, 0.1}, {21.5, 0.3}, {40, 0.3}});
+        RecordedTrack track{.source = "made", .places = TrackPlaces::Local, .samples = {}};
+        std::vector<double> ways;
+        for (const PathSegment& segment : path.segments) {
+            for (const PathSample& sample : segment.samples) {
+                track.samples.push_back({.local = sample.position});
+                ways.push_back(sample.sM);
+            }
+        }
+        const TrackComparison comparison = compared(path, track);
+        QCOMPARE(comparison.matched, track.samples.size());
+        for (std::size_t i = 0; i < ways.size(); ++i) {
+            COMPARE_WITHIN(comparison.matches[0][i]->sM, ways[i], 1e-6);
+        }
+        COMPARE_WITHIN(comparison.overall.largest.si(), 0.0, 1e-9);
+    }
+
     void anotherOrderAndDirection() {
         RecordedTrack track = driven(meander(), 0.7, 0.10);
         std::ranges::reverse(track.samples);
