@@ -86,7 +86,7 @@ int Path::undrivableCount() const {
     int count = 0;
     bool counted = false;
     for (const PathSegment& segment : segments) {
-        if (segment.kind != SegmentKind::Turn) {
+        if (segment.kind != SegmentKind::Turn && segment.kind != SegmentKind::Transfer) {
             counted = false;
         } else if (!segment.drivable && !counted) {
             ++count;

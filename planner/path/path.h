@@ -65,7 +65,7 @@ struct Path {
     Length reversedLength() const;
     /// Ways from one swath to the next, however many segments each has.
     int turnCount() const;
-    /// Of these ways, those with a segment that cannot be driven.
+    /// Of these ways and of transfers, those with a segment that cannot be driven.
     int undrivableCount() const;
     /// The stretch that is worked before or after a segment that is not; nothing at the path's ends.
     const PathSegment* workBefore(std::size_t segment) const;
