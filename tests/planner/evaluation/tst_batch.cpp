@@ -1,0 +1,285 @@
+// Many fields at once: what is written for each, going on after an end half-way, and sharing the fields.
+
+#include "planner/evaluation/batch.h"
+#include "planner/geodesy/local_frame.h"
+#include "planner/machine/machine_library.h"
+#include "tests/support/field_generator.h"
+#include "tests/support/result_check.h"
+
+#include <QDir>
+#include <QFile>
+#include <QJsonArray>
+#include <QJsonDocument>
+#include <QJsonObject>
+#include <QTemporaryDir>
+#include <QTest>
+
+#include <algorithm>
+#include <cmath>
+#include <set>
+#include <stop_token>
+
+using namespace furrow;
+
+namespace {
+
+QJsonObject feature(const QString& id, const QJsonArray& ring) {
+    return {{"type", "Feature"},
+            {"id", id},
+            {"properties", QJsonObject{}},
+            {"geometry", QJsonObject{{"type", "Polygon"}, {"coordinates", QJsonArray{ring}}}}};
+}
+
+/// So many metres wide and high, around a place.
+QJsonArray rectangleAt(GeoPoint centre, double widthM, double heightM) {
+    const GeoPolygon geo = LocalFrame::centredOn(centre)->toGeo(test::centredRectangle(widthM, heightM));
+    QJsonArray ring;
+    for (const GeoPoint& point : geo.outer) {
+        ring << QJsonArray{point.lonDeg, point.latDeg};
+    }
+    ring << ring.first();
+    return ring;
+}
+
+/// Two fields, one that crosses itself, and one that is narrow.
+QByteArray fourFields() {
+    const QJsonArray bowTie{QJsonArray{5.02, 52.0}, QJsonArray{5.022, 52.001}, QJsonArray{5.022, 52.0},
+                            QJsonArray{5.02, 52.001}, QJsonArray{5.02, 52.0}};
+    const QJsonArray features{feature("large", rectangleAt({5.0, 52.0}, 100.0, 60.0)),
+                              feature("small", rectangleAt({5.01, 52.0}, 80.0, 50.0)), feature("bow-tie", bowTie),
+                              feature("strip", rectangleAt({5.03, 52.0}, 90.0, 8.0))};
+    return QJsonDocument{QJsonObject{{"type", "FeatureCollection"}, {"features", features}}}.toJson();
+}
+
+QByteArray read(const QString& path) {
+    QFile file{path};
+    return file.open(QIODevice::ReadOnly) ? file.readAll() : QByteArray{};
+}
+
+void write(const QString& path, const QByteArray& text) {
+    QFile file{path};
+    QVERIFY(file.open(QIODevice::WriteOnly));
+    file.write(text);
+}
+
+QList<QByteArray> linesOf(const QString& path) {
+    QList<QByteArray> lines = read(path).split('\n');
+    if (!lines.empty() && lines.back().isEmpty()) {
+        lines.removeLast();
+    }
+    std::ranges::sort(lines);
+    return lines;
+}
+
+}  // namespace
+
+class BatchTest : public QObject {
+    Q_OBJECT
+
+    QTemporaryDir folder_;
+    QString fields_;
+
+    BatchTask taskInto(const QString& out) const {
+        return {.files = {fields_.toStdString()},
+                .machine = findMachine("agbot").value(),
+                .settings = {},
+                .out = folder_.filePath(out).toStdString(),
+                .formats = {},
+                .shard = {},
+                .smallest = {},
+                .largest = {}};
+    }
+    QString at(const QString& out, const QString& file = QStringLiteral("batch.jsonl")) const {
+        return folder_.filePath(out + "/" + file);
+    }
+    QMap<int, QJsonObject> records(const QString& out) const {
+        QMap<int, QJsonObject> found;
+        for (const QByteArray& line : linesOf(at(out))) {
+            const QJsonObject object = QJsonDocument::fromJson(line).object();
+            found[object["number"].toInt()] = object;
+        }
+        return found;
+    }
+
+private slots:
+    void initTestCase() {
+        fields_ = folder_.filePath("four.geojson");
+        write(fields_, fourFields());
+        QVERIFY(runBatch(taskInto("whole"), {}).has_value());
+    }
+
+    void aLineForEachField() {
+        QCOMPARE(linesOf(at("whole")).size(), 4);
+        const QMap<int, QJsonObject> all = records("whole");
+        QCOMPARE(all.keys(), (QList<int>{1, 2, 3, 4}));
+        const QStringList ids{"large", "small", "bow-tie", "strip"};
+        const double areas[] = {6000.0, 4000.0, 0.0, 720.0};
+        const double breadths[] = {60.0, 50.0, 0.0, 8.0};
+        for (int i = 0; i < 4; ++i) {
+            const QJsonObject record = all[i + 1];
+            QCOMPARE(record["file"].toString(), QStringLiteral("four.geojson"));
+            QCOMPARE(record["id"].toString(), ids[i]);
+            if (ids[i] == "bow-tie") {
+                QCOMPARE(record["outcome"].toString(), QStringLiteral("refused"));
+                QVERIFY2(record["error"].toString().contains("crosses itself"), qPrintable(record["error"].toString()));
+                QVERIFY(record["folder"].toString().isEmpty() && record["covered"].isNull());
+                continue;
+            }
+            COMPARE_WITHIN(record["area_m2"].toDouble(), areas[i], 0.1);
+            COMPARE_WITHIN(record["breadth_m"].toDouble(), breadths[i], 0.01 * breadths[i] + 0.01);
+            QCOMPARE(record["vertices"].toInt(), 4);
+            QVERIFY(record["covered"].toDouble() > (ids[i] == "strip" ? 0.5 : 0.95) && record["covered"].toDouble() <= 1.0);
+            QVERIFY(record["swaths"].toInt() > 0 && record["time_ms"].toDouble() > 0.0);
+            // The plan's own summary says the same.
+            QCOMPARE(record["folder"].toString(), QStringLiteral("four-0000%1").arg(i + 1));
+            const QJsonObject summary =
+                QJsonDocument::fromJson(read(at("whole", record["folder"].toString() + "/summary.json"))).object();
+            QCOMPARE(record["covered"].toDouble(), summary["audit"]["covered"].toDouble());
+            QCOMPARE(record["swaths"].toInt(), summary["swaths"]["count"].toInt());
+            QCOMPARE(record["undrivable_turns"].toInt(), summary["path"]["undrivable_turns"].toInt());
+            int blocking = 0;
+            for (const QJsonValue& count : record["blocking"].toObject()) {
+                blocking += count.toInt();
+            }
+            QCOMPARE(record["outcome"].toString(), blocking == 0 ? QStringLiteral("drivable") : QStringLiteral("blocked"));
+        }
+        QCOMPARE(all[1]["outcome"].toString(), QStringLiteral("drivable"));
+    }
+
+    // Fields narrower than five widths of 2.5 m are counted apart; what was refused is with the others.
+    void totals() {
+        BatchTask task = taskInto("whole");
+        task.resume = true;
+        const auto report = runBatch(task, {});
+        VERIFY_RESULT(report);
+        QCOMPARE(report->records.size(), std::size_t{4});
+        for (std::size_t i = 0; i < 4; ++i) {
+            QCOMPARE(report->records[i].number, i + 1);
+        }
+        QCOMPARE(report->wide.fields, std::size_t{3});
+        QCOMPARE(report->wide.planned, std::size_t{2});
+        QCOMPARE(report->narrow.fields, std::size_t{1});
+        QCOMPARE(report->narrow.planned, std::size_t{1});
+        QMap<int, QJsonObject> all = records("whole");
+        const auto coveredOf = [&](int number) { return all[number]["covered"].toDouble(); };
+        COMPARE_WITHIN(report->narrow.medianCovered, coveredOf(4), 1e-12);
+        COMPARE_WITHIN(report->wide.tenthCovered, std::min(coveredOf(1), coveredOf(2)), 1e-12);
+        QCOMPARE(report->wide.turns, all[1]["turns"].toInt() + all[2]["turns"].toInt());
+        const QJsonObject json = QJsonDocument::fromJson(QByteArray::fromStdString(batchJson(*report))).object();
+        QCOMPARE(json["wide"]["fields"].toInt(), 3);
+        QCOMPARE(json["narrow"]["fields"].toInt(), 1);
+    }
+
+    void resumePlansWhatIsMissing() {
+        QVERIFY(runBatch(taskInto("resumed"), {}).has_value());
+        QList<QByteArray> lines = linesOf(at("resumed"));
+        const auto second = std::ranges::find_if(lines, [](const QByteArray& line) { return line.contains("\"number\":2,"); });
+        QVERIFY(second != lines.end());
+        lines.erase(second);
+        write(at("resumed"), lines.join('\n') + '\n');
+        for (const char* done : {"four-00001", "four-00002"}) {
+            QVERIFY(QDir{at("resumed", done)}.removeRecursively());
+        }
+        BatchTask task = taskInto("resumed");
+        task.resume = true;
+        const auto report = runBatch(task, {});
+        VERIFY_RESULT(report);
+        QCOMPARE(report->records.size(), std::size_t{4});
+        // The others' lines are as they were, their time of planning too; what was done is not done again.
+        const QList<QByteArray> after = linesOf(at("resumed"));
+        QCOMPARE(after.size(), 4);
+        for (const QByteArray& line : lines) {
+            QVERIFY(after.contains(line));
+        }
+        QVERIFY(QFile::exists(at("resumed", "four-00002/summary.json")));
+        QVERIFY(!QFile::exists(at("resumed", "four-00001")));
+    }
+
+    // Ended in the middle of a line, by a signal or a full disk.
+    void aCutLastLineIsRepaired() {
+        QVERIFY(runBatch(taskInto("cut"), {}).has_value());
+        const QByteArray whole = read(at("cut"));
+        const qsizetype lastLine = whole.lastIndexOf('\n', -2) + 1;
+        const QByteArray last = whole.mid(lastLine);
+        for (const qsizetype kept : {qsizetype{1}, last.size() / 2, last.size() - 2}) {
+            write(at("cut"), whole.left(lastLine + kept));
+            BatchTask task = taskInto("cut");
+            task.resume = true;
+            const auto report = runBatch(task, {});
+            VERIFY_RESULT(report);
+            QCOMPARE(report->records.size(), std::size_t{4});
+            QCOMPARE(linesOf(at("cut")).size(), 4);
+            QCOMPARE(records("cut").keys(), (QList<int>{1, 2, 3, 4}));
+        }
+    }
+
+    void withoutResumeAllIsPlannedAgain() {
+        QVERIFY(runBatch(taskInto("again"), {}).has_value());
+        QVERIFY(QDir{at("again", "four-00001")}.removeRecursively());
+        QVERIFY(runBatch(taskInto("again"), {}).has_value());
+        QVERIFY(QFile::exists(at("again", "four-00001/summary.json")));
+        QCOMPARE(linesOf(at("again")).size(), 4);
+    }
+
+    void shardsHoldEveryFieldOnce() {
+        QList<int> numbers;
+        for (const std::size_t number : {1U, 2U}) {
+            BatchTask task = taskInto("shards");
+            task.shard = {.number = number, .count = 2};
+            const auto report = runBatch(task, {});
+            VERIFY_RESULT(report);
+            const QString path = at("shards", QStringLiteral("batch-%1-of-2.jsonl").arg(number));
+            QCOMPARE(QString::fromStdString(batchRecordPath(task.out, task.shard).string()), path);
+            QCOMPARE(linesOf(path).size(), 2);
+            QCOMPARE(report->records.size(), std::size_t{2});
+            for (const BatchRecord& record : report->records) {
+                numbers << static_cast<int>(record.number);
+            }
+        }
+        std::ranges::sort(numbers);
+        QCOMPARE(numbers, (QList<int>{1, 2, 3, 4}));
+        QVERIFY(!QFile::exists(at("shards")));
+    }
+
+    void sizesLeftOut() {
+        BatchTask task = taskInto("sizes");
+        task.smallest = squareMetres(1000.0);
+        task.largest = squareMetres(5000.0);
+        const auto report = runBatch(task, {});
+        VERIFY_RESULT(report);
+        // The bow-tie encloses nothing, as its halves run round in opposite directions.
+        QCOMPARE(report->records.size(), std::size_t{1});
+        QCOMPARE(report->records.front().id, std::string{"small"});
+    }
+
+    void whatCannotBeRead() {
+        BatchTask task = taskInto("nothing");
+        task.files = {folder_.filePath("none.geojson").toStdString()};
+        const auto missing = runBatch(task, {});
+        QVERIFY(!missing);
+        QCOMPARE(missing.error().code, ErrorCode::ReadFailed);
+        write(folder_.filePath("text.geojson"), "no fields");
+        task.files = {folder_.filePath("text.geojson").toStdString()};
+        const auto damaged = runBatch(task, {});
+        QVERIFY(!damaged);
+        QVERIFY(damaged.error().code == ErrorCode::InputRefused || damaged.error().code == ErrorCode::ReadFailed);
+    }
+
+    void whatCannotBeWritten() {
+        write(folder_.filePath("file"), "no folder");
+        const auto report = runBatch(taskInto("file/out"), {});
+        QVERIFY(!report);
+        QCOMPARE(report.error().code, ErrorCode::WriteFailed);
+    }
+
+    void aStoppedJobIsCancelled() {
+        std::stop_source stop;
+        stop.request_stop();
+        const auto report = runBatch(taskInto("stopped"), {.stop = stop.get_token()});
+        QVERIFY(!report);
+        QCOMPARE(report.error().code, ErrorCode::Cancelled);
+    }
+};
+
+QTEST_GUILESS_MAIN(BatchTest)
+#include "tst_batch.moc"
