@@ -8,6 +8,7 @@
 #include <algorithm>
 #include <cmath>
 #include <iterator>
+#include <optional>
 #include <utility>
 
 namespace furrow {
@@ -29,6 +30,8 @@ constexpr double kShortest = 0.2;
 constexpr double kLeastStripShare = 0.3;
 constexpr double kNarrowestStripM = 0.25;
 constexpr int kMostParts = 64;
+// Sides that are shorter say nothing about where a strip runs.
+constexpr double kShortestSideM = 1e-3;
 
 /// The edges that passes may not cross and what they are driven with.
 struct Room {
@@ -130,17 +133,47 @@ HeadlandPass passOf(std::vector<Turn> lines, bool closed, int ring, bool clockwi
     return pass;
 }
 
-/// The two corners of a ring that are farthest apart.
-std::pair<Point, Point> farthestCorners(const Ring& ring) {
-    std::pair<Point, Point> farthest{ring.front(), ring.front()};
+/// A rectangle around a ring.
+struct Extent {
+    Point origin;
+    Point along;  ///< unit vector
+    double fromM = 0.0;
+    double toM = 0.0;
+    double rightM = 0.0;
+    double leftM = 0.0;
+
+    double lengthM() const { return toM - fromM; }
+    double widthM() const { return leftM - rightM; }
+    Point at(double alongM, double asideM) const { return origin + alongM * along + asideM * Point{-along.y, along.x}; }
+};
+
+Extent extentOf(const Ring& ring, Point along) {
+    Extent extent{.origin = ring.front(), .along = along};
+    for (const Point& point : ring) {
+        const Point way = point - extent.origin;
+        extent.fromM = std::min(extent.fromM, dot(along, way));
+        extent.toM = std::max(extent.toM, dot(along, way));
+        extent.rightM = std::min(extent.rightM, cross(along, way));
+        extent.leftM = std::max(extent.leftM, cross(along, way));
+    }
+    return extent;
+}
+
+/// The narrowest rectangle around a ring: one of its sides lies along one of the ring's.
+Extent narrowestExtent(const Ring& ring) {
+    std::optional<Extent> narrowest;
     for (std::size_t i = 0; i < ring.size(); ++i) {
-        for (std::size_t k = i + 1; k < ring.size(); ++k) {
-            if (distance(ring[i], ring[k]) > distance(farthest.first, farthest.second)) {
-                farthest = {ring[i], ring[k]};
-            }
+        const Point side = ring[(i + 1) % ring.size()] - ring[i];
+        const double lengthM = norm(side);
+        if (lengthM < kShortestSideM) {
+            continue;
+        }
+        const Extent extent = extentOf(ring, (1.0 / lengthM) * side);
+        if (!narrowest || extent.widthM() < narrowest->widthM()) {
+            narrowest = extent;
         }
     }
-    return farthest;
+    return narrowest.value_or(extentOf(ring, {1.0, 0.0}));
 }
 
 /// A strip in pieces that one straight pass each can cover: cut across in the middle where it bends.
@@ -150,26 +183,19 @@ Result<std::vector<Polygon>> straightParts(const Polygon& strip, double widthM, 
     while (!open.empty()) {
         Polygon part = std::move(open.back());
         open.pop_back();
-        const auto [a, b] = farthestCorners(part.outer);
-        const double lengthM = distance(a, b);
-        const Point along = (1.0 / std::max(lengthM, 1e-9)) * (b - a);
-        double leftM = 0.0;
-        double rightM = 0.0;
-        for (const Point& point : part.outer) {
-            leftM = std::max(leftM, cross(along, point - a));
-            rightM = std::min(rightM, cross(along, point - a));
-        }
-        if (leftM - rightM <= 1.05 * widthM || lengthM < 2.0 * widthM ||
+        const Extent extent = narrowestExtent(part.outer);
+        const double lengthM = extent.lengthM();
+        if (extent.widthM() <= 1.05 * widthM || lengthM < 2.0 * widthM ||
             straight.size() + open.size() > static_cast<std::size_t>(kMostParts)) {
             straight.push_back(std::move(part));
             continue;
         }
-        const Point across{-along.y, along.x};
-        const Point middle = 0.5 * (a + b);
+        const double middleM = 0.5 * (extent.fromM + extent.toM);
+        const double reachM = lengthM + extent.widthM();
         for (const double side : {-1.0, 1.0}) {
-            const Point far = middle + side * lengthM * along;
-            Ring half{middle - 2.0 * lengthM * across, far - 2.0 * lengthM * across, far + 2.0 * lengthM * across,
-                      middle + 2.0 * lengthM * across};
+            const double farM = middleM + side * reachM;
+            Ring half{extent.at(middleM, -2.0 * reachM), extent.at(farM, -2.0 * reachM),
+                      extent.at(farM, 2.0 * reachM), extent.at(middleM, 2.0 * reachM)};
             if (side < 0.0) {
                 std::ranges::reverse(half);
             }
@@ -185,19 +211,12 @@ Result<std::vector<Polygon>> straightParts(const Polygon& strip, double widthM, 
 
 /// Along the middle of a straight strip.
 Turn lineAlong(const Polygon& part) {
-    const auto [a, b] = farthestCorners(part.outer);
-    const double lengthM = distance(a, b);
-    const Point along = (1.0 / lengthM) * (b - a);
-    double leftM = 0.0;
-    double rightM = 0.0;
-    for (const Point& point : part.outer) {
-        leftM = std::max(leftM, cross(along, point - a));
-        rightM = std::min(rightM, cross(along, point - a));
-    }
-    const Point start = a + 0.5 * (leftM + rightM) * Point{-along.y, along.x};
+    const Extent extent = narrowestExtent(part.outer);
+    const Point start = extent.at(extent.fromM, 0.5 * (extent.leftM + extent.rightM));
+    const Point along = extent.along;
     return {.type = {},
             .start = {.position = start, .heading = radians(std::atan2(along.y, along.x))},
-            .pieces = {{.length = metres(lengthM), .curvature = {}}}};
+            .pieces = {{.length = metres(extent.lengthM()), .curvature = {}}}};
 }
 
 }  // namespace
