@@ -13,6 +13,9 @@ using namespace furrow;
 class TestAllFields : public QObject {
     Q_OBJECT
 
+public:
+    TestAllFields() { test::allowTimeForEveryField(); }
+
 private slots:
     void everyFieldIsPlannedOrRefusedForAReason();
 };

@@ -3,9 +3,11 @@
 #include "planner/evaluation/paper.h"
 #include "planner/io/boundary_import.h"
 
+#include <QByteArrayView>
+#include <QtEnvironmentVariables>
+
 #include <algorithm>
 #include <cstddef>
-#include <cstdlib>
 #include <iterator>
 #include <string>
 #include <vector>
@@ -24,6 +26,18 @@ inline std::vector<FieldSource> shippedFields() {
     return fields;
 }
 
+inline bool everyFieldIsWanted() {
+    return qEnvironmentVariableIsSet("FURROW_EVERY_FIELD");
+}
+
+/// For the constructor of a test of all fields: they take longer than the five minutes that QtTest gives a
+/// function of its own accord.
+inline void allowTimeForEveryField() {
+    if (everyFieldIsWanted() && !qEnvironmentVariableIsSet("QTEST_FUNCTION_TIMEOUT")) {
+        qputenv("QTEST_FUNCTION_TIMEOUT", "7200000");
+    }
+}
+
 /// Every n-th of the two thousand real fields beside the project, all of them where the environment has
 /// FURROW_EVERY_FIELD; none where they are not there.
 inline std::vector<FieldSource> collectedFields(std::size_t every) {
@@ -32,7 +46,7 @@ inline std::vector<FieldSource> collectedFields(std::size_t every) {
         return {};
     }
     std::vector<FieldSource> all = readBoundaries(file).value();
-    if (std::getenv("FURROW_EVERY_FIELD") != nullptr) {
+    if (everyFieldIsWanted()) {
         return all;
     }
     std::vector<FieldSource> some;

@@ -96,6 +96,9 @@ void compareWithATenth(const MultiPolygon& mainland, const QString& objective, c
 class TestExactSearch : public QObject {
     Q_OBJECT
 
+public:
+    TestExactSearch() { test::allowTimeForEveryField(); }
+
 private slots:
     void neverWorseThanATenthOfADegree_data() { addObjectives(); }
     void neverWorseThanATenthOfADegree() {
