@@ -25,7 +25,8 @@ namespace {
 /// The refusals that are meant to happen to real boundaries; anything else is a bug.
 bool isKnownReason(const Error& error) {
     static const std::string_view known[] = {"crosses itself", "nowhere as wide as the machine",
-                                             "enclose no area", "fewer than 3 different points"};
+                                             "fits nowhere into the field", "enclose no area",
+                                             "fewer than 3 different points"};
     return error.code == ErrorCode::InputRefused && std::ranges::any_of(known, [&](std::string_view text) {
                return error.what.find(text) != std::string::npos;
            });

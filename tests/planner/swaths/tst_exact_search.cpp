@@ -175,16 +175,20 @@ private slots:
         QTest::addColumn<QList<QPointF>>("points");
         QTest::addColumn<int>("corners");
         QTest::addColumn<double>("width");
+        QTest::addColumn<double>("diameterM");
         QTest::newRow("square with points inside and on edges")
-            << QList<QPointF>{{0, 0}, {2, 0}, {4, 0}, {4, 4}, {0, 4}, {1, 1}, {2, 3}} << 4 << 4.0;
+            << QList<QPointF>{{0, 0}, {2, 0}, {4, 0}, {4, 4}, {0, 4}, {1, 1}, {2, 3}} << 4 << 4.0
+            << std::sqrt(32.0);
         // Height on the hypotenuse of 3-4-5: 12/5.
-        QTest::newRow("right triangle") << QList<QPointF>{{0, 0}, {4, 0}, {0, 3}} << 3 << 2.4;
-        QTest::newRow("rectangle aslant") << QList<QPointF>{{0, 0}, {6, 8}, {2, 11}, {-4, 3}} << 4 << 5.0;
+        QTest::newRow("right triangle") << QList<QPointF>{{0, 0}, {4, 0}, {0, 3}} << 3 << 2.4 << 5.0;
+        QTest::newRow("rectangle aslant") << QList<QPointF>{{0, 0}, {6, 8}, {2, 11}, {-4, 3}} << 4 << 5.0
+                                          << std::sqrt(125.0);
     }
     void hullAndItsWidth() {
         QFETCH(QList<QPointF>, points);
         QFETCH(int, corners);
         QFETCH(double, width);
+        QFETCH(double, diameterM);
         Ring ring;
         for (const QPointF& point : points) {
             ring.push_back({point.x(), point.y()});
@@ -193,6 +197,7 @@ private slots:
         QCOMPARE(static_cast<int>(hull.size()), corners);
         QVERIFY(isConvex(hull));
         QCOMPARE(minimumWidth(hull).si(), width);
+        QCOMPARE(diameter(hull).si(), diameterM);
     }
 
     void stopsWhenAsked() {
