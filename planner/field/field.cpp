@@ -9,6 +9,7 @@
 #include <format>
 #include <functional>
 #include <iterator>
+#include <utility>
 
 namespace furrow {
 
@@ -191,7 +192,8 @@ Result<Field> Field::create(const FieldSource& source, const JobContext& job) {
     }
     field.source_.parts = std::move(boundary->geo);
     field.boundary_ = std::move(boundary->local);
-    field.repairs_ = std::move(boundary->repairs);
+    field.repairs_ = std::exchange(field.source_.repairs, {});
+    std::ranges::move(boundary->repairs, std::back_inserter(field.repairs_));
     field.workable_ = field.boundary_;
     field.drivable_ = field.boundary_;
     for (std::size_t i = 0; i < source.obstacles.size(); ++i) {
