@@ -119,6 +119,12 @@ private slots:
         const auto plan = [&](const QString& input, const QStringList& more) {
             return QStringList{"plan", input, "--out", out} + more;
         };
+        const auto ring = [&](const QString& name, const QByteArray& points) {
+            return writeFile(folder_.filePath(name), R"({"type":"Polygon","coordinates":[[)" + points + "]]}");
+        };
+        const auto machine = [&](const QString& name, const QByteArray& keys) {
+            return QStringList{"--machine", writeFile(folder_.filePath(name), "{" + keys + "}")};
+        };
         QTest::newRow("a plan") << plan(field, {}) << 0 << "Drivable  yes";
         QTest::newRow("turns outside") << plan(field, {"--set", "headland.method=none"}) << 1 << "leaves the field";
         QTest::newRow("no command") << QStringList{} << 2 << "subcommand";
@@ -135,6 +141,25 @@ private slots:
         QTest::newRow("no such field") << plan(two, {"--field-id", "9"}) << 2 << "9";
         QTest::newRow("value out of range") << plan(field, {"--set", "headland.width_m=-1"}) << 3 << "headland.width_m";
         QTest::newRow("bow-tie") << plan(bowTie, {}) << 3 << "crosses itself at 5.001";
+        // What else bad input gets; tst_bad_input has all of it.
+        QTest::newRow("repaired") << plan(ring("open.geojson", "[5,52],[5,52.002],[5.004,52.002],[5.004,52]"), {}) << 0
+                                  << "Repaired in the boundary: 1 ring did not end where it began";
+        QTest::newRow("one point") << plan(ring("point.geojson", "[5,52]"), {}) << 3 << "fewer than 3 different points";
+        QTest::newRow("NaN") << plan(ring("nan.geojson", "[5,52],[5.002,NaN],[5.002,52.001],[5,52]"), {}) << 3
+                             << "nan.geojson, part 1, point 2: a coordinate is not a number";
+        QTest::newRow("longitude 200") << plan(ring("far.geojson", "[5,52],[200,52],[5.002,52.001],[5,52]"), {}) << 3
+                                       << "far.geojson, part 1, point 2: 200, 52 is outside longitude";
+        QTest::newRow("100 km") << plan(ring("wide.geojson", "[5,52],[5.002,52],[5.002,52.001],[5,53],[5,52]"), {}) << 3
+                                << "wide.geojson, part 1, point 4: the field is more than 100 km across";
+        QTest::newRow("machine fits nowhere")
+            << plan(ring("tiny.geojson", "[5,52],[5.00005,52],[5.00005,52.00003],[5,52.00003],[5,52]"), {}) << 3
+            << "fits nowhere into the field";
+        QTest::newRow("operating width below zero")
+            << plan(field, machine("width.json", R"("operating_width_m": -3, "min_turning_radius_m": 5)")) << 3
+            << "operating_width_m: -3 cannot be worked with";
+        QTest::newRow("radius of zero")
+            << plan(field, machine("radius.json", R"("operating_width_m": 3, "min_turning_radius_m": 0)")) << 3
+            << "min_turning_radius_m: 0 cannot be worked with";
         QTest::newRow("machine too wide") << plan(sampleField("long_strip"), {"--set", "field.margin_m=40"}) << 3
                                           << "nowhere as wide";
         QTest::newRow("no such file") << plan(folder_.filePath("none.shp"), {}) << 4 << "none.shp";
