@@ -272,10 +272,11 @@ public:
     SegmentSweep(const Footprint& footprint, const ClearanceMeter& meter, SmallestClearance& smallest)
         : footprint_{footprint}, meter_{meter}, smallest_{smallest} {}
 
-    SegmentClearance run(const SegmentMotion& motion, bool down) {
+    /// Ends early, with something, where the job is stopped.
+    SegmentClearance run(const SegmentMotion& motion, bool down, const JobContext& job) {
         const Part& implement = down ? footprint_.lowered : footprint_.raised;
         for (const auto* states : {&motion.turnOnTheSpot, &motion.states}) {
-            for (std::size_t i = 1; i < states->size(); ++i) {
+            for (std::size_t i = 1; i < states->size() && !job.stopRequested(); ++i) {
                 const MotionState& a = (*states)[i - 1];
                 const MotionState& b = (*states)[i];
                 move(footprint_.tractor, placed(footprint_.tractor, a.position, a.nose),
@@ -430,8 +431,8 @@ Result<ClearanceReport> measureClearance(const AuditInput& input, const std::vec
         auto segments = parallelMap<SegmentClearance>(
             motions.size(),
             [&](std::size_t i) {
-                return SegmentSweep{footprint, meter, smallest}.run(motions[i],
-                                                                    input.segments[i].implementDown);
+                return SegmentSweep{footprint, meter, smallest}.run(
+                    motions[i], input.segments[i].implementDown, job);
             },
             job);
         if (!segments) {

@@ -4,9 +4,12 @@
 #include "planner/geometry/geos_bridge.h"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <format>
+#include <functional>
 #include <iterator>
+#include <utility>
 
 namespace furrow {
 
@@ -105,6 +108,64 @@ Result<void> checkSource(const FieldSource& source) {
     return {};
 }
 
+/// The point of the boundary that is farthest from the middle of all of them, through the earth: where one
+/// is astray, that one.
+struct FarPoint {
+    std::size_t part = 0;
+    std::size_t index = 0;
+};
+
+FarPoint farthestPoint(const FieldSource& source) {
+    using Vector = std::array<double, 3>;
+    const auto vectorOf = [](GeoPoint point) {
+        const double lon = degrees(point.lonDeg).si();
+        const double lat = degrees(point.latDeg).si();
+        return Vector{std::cos(lat) * std::cos(lon), std::cos(lat) * std::sin(lon), std::sin(lat)};
+    };
+    Vector sum{};
+    double count = 0.0;
+    for (const GeoPolygon& part : source.parts) {
+        for (const GeoPoint& point : part.outer) {
+            const Vector at = vectorOf(point);
+            std::ranges::transform(sum, at, sum.begin(), std::plus{});
+            count += 1.0;
+        }
+    }
+    FarPoint farthest;
+    double largest = -1.0;
+    for (std::size_t i = 0; i < source.parts.size(); ++i) {
+        for (std::size_t k = 0; k < source.parts[i].outer.size(); ++k) {
+            const Vector at = vectorOf(source.parts[i].outer[k]);
+            const double apart =
+                std::hypot(at[0] - sum[0] / count, at[1] - sum[1] / count, at[2] - sum[2] / count);
+            if (apart > largest) {
+                largest = apart;
+                farthest = {.part = i, .index = k};
+            }
+        }
+    }
+    return farthest;
+}
+
+Result<void> checkExtent(const FieldSource& source, const LocalFrame& frame) {
+    for (const GeoPolygon& part : source.parts) {
+        for (const Point& point : frame.toLocal(part.outer)) {
+            // Half the extent on either side of the centre; far points are not finite in the plane.
+            if (std::abs(point.x) <= 0.5 * kLargestExtentM && std::abs(point.y) <= 0.5 * kLargestExtentM) {
+                continue;
+            }
+            const FarPoint far = farthestPoint(source);
+            const GeoPoint place = source.parts[far.part].outer[far.index];
+            return std::unexpected(refused(
+                source, std::format("part {}, point {}", far.part + 1, far.index + 1),
+                std::format("the field is more than 100 km across; {}, {} is farthest from the others",
+                            place.lonDeg, place.latDeg),
+                "check the coordinate system, correct this point, or split the field", place));
+        }
+    }
+    return {};
+}
+
 }  // namespace
 
 Result<Field> Field::create(const FieldSource& source, const JobContext& job) {
@@ -115,14 +176,8 @@ Result<Field> Field::create(const FieldSource& source, const JobContext& job) {
     if (!frame) {
         return std::unexpected(frame.error());
     }
-    for (const GeoPolygon& part : source.parts) {
-        for (const Point& point : frame->toLocal(part.outer)) {
-            // Half the extent on either side of the centre; far points are not finite in the plane.
-            if (!(std::abs(point.x) <= 0.5 * kLargestExtentM && std::abs(point.y) <= 0.5 * kLargestExtentM)) {
-                return std::unexpected(refused(source, "", "the field is more than 100 km across",
-                                               "check the coordinate system, or split the field"));
-            }
-        }
+    if (auto checked = checkExtent(source, *frame); !checked) {
+        return std::unexpected(checked.error());
     }
     Field field{source, *frame};
     const auto withOrigin = [&source](Error error) {
@@ -137,7 +192,8 @@ Result<Field> Field::create(const FieldSource& source, const JobContext& job) {
     }
     field.source_.parts = std::move(boundary->geo);
     field.boundary_ = std::move(boundary->local);
-    field.repairs_ = std::move(boundary->repairs);
+    field.repairs_ = std::exchange(field.source_.repairs, {});
+    std::ranges::move(boundary->repairs, std::back_inserter(field.repairs_));
     field.workable_ = field.boundary_;
     field.drivable_ = field.boundary_;
     for (std::size_t i = 0; i < source.obstacles.size(); ++i) {

@@ -38,6 +38,7 @@ struct FieldSource {
     std::vector<Obstacle> obstacles;
     std::vector<Gate> gates;
     Length boundaryAccuracy;
+    std::vector<Note> repairs;  ///< what was repaired while it was read
 
     friend bool operator==(const FieldSource&, const FieldSource&) = default;
 };
@@ -56,7 +57,7 @@ public:
     const std::string& name() const { return source_.name; }
     /// As repaired.
     const FieldSource& source() const { return source_; }
-    /// What was repaired.
+    /// What was repaired, while it was read and here.
     const std::vector<Note>& repairs() const { return repairs_; }
     const LocalFrame& frame() const { return frame_; }
 

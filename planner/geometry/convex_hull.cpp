@@ -61,4 +61,14 @@ Length minimumWidth(std::span<const Point> hull) {
     return metres(narrowest);
 }
 
+Length diameter(std::span<const Point> hull) {
+    double largest = 0.0;
+    for (const Point& a : hull) {
+        for (const Point& b : hull) {
+            largest = std::max(largest, distance(a, b));
+        }
+    }
+    return metres(largest);
+}
+
 }  // namespace furrow

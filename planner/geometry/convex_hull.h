@@ -17,4 +17,7 @@ bool isConvex(std::span<const Point> ring);
 /// (Houle & Toussaint 1988, doi 10.1109/34.6790). Cost: O(n) by rotating calipers.
 Length minimumWidth(std::span<const Point> hull);
 
+/// The largest distance between two corners of a hull. Cost: O(n²).
+Length diameter(std::span<const Point> hull);
+
 }  // namespace furrow

@@ -168,7 +168,7 @@ Result<Geometry> run(const JobContext& job, const Operation& operation) {
 }
 
 // Beyond this many vertices a boundary is thinned before it is moved inwards.
-constexpr std::size_t kDenseVertices = 50'000;
+constexpr std::size_t kDenseVertices = 20'000;
 constexpr double kLeastSlackM = 0.01;
 constexpr double kMostSlackM = 0.05;
 
@@ -238,13 +238,20 @@ Result<MultiPolygon> eroded(const MultiPolygon& polygons, Length distance, Lengt
     }
     // Where points lie closer than the offset by orders of magnitude, their offsets cross each other by the
     // hundred million. A line within `slack` of the boundary, moved in by that much more, stays on the safe side.
-    const double slackM = std::clamp(distance.si() / 200.0, kLeastSlackM, kMostSlackM);
+    double slackM = std::clamp(distance.si() / 200.0, kLeastSlackM, kMostSlackM);
     const Geometry input = toGeos(polygons);
-    const auto simple = run(job, [&] { return GEOSSimplify_r(handle(), input.get(), slackM); });
-    if (!simple) {
-        return std::unexpected(simple.error());
+    while (true) {
+        const auto simple = run(job, [&] { return GEOSSimplify_r(handle(), input.get(), slackM); });
+        if (!simple) {
+            return std::unexpected(simple.error());
+        }
+        const MultiPolygon thinned = fromGeos(simple->get());
+        // Points that scatter by more than the slack stay, and would take GEOS seconds that no stop ends.
+        if (vertexCount(thinned) <= kDenseVertices || slackM == kMostSlackM) {
+            return buffered(thinned, -(distance.si() + slackM), tolerance.si(), job);
+        }
+        slackM = std::min(2.0 * slackM, kMostSlackM);
     }
-    return buffered(fromGeos(simple->get()), -(distance.si() + slackM), tolerance.si(), job);
 }
 
 Result<MultiPolygon> dilated(const MultiPolygon& polygons, Length distance, Length tolerance,

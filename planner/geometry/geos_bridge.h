@@ -18,7 +18,7 @@ namespace furrow {
 inline constexpr Length kArcTolerance = metres(0.01);
 
 /// What is at least `distance` inside; corners that point inwards become arcs drawn to `tolerance`. Of more
-/// than 50,000 vertices the result may lie up to 10 cm farther inside.
+/// than 20,000 vertices the result may lie up to 10 cm farther inside.
 Result<MultiPolygon> eroded(const MultiPolygon& polygons, Length distance, Length tolerance,
                             const JobContext& job);
 

@@ -109,9 +109,13 @@ Result<ClosedRing> closedRing(const HeadlandTask& task, Length inset, int ring, 
                                                           task.drivable, machine, wanted, result.rounded, job)});
         for (const PassStretch& stretch : result.passes.back().stretches) {
             if (corners.method == CornerMethod::Searched && stretch.working) {
-                std::ranges::move(placesOutside(stretch.line, task.drivable, machine), std::back_inserter(result.outside));
+                std::ranges::move(placesOutside(stretch.line, task.drivable, machine, job),
+                                  std::back_inserter(result.outside));
             }
         }
+    }
+    if (job.stopRequested()) {
+        return std::unexpected(cancelled());
     }
     return result;
 }

@@ -218,15 +218,16 @@ Result<MultiPolygon> moved(const MultiPolygon& polygons, const Displacement& dis
     return madeValid(result, job);
 }
 
-/// The worst places along a line, at most one for each half of the reach.
-std::vector<Excess> excessesAlong(const Turn& line, const Ring& footprint, const BoundaryDistance& edge, double apartM) {
+/// The worst places along a line, at most one for each half of the reach. Ends early where the job is stopped.
+std::vector<Excess> excessesAlong(const Turn& line, const Ring& footprint, const BoundaryDistance& edge, double apartM,
+                                  const JobContext& job) {
     std::vector<Excess> found;
     double wayM = 0.0;
     double lastM = -apartM;
     Pose pose = line.start;
     for (const TurnPiece& piece : line.pieces) {
         const auto steps = static_cast<int>(std::ceil(piece.length.si() / (kLookShare * apartM)));
-        for (int i = 0; i < steps; ++i) {
+        for (int i = 0; i < steps && !job.stopRequested(); ++i) {
             const Length way = piece.length * (static_cast<double>(i) / steps);
             // In the middle of a straight nothing swings: now and then is often enough.
             const double toEndM = std::min(way, piece.length - way).si();
@@ -337,7 +338,7 @@ Result<PassTracks> passTracks(const MultiPolygon& workable, Length inset, const 
         tracks = std::move(*lines);
         std::vector<Excess> excesses;
         for (const Turn& line : tracks.lines) {
-            std::vector<Excess> found = excessesAlong(line, footprint, edge, 0.5 * reachM);
+            std::vector<Excess> found = excessesAlong(line, footprint, edge, 0.5 * reachM, job);
             std::erase_if(found, [&](const Excess& excess) {
                 return std::ranges::any_of(driven, [&](Point corner) { return distance(corner, excess.place) < besideM + reachM; });
             });
@@ -346,6 +347,9 @@ Result<PassTracks> passTracks(const MultiPolygon& workable, Length inset, const 
             if (round == 0 && touches && !canBeLeft && driven.empty()) {
                 excesses.push_back({line.start.position, kReserveFactor * swingM + kReserveM});
             }
+        }
+        if (job.stopRequested()) {
+            return std::unexpected(cancelled());
         }
         if (excesses.empty() || round == kMostMoves) {
             break;
@@ -360,11 +364,13 @@ Result<PassTracks> passTracks(const MultiPolygon& workable, Length inset, const 
     return tracks;
 }
 
-std::vector<Point> placesOutside(const Turn& line, const MultiPolygon& drivable, const Machine& machine) {
+std::vector<Point> placesOutside(const Turn& line, const MultiPolygon& drivable, const Machine& machine,
+                                 const JobContext& job) {
     const Ring footprint = machine.workingFootprint();
     const double reachM = overhangM(footprint);
     std::vector<Point> places;
-    for (const Excess& excess : excessesAlong(line, footprint, BoundaryDistance{drivable, metres(reachM)}, 0.5 * reachM)) {
+    const BoundaryDistance edge{drivable, metres(reachM)};
+    for (const Excess& excess : excessesAlong(line, footprint, edge, 0.5 * reachM, job)) {
         places.push_back(excess.place);
     }
     return places;

@@ -30,7 +30,9 @@ struct PassTracks {
 Result<PassTracks> passTracks(const MultiPolygon& workable, Length inset, const MultiPolygon& drivable,
                               const Machine& machine, std::span<const Point> driven, const JobContext& job);
 
-/// Where a line with the implement down gets outside, at most one place for each half of the overhang.
-std::vector<Point> placesOutside(const Turn& line, const MultiPolygon& drivable, const Machine& machine);
+/// Where a line with the implement down gets outside, at most one place for each half of the overhang. Not all of
+/// them where the job is stopped.
+std::vector<Point> placesOutside(const Turn& line, const MultiPolygon& drivable, const Machine& machine,
+                                 const JobContext& job);
 
 }  // namespace furrow

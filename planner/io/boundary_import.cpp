@@ -247,6 +247,18 @@ double distanceDeg(const FieldSource& field, GeoPoint point) {
     return nearest;
 }
 
+/// What is said of rings that a file left open; they are closed as they are read.
+std::optional<Note> noteOfOpenRings(const VectorFeature& feature, std::string where) {
+    const std::size_t count = feature.openRings.size();
+    if (count == 0) {
+        return std::nullopt;
+    }
+    return Note{.text = count == 1 ? std::string{"1 ring did not end where it began and was closed"}
+                                   : std::format("{} rings did not end where they began and were closed", count),
+                .where = std::move(where),
+                .place = feature.openRings.front()};
+}
+
 Result<void> addObstacle(const VectorFeature& feature, std::vector<FieldSource>& fields,
                          const std::string& file) {
     const std::string name = firstAttribute(feature, kNameNames);
@@ -256,6 +268,8 @@ Result<void> addObstacle(const VectorFeature& feature, std::vector<FieldSource>&
         return std::unexpected(buffer.error());
     }
     const std::string& passable = attribute(feature, "passable");
+    std::optional<Note> note =
+        noteOfOpenRings(feature, name.empty() ? "an obstacle" : std::format("obstacle '{}'", name));
     for (const GeoPolygon& outline : feature.polygons) {
         auto owner =
             std::ranges::find_if(fields, [&](const FieldSource& field) { return touches(field, outline); });
@@ -271,6 +285,9 @@ Result<void> addObstacle(const VectorFeature& feature, std::vector<FieldSource>&
                                     .outline = outline,
                                     .passable = passable == "1" || passable == "true" || passable == "yes",
                                     .buffer = *buffer});
+        if (note) {
+            owner->repairs.push_back(*std::exchange(note, std::nullopt));
+        }
     }
     return {};
 }
@@ -301,6 +318,9 @@ Result<FieldSource> fieldFrom(VectorFeature& feature, const std::string& file) {
         return std::unexpected(accuracy.error());
     }
     field.boundaryAccuracy = *accuracy;
+    if (auto note = noteOfOpenRings(feature, "the boundary")) {
+        field.repairs.push_back(*std::move(note));
+    }
     field.parts = std::move(feature.polygons);
     return field;
 }

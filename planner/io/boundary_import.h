@@ -22,10 +22,11 @@ namespace furrow {
 /// `gate` (width_m, name), which go to the field they lie in; every other kind of a plan is passed over.
 ///
 /// @return at least one field, in the order of the file, not checked yet: coordinates that are not finite
-///         are still in it. Each has an id (its own, or its number in the file), a name (its own, or its
-///         id) and an origin. ReadFailed: not there, a folder, unknown format, damaged. InputRefused:
-///         empty, no polygon (says what was found), coordinates without a known system, a coordinate that
-///         is no number, an obstacle in none of the fields. Cancelled.
+///         are still in it. Rings that do not end where they begin are closed, with a note. Each has an id
+///         (its own, or its number in the file), a name (its own, or its id) and an origin. ReadFailed: not
+///         there, a folder, unknown format, damaged. InputRefused: empty, no polygon (says what was found),
+///         coordinates without a known system, a coordinate that is no number, an obstacle in none of the
+///         fields. Cancelled.
 /// Cost: linear in the size of the file. Thread-safe. Nothing is fetched from a network.
 Result<std::vector<FieldSource>> readBoundaries(const std::filesystem::path& path,
                                                 const JobContext& job = {});

@@ -31,6 +31,9 @@ constexpr double kNaN = std::numeric_limits<double>::quiet_NaN();
 // Two chords per 2 degrees of arc: 1.5 cm beside the circle of a centre pivot of 400 m radius.
 constexpr double kArcStepDeg = 1.0;
 
+// A millimetre on the ground.
+constexpr double kSamePointDeg = 1e-8;
+
 // Text larger than this is no boundary that a person made.
 constexpr vsi_l_offset kLargestTextBytes = vsi_l_offset{1} << 30;
 
@@ -270,15 +273,26 @@ GeoRing ringOf(const OGRSimpleCurve& line, const ToWgs84& toWgs84) {
     return ring;
 }
 
+/// Of a polygon, whose rings have to end where they begin.
+GeoRing polygonRing(const OGRLinearRing& line, const ToWgs84& toWgs84, VectorFeature& feature) {
+    GeoRing ring = ringOf(line, toWgs84);
+    const bool ends = isClosed(line) || (std::abs(ring.back().lonDeg - ring.front().lonDeg) < kSamePointDeg &&
+                                         std::abs(ring.back().latDeg - ring.front().latDeg) < kSamePointDeg);
+    if (!ends) {
+        feature.openRings.push_back(ring.front());
+    }
+    return ring;
+}
+
 void addPolygon(const OGRPolygon& polygon, const ToWgs84& toWgs84, VectorFeature& feature) {
     const OGRLinearRing* outer = polygon.getExteriorRing();
     if (outer == nullptr || outer->getNumPoints() == 0) {
         return;
     }
-    GeoPolygon added{.outer = ringOf(*outer, toWgs84), .holes = {}};
+    GeoPolygon added{.outer = polygonRing(*outer, toWgs84, feature), .holes = {}};
     for (int i = 0; i < polygon.getNumInteriorRings(); ++i) {
         if (polygon.getInteriorRing(i)->getNumPoints() > 0) {
-            added.holes.push_back(ringOf(*polygon.getInteriorRing(i), toWgs84));
+            added.holes.push_back(polygonRing(*polygon.getInteriorRing(i), toWgs84, feature));
         }
     }
     feature.polygons.push_back(std::move(added));

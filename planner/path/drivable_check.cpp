@@ -62,12 +62,13 @@ std::vector<Polyline> cornerTracks(const std::vector<Polyline>& outlines) {
 }
 
 /// Where a footprint gets farthest outside along a headland pass; nothing where it stays inside. A pass is too long
-/// to be drawn outline by outline.
+/// to be drawn outline by outline. Ends early, with something, where the job is stopped.
 std::optional<BlockedConnection> farthestAlong(const PathSegment& pass, const Ring& footprint,
-                                               const BoundaryDistance& drivable, const BoundaryDistance& land) {
+                                               const BoundaryDistance& drivable, const BoundaryDistance& land,
+                                               const JobContext& job) {
     BlockedConnection farthest;
     Pose worst;
-    for (std::size_t i = 0; i + 1 < pass.samples.size(); ++i) {
+    for (std::size_t i = 0; i + 1 < pass.samples.size() && !job.stopRequested(); ++i) {
         const PathSample& from = pass.samples[i];
         const Pose start{.position = from.position, .heading = radians(from.headingRad)};
         const Length way = metres(pass.samples[i + 1].sM - from.sM);
@@ -113,7 +114,7 @@ Result<std::vector<BlockedConnection>> blockedConnections(const Path& path, cons
         [&](std::size_t i) -> std::optional<BlockedConnection> {
             const PathSegment& segment = path.segments[connections[i]];
             if (segment.kind == SegmentKind::HeadlandPass) {
-                auto found = farthestAlong(segment, lowered, drivableEdges, landEdges);
+                auto found = farthestAlong(segment, lowered, drivableEdges, landEdges, job);
                 if (found) {
                     found->segment = connections[i];
                 }

@@ -1,6 +1,7 @@
 #include "planner/plan/plan.h"
 
 #include "planner/field/drivable_area.h"
+#include "planner/geometry/convex_hull.h"
 #include "planner/geometry/geos_bridge.h"
 #include "planner/headland/headland_passes.h"
 #include "planner/headland/turning_room.h"
@@ -37,25 +38,54 @@ auto timed(Duration& taken, const Run& run) {
     return result;
 }
 
-/// No machine fits where not even a disc of its own width does.
+/// How long the machine is where it is as wide as its tractor. A trailed implement may stand at an angle.
+Length rigidLength(const Machine& machine) {
+    if (machine.spec().implement.mounting == Mounting::Trailed) {
+        return machine.spec().tractor.length;
+    }
+    const Ring outline = machine.turningFootprint();
+    const auto [rear, front] = std::ranges::minmax(outline, {}, &Point::x);
+    return metres(front.x - rear.x);
+}
+
+/// Whether some straight line of this length may be in it: for convex parts that is so, for others perhaps.
+bool mayHoldLine(const MultiPolygon& polygons, Length length) {
+    return std::ranges::any_of(polygons, [length](const Polygon& polygon) {
+        const Bounds box = bounds({polygon});
+        // Of large ones the box says enough.
+        return std::max(box.width(), box.height()) >= length.si() ||
+               diameter(convexHull(polygon.outer)) >= length;
+    });
+}
+
+/// No machine fits where not even what is within its outline does: the middle of it, as wide as the tractor,
+/// with round ends. It stands where its middle line stays clear of the edge by half its width.
 Result<void> checkThatItFits(const Field& field, const Machine& machine, Length margin,
                              const JobContext& job) {
-    const Length half = 0.5 * machine.spec().tractor.width;
-    const auto room = eroded(field.drivable(), half + margin, metres(0.05), job);
+    const Length width = machine.spec().tractor.width;
+    const Length length = rigidLength(machine);
+    const auto room = eroded(field.drivable(), 0.5 * std::min(width, length) + margin, metres(0.05), job);
     if (!room) {
         return std::unexpected(room.error());
     }
+    const std::string withMargin =
+        margin > metres(0.0) ? std::format(" and twice {:.2f} m of margin", margin.si()) : "";
+    std::string what;
     if (room->empty()) {
-        return std::unexpected(Error{
-            .code = ErrorCode::InputRefused,
-            .what = std::format(
-                "the field is nowhere as wide as the machine ({:.2f} m{})", machine.spec().tractor.width.si(),
-                margin > metres(0.0) ? std::format(" and twice {:.2f} m of margin", margin.si()) : ""),
-            .where = field.source().origin.empty() ? field.name() : field.source().origin,
-            .remedy = "choose a narrower machine or check the boundary's coordinate system",
-            .place = middleOf(field.source().parts)});
+        what = std::format("the field is nowhere as wide as the machine ({:.2f} m{})",
+                           std::min(width, length).si(), withMargin);
+    } else if (!mayHoldLine(*room, std::max(width, length) - std::min(width, length))) {
+        what = std::format("the machine ({:.2f} m wide, {:.2f} m long{}) fits nowhere into the field", width.si(),
+                           length.si(), withMargin);
+    } else {
+        return {};
     }
-    return {};
+    return std::unexpected(
+        Error{.code = ErrorCode::InputRefused,
+              .what = std::move(what),
+              .where = field.source().origin.empty() ? field.name() : field.source().origin,
+              .remedy = "choose a smaller machine or check the boundary's coordinate system",
+              .place = middleOf(field.source().parts)});
 }
 
 /// "The way from swath 3 to swath 4", "Headland pass 1".

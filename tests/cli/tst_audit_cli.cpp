@@ -4,40 +4,23 @@
 #include "planner/machine/machine_library.h"
 #include "planner/plan/method_registry.h"
 #include "planner/plan/plan.h"
+#include "tests/support/furrow_cli.h"
 #include "tests/support/result_check.h"
 
-#include <QFile>
 #include <QJsonArray>
-#include <QJsonDocument>
-#include <QJsonObject>
-#include <QProcess>
 #include <QTemporaryDir>
 #include <QTest>
 
 using namespace furrow;
+using test::Answer;
+using test::contentsOf;
+using test::furrowCli;
 
 namespace {
 
-struct Answer {
-    int status = -1;
-    QByteArray out;
-    QByteArray err;
-
-    QJsonObject json() const { return QJsonDocument::fromJson(out).object(); }
-};
-
-Answer cli(const QStringList& arguments) {
-    QProcess process;
-    process.start(QStringLiteral(FURROW_BINARY_DIR "/furrow-cli"), arguments);
-    if (!process.waitForFinished(60000)) {
-        return {};
-    }
-    return {process.exitCode(), process.readAllStandardOutput(), process.readAllStandardError()};
-}
-
 std::shared_ptr<const Plan> planOf(const QString& sample, const QString& machine, const QStringList& settings = {}) {
     const auto source =
-        readBoundaries((QStringLiteral(FURROW_SOURCE_DIR "/resources/sample_fields/") + sample + ".geojson").toStdString());
+        readBoundaries(test::sampleField(sample).toStdString());
     Settings chosen;
     for (const QString& setting : settings) {
         applySetting(chosen, setting.section('=', 0, 0).toStdString(), setting.section('=', 1).toStdString()).value();
@@ -50,17 +33,6 @@ std::shared_ptr<const Plan> planOf(const QString& sample, const QString& machine
 
 void write(const Plan& plan, const QString& folder) {
     writePlanFolder(plan, folder.toStdString(), standardPlanFormats()).value();
-}
-
-QByteArray contents(const QString& path) {
-    QFile file{path};
-    return file.open(QIODevice::ReadOnly) ? file.readAll() : QByteArray{};
-}
-
-void replace(const QString& path, const QByteArray& text) {
-    QFile file{path};
-    QVERIFY(file.open(QIODevice::WriteOnly));
-    file.write(text);
 }
 
 }  // namespace
@@ -91,10 +63,10 @@ private slots:
         const QTemporaryDir folder;
         const auto plan = planOf(sample, machine, settings);
         write(*plan, folder.path());
-        const Answer answer = cli({"audit", folder.path(), "--json"});
-        QVERIFY2(answer.status == 0 || answer.status == 1, answer.err);
+        const Answer answer = furrowCli({"audit", folder.path(), "--json"});
+        QVERIFY2(answer.status == 0 || answer.status == 1, answer.error);
         QCOMPARE(answer.status == 0, plan->drivable());
-        const QJsonObject own = QJsonDocument::fromJson(contents(folder.filePath("summary.json"))).object()["audit"].toObject();
+        const QJsonObject own = QJsonDocument::fromJson(contentsOf(folder.filePath("summary.json"))).object()["audit"].toObject();
         const QJsonObject read = answer.json();
         for (const QString& key : own.keys()) {
             if (key == "findings" || own[key].isNull()) {
@@ -121,16 +93,16 @@ private slots:
         const QTemporaryDir folder;
         const auto plan = planOf("home_field", "agbot");
         write(*plan, folder.path());
-        const Answer bare = cli({"audit", folder.filePath("plan.geojson"), "--json"});
+        const Answer bare = furrowCli({"audit", folder.filePath("plan.geojson"), "--json"});
         // Without a machine the working line is where the path is: some more seems missed.
-        QVERIFY2(bare.status <= 1, bare.err + bare.out);
+        QVERIFY2(bare.status <= 1, bare.all());
         QVERIFY(std::abs(bare.json()["covered"].toDouble() - *plan->audit.coveredShare) < 0.02);
         for (const char* key : {"outside_m2", "min_clearance_m", "max_curvature_1pm", "covered_of_reachable"}) {
             QVERIFY2(bare.json()[QLatin1String(key)].isNull(), key);
         }
-        const Answer with = cli({"audit", folder.filePath("plan.geojson"), "--machine", "agbot", "--json"});
+        const Answer with = furrowCli({"audit", folder.filePath("plan.geojson"), "--machine", "agbot", "--json"});
         // Headings come from the points alone: a pass along the boundary may seem centimetres outside.
-        QVERIFY2(with.status <= 1, with.err + with.out);
+        QVERIFY2(with.status <= 1, with.all());
         QVERIFY(std::abs(with.json()["covered_m2"].toDouble() - plan->audit.covered->si()) < plan->audit.areaError.si());
         QVERIFY(std::abs(with.json()["overlap_m2"].toDouble() - plan->audit.overlap->si()) < plan->audit.areaError.si());
         QVERIFY(std::abs(with.json()["min_clearance_m"].toDouble() - plan->audit.minClearance->si()) < 0.06);
@@ -139,7 +111,7 @@ private slots:
         const QTemporaryDir folder;
         write(*planOf("home_field", "agbot"), folder.path());
         const QString csv = folder.filePath("path.csv");
-        QList<QByteArray> lines = contents(csv).split('\n');
+        QList<QByteArray> lines = contentsOf(csv).split('\n');
         // On the straight of a swath: on a bend the audit allows for steering between two samples.
         qsizetype moved = 2;
         while (moved + 1 < lines.size() && !(lines[moved - 1].contains(",swath,") && lines[moved + 1].contains(",swath,"))) {
@@ -149,15 +121,15 @@ private slots:
         QVERIFY(cells.size() > 2);
         cells[2] = QByteArray::number(cells[2].toDouble() + 1.0, 'g', 17);
         lines[moved] = cells.join(',');
-        replace(csv, lines.join('\n'));
-        const Answer answer = cli({"audit", folder.path()});
+        test::writeFile(csv, lines.join('\n'));
+        const Answer answer = furrowCli({"audit", folder.path()});
         QCOMPARE(answer.status, 1);
         QVERIFY2(answer.out.contains("jumps by 1.00 m"), answer.out);
     }
     void printsATable() {
         const QTemporaryDir folder;
         write(*planOf("home_field", "agbot"), folder.path());
-        const Answer answer = cli({"audit", folder.path()});
+        const Answer answer = furrowCli({"audit", folder.path()});
         QCOMPARE(answer.status, 0);
         for (const char* word : {"Covered", "Missed", "Overlap", "Outside", "Exact to", "between headland and swaths"}) {
             QVERIFY2(answer.out.contains(word), answer.out);
@@ -192,19 +164,19 @@ private slots:
         QFETCH(QByteArray, told);
         const QTemporaryDir folder;
         write(*planOf("long_strip", "agbot"), folder.path());
-        replace(folder.filePath(file), text);
-        const Answer answer = cli({"audit", folder.path(), "--json"});
-        QVERIFY2(status < 0 ? answer.status == 3 || answer.status == 4 : answer.status == status, answer.err);
-        QVERIFY2(answer.err.contains(told), answer.err);
-        QCOMPARE(answer.err.count('\n'), 1);
+        test::writeFile(folder.filePath(file), text);
+        const Answer answer = furrowCli({"audit", folder.path(), "--json"});
+        QVERIFY2(status < 0 ? answer.status == 3 || answer.status == 4 : answer.status == status, answer.error);
+        QVERIFY2(answer.error.contains(told), answer.error);
+        QCOMPARE(answer.error.count('\n'), 1);
         QVERIFY(answer.out.isEmpty());
     }
     void statusOfWhatIsNotThere() {
         const QTemporaryDir folder;
-        QCOMPARE(cli({"audit", folder.filePath("nothing")}).status, 4);
-        QCOMPARE(cli({"audit", folder.path()}).status, 4);
-        QCOMPARE(cli({"audit"}).status, 2);
-        QCOMPARE(cli({"audit", folder.path(), "--nonsense"}).status, 2);
+        QCOMPARE(furrowCli({"audit", folder.filePath("nothing")}).status, 4);
+        QCOMPARE(furrowCli({"audit", folder.path()}).status, 4);
+        QCOMPARE(furrowCli({"audit"}).status, 2);
+        QCOMPARE(furrowCli({"audit", folder.path(), "--nonsense"}).status, 2);
     }
 };
 

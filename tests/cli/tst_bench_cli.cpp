@@ -1,30 +1,24 @@
 // `furrow-cli bench paper` as a whole: one run, its summary and its files.
 
+#include "tests/support/furrow_cli.h"
+
 #include <QDir>
 #include <QJsonArray>
-#include <QJsonDocument>
-#include <QJsonObject>
-#include <QProcess>
 #include <QTemporaryDir>
 #include <QTest>
+
+using furrow::test::Answer;
+using furrow::test::furrowCli;
 
 class TestBenchCli : public QObject {
     Q_OBJECT
 
-    static int furrow(const QStringList& arguments, QByteArray& out) {
-        QProcess process;
-        process.start(QStringLiteral(FURROW_BINARY_DIR "/furrow-cli"), arguments);
-        process.waitForFinished(300'000);
-        out = process.readAllStandardOutput();
-        return process.exitCode();
-    }
-
 private slots:
     void everyStatementOfThePaper() {
         const QTemporaryDir folder;
-        QByteArray out;
-        QCOMPARE(furrow({"bench", "paper", "--json", "--out", folder.path()}, out), 0);
-        const QJsonArray experiments = QJsonDocument::fromJson(out).object()["experiments"].toArray();
+        const Answer answer = furrowCli({"bench", "paper", "--json", "--out", folder.path()}, 300'000);
+        QVERIFY2(answer.status == 0, answer.error);
+        const QJsonArray experiments = answer.json()["experiments"].toArray();
         QCOMPARE(experiments.size(), 4);
         int files = 1;  // summary.txt
         for (int i = 0; i < 4; ++i) {
@@ -41,11 +35,13 @@ private slots:
     }
 
     void whatDoesNotExistIsRefused() {
-        QByteArray out;
-        QCOMPARE(furrow({"bench"}, out), 2);
-        QCOMPARE(furrow({"bench", "moon"}, out), 2);
-        QCOMPARE(furrow({"bench", "paper", "--fields", "/nowhere.geojson"}, out), 4);
-        QVERIFY(out.isEmpty());
+        const auto refused = [](const QStringList& arguments, int status) {
+            const Answer answer = furrowCli(arguments);
+            return answer.status == status && answer.out.isEmpty();
+        };
+        QVERIFY(refused({"bench"}, 2));
+        QVERIFY(refused({"bench", "moon"}, 2));
+        QVERIFY(refused({"bench", "paper", "--fields", "/nowhere.geojson"}, 4));
     }
 };
 

@@ -1,11 +1,9 @@
 // The command line as other programs rely on it: exit statuses, one-line errors, files.
 
+#include "tests/support/furrow_cli.h"
+
 #include <QDir>
-#include <QFile>
 #include <QJsonArray>
-#include <QJsonDocument>
-#include <QJsonObject>
-#include <QProcess>
 #include <QTemporaryDir>
 #include <QTest>
 
@@ -14,39 +12,13 @@
 // The waiting macros of QtTest narrow.
 #pragma GCC diagnostic ignored "-Wconversion"
 
+using furrow::test::Answer;
+using furrow::test::contentsOf;
+using furrow::test::furrowCli;
+using furrow::test::sampleField;
+using furrow::test::writeFile;
+
 namespace {
-
-struct Answer {
-    int status = -1;
-    QString out;
-    QString error;
-};
-
-Answer furrow(const QStringList& arguments) {
-    QProcess process;
-    process.start(QStringLiteral(FURROW_BINARY_DIR "/furrow-cli"), arguments);
-    process.waitForFinished(60'000);
-    return {process.exitCode(), QString::fromUtf8(process.readAllStandardOutput()),
-            QString::fromUtf8(process.readAllStandardError())};
-}
-
-QString sample(const QString& name) {
-    return QStringLiteral(FURROW_SOURCE_DIR "/resources/sample_fields/%1.geojson").arg(name);
-}
-
-QString written(const QTemporaryDir& folder, const QString& name, const QByteArray& text) {
-    QFile file{folder.filePath(name)};
-    if (!file.open(QIODevice::WriteOnly)) {
-        return {};
-    }
-    file.write(text);
-    return file.fileName();
-}
-
-QByteArray read(const QString& path) {
-    QFile file{path};
-    return file.open(QIODevice::ReadOnly) ? file.readAll() : QByteArray{};
-}
 
 constexpr char kTwoFields[] = R"({"type":"FeatureCollection","features":[
  {"type":"Feature","id":"a7","properties":{"name":"North"},"geometry":{"type":"Polygon","coordinates":
@@ -65,11 +37,10 @@ class TestCli : public QObject {
 private slots:
     void summaryHasEveryKey() {
         const QTemporaryDir folder;
-        const Answer answer = furrow({"plan", sample("home_field"), "--out", folder.filePath("plan"), "--json"});
+        const Answer answer = furrowCli({"plan", sampleField("home_field"), "--out", folder.filePath("plan"), "--json"});
         QCOMPARE(answer.status, 0);
-        const QJsonDocument summary = QJsonDocument::fromJson(answer.out.toUtf8());
-        QVERIFY(summary.isObject());
-        const QJsonObject top = summary.object();
+        const QJsonObject top = answer.json();
+        QVERIFY(!top.isEmpty());
         for (const char* key : {"field", "crs", "machine", "machines", "operation", "settings", "headland", "swaths",
                                 "route", "path", "audit", "timing_ms", "version"}) {
             QVERIFY2(top.contains(QLatin1String(key)), key);
@@ -91,14 +62,14 @@ private slots:
                          "max_curvature_rate_1pm2", "max_position_jump_m", "max_heading_jump_rad", "findings"});
         // 2.5 m wide with 2.1 m of radius: three passes, the paper's 7.5 m.
         QCOMPARE(top["headland"].toObject()["width_m"].toDouble(), 10.0);
-        QCOMPARE(read(folder.filePath("plan/summary.json")), answer.out.toUtf8());
+        QCOMPARE(contentsOf(folder.filePath("plan/summary.json")), answer.out);
     }
 
     void filesHoldThePlan() {
         const QTemporaryDir folder;
-        QCOMPARE(furrow({"plan", sample("home_field"), "--out", folder.path(), "--quiet"}).status, 0);
+        QCOMPARE(furrowCli({"plan", sampleField("home_field"), "--out", folder.path(), "--quiet"}).status, 0);
         QMap<QString, int> kinds;
-        const QJsonObject plan = QJsonDocument::fromJson(read(folder.filePath("plan.geojson"))).object();
+        const QJsonObject plan = QJsonDocument::fromJson(contentsOf(folder.filePath("plan.geojson"))).object();
         QList<QJsonObject> path;
         for (const QJsonValue& feature : plan["features"].toArray()) {
             const QJsonObject properties = feature["properties"].toObject();
@@ -128,7 +99,7 @@ private slots:
         QCOMPARE(worked, kinds["swath"] + kinds["headland_pass"]);
         QCOMPARE(ways, worked - 1);
         QVERIFY(path.last()["implement_down"].toBool());
-        const QList<QByteArray> rows = read(folder.filePath("path.csv")).trimmed().split('\n');
+        const QList<QByteArray> rows = contentsOf(folder.filePath("path.csv")).trimmed().split('\n');
         QCOMPARE(rows.front(), QByteArray("s_m,t_s,x_m,y_m,lon_deg,lat_deg,heading_rad,curvature_1pm,speed_mps,gear,"
                                           "implement_down,segment,order,machine,level"));
         double before = -1.0;
@@ -145,15 +116,15 @@ private slots:
     void sameFilesOnAnyNumberOfThreads() {
         const QTemporaryDir folder;
         for (const char* threads : {"1", "2", "8"}) {
-            QCOMPARE(furrow({"plan", sample("slanted_field"), "--threads", threads, "--out", folder.filePath(threads)})
+            QCOMPARE(furrowCli({"plan", sampleField("slanted_field"), "--threads", threads, "--out", folder.filePath(threads)})
                              .status < 2,
                      true);
         }
         for (const char* file : {"plan.geojson", "path.csv", "TASKDATA/TASKDATA.XML"}) {
-            const QByteArray one = read(folder.filePath(QStringLiteral("1/%1").arg(QLatin1String(file))));
+            const QByteArray one = contentsOf(folder.filePath(QStringLiteral("1/%1").arg(QLatin1String(file))));
             QVERIFY(!one.isEmpty());
-            QCOMPARE(read(folder.filePath(QStringLiteral("2/%1").arg(QLatin1String(file)))), one);
-            QCOMPARE(read(folder.filePath(QStringLiteral("8/%1").arg(QLatin1String(file)))), one);
+            QCOMPARE(contentsOf(folder.filePath(QStringLiteral("2/%1").arg(QLatin1String(file)))), one);
+            QCOMPARE(contentsOf(folder.filePath(QStringLiteral("8/%1").arg(QLatin1String(file)))), one);
         }
     }
 
@@ -162,12 +133,18 @@ private slots:
         QTest::addColumn<int>("status");
         QTest::addColumn<QString>("says");
         const QString out = folder_.filePath("answers");
-        const QString field = sample("home_field");
-        const QString two = written(folder_, "two.geojson", kTwoFields);
-        const QString bowTie = written(folder_, "bowtie.geojson", kBowTie);
-        const QString file = written(folder_, "file", "no folder");
+        const QString field = sampleField("home_field");
+        const QString two = writeFile(folder_.filePath("two.geojson"), kTwoFields);
+        const QString bowTie = writeFile(folder_.filePath("bowtie.geojson"), kBowTie);
+        const QString file = writeFile(folder_.filePath("file"), "no folder");
         const auto plan = [&](const QString& input, const QStringList& more) {
             return QStringList{"plan", input, "--out", out} + more;
+        };
+        const auto ring = [&](const QString& name, const QByteArray& points) {
+            return writeFile(folder_.filePath(name), R"({"type":"Polygon","coordinates":[[)" + points + "]]}");
+        };
+        const auto machine = [&](const QString& name, const QByteArray& keys) {
+            return QStringList{"--machine", writeFile(folder_.filePath(name), "{" + keys + "}")};
         };
         QTest::newRow("a plan") << plan(field, {}) << 0 << "Drivable  yes";
         QTest::newRow("turns outside") << plan(field, {"--set", "headland.method=none"}) << 1 << "leaves the field";
@@ -197,7 +174,26 @@ private slots:
         QTest::newRow("no such field") << plan(two, {"--field-id", "9"}) << 2 << "9";
         QTest::newRow("value out of range") << plan(field, {"--set", "headland.width_m=-1"}) << 3 << "headland.width_m";
         QTest::newRow("bow-tie") << plan(bowTie, {}) << 3 << "crosses itself at 5.001";
-        QTest::newRow("machine too wide") << plan(sample("long_strip"), {"--set", "field.margin_m=40"}) << 3
+        // What else bad input gets; tst_bad_input has all of it.
+        QTest::newRow("repaired") << plan(ring("open.geojson", "[5,52],[5,52.002],[5.004,52.002],[5.004,52]"), {}) << 0
+                                  << "Repaired in the boundary: 1 ring did not end where it began";
+        QTest::newRow("one point") << plan(ring("point.geojson", "[5,52]"), {}) << 3 << "fewer than 3 different points";
+        QTest::newRow("NaN") << plan(ring("nan.geojson", "[5,52],[5.002,NaN],[5.002,52.001],[5,52]"), {}) << 3
+                             << "nan.geojson, part 1, point 2: a coordinate is not a number";
+        QTest::newRow("longitude 200") << plan(ring("far.geojson", "[5,52],[200,52],[5.002,52.001],[5,52]"), {}) << 3
+                                       << "far.geojson, part 1, point 2: 200, 52 is outside longitude";
+        QTest::newRow("100 km") << plan(ring("wide.geojson", "[5,52],[5.002,52],[5.002,52.001],[5,53],[5,52]"), {}) << 3
+                                << "wide.geojson, part 1, point 4: the field is more than 100 km across";
+        QTest::newRow("machine fits nowhere")
+            << plan(ring("tiny.geojson", "[5,52],[5.00005,52],[5.00005,52.00003],[5,52.00003],[5,52]"), {}) << 3
+            << "fits nowhere into the field";
+        QTest::newRow("operating width below zero")
+            << plan(field, machine("width.json", R"("operating_width_m": -3, "min_turning_radius_m": 5)")) << 3
+            << "operating_width_m: -3 cannot be worked with";
+        QTest::newRow("radius of zero")
+            << plan(field, machine("radius.json", R"("operating_width_m": 3, "min_turning_radius_m": 0)")) << 3
+            << "min_turning_radius_m: 0 cannot be worked with";
+        QTest::newRow("machine too wide") << plan(sampleField("long_strip"), {"--set", "field.margin_m=40"}) << 3
                                           << "nowhere as wide";
         QTest::newRow("no such file") << plan(folder_.filePath("none.shp"), {}) << 4 << "none.shp";
         QTest::newRow("out is below a file") << QStringList{"plan", field, "--out", file + "/plan"} << 4 << "could not be written";
@@ -211,9 +207,9 @@ private slots:
         QFETCH(QStringList, arguments);
         QFETCH(int, status);
         QFETCH(QString, says);
-        const Answer answer = furrow(arguments);
-        QVERIFY2(answer.status == status, qPrintable(answer.error + answer.out));
-        QVERIFY2((answer.out + answer.error).contains(says), qPrintable(answer.out + answer.error));
+        const Answer answer = furrowCli(arguments);
+        QVERIFY2(answer.status == status, answer.all());
+        QVERIFY2(answer.all().contains(says.toUtf8()), answer.all());
         if (status > 1) {
             // One line, and nothing on standard output.
             QCOMPARE(answer.error.trimmed().count('\n'), 0);
@@ -223,9 +219,9 @@ private slots:
 
     void listsAreJsonObjects() {
         for (const char* what : {"methods", "machines", "formats"}) {
-            const Answer answer = furrow({"list", what, "--json"});
+            const Answer answer = furrowCli({"list", what, "--json"});
             QCOMPARE(answer.status, 0);
-            QVERIFY(QJsonDocument::fromJson(answer.out.toUtf8()).isObject());
+            QVERIFY(!answer.json().isEmpty());
         }
     }
 
@@ -233,13 +229,13 @@ private slots:
         const QTemporaryDir folder;
         QProcess process;
         // A thousandth of a degree on a large field: far more work than the signal takes to arrive.
-        process.start(QStringLiteral(FURROW_BINARY_DIR "/furrow-cli"),
-                      {"plan", sample("great_field"), "--set", "swaths.method=brute-force", "--set",
+        process.start(furrow::test::kFurrowCli,
+                      {"plan", sampleField("great_field"), "--set", "swaths.method=brute-force", "--set",
                        "swaths.step_deg=0.01", "--out", folder.filePath("plan")});
         QVERIFY(process.waitForStarted());
         // Blocked in every thread from the first lines on; until then the signal would just end the program.
         const QString status = QStringLiteral("/proc/%1/status").arg(process.processId());
-        QTRY_VERIFY(read(status).contains("Threads:\t2") || read(status).contains("Threads:\t3"));
+        QTRY_VERIFY(contentsOf(status).contains("Threads:\t2") || contentsOf(status).contains("Threads:\t3"));
         ::kill(static_cast<pid_t>(process.processId()), SIGINT);
         QVERIFY(process.waitForFinished(30'000));
         QCOMPARE(process.exitStatus(), QProcess::NormalExit);

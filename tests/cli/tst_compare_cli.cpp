@@ -1,43 +1,21 @@
 // `furrow-cli compare` as other programs use it: a plan, a track made from its own path.csv, and the figures.
 
+#include "tests/support/furrow_cli.h"
+
 #include <QDir>
-#include <QFile>
 #include <QJsonArray>
-#include <QJsonDocument>
-#include <QJsonObject>
-#include <QProcess>
 #include <QTemporaryDir>
 #include <QTest>
 #include <QXmlStreamReader>
 
 #include <cmath>
 
+using furrow::test::Answer;
+using furrow::test::contentsOf;
+using furrow::test::furrowCli;
+using furrow::test::writeFile;
+
 namespace {
-
-struct Answer {
-    int status = -1;
-    QString out;
-    QString error;
-};
-
-Answer furrow(const QStringList& arguments) {
-    QProcess process;
-    process.start(QStringLiteral(FURROW_BINARY_DIR "/furrow-cli"), arguments);
-    process.waitForFinished(60'000);
-    return {process.exitCode(), QString::fromUtf8(process.readAllStandardOutput()),
-            QString::fromUtf8(process.readAllStandardError())};
-}
-
-QByteArray read(const QString& path) {
-    QFile file{path};
-    return file.open(QIODevice::ReadOnly) ? file.readAll() : QByteArray{};
-}
-
-void write(const QString& path, const QByteArray& text) {
-    QFile file{path};
-    QVERIFY(file.open(QIODevice::WriteOnly));
-    file.write(text);
-}
 
 /// The plan's own path, every sample shifted to the left of the way of driving.
 QByteArray shiftedPath(const QByteArray& pathCsv, double leftM) {
@@ -66,19 +44,19 @@ class TestCompareCli : public QObject {
 private slots:
     void initTestCase() {
         QCOMPARE(
-            furrow({"plan", QStringLiteral(FURROW_SOURCE_DIR "/resources/sample_fields/home_field.geojson"),
+            furrowCli({"plan", furrow::test::sampleField("home_field"),
                     "--out", at("plan"), "--quiet"})
                 .status,
             0);
-        write(at("shifted.csv"), shiftedPath(read(at("plan/path.csv")), 0.10));
+        writeFile(at("shifted.csv"), shiftedPath(contentsOf(at("plan/path.csv")), 0.10));
     }
 
     void aShiftOfTenCentimetres() {
         const Answer answer =
-            furrow({"compare", at("plan"), at("shifted.csv"), "--json", "--out", at("out")});
-        QVERIFY2(answer.status == 0, qPrintable(answer.error));
+            furrowCli({"compare", at("plan"), at("shifted.csv"), "--json", "--out", at("out")});
+        QVERIFY2(answer.status == 0, answer.error);
         QVERIFY(answer.error.isEmpty());
-        const QJsonObject all = QJsonDocument::fromJson(answer.out.toUtf8()).object();
+        const QJsonObject all = answer.json();
         const auto near = [](double value, double expected) { return std::abs(value - expected) < 1e-3; };  // chords stand for arcs
         QCOMPARE(all["matched_share"].toDouble(), 1.0);
         QCOMPARE(all["tracks"].toArray().first().toObject()["places"].toString(), QString{"local"});
@@ -89,13 +67,13 @@ private slots:
             QVERIFY(near(figures["mean_signed_m"].toDouble(), 0.10) ||
                     QLatin1String(kind) == QLatin1String("turn"));
         }
-        const int rows = static_cast<int>(read(at("shifted.csv")).trimmed().split('\n').size());
-        const QList<QByteArray> table = read(at("out/compare.csv")).trimmed().split('\n');
+        const int rows = static_cast<int>(contentsOf(at("shifted.csv")).trimmed().split('\n').size());
+        const QList<QByteArray> table = contentsOf(at("out/compare.csv")).trimmed().split('\n');
         QCOMPARE(table.size(), rows);
         QCOMPARE(table[0],
                  QByteArray("track,time_s,lon_deg,lat_deg,x_m,y_m,s_m,segment,order,cross_track_m"));
         QCOMPARE(table[1].split(',').back(), QByteArray("0.1000"));
-        QXmlStreamReader picture{read(at("out/compare.svg"))};
+        QXmlStreamReader picture{contentsOf(at("out/compare.svg"))};
         while (!picture.atEnd()) {
             picture.readNext();
         }
@@ -104,15 +82,15 @@ private slots:
     }
 
     void forPeople() {
-        const Answer answer = furrow({"compare", at("plan"), at("shifted.csv")});
+        const Answer answer = furrowCli({"compare", at("plan"), at("shifted.csv")});
         QCOMPARE(answer.status, 0);
         QVERIFY(answer.out.contains("Swaths") && answer.out.contains("0.100"));
     }
 
     void aPlanIsItsOwnTrack() {
-        const Answer answer = furrow({"compare", at("plan"), at("plan/path.csv"), "--json"});
+        const Answer answer = furrowCli({"compare", at("plan"), at("plan/path.csv"), "--json"});
         QCOMPARE(answer.status, 0);
-        const QJsonObject all = QJsonDocument::fromJson(answer.out.toUtf8()).object();
+        const QJsonObject all = answer.json();
         QVERIFY(all["overall"]["largest_m"].toDouble() < 1e-6);
     }
 
@@ -140,10 +118,10 @@ private slots:
         QFETCH(QStringList, arguments);
         QFETCH(int, status);
         QFETCH(QString, part);
-        const Answer answer = furrow(arguments);
+        const Answer answer = furrowCli(arguments);
         QCOMPARE(answer.status, status);
         QVERIFY(answer.out.isEmpty());
-        QVERIFY2(answer.error.contains(part), qPrintable(answer.error));
+        QVERIFY2(answer.error.contains(part.toUtf8()), answer.error);
         QCOMPARE(answer.error.trimmed().count('\n'), 0);
     }
 };

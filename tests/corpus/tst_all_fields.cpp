@@ -1,18 +1,20 @@
 // Two thousand real fields, none of them drawn by the authors: every one is planned or refused for a reason.
 
-#include "planner/io/boundary_import.h"
 #include "planner/machine/machine_library.h"
 #include "planner/plan/plan.h"
+#include "tests/support/real_fields.h"
 
 #include <QTest>
 
-#include <filesystem>
 #include <map>
 
 using namespace furrow;
 
 class TestAllFields : public QObject {
     Q_OBJECT
+
+public:
+    TestAllFields() { test::allowTimeForEveryField(); }
 
 private slots:
     void everyFieldIsPlannedOrRefusedForAReason();
@@ -23,7 +25,8 @@ namespace {
 /// The refusals that are meant to happen to real boundaries; anything else is a bug.
 bool isKnownReason(const Error& error) {
     static const std::string_view known[] = {"crosses itself", "nowhere as wide as the machine",
-                                             "enclose no area", "fewer than 3 different points"};
+                                             "fits nowhere into the field", "enclose no area",
+                                             "fewer than 3 different points"};
     return error.code == ErrorCode::InputRefused && std::ranges::any_of(known, [&](std::string_view text) {
                return error.what.find(text) != std::string::npos;
            });
@@ -32,13 +35,12 @@ bool isKnownReason(const Error& error) {
 }  // namespace
 
 void TestAllFields::everyFieldIsPlannedOrRefusedForAReason() {
-    const std::filesystem::path file = FURROW_SHARED_DATA_DIR "/fields/all_fields.geojson";
-    if (!std::filesystem::exists(file)) {
+    const std::vector<FieldSource> sources = test::collectedFields(7);
+    if (sources.empty()) {
         QSKIP("the collection of real fields is not beside the project");
     }
-    const auto sources = readBoundaries(file, {});
-    QVERIFY2(sources.has_value(), sources ? "" : sources.error().line().c_str());
-    QCOMPARE(sources->size(), std::size_t{2005});
+    // 2005 of them, or every seventh.
+    QVERIFY(sources.size() == 2005 || sources.size() == 287);
 
     int planned = 0;
     int drivable = 0;
@@ -50,10 +52,7 @@ void TestAllFields::everyFieldIsPlannedOrRefusedForAReason() {
     double slowest = 0.0;
     std::string slowestId;
     std::map<std::string, int> refusals;
-    // Every seventh one in the everyday run; all of them when asked for.
-    const std::size_t every = qEnvironmentVariableIsSet("FURROW_EVERY_FIELD") ? 1 : 7;
-    for (std::size_t i = 0; i < sources->size(); i += every) {
-        const FieldSource& source = (*sources)[i];
+    for (const FieldSource& source : sources) {
         auto field = Field::create(source);
         const bool valid = field.has_value();
         const bool isLarge = valid && inHectares(field->area()) > 0.3;
@@ -89,8 +88,8 @@ void TestAllFields::everyFieldIsPlannedOrRefusedForAReason() {
     const auto quantile = [&](double share) {
         return milliseconds[static_cast<std::size_t>(share * static_cast<double>(milliseconds.size() - 1))];
     };
-    qInfo("planned %d of %zu, %d of %d over 0.3 ha, fully drivable %d, turns that stay inside %.1f %%",
-          planned, (sources->size() + every - 1) / every, largePlanned, large, drivable, 100.0 * (1.0 - undrivableTurns / turns));
+    qInfo("planned %d of %zu, %d of %d over 0.3 ha, fully drivable %d, turns that stay inside %.1f %%", planned,
+          sources.size(), largePlanned, large, drivable, 100.0 * (1.0 - undrivableTurns / turns));
     qInfo("planning time: median %.1f ms, 95 %% %.1f ms, largest %.0f ms (%s)", quantile(0.5), quantile(0.95), slowest,
           slowestId.c_str());
     for (const auto& [reason, count] : refusals) {

@@ -4,9 +4,11 @@
 #include "tests/support/result_check.h"
 #include "tests/support/wkt.h"
 
+#include <algorithm>
 #include <array>
 #include <cmath>
 #include <numbers>
+#include <random>
 #include <stop_token>
 #include <thread>
 
@@ -289,6 +291,34 @@ private slots:
         // What was interrupted leaves nothing behind for the next one.
         const auto next = dilated({test::rectangle(10.0, 10.0)}, metres(1.0), kArcTolerance, {});
         VERIFY_RESULT(next);
+    }
+
+    // A point every 5 cm that lies up to 2 cm beside the circle: as they are, GEOS moves them in for seconds
+    // that no stop ends. Thinned, the result is never nearer to the boundary, and 10 cm farther at most.
+    void aBoundaryOfScatteredPointsIsThinned() {
+        constexpr std::uint64_t kSeed = 12;
+        std::mt19937_64 random{kSeed};
+        constexpr int kPoints = 62'832;
+        Ring ring;
+        for (int i = 0; i < kPoints; ++i) {
+            ring.push_back((500.0 + test::uniform(random, -0.02, 0.02)) * direction(2.0 * std::numbers::pi * i / kPoints));
+        }
+        const auto inner = eroded({{.outer = ring, .holes = {}}}, metres(1.25), kArcTolerance, {});
+        VERIFY_RESULT(inner);
+        QCOMPARE(inner->size(), std::size_t{1});
+        VERIFY_TOLD(vertexCount(*inner) < 25'000, QByteArray::number(vertexCount(*inner)));
+        const Ring& result = inner->front().outer;
+        for (std::size_t k = 0; k < result.size(); k += 97) {
+            const Point point = result[k];
+            double nearest = 500.0;
+            for (std::size_t i = 0; i < ring.size(); ++i) {
+                const Point from = ring[i];
+                const Point way = ring[(i + 1) % ring.size()] - from;
+                const double along = std::clamp(dot(point - from, way) / dot(way, way), 0.0, 1.0);
+                nearest = std::min(nearest, distance(point, from + along * way));
+            }
+            VERIFY_TOLD(nearest >= 1.25 - 1e-6 && nearest <= 1.35, QByteArray::number(nearest));
+        }
     }
 
     void severalThreadsAtOnce() {

@@ -78,6 +78,8 @@ private slots:
     void reads();
     void readsText_data();
     void readsText();
+    void saysWhichRingsWereOpen_data();
+    void saysWhichRingsWereOpen();
     void keepsPartsTogether();
     void readsOwnPlans();
     void takesIdsAndNames_data();
@@ -129,6 +131,7 @@ void TestBoundaryImport::reads() {
     QVERIFY2(read, text(read));
     QCOMPARE(static_cast<int>(read->size()), fields);
     QVERIFY(isNorthField(read->front()));
+    QVERIFY(read->front().repairs.empty());
     // 205.96 m by 222.53 m of the ellipsoid there, a third by a half of it for the hole; by geod(1).
     QVERIFY(std::abs(areaOf(read->front()).si() - 38207.3) < 0.5);
 }
@@ -192,6 +195,62 @@ void TestBoundaryImport::readsText() {
     const auto read = readBoundaries(scratch.write(file.toStdString(), content.toStdString()));
     QVERIFY2(read, text(read));
     QVERIFY(isNorthField(read->front()));
+}
+
+void TestBoundaryImport::saysWhichRingsWereOpen_data() {
+    QTest::addColumn<QString>("file");
+    QTest::addColumn<QString>("content");
+    QTest::addColumn<QString>("said");
+    QTest::addColumn<QString>("where");
+    QTest::addColumn<double>("lonDeg");
+    const QString one = "1 ring did not end where it began and was closed";
+    const QString boundary = "the boundary";
+    QTest::newRow("GeoJSON") << "f.geojson"
+                             << R"({"type":"Polygon","coordinates":[[[9,52],[9.003,52],[9.003,52.002],[9,52.002]]]})"
+                             << one << boundary << 9.0;
+    QTest::newRow("hole") << "f.geojson"
+                          << R"({"type":"Polygon","coordinates":[[[9,52],[9.003,52],[9.003,52.002],[9,52]],)"
+                             R"([[9.002,52.0005],[9.0025,52.001],[9.0025,52.0005]]]})"
+                          << one << boundary << 9.002;
+    QTest::newRow("both rings of well-known text")
+        << "f.wkt" << "POLYGON((9 52, 9.003 52, 9.003 52.002), (9.002 52.0005, 9.0025 52.001, 9.0025 52.0005))"
+        << "2 rings did not end where they began and were closed" << boundary << 9.0;
+    QTest::newRow("another system") << "f.wkt" << "SRID=25832;POLYGON((500000 5761000, 500200 5761000, 500200 5761100))"
+                                    << one << boundary << 9.0;
+    QTest::newRow("KML")
+        << "f.kml"
+        << R"(<kml xmlns="http://www.opengis.net/kml/2.2"><Document><Placemark><Polygon><outerBoundaryIs><LinearRing>)"
+           "<coordinates>9,52 9.003,52 9.003,52.002</coordinates></LinearRing></outerBoundaryIs></Polygon>"
+           "</Placemark></Document></kml>"
+        << one << boundary << 9.0;
+    QTest::newRow("obstacle")
+        << "f.geojson"
+        << R"({"type":"FeatureCollection","features":[)"
+           R"({"type":"Feature","properties":{"kind":"field"},"geometry":{"type":"Polygon","coordinates":[[[9,52],[9.1,52],[9,52.1],[9,52]]]}},)"
+           R"({"type":"Feature","properties":{"kind":"obstacle","name":"Pylon"},"geometry":{"type":"Polygon","coordinates":[[[9.01,52.01],[9.02,52.01],[9.01,52.02]]]}}]})"
+        << one << "obstacle 'Pylon'" << 9.01;
+    // A table of points has no closing point to miss; nor does a ring whose ends are under a millimetre apart.
+    QTest::newRow("points in a table") << "f.csv" << "lon,lat\n9,52\n9.003,52\n9.003,52.002\n" << "" << "" << 0.0;
+    QTest::newRow("ends a hair apart")
+        << "f.wkt" << "POLYGON((9 52, 9.003 52, 9.003 52.002, 9.000000001 52.000000001))" << "" << "" << 0.0;
+}
+
+void TestBoundaryImport::saysWhichRingsWereOpen() {
+    QFETCH(QString, file);
+    QFETCH(QString, content);
+    QFETCH(QString, said);
+    QFETCH(QString, where);
+    QFETCH(double, lonDeg);
+    const Scratch scratch;
+    const auto read = readBoundaries(scratch.write(file.toStdString(), content.toStdString()));
+    QVERIFY2(read, text(read));
+    const std::vector<Note>& repairs = read->front().repairs;
+    QCOMPARE(repairs.size(), said.isEmpty() ? 0U : 1U);
+    if (!said.isEmpty()) {
+        QCOMPARE(QString::fromStdString(repairs.front().text), said);
+        QCOMPARE(QString::fromStdString(repairs.front().where), where);
+        QVERIFY(repairs.front().place && std::abs(repairs.front().place->lonDeg - lonDeg) < kToleranceDeg);
+    }
 }
 
 void TestBoundaryImport::keepsPartsTogether() {

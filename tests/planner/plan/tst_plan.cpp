@@ -236,30 +236,6 @@ private slots:
         }
     }
 
-    void refusesAFieldNarrowerThanTheMachine_data() {
-        QTest::addColumn<double>("heightM");
-        QTest::addColumn<QString>("marginM");
-        QTest::addColumn<bool>("fits");
-        // The AgBot is 2.5 m wide.
-        QTest::newRow("wide enough") << 2.6 << "0" << true;
-        QTest::newRow("too narrow") << 2.4 << "0" << false;
-        QTest::newRow("too narrow with its margin") << 4.0 << "1" << false;
-        QTest::newRow("wide enough with its margin") << 4.7 << "1" << true;
-    }
-    void refusesAFieldNarrowerThanTheMachine() {
-        QFETCH(double, heightM);
-        QFETCH(QString, marginM);
-        QFETCH(bool, fits);
-        const auto plan = makePlan({.field = fieldOf({test::centredRectangle(100.0, heightM)}), .machine = agbot(),
-                                    .settings = settingsOf({{"field.margin_m", marginM.toStdString()}})});
-        QCOMPARE(plan.has_value(), fits);
-        if (!fits) {
-            QCOMPARE(plan.error().code, ErrorCode::InputRefused);
-            QVERIFY2(plan.error().line().contains("2.50 m"), plan.error().line().c_str());
-            QVERIFY(plan.error().place.has_value());
-        }
-    }
-
     void findings_data() {
         QTest::addColumn<QString>("headland");
         QTest::addColumn<QString>("turn");

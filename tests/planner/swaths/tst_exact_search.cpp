@@ -1,16 +1,20 @@
 // The exact search is never worse than brute force at 0.1 degree, and what it calls proved is.
 
 #include "planner/geometry/convex_hull.h"
+#include "planner/headland/methods.h"
 #include "planner/machine/machine_library.h"
 #include "planner/swaths/heading_search.h"
 #include "planner/swaths/methods.h"
-#include "tests/support/stages.h"
 #include "tests/support/field_generator.h"
+#include "tests/support/real_fields.h"
+#include "tests/support/result_check.h"
+#include "tests/support/stages.h"
 
 #include <QTest>
 
 #include <algorithm>
 #include <cmath>
+#include <iterator>
 #include <random>
 
 using namespace furrow;
@@ -37,35 +41,87 @@ HeadingFigures bruteForceAtATenth(const ScanLine& scanLine, SwathObjective objec
     return best;
 }
 
+/// What a real field leaves to be worked in swaths.
+struct RealMainland {
+    QByteArray name;
+    MultiPolygon polygons;
+};
+
+/// Of the fields that come with Furrow, and of every fortieth of the others where they are there; behind
+/// headlands of the standard width. Fields that are refused, or too narrow for a headland, are left out.
+const std::vector<RealMainland>& realMainlands() {
+    static const std::vector<RealMainland> all = [] {
+        std::vector<FieldSource> sources = test::shippedFields();
+        std::ranges::move(test::collectedFields(40), std::back_inserter(sources));
+        std::vector<RealMainland> mainlands;
+        for (const FieldSource& source : sources) {
+            const auto field = Field::create(source);
+            if (!field) {
+                continue;
+            }
+            auto headland = test::headlandBy(kConstantWidthMethod, *field, machineLibrary().front(), {});
+            if (headland && headland->notes.empty()) {
+                mainlands.push_back({QByteArray::fromStdString(source.id), std::move(headland->mainland)});
+            }
+        }
+        return mainlands;
+    }();
+    return all;
+}
+
+void addObjectives() {
+    QTest::addColumn<QString>("objective");
+    for (const char* id : {"time", "swath-count", "swath-length", "coverage", "overlap"}) {
+        QTest::newRow(id) << QString{id};
+    }
+}
+
+/// The exact search of this mainland against every tenth of a degree.
+void compareWithATenth(const MultiPolygon& mainland, const QString& objective, const QByteArray& told) {
+    const Machine& machine = machineLibrary().front();
+    const Settings settings = byObjective(qPrintable(objective));
+    const SwathObjective by = objectiveOf(settings);
+    const auto exact = test::swathsBy(kExactMethod, mainland, machine, settings, {});
+    VERIFY_TOLD(exact.has_value(), told);
+    const auto scanLine = scanLineFor({test::anyField(), mainland, machine, settings});
+    VERIFY_TOLD(scanLine.has_value(), told);
+    const HeadingFigures brute = bruteForceAtATenth(*scanLine, by);
+    const HeadingFigures ours = scanLine->figures(exact->heading, by);
+    VERIFY_TOLD(!isBetter(by, brute, ours) || (by == SwathObjective::Count && brute.count == ours.count), told);
+    VERIFY_TOLD(static_cast<int>(exact->swaths.size()) == ours.count, told);
+}
+
 }  // namespace
 
 class TestExactSearch : public QObject {
     Q_OBJECT
 
+public:
+    TestExactSearch() { test::allowTimeForEveryField(); }
+
 private slots:
-    void neverWorseThanATenthOfADegree_data() {
-        QTest::addColumn<QString>("objective");
-        for (const char* id : {"time", "swath-count", "swath-length", "coverage", "overlap"}) {
-            QTest::newRow(id) << QString{id};
-        }
-    }
+    void neverWorseThanATenthOfADegree_data() { addObjectives(); }
     void neverWorseThanATenthOfADegree() {
         QFETCH(QString, objective);
-        const Machine& machine = machineLibrary().front();
-        const Settings settings = byObjective(qPrintable(objective));
-        const SwathObjective by = objectiveOf(settings);
         std::mt19937_64 random{kSeed};
         for (std::size_t i = 0; i < 25; ++i) {
-            const MultiPolygon mainland = test::randomPolygons(random, test::kShapes[i % 5], 60.0);
-            const auto exact = test::swathsBy(kExactMethod, mainland, machine, settings, {});
-            QVERIFY(exact.has_value());
-            const auto scanLine = scanLineFor({test::anyField(), mainland, machine, settings});
-            QVERIFY(scanLine.has_value());
-            const HeadingFigures brute = bruteForceAtATenth(*scanLine, by);
-            const HeadingFigures ours = scanLine->figures(exact->heading, by);
-            QVERIFY2(!isBetter(by, brute, ours) || (by == SwathObjective::Count && brute.count == ours.count),
-                     qPrintable(QStringLiteral("seed %1, field %2").arg(kSeed).arg(i)));
-            QCOMPARE(static_cast<int>(exact->swaths.size()), ours.count);
+            compareWithATenth(test::randomPolygons(random, test::kShapes[i % 5], 60.0), objective,
+                              QStringLiteral("seed %1, field %2").arg(kSeed).arg(i).toUtf8());
+            if (QTest::currentTestFailed()) {
+                return;
+            }
+        }
+    }
+
+    void neverWorseOnRealFields_data() { addObjectives(); }
+    void neverWorseOnRealFields() {
+        QFETCH(QString, objective);
+        QVERIFY(realMainlands().size() >= 40);
+        for (const RealMainland& mainland : realMainlands()) {
+            compareWithATenth(mainland.polygons, objective, mainland.name);
+            if (QTest::currentTestFailed()) {
+                return;
+            }
         }
     }
 
@@ -119,16 +175,20 @@ private slots:
         QTest::addColumn<QList<QPointF>>("points");
         QTest::addColumn<int>("corners");
         QTest::addColumn<double>("width");
+        QTest::addColumn<double>("diameterM");
         QTest::newRow("square with points inside and on edges")
-            << QList<QPointF>{{0, 0}, {2, 0}, {4, 0}, {4, 4}, {0, 4}, {1, 1}, {2, 3}} << 4 << 4.0;
+            << QList<QPointF>{{0, 0}, {2, 0}, {4, 0}, {4, 4}, {0, 4}, {1, 1}, {2, 3}} << 4 << 4.0
+            << std::sqrt(32.0);
         // Height on the hypotenuse of 3-4-5: 12/5.
-        QTest::newRow("right triangle") << QList<QPointF>{{0, 0}, {4, 0}, {0, 3}} << 3 << 2.4;
-        QTest::newRow("rectangle aslant") << QList<QPointF>{{0, 0}, {6, 8}, {2, 11}, {-4, 3}} << 4 << 5.0;
+        QTest::newRow("right triangle") << QList<QPointF>{{0, 0}, {4, 0}, {0, 3}} << 3 << 2.4 << 5.0;
+        QTest::newRow("rectangle aslant") << QList<QPointF>{{0, 0}, {6, 8}, {2, 11}, {-4, 3}} << 4 << 5.0
+                                          << std::sqrt(125.0);
     }
     void hullAndItsWidth() {
         QFETCH(QList<QPointF>, points);
         QFETCH(int, corners);
         QFETCH(double, width);
+        QFETCH(double, diameterM);
         Ring ring;
         for (const QPointF& point : points) {
             ring.push_back({point.x(), point.y()});
@@ -137,6 +197,7 @@ private slots:
         QCOMPARE(static_cast<int>(hull.size()), corners);
         QVERIFY(isConvex(hull));
         QCOMPARE(minimumWidth(hull).si(), width);
+        QCOMPARE(diameter(hull).si(), diameterM);
     }
 
     void stopsWhenAsked() {
