@@ -1,6 +1,5 @@
 #include "planner/headland/methods.h"
 #include "planner/headland/turning_room.h"
-#include "planner/machine/machine_library.h"
 #include "planner/turns/dubins.h"
 #include "tests/support/field_generator.h"
 #include "tests/support/result_check.h"
@@ -11,6 +10,7 @@
 #include <stop_token>
 
 using namespace furrow;
+using test::agbot;
 
 namespace {
 
@@ -22,11 +22,6 @@ Field fieldFrom(const MultiPolygon& polygons) {
 }
 
 // The paper's robot: operating and vehicle width 2.5 m, turning radius 2.1 m.
-const Machine& agbot() {
-    static const Machine machine = findMachine("agbot").value();
-    return machine;
-}
-
 Settings settingsWith(const std::optional<double>& widthM, const std::optional<double>& passes) {
     Settings settings;
     if (widthM) {

@@ -4,7 +4,6 @@
 #include "planner/headland/methods.h"
 #include "planner/headland/pass_tracks.h"
 #include "planner/headland/smooth_ring.h"
-#include "planner/machine/machine_library.h"
 #include "planner/turns/dubins.h"
 #include "planner/turns/turn_sampling.h"
 #include "tests/support/field_generator.h"
@@ -18,16 +17,12 @@
 #include <stop_token>
 
 using namespace furrow;
+using test::agbot;
 
 namespace {
 
 constexpr double kPi = std::numbers::pi;
 constexpr GeoPoint kCentre{9.2, 51.3};
-
-const Machine& agbot() {
-    static const Machine machine = findMachine("agbot").value();
-    return machine;
-}
 
 // Tractor 3 m wide, implement 2.5 m: 0.25 m stays uncut on either side.
 const Machine& wideTractor() {

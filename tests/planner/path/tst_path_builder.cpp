@@ -1,4 +1,3 @@
-#include "planner/machine/machine_library.h"
 #include "planner/path/path_builder.h"
 #include "planner/route/methods.h"
 #include "planner/swaths/scan_line.h"
@@ -14,15 +13,11 @@
 #include <stop_token>
 
 using namespace furrow;
+using test::agbot;
 
 namespace {
 
 constexpr double kPi = std::numbers::pi;
-
-const Machine& agbot() {
-    static const Machine machine = findMachine("agbot").value();
-    return machine;
-}
 
 /// The same with the implement right at the axle and lifted in no time: numbers that can be worked out by hand.
 const Machine& plainRobot() {

@@ -5,11 +5,11 @@
 // the command line makes of it in tst_cli.
 
 #include "planner/io/boundary_import.h"
-#include "planner/machine/machine_library.h"
 #include "planner/plan/method_registry.h"
 #include "planner/plan/plan.h"
 #include "tests/support/field_generator.h"
 #include "tests/support/result_check.h"
+#include "tests/support/stages.h"
 #include "tests/support/wkt.h"
 
 #include <QElapsedTimer>
@@ -26,6 +26,7 @@
 #include <stop_token>
 
 using namespace furrow;
+using test::agbot;
 using test::fieldSourceFromLocal;
 
 namespace {
@@ -37,10 +38,6 @@ constexpr Point kNoPlace{kNan, kNan};
 
 using PlanResult = Result<std::shared_ptr<const Plan>>;
 using Planned = std::function<PlanResult()>;
-
-MachineSpec agbot() {
-    return findMachine("agbot").value().spec();
-}
 
 /// Drawn in metres around the centre.
 FieldSource sourceFromWkt(const char* wkt) {
@@ -112,7 +109,7 @@ PlanResult plan(const FieldSource& source, const MachineSpec& spec, const Settin
 }
 
 Planned planOf(FieldSource source) {
-    return [source = std::move(source)] { return plan(source, agbot()); };
+    return [source = std::move(source)] { return plan(source, agbot().spec()); };
 }
 
 Point inRow(const std::optional<GeoPoint>& place) {
@@ -161,7 +158,7 @@ private slots:
         QFETCH(QString, said);
         QFETCH(Point, place);
         QFETCH(double, areaM2);
-        const PlanResult result = plan(source, agbot());
+        const PlanResult result = plan(source, agbot().spec());
         VERIFY_RESULT(result);
         const Plan& made = **result;
         COMPARE_WITHIN(area(made.field().boundary()).si(), areaM2, 5.0);
@@ -209,11 +206,11 @@ private slots:
             << planOf(withObstacle("POLYGON((200 40, 220 40, 220 60, 200 60, 200 40))")) << "lies outside the field"
             << "fields.gpkg, feature 12, obstacle 'pond'" << Point{200.0, 40.0};
         for (const double value : {0.0, -3.0, kNan, kInfinity}) {
-            MachineSpec spec = agbot();
+            MachineSpec spec = agbot().spec();
             spec.implement.operatingWidth = metres(value);
             QTest::addRow("operating width %g", value) << Planned{[spec] { return plan(square(), spec); }}
                                                        << "cannot be worked with" << "machine, operating_width_m" << kNoPlace;
-            spec = agbot();
+            spec = agbot().spec();
             spec.tractor.minTurningRadius = metres(value);
             QTest::addRow("turning radius %g", value) << Planned{[spec] { return plan(square(), spec); }}
                                                       << "cannot be worked with" << "machine, min_turning_radius_m" << kNoPlace;
@@ -260,7 +257,7 @@ private slots:
         QFETCH(QString, marginM);
         QFETCH(QString, said);
         const PlanResult result =
-            plan(rectangle(widthM, heightM), agbot(), settingsOf({{"field.margin_m", marginM.toStdString()}}));
+            plan(rectangle(widthM, heightM), agbot().spec(), settingsOf({{"field.margin_m", marginM.toStdString()}}));
         QVERIFY2(result.has_value() == said.isEmpty(), result ? "" : result.error().line().c_str());
         if (!result) {
             QCOMPARE(result.error().code, ErrorCode::InputRefused);
@@ -273,14 +270,14 @@ private slots:
     // A trailed implement bends at its hitch: only the tractor, 5.2 m of a length that is 11.5 m in all, has to
     // fit. One that is shorter than wide goes sideways into what is as wide as it is long.
     void whatOfAMachineHasToFit() {
-        MachineSpec trailed = agbot();
+        MachineSpec trailed = agbot().spec();
         trailed.tractor.length = metres(5.2);
         trailed.implement.mounting = Mounting::Trailed;
         trailed.implement.offset = metres(-7.0);
         VERIFY_RESULT(plan(rectangle(5.3, 2.6), trailed));
         trailed.implement.mounting = Mounting::Mounted;
         QVERIFY(!plan(rectangle(5.3, 2.6), trailed));
-        MachineSpec wide = agbot();
+        MachineSpec wide = agbot().spec();
         wide.tractor.length = metres(1.5);
         wide.tractor.rearOverhang = metres(0.5);
         wide.implement.offset = metres(0.0);
@@ -291,7 +288,7 @@ private slots:
     }
 
     void aHundredThousandVerticesArePlanned() {
-        const PlanResult result = plan(circle(100'000, 150.0), agbot(), quick({{"swaths.method", "longest-edge"}}));
+        const PlanResult result = plan(circle(100'000, 150.0), agbot().spec(), quick({{"swaths.method", "longest-edge"}}));
         VERIFY_RESULT(result);
         QCOMPARE((*result)->field().vertexCount(), std::size_t{100'000});
         // pi 150² m², and 300 m less twice 10 m of headland in swaths of 2.5 m.
@@ -320,7 +317,7 @@ private slots:
                                      }
                                  },
                              .threads = 0};
-        const PlanResult result = plan(circle(100'000, 150.0), agbot(), quick({}), job);
+        const PlanResult result = plan(circle(100'000, 150.0), agbot().spec(), quick({}), job);
         QVERIFY(stop.stop_requested());
         QVERIFY(!result);
         QCOMPARE(result.error().code, ErrorCode::Cancelled);

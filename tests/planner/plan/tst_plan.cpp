@@ -1,8 +1,8 @@
-#include "planner/machine/machine_library.h"
 #include "planner/plan/method_registry.h"
 #include "planner/plan/plan.h"
 #include "tests/support/field_generator.h"
 #include "tests/support/result_check.h"
+#include "tests/support/stages.h"
 
 #include <algorithm>
 #include <atomic>
@@ -13,15 +13,11 @@
 #include <stop_token>
 
 using namespace furrow;
+using test::agbot;
 
 namespace {
 
 constexpr GeoPoint kCentre{9.2, 51.3};
-
-const Machine& agbot() {
-    static const Machine machine = findMachine("agbot").value();
-    return machine;
-}
 
 Settings settingsOf(std::initializer_list<std::pair<std::string_view, std::string_view>> given) {
     Settings settings;

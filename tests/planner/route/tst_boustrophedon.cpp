@@ -1,6 +1,4 @@
-#include "planner/machine/machine_library.h"
 #include "planner/route/methods.h"
-#include "planner/swaths/scan_line.h"
 #include "tests/support/field_generator.h"
 #include "tests/support/result_check.h"
 #include "tests/support/stages.h"
@@ -11,31 +9,16 @@
 #include <stop_token>
 
 using namespace furrow;
+using test::agbot;
+using test::swathsOf;
+using test::told;
 
 namespace {
-
-SwathSet swathsOf(const MultiPolygon& mainland, double widthM, double headingDeg) {
-    return ScanLine{mainland, {.width = metres(widthM), .overlap = {}}}.swaths(degrees(headingDeg));
-}
-
-const Machine& agbot() {
-    static const Machine machine = findMachine("agbot").value();
-    return machine;
-}
 
 Settings corner(const char* id) {
     Settings settings;
     settings.setText(kCorner, id).value();
     return settings;
-}
-
-/// "0 1- 2": indices in their order, reversed ones with a minus.
-QString told(const Route& route) {
-    QStringList steps;
-    for (const RouteStep& step : route.steps) {
-        steps << QString::number(step.swath) + (step.reversed ? "-" : "");
-    }
-    return steps.join(' ');
 }
 
 }  // namespace

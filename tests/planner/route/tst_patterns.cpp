@@ -1,7 +1,5 @@
-#include "planner/machine/machine_library.h"
 #include "planner/route/methods.h"
 #include "planner/route/patterns.h"
-#include "planner/swaths/scan_line.h"
 #include "tests/support/field_generator.h"
 #include "tests/support/result_check.h"
 #include "tests/support/stages.h"
@@ -15,17 +13,11 @@
 #include <stop_token>
 
 using namespace furrow;
+using test::agbot;
+using test::swathsOf;
+using test::told;
 
 namespace {
-
-SwathSet swathsOf(const MultiPolygon& mainland, double widthM, double headingDeg) {
-    return ScanLine{mainland, {.width = metres(widthM), .overlap = {}}}.swaths(degrees(headingDeg));
-}
-
-const Machine& agbot() {
-    static const Machine machine = findMachine("agbot").value();
-    return machine;
-}
 
 Settings settingsOf(std::initializer_list<std::pair<const Parameter*, std::string_view>> given) {
     Settings settings;
@@ -41,15 +33,6 @@ QString told(const TrackOrder& order) {
         tracks << QString::number(track);
     }
     return tracks.join(' ');
-}
-
-/// "0 1- 2": indices in their order, reversed ones with a minus.
-QString told(const Route& route) {
-    QStringList steps;
-    for (const RouteStep& step : route.steps) {
-        steps << QString::number(step.swath) + (step.reversed ? "-" : "");
-    }
-    return steps.join(' ');
 }
 
 using Pattern = std::function<TrackOrder(std::size_t)>;

@@ -5,6 +5,7 @@
 #include "planner/units/angle.h"
 #include "tests/support/field_generator.h"
 #include "tests/support/result_check.h"
+#include "tests/support/stages.h"
 
 #include <algorithm>
 #include <cmath>
@@ -42,10 +43,6 @@ MultiPolygon plenty() {
     return {test::rectangle(2000.0, 2000.0, {-1000.0, -1000.0})};
 }
 
-SwathSet swathsOf(const MultiPolygon& mainland, double headingDeg = 0.0, double widthM = kWidthM) {
-    return ScanLine{mainland, {.width = metres(widthM), .overlap = {}}}.swaths(degrees(headingDeg));
-}
-
 /// The rectangle that is worked from one point to another, counter-clockwise.
 Polygon strip(Point from, Point to, Point along, double halfWidthM) {
     const Point left = halfWidthM * Point{-along.y, along.x};
@@ -75,7 +72,7 @@ private slots:
         QFETCH(double, sideDeg);
         QFETCH(double, turnedDeg);
         const MultiPolygon mainland = test::moved(parallelogram(sideDeg), degrees(turnedDeg), {});
-        const SwathSet flat = swathsOf(mainland, turnedDeg);
+        const SwathSet flat = test::swathsOf(mainland, kWidthM, turnedDeg);
         QCOMPARE(flat.swaths.size(), std::size_t{10});
         SwathSet full = flat;
         const MultiPolygon room = plenty();
@@ -141,7 +138,7 @@ private slots:
         const MultiPolygon mainland = parallelogram(45.0);
         const MultiPolygon working{test::rectangle(workingToX + 500.0, 1000.0, {-500.0, -500.0})};
         const MultiPolygon driving{test::rectangle(drivingToX + 500.0, 1000.0, {-500.0, -500.0})};
-        const SwathSet flat = swathsOf(mainland);
+        const SwathSet flat = test::swathsOf(mainland, kWidthM, 0.0);
         SwathSet full = flat;
         drawOutEnds(full, mainland, {.working = working, .driving = driving, .turning = metres(turningM)}, machine());
         const Swath& top = full.swaths.back();
@@ -182,7 +179,7 @@ private slots:
             if (mainland->empty()) {
                 continue;
             }
-            const SwathSet flat = swathsOf(*mainland, test::uniform(random, 0.0, 180.0));
+            const SwathSet flat = test::swathsOf(*mainland, kWidthM, test::uniform(random, 0.0, 180.0));
             SwathSet full = flat;
             drawOutEnds(full, *mainland, {.working = *working, .driving = field, .turning = {}}, machine());
             const Point along = direction(flat.heading.si());
