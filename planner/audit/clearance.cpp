@@ -426,15 +426,20 @@ Result<ClearanceReport> measureClearance(const AuditInput& input, const std::vec
     const Footprint footprint = footprintOf(*input.machine);
     ClearanceReport report;
     // Most plans come near the edge somewhere; only where none of it does is it worth looking farther.
+    double begun = 0.0;
     for (double farthest = 2.0; farthest < 1e6; farthest *= 16.0) {
+        // Each time round half of what is left of the progress.
+        const double done = 0.5 * (begun + 0.9);
+        const JobContext look = job.part(begun, done);
+        begun = done;
         SmallestClearance smallest{farthest};
         auto segments = parallelMap<SegmentClearance>(
             motions.size(),
             [&](std::size_t i) {
                 return SegmentSweep{footprint, meter, smallest}.run(
-                    motions[i], input.segments[i].implementDown, job);
+                    motions[i], input.segments[i].implementDown, look);
             },
-            job);
+            look);
         if (!segments) {
             return std::unexpected(segments.error());
         }
@@ -444,7 +449,7 @@ Result<ClearanceReport> measureClearance(const AuditInput& input, const std::vec
             break;
         }
     }
-    const auto outside = areaOutside(report.segments, *open, mainDirection(motions), job);
+    const auto outside = areaOutside(report.segments, *open, mainDirection(motions), job.part(0.9, 1.0));
     if (!outside) {
         return std::unexpected(outside.error());
     }

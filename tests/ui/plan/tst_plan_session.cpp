@@ -70,7 +70,7 @@ private slots:
         QAbstractItemModelTester choices{session.choices()};
         QAbstractItemModelTester exporter{session.exporter()};
         std::vector<std::unique_ptr<QAbstractItemModelTester>> parameters;
-        for (const char* step : {"field", "headland", "swaths", "route", "path"}) {
+        for (const char* step : {"field", "headland", "decomposition", "swaths", "route", "path"}) {
             parameters.push_back(
                 std::make_unique<QAbstractItemModelTester>(session.steps()->parameters(QLatin1String{step})));
         }
@@ -88,7 +88,7 @@ private slots:
         QVERIFY(!session.hasField());
         QVERIFY(!session.hasPlan());
         QVERIFY(session.drawing().isEmpty());
-        QCOMPARE(session.steps()->rowCount(), 6);
+        QCOMPARE(session.steps()->rowCount(), 7);
     }
     void plansADrawnBoundary() {
         PlanSession session;
