@@ -192,9 +192,6 @@ Result<LevelCells> levelCells(const MultiPolygon& mainland, bool atEveryCorner, 
     return level;
 }
 
-/// Which cells are one: a group for each, named by its lowest member.
-using Groups = std::vector<std::size_t>;
-
 /// How long the border is that the top of one cell shares with the bottom of another, along a cut.
 double borderM(const Polygon& below, const Polygon& above) {
     double length = 0.0;
@@ -213,14 +210,17 @@ double borderM(const Polygon& below, const Polygon& above) {
     return length;
 }
 
-/// Every cell goes on into at most one above it and out of at most one below: a line along the heading still meets
-/// each group in one piece.
-Groups merged(const MultiPolygon& cells) {
-    struct Border {
-        double lengthM;
-        std::size_t below;
-        std::size_t above;
-    };
+/// Which cells are one: a group for each, named by its lowest member.
+using Groups = std::vector<std::size_t>;
+
+struct Border {
+    double lengthM;
+    std::size_t below;
+    std::size_t above;
+};
+
+/// The longest first.
+std::vector<Border> bordersOf(const MultiPolygon& cells) {
     std::vector<Border> borders;
     for (std::size_t i = 0; i < cells.size(); ++i) {
         for (std::size_t k = 0; k < cells.size(); ++k) {
@@ -232,35 +232,55 @@ Groups merged(const MultiPolygon& cells) {
         }
     }
     std::ranges::stable_sort(borders, std::greater{}, &Border::lengthM);
-    Groups group(cells.size());
-    std::iota(group.begin(), group.end(), std::size_t{0});
-    std::vector<bool> goesOn(cells.size(), false);
-    std::vector<bool> comesFrom(cells.size(), false);
+    return borders;
+}
+
+void join(Groups& group, std::size_t a, std::size_t b) {
+    const std::size_t kept = std::min(group[a], group[b]);
+    const std::size_t gone = std::max(group[a], group[b]);
+    std::ranges::replace(group, gone, kept);
+}
+
+/// Every cell goes on into at most one above it and out of at most one below: a line along the heading still meets
+/// each group in one piece.
+Groups merged(const std::vector<Border>& borders, Groups group) {
+    std::vector<bool> goesOn(group.size(), false);
+    std::vector<bool> comesFrom(group.size(), false);
     for (const Border& border : borders) {
-        if (goesOn[border.below] || comesFrom[border.above] || group[border.below] == group[border.above]) {
-            continue;
+        if (!goesOn[border.below] && !comesFrom[border.above] && group[border.below] != group[border.above]) {
+            goesOn[border.below] = comesFrom[border.above] = true;
+            join(group, border.below, border.above);
         }
-        goesOn[border.below] = comesFrom[border.above] = true;
-        const std::size_t kept = std::min(group[border.below], group[border.above]);
-        const std::size_t gone = std::max(group[border.below], group[border.above]);
-        std::ranges::replace(group, gone, kept);
     }
     return group;
 }
 
-/// Puts every swath into the cell its middle lies in.
-void dealOut(const SwathSet& swaths, const LevelFrame& frame, const MultiPolygon& cells, const Groups& group,
-             std::vector<Cell>& into, const std::vector<std::size_t>& indexOf) {
-    for (std::size_t s = 0; s < swaths.swaths.size(); ++s) {
-        const Swath& swath = swaths.swaths[s];
+/// Cells in which nothing is driven go to the neighbour they share most of their border with.
+Groups withoutEmpty(const std::vector<Border>& borders, const std::vector<std::size_t>& homes, Groups group) {
+    const auto isEmpty = [&](std::size_t cell) {
+        return std::ranges::none_of(homes, [&](std::size_t home) { return group[home] == group[cell]; });
+    };
+    for (const Border& border : borders) {
+        if (group[border.below] != group[border.above] && (isEmpty(border.below) || isEmpty(border.above))) {
+            join(group, border.below, border.above);
+        }
+    }
+    return group;
+}
+
+/// The cell that the middle of each swath lies in.
+std::vector<std::size_t> homesOf(const SwathSet& swaths, const LevelFrame& frame, const MultiPolygon& cells) {
+    std::vector<std::size_t> homes;
+    for (const Swath& swath : swaths.swaths) {
         const Point middle = frame.to(0.5 * (swath.start + swath.end));
         auto home = std::ranges::find_if(cells, [&](const Polygon& cell) { return isIn(cell, middle); });
         if (home == cells.end()) {
             // On an edge, or drawn out beyond it.
             home = std::ranges::min_element(cells, {}, [&](const Polygon& cell) { return distanceTo(cell, middle); });
         }
-        into[indexOf[group[static_cast<std::size_t>(home - cells.begin())]]].swaths.push_back(s);
+        homes.push_back(static_cast<std::size_t>(home - cells.begin()));
     }
+    return homes;
 }
 
 Result<Decomposition> decomposed(const DecompositionTask& task, bool atEveryCorner, bool merge, const JobContext& job) {
@@ -270,33 +290,37 @@ Result<Decomposition> decomposed(const DecompositionTask& task, bool atEveryCorn
         return std::unexpected(level.error());
     }
     const MultiPolygon& cells = level->cells;
+    const std::vector<std::size_t> homes = homesOf(task.swaths, frame, cells);
     Groups group(cells.size());
     std::iota(group.begin(), group.end(), std::size_t{0});
     if (merge) {
-        group = merged(cells);
+        const std::vector<Border> borders = bordersOf(cells);
+        group = withoutEmpty(borders, homes, merged(borders, std::move(group)));
     }
     Decomposition result;
-    std::vector<std::size_t> indexOf(cells.size());
     for (std::size_t i = 0; i < cells.size(); ++i) {
         if (group[i] != i) {
             continue;
         }
-        indexOf[i] = result.cells.size();
         MultiPolygon members;
         for (std::size_t k = i; k < cells.size(); ++k) {
             if (group[k] == i) {
                 members.push_back(cells[k]);
             }
         }
-        const Bounds box = bounds(members);
-        result.altitude = result.altitude + metres(box.height());
+        result.altitude = result.altitude + metres(bounds(members).height());
         auto outline = members.size() == 1 ? Result<MultiPolygon>{members} : unionOf(members, job);
         if (!outline) {
             return std::unexpected(outline.error());
         }
-        result.cells.push_back({.outline = frame.from(std::move(*outline)), .swaths = {}});
+        Cell cell{.outline = frame.from(std::move(*outline)), .swaths = {}};
+        for (std::size_t s = 0; s < homes.size(); ++s) {
+            if (group[homes[s]] == i) {
+                cell.swaths.push_back(s);
+            }
+        }
+        result.cells.push_back(std::move(cell));
     }
-    dealOut(task.swaths, frame, cells, group, result.cells, indexOf);
     return result;
 }
 
