@@ -136,6 +136,10 @@ int runPaper(const PaperArguments& arguments) {
     return kDrivable;
 }
 
+double inMegabytes(std::size_t bytes) {
+    return 1e-6 * static_cast<double>(bytes);
+}
+
 Json speedJson(const std::vector<SpeedCase>& cases) {
     Json all = Json::array();
     for (const SpeedCase& each : cases) {
@@ -146,7 +150,8 @@ Json speedJson(const std::vector<SpeedCase>& cases) {
                        {"runs", each.runs},
                        {"median_s", each.median.si()},
                        {"yardstick_s", each.yardstick ? Json(each.yardstick->si()) : Json()},
-                       {"ratio", each.ratio() ? Json(*each.ratio()) : Json()}});
+                       {"ratio", each.ratio() ? Json(*each.ratio()) : Json()},
+                       {"peak_memory_mb", each.peakMemoryBytes ? Json(inMegabytes(*each.peakMemoryBytes)) : Json()}});
     }
     return {{"cases", std::move(all)}};
 }
@@ -175,10 +180,11 @@ int runSpeed(const SpeedArguments& arguments) {
         return kDrivable;
     }
     for (const SpeedCase& each : *cases) {
-        std::println("{:62} {:8.2f} ha {:7} vertices {} thread{} {:>11}{}", each.name, each.areaHa, each.vertices,
+        std::println("{:62} {:8.2f} ha {:7} vertices {} thread{} {:>11}{}{}", each.name, each.areaHa, each.vertices,
                      each.threads, each.threads == 1 ? " " : "s", shortTime(each.median),
                      each.ratio() ? std::format("  plain GEOS {:>10}, {:.0f} times", shortTime(*each.yardstick), *each.ratio())
-                                  : "");
+                                  : "",
+                     each.peakMemoryBytes ? std::format("  memory {:.1f} MB", inMegabytes(*each.peakMemoryBytes)) : "");
     }
     return kDrivable;
 }
@@ -200,7 +206,9 @@ void addBenchCommand(CLI::App& app, std::function<int()>& run) {
     paper->add_flag("--json", arguments->json, "Print one JSON object and nothing else");
     const auto speedArguments = std::make_shared<SpeedArguments>();
     CLI::App* speed = bench->add_subcommand(
-        "speed", "Time headings, searches, plans and turns, with plain GEOS as the yardstick in the same run.");
+        "speed",
+        "Time headings, searches, plans and turns, with plain GEOS as the yardstick in the same run, and measure "
+        "the memory of plans.");
     speed->add_option("--out", speedArguments->out, "Write speed.json to this folder");
     speed->add_flag("--json", speedArguments->json, "Print one JSON object and nothing else");
     speed->callback([&run, speedArguments] { run = [speedArguments] { return runSpeed(*speedArguments); }; });

@@ -2,6 +2,7 @@
 
 #include "planner/geometry/geos_yardstick.h"
 #include "planner/evaluation/paper_settings.h"
+#include "planner/evaluation/peak_memory.h"
 #include "planner/machine/machine_library.h"
 #include "planner/plan/method_registry.h"
 #include "planner/plan/plan.h"
@@ -224,17 +225,20 @@ private:
         const Machine machine = findMachine("agbot").value();
         for (const int threads : {1, 2}) {
             std::optional<Error> failed;
-            const Measured ours = measured([&] {
+            const auto makeOne = [&] {
                 const auto made = makePlan({.field = *field, .machine = machine, .settings = *settings},
                                            {.stop = job_.stop, .progress = {}, .threads = threads});
                 if (!made) {
                     failed = made.error();
                 }
-            });
+            };
+            const Measured ours = measured(makeOne);
+            const auto memory = peakMemoryOf(makeOne);
             if (failed) {
                 return std::unexpected(*failed);
             }
             add(name, shape, threads, ours, std::nullopt);
+            cases_.back().peakMemoryBytes = memory;
         }
         return stopped();
     }

@@ -4,6 +4,7 @@
 #include "planner/jobs/job.h"
 #include "planner/units/quantity.h"
 
+#include <cstddef>
 #include <optional>
 #include <string>
 #include <vector>
@@ -20,13 +21,15 @@ struct SpeedCase {
     Duration median;
     /// The same by plain GEOS in the same run; nothing where there is no such way.
     std::optional<Duration> yardstick;
+    /// By how much memory grows at most in one more run; only for whole plans, where the system tells.
+    std::optional<std::size_t> peakMemoryBytes;
 
     std::optional<double> ratio() const {
         return yardstick ? std::optional{*yardstick / median} : std::nullopt;
     }
 };
 
-/// Headings, searches, whole plans and turns, from 0.25 to 256 ha, 10 to 100,000 vertices, on one and two threads.
+/// Headings, searches, whole plans (with their memory) and turns, from 0.25 to 256 ha, 10 to 100,000 vertices, on one and two threads.
 /// The yardstick of a search is measured on some of its headings and scaled to all of them where that takes long.
 /// Takes a minute or two. Cancelled.
 Result<std::vector<SpeedCase>> measureSpeed(const JobContext& job);

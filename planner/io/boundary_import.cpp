@@ -1,5 +1,6 @@
 #include "planner/io/boundary_import.h"
 
+#include "planner/io/file_error.h"
 #include "planner/io/gdal_bridge.h"
 #include "planner/settings/settings.h"
 
@@ -78,13 +79,6 @@ std::optional<double> numberIn(std::string text) {
     return error == std::errc{} && end == text.data() + last + 1 ? std::optional{number} : std::nullopt;
 }
 
-Error refused(std::string where, std::string what, std::string remedy) {
-    return {.code = ErrorCode::InputRefused,
-            .what = std::move(what),
-            .where = std::move(where),
-            .remedy = std::move(remedy)};
-}
-
 Error usage(std::string what, std::string remedy) {
     return {.code = ErrorCode::Usage, .what = std::move(what), .where = "field", .remedy = std::move(remedy)};
 }
@@ -97,8 +91,9 @@ Result<Length> lengthIn(const VectorFeature& feature, std::string_view name, con
     }
     const std::optional<double> number = numberIn(text);
     if (!number || !std::isfinite(*number) || *number < 0.0) {
-        return std::unexpected(refused(std::format("{}, {}", where, name),
-                                       std::format("'{}' is no length", text), "give metres, 0 or more"));
+        return std::unexpected(inputRefused(std::format("{}, {}", where, name),
+                                            std::format("'{}' is no length", text),
+                                            "give metres, 0 or more"));
     }
     return metres(*number);
 }
@@ -124,13 +119,13 @@ Result<std::vector<VectorFeature>> fieldsFromRows(const std::vector<VectorFeatur
         const std::optional<double> lat = numberIn(latText);
         if (!lon || !lat) {
             return std::unexpected(
-                refused(where, std::format("'{}', '{}' is no longitude and latitude", lonText, latText),
-                        "give both in degrees, or remove the row"));
+                inputRefused(where, std::format("'{}', '{}' is no longitude and latitude", lonText, latText),
+                             "give both in degrees, or remove the row"));
         }
         if (std::isfinite(*lon) && std::isfinite(*lat) && (std::abs(*lon) > 180.0 || std::abs(*lat) > 90.0)) {
             return std::unexpected(
-                refused(where, std::format("{:.3f}, {:.3f} is no longitude and latitude", *lon, *lat),
-                        "give the points in degrees (WGS84), longitude in lon and latitude in lat"));
+                inputRefused(where, std::format("{:.3f}, {:.3f} is no longitude and latitude", *lon, *lat),
+                             "give the points in degrees (WGS84), longitude in lon and latitude in lat"));
         }
         const bool sameField = i > 0 && (!idsGroup || idOf(row) == idOf(rows[i - 1]));
         if (!sameField) {
@@ -172,9 +167,10 @@ Result<void> readTable(VectorFile& file, const std::string& name) {
         for (std::size_t i = 0; i < file.features.size(); ++i) {
             const std::string wkt = firstAttribute(file.features[i], kWktNames);
             if (!file.features[i].hasGeometry() && !wkt.empty()) {
-                return std::unexpected(refused(std::format("{}, row {}", name, i + 1),
-                                               std::format("'{}' is not well-known text", wkt.substr(0, 40)),
-                                               "write POLYGON((lon lat, lon lat, ...))"));
+                return std::unexpected(
+                    inputRefused(std::format("{}, row {}", name, i + 1),
+                                 std::format("'{}' is not well-known text", wkt.substr(0, 40)),
+                                 "write POLYGON((lon lat, lon lat, ...))"));
             }
         }
         return {};
@@ -183,8 +179,9 @@ Result<void> readTable(VectorFile& file, const std::string& name) {
         return !firstAttribute(row, kLongitudeNames).empty() && !firstAttribute(row, kLatitudeNames).empty();
     });
     if (!hasPoints) {
-        return std::unexpected(refused(name, "the table has neither a column WKT nor columns lon and lat",
-                                       "name the columns in the first row"));
+        return std::unexpected(inputRefused(name,
+                                            "the table has neither a column WKT nor columns lon and lat",
+                                            "name the columns in the first row"));
     }
     Result<std::vector<VectorFeature>> fields = fieldsFromRows(file.features, name);
     if (!fields) {
@@ -253,8 +250,9 @@ std::optional<Note> noteOfOpenRings(const VectorFeature& feature, std::string wh
     if (count == 0) {
         return std::nullopt;
     }
-    return Note{.text = count == 1 ? std::string{"1 ring did not end where it began and was closed"}
-                                   : std::format("{} rings did not end where they began and were closed", count),
+    return Note{.text = count == 1
+                            ? std::string{"1 ring did not end where it began and was closed"}
+                            : std::format("{} rings did not end where they began and were closed", count),
                 .where = std::move(where),
                 .place = feature.openRings.front()};
 }
@@ -274,9 +272,9 @@ Result<void> addObstacle(const VectorFeature& feature, std::vector<FieldSource>&
         auto owner =
             std::ranges::find_if(fields, [&](const FieldSource& field) { return touches(field, outline); });
         if (owner == fields.end() && fields.size() > 1) {
-            return std::unexpected(refused(where,
-                                           std::format("it lies in none of the {} fields", fields.size()),
-                                           "remove it from the file, or add its field"));
+            return std::unexpected(
+                inputRefused(where, std::format("it lies in none of the {} fields", fields.size()),
+                             "remove it from the file, or add its field"));
         }
         if (owner == fields.end()) {
             owner = fields.begin();  // where the check of the field says what is wrong with it
@@ -346,8 +344,8 @@ Error noPolygon(const VectorFile& file, const std::string& name) {
     if (found.empty() && !file.features.empty()) {
         found = counted(file.features.size(), "entry without a shape", "entries without a shape");
     }
-    return refused(name, "there is no field boundary in it" + (found.empty() ? "" : ", only " + found),
-                   "export the boundary as a polygon");
+    return inputRefused(name, "there is no field boundary in it" + (found.empty() ? "" : ", only " + found),
+                        "export the boundary as a polygon");
 }
 
 std::string described(const FieldSource& field, std::size_t number) {

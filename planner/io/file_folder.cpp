@@ -1,5 +1,7 @@
 #include "planner/io/file_folder.h"
 
+#include "planner/io/file_error.h"
+
 #include <cpl_error.h>
 #include <cpl_string.h>
 #include <cpl_vsi.h>
@@ -17,18 +19,6 @@ namespace fs = std::filesystem;
 
 constexpr std::size_t kMostEntries = 10'000;
 
-Error readFailed(const std::string& where, std::string what, std::string remedy) {
-    return {
-        .code = ErrorCode::ReadFailed, .what = std::move(what), .where = where, .remedy = std::move(remedy)};
-}
-
-Error refused(const std::string& where, std::string what, std::string remedy) {
-    return {.code = ErrorCode::InputRefused,
-            .what = std::move(what),
-            .where = where,
-            .remedy = std::move(remedy)};
-}
-
 /// Keeps GDAL from printing.
 class Quiet {
 public:
@@ -42,8 +32,10 @@ struct FileCloser {
     void operator()(VSILFILE* file) const { VSIFCloseL(file); }
 };
 
-/// @param wanted  how many bytes from the beginning; fewer where the file is shorter
-Result<std::string> bytesOf(const std::string& systemPath, const std::string& where, std::size_t wanted) {
+}  // namespace
+
+Result<std::string> systemFileStart(const std::string& systemPath, const std::string& where,
+                                    std::size_t wanted) {
     const Quiet quiet;
     const std::unique_ptr<VSILFILE, FileCloser> file{VSIFOpenL(systemPath.c_str(), "rb")};
     if (!file) {
@@ -68,14 +60,16 @@ Result<std::string> bytesOf(const std::string& systemPath, const std::string& wh
     return bytes;
 }
 
-Result<std::string> wholeFile(const std::string& systemPath, const std::string& where) {
-    auto bytes = bytesOf(systemPath, where, kLargestFileBytes + 1);
+Result<std::string> systemFileBytes(const std::string& systemPath, const std::string& where) {
+    auto bytes = systemFileStart(systemPath, where, kLargestFileBytes + 1);
     if (bytes && bytes->size() > kLargestFileBytes) {
-        return std::unexpected(
-            refused(where, "the file is larger than 1 GiB", "cut it into the days or fields that it holds"));
+        return std::unexpected(inputRefused(where, "the file is larger than 1 GiB",
+                                            "cut it into the days or fields that it holds"));
     }
     return bytes;
 }
+
+namespace {
 
 Result<void> checkOrdinary(const fs::path& path) {
     std::error_code failed;
@@ -88,7 +82,7 @@ Result<void> checkOrdinary(const fs::path& path) {
             readFailed(path.string(), "this is no ordinary file", "give a file on a disk"));
     }
     if (fs::file_size(path, failed) == 0 && !failed) {
-        return std::unexpected(refused(path.string(), "the file is empty", "record or export it again"));
+        return std::unexpected(inputRefused(path.string(), "the file is empty", "record or export it again"));
     }
     return {};
 }
@@ -122,8 +116,8 @@ Result<std::vector<FileFolder::Entry>> entriesUnder(const std::string& root, con
     }
     VSICloseDir(listing);
     if (tooMany) {
-        return std::unexpected(refused(where, std::format("it holds more than {} files", kMostEntries),
-                                       "give the folder of one recording"));
+        return std::unexpected(inputRefused(where, std::format("it holds more than {} files", kMostEntries),
+                                            "give the folder of one recording"));
     }
     std::ranges::sort(entries, {},
                       [](const FileFolder::Entry& entry) { return std::tie(entry.folder, entry.name); });
@@ -140,19 +134,27 @@ std::string inSmallLetters(std::string_view text) {
     return small;
 }
 
+std::string extensionInSmallLetters(const fs::path& path) {
+    return inSmallLetters(path.extension().string());
+}
+
+bool isZip(std::string_view start) {
+    return start.starts_with("PK\x03\x04");
+}
+
 Result<std::string> fileBytes(const fs::path& path) {
     if (const auto checked = checkOrdinary(path); !checked) {
         return std::unexpected(checked.error());
     }
     // Absolute, so that no part of the name can be taken for a prefix of GDAL's.
-    return wholeFile(fs::absolute(path).string(), path.string());
+    return systemFileBytes(fs::absolute(path).string(), path.string());
 }
 
 Result<std::string> fileStart(const fs::path& path, std::size_t bytes) {
     if (const auto checked = checkOrdinary(path); !checked) {
         return std::unexpected(checked.error());
     }
-    return bytesOf(fs::absolute(path).string(), path.string(), bytes);
+    return systemFileStart(fs::absolute(path).string(), path.string(), bytes);
 }
 
 Result<FileFolder> FileFolder::open(const fs::path& path, int depth) {
@@ -184,7 +186,7 @@ std::string FileFolder::placeOf(const Entry& entry) const {
 }
 
 Result<std::string> FileFolder::read(const Entry& entry) const {
-    return wholeFile(entry.systemPath, placeOf(entry));
+    return systemFileBytes(entry.systemPath, placeOf(entry));
 }
 
 }  // namespace furrow

@@ -19,6 +19,13 @@ inline constexpr std::size_t kLargestFileBytes = std::size_t{1} << 30;
 Result<std::string> fileBytes(const std::filesystem::path& path);
 Result<std::string> fileStart(const std::filesystem::path& path, std::size_t bytes);
 
+/// The same of what GDAL opens by this path, in a zip too; `where` names it in messages.
+Result<std::string> systemFileBytes(const std::string& systemPath, const std::string& where);
+Result<std::string> systemFileStart(const std::string& systemPath, const std::string& where, std::size_t bytes);
+
+/// Whether a file that starts like this is a zip.
+bool isZip(std::string_view start);
+
 /// The files of a folder or of a zip, read in memory: nothing is ever written, so that no name inside a zip
 /// can lead anywhere.
 class FileFolder {
@@ -49,5 +56,8 @@ private:
 
 /// Letters of ASCII made small; the others stay.
 std::string inSmallLetters(std::string_view text);
+
+/// ".geojson" of "Home Field.GeoJSON".
+std::string extensionInSmallLetters(const std::filesystem::path& path);
 
 }  // namespace furrow

@@ -1,5 +1,11 @@
 #include "planner/io/gdal_bridge.h"
 
+#include "planner/core/text_file.h"
+#include "planner/io/boundary_source.h"
+#include "planner/io/coordinate_check.h"
+#include "planner/io/file_error.h"
+#include "planner/io/file_folder.h"
+
 #include <cpl_conv.h>
 #include <cpl_error.h>
 #include <cpl_string.h>
@@ -17,8 +23,6 @@
 #include <limits>
 #include <memory>
 #include <mutex>
-#include <optional>
-#include <set>
 #include <sstream>
 #include <utility>
 
@@ -33,12 +37,6 @@ constexpr double kArcStepDeg = 1.0;
 
 // A millimetre on the ground.
 constexpr double kSamePointDeg = 1e-8;
-
-// Text larger than this is no boundary that a person made.
-constexpr vsi_l_offset kLargestTextBytes = vsi_l_offset{1} << 30;
-
-constexpr std::string_view kFormats =
-    "give GeoJSON, a shapefile (.shp or .zip), KML, KMZ, GeoPackage, GML, FlatGeobuf, WKT or CSV";
 
 // Only these: others may follow references to elsewhere (VRT, WFS) or run for ever on the wrong input.
 constexpr const char* kDrivers[] = {"GeoJSON",        "GeoJSONSeq",  "JSONFG", "TopoJSON", "ESRIJSON",
@@ -112,67 +110,9 @@ struct TransformCloser {
 };
 using Transform = std::unique_ptr<OGRCoordinateTransformation, TransformCloser>;
 
-std::string smallLetters(std::string_view text) {
-    std::string small{text};
-    std::ranges::transform(small, small.begin(), [](char letter) {
-        return letter >= 'A' && letter <= 'Z' ? static_cast<char>(letter - 'A' + 'a') : letter;
-    });
-    return small;
-}
-
-std::string extensionOf(std::string_view path) {
-    return smallLetters(std::filesystem::path{path}.extension().string());
-}
-
-Error readFailed(const std::string& where, std::string what, std::string remedy) {
-    return {
-        .code = ErrorCode::ReadFailed, .what = std::move(what), .where = where, .remedy = std::move(remedy)};
-}
-
-Error refused(const std::string& where, std::string what, std::string remedy) {
-    return {.code = ErrorCode::InputRefused,
-            .what = std::move(what),
-            .where = where,
-            .remedy = std::move(remedy)};
-}
-
-/// The text of a file, of its first `limit` bytes; nothing where it cannot be read.
-std::optional<std::string> textOf(const std::string& path, vsi_l_offset limit = kLargestTextBytes) {
-    VSILFILE* file = VSIFOpenL(path.c_str(), "rb");
-    if (file == nullptr) {
-        return std::nullopt;
-    }
-    std::string text;
-    constexpr std::size_t kBlock = 1 << 20;
-    while (text.size() < limit) {
-        const std::size_t before = text.size();
-        const std::size_t wanted = static_cast<std::size_t>(std::min<vsi_l_offset>(kBlock, limit - before));
-        text.resize(before + wanted);
-        const std::size_t got = VSIFReadL(text.data() + before, 1, wanted, file);
-        text.resize(before + got);
-        if (got < wanted) {
-            break;
-        }
-    }
-    VSIFCloseL(file);
-    return text;
-}
-
-std::string_view withoutMark(std::string_view text) {
-    constexpr std::string_view kByteOrderMark = "\xEF\xBB\xBF";
-    return text.starts_with(kByteOrderMark) ? text.substr(kByteOrderMark.size()) : text;
-}
-
 std::string_view withoutBlanks(std::string_view text) {
     const std::size_t first = text.find_first_not_of(" \t\r\n");
     return first == std::string_view::npos ? std::string_view{} : text.substr(first);
-}
-
-std::string lineAndColumn(std::string_view text, std::size_t offset) {
-    const std::string_view before = text.substr(0, std::min(offset, text.size()));
-    const std::size_t lineBreak = before.rfind('\n');
-    return std::format("line {}, column {}", std::ranges::count(before, '\n') + 1,
-                       before.size() - (lineBreak == std::string_view::npos ? 0 : lineBreak + 1) + 1);
 }
 
 // --- Geometry ---------------------------------------------------------------------------------------
@@ -180,7 +120,7 @@ std::string lineAndColumn(std::string_view text, std::size_t offset) {
 /// From a layer's coordinates to WGS84.
 class ToWgs84 {
 public:
-    /// Without a coordinate system longitude and latitude are assumed, and checked by `allInRange`.
+    /// Without a coordinate system longitude and latitude are assumed, and checked by `checkRange`.
     static Result<ToWgs84> from(const OGRSpatialReference* source, const std::string& where) {
         ToWgs84 made;
         made.known_ = isKnown(source);
@@ -197,10 +137,10 @@ public:
         if (!made.transform_) {
             const char* name = source->GetName();
             return std::unexpected(
-                refused(where,
-                        std::format("its coordinate system '{}' cannot be turned into WGS84",
-                                    name == nullptr ? "" : name),
-                        "export the field again in WGS84 (longitude and latitude)"));
+                inputRefused(where,
+                             std::format("its coordinate system '{}' cannot be turned into WGS84",
+                                         name == nullptr ? "" : name),
+                             "export the field again in WGS84 (longitude and latitude)"));
         }
         return made;
     }
@@ -341,51 +281,11 @@ void addGeometry(const OGRGeometry& geometry, const ToWgs84& toWgs84, VectorFeat
     }
 }
 
-/// The first finite point that cannot be a longitude and latitude.
-std::optional<GeoPoint> firstOutOfRange(const VectorFeature& feature) {
-    const auto outside = [](const GeoPoint& point) {
-        return std::isfinite(point.lonDeg) && std::isfinite(point.latDeg) &&
-               (std::abs(point.lonDeg) > 180.0 || std::abs(point.latDeg) > 90.0);
-    };
-    const auto firstOf = [&outside](const GeoRing& ring) -> std::optional<GeoPoint> {
-        const auto found = std::ranges::find_if(ring, outside);
-        return found == ring.end() ? std::nullopt : std::optional{*found};
-    };
-    for (const GeoPolygon& polygon : feature.polygons) {
-        if (const auto found = firstOf(polygon.outer)) {
-            return found;
-        }
-    }
-    for (const GeoRing& ring : feature.closedLines) {
-        if (const auto found = firstOf(ring)) {
-            return found;
-        }
-    }
-    return firstOf(feature.points);
-}
-
 Result<void> checkRange(const VectorFeature& feature, const ToWgs84& toWgs84, const std::string& where) {
-    if (toWgs84.known()) {
-        return {};
-    }
-    if (const auto point = firstOutOfRange(feature)) {
-        return std::unexpected(
-            refused(where,
-                    std::format("{:.3f}, {:.3f} is no longitude and latitude, and the file does not say "
-                                "which coordinate system it uses",
-                                point->lonDeg, point->latDeg),
-                    "add the .prj file that belongs to it, or export the field again in WGS84"));
-    }
-    return {};
+    return toWgs84.known() ? Result<void>{} : checkDegrees(feature, where);
 }
 
 // --- One source -------------------------------------------------------------------------------------
-
-/// One file to open: loose, or inside a zip.
-struct Source {
-    std::string path;  ///< as GDAL opens it
-    std::string name;  ///< as people know it
-};
 
 /// Everything a reader of one source needs.
 struct Reading {
@@ -394,151 +294,9 @@ struct Reading {
     VectorFile& file;
 };
 
-/// Follows a GeoJSON text without keeping it, to find what GDAL leaves out without a word: positions with
-/// something else than two numbers.
-class CoordinateCheck final : public nlohmann::json_sax<nlohmann::json> {
-public:
-    bool foundBad() const { return bad_; }
-    /// "feature 2, part 1, ring 1, vertex 3"; only what there is of it.
-    const std::string& place() const { return place_; }
-    bool brokeOff() const { return brokeOff_.has_value(); }
-    std::size_t brokeOffAt() const { return *brokeOff_; }
-
-    bool null() override { return scalar(false); }
-    bool boolean(bool) override { return scalar(false); }
-    bool number_integer(number_integer_t) override { return scalar(true); }
-    bool number_unsigned(number_unsigned_t) override { return scalar(true); }
-    bool number_float(number_float_t, const string_t&) override { return scalar(true); }
-    bool string(string_t&) override { return scalar(false); }
-    bool binary(binary_t&) override { return scalar(false); }
-
-    bool start_object(std::size_t) override {
-        if (!levels_.empty()) {
-            return scalar(false);
-        }
-        ++depth_;
-        if (key_ == "properties" && propertiesDepth_ == 0) {
-            propertiesDepth_ = depth_;
-        }
-        if (depth_ == featuresDepth_ + 1 && featuresDepth_ > 0) {
-            ++feature_;
-        }
-        key_.clear();
-        return true;
-    }
-    bool end_object() override {
-        if (propertiesDepth_ == depth_) {
-            propertiesDepth_ = 0;
-        }
-        --depth_;
-        return true;
-    }
-    bool key(string_t& name) override {
-        key_ = name;
-        return true;
-    }
-    bool start_array(std::size_t) override {
-        ++depth_;
-        if (!levels_.empty()) {
-            ++levels_.back().members;
-            levels_.back().hasArrays = true;
-            levels_.emplace_back();
-        } else if (key_ == "coordinates" && propertiesDepth_ == 0) {
-            levels_.emplace_back();
-        } else if (key_ == "features" && featuresDepth_ == 0 && propertiesDepth_ == 0) {
-            featuresDepth_ = depth_;
-        }
-        key_.clear();
-        return true;
-    }
-    bool end_array() override {
-        --depth_;
-        if (!levels_.empty()) {
-            const Level closed = levels_.back();
-            // An empty array stands for an empty geometry, which is allowed.
-            if (closed.members == 1 && !closed.hasArrays) {
-                return bad();
-            }
-            levels_.pop_back();
-        }
-        return true;
-    }
-    bool parse_error(std::size_t position, const std::string&, const nlohmann::detail::exception&) override {
-        brokeOff_ = position > 0 ? position - 1 : 0;
-        return false;
-    }
-
-private:
-    struct Level {
-        std::size_t members = 0;
-        bool hasArrays = false;
-    };
-
-    bool scalar(bool isNumber) {
-        key_.clear();
-        if (levels_.empty()) {
-            return true;
-        }
-        if (!isNumber || levels_.back().hasArrays) {
-            return bad();
-        }
-        ++levels_.back().members;
-        return true;
-    }
-
-    bool bad() {
-        bad_ = true;
-        if (feature_ > 0) {
-            place_ = std::format("feature {}", feature_);
-        }
-        // Among positions a member that is none counts itself; inside one the arrays around it count.
-        if (levels_.back().hasArrays) {
-            ++levels_.back().members;
-        } else {
-            levels_.pop_back();
-        }
-        constexpr std::string_view kNames[] = {"vertex", "ring", "part"};
-        const std::size_t first = levels_.size() > 3 ? levels_.size() - 3 : 0;
-        for (std::size_t i = first; i < levels_.size(); ++i) {
-            place_ += std::format("{}{} {}", place_.empty() ? "" : ", ", kNames[levels_.size() - 1 - i],
-                                  levels_[i].members);
-        }
-        return false;
-    }
-
-    std::string key_;
-    std::size_t depth_ = 0;
-    std::size_t propertiesDepth_ = 0;
-    std::size_t featuresDepth_ = 0;
-    std::size_t feature_ = 0;
-    std::vector<Level> levels_;  ///< the arrays of "coordinates" around the current place
-    bool bad_ = false;
-    std::string place_;
-    std::optional<std::size_t> brokeOff_;
-};
-
-/// Refuses a GeoJSON text with a coordinate that is no number. NaN and Infinity, which JSON does not know
-/// but GDAL reads, are left to the check of the field, which names their place.
-///
-/// @param opened  GDAL could read the text; where it could not, and it is no JSON, the place is told
-Result<void> checkGeoJson(const Source& source, bool opened) {
-    const std::optional<std::string> text = textOf(source.path);
-    if (!text) {
-        return {};
-    }
-    CoordinateCheck check;
-    nlohmann::json::sax_parse(*text, &check);
-    if (check.foundBad()) {
-        return std::unexpected(
-            refused(check.place().empty() ? source.name : std::format("{}, {}", source.name, check.place()),
-                    "a coordinate is not a number", "give each point as [longitude, latitude]"));
-    }
-    if (!opened && check.brokeOff()) {
-        return std::unexpected(readFailed(
-            std::format("{}, {}", source.name, lineAndColumn(*text, check.brokeOffAt())),
-            "this is not JSON from here on", "the file may be cut off or damaged; export it again"));
-    }
-    return {};
+Result<void> checkPositions(const BoundarySource& source, bool opened) {
+    const auto text = systemFileBytes(source.path, source.name);
+    return text ? checkGeoJson(*text, source.name, opened) : Result<void>{};
 }
 
 Dataset openWith(const std::string& path, const char* const* drivers) {
@@ -559,7 +317,7 @@ Dataset openWith(const std::string& path, const char* const* drivers) {
 /// LIBKML refuses a KML without Document or Folder, which is legal; the plain driver reads it.
 Dataset openDataset(const std::string& path, Messages& messages) {
     Dataset dataset = openWith(path, kDrivers);
-    if (extensionOf(path) == ".kml" && (!dataset || dataset->GetLayerCount() == 0)) {
+    if (extensionInSmallLetters(path) == ".kml" && (!dataset || dataset->GetLayerCount() == 0)) {
         messages.forget();
         if (Dataset plain = openWith(path, kPlainKml)) {
             return plain;
@@ -594,7 +352,7 @@ std::string textOf(const OGRFeature& feature, int column) {
     return feature.GetFieldAsString(column);
 }
 
-Result<void> readLayer(OGRLayer& layer, const Source& source, const Messages& messages,
+Result<void> readLayer(OGRLayer& layer, const BoundarySource& source, const Messages& messages,
                        const Reading& reading) {
     const Result<ToWgs84> toWgs84 = ToWgs84::from(layer.GetSpatialRef(), source.name);
     if (!toWgs84) {
@@ -619,8 +377,8 @@ Result<void> readLayer(OGRLayer& layer, const Source& source, const Messages& me
         if (const OGRGeometry* geometry = read->GetGeometryRef()) {
             addGeometry(*geometry, *toWgs84, feature);
         }
-        if (auto inRange = checkRange(feature, *toWgs84, source.name); !inRange) {
-            return inRange;
+        if (auto checked = checkRange(feature, *toWgs84, source.name); !checked) {
+            return checked;
         }
         reading.file.features.push_back(std::move(feature));
     }
@@ -633,20 +391,19 @@ Result<void> readLayer(OGRLayer& layer, const Source& source, const Messages& me
 }
 
 bool looksLikeWkt(std::string_view start) {
-    const std::string small = smallLetters(withoutBlanks(withoutMark(start)).substr(0, 32));
+    const std::string small = inSmallLetters(withoutBlanks(withoutByteOrderMark(start)).substr(0, 32));
     constexpr std::string_view kWords[] = {"polygon",      "multipolygon",       "curvepolygon",
                                            "multisurface", "geometrycollection", "srid="};
     return std::ranges::any_of(kWords, [&small](std::string_view word) { return small.starts_with(word); });
 }
 
 /// One or more geometries in well-known text, one after the other; "SRID=25832;" before one is understood.
-Result<void> readWkt(const Source& source, const Reading& reading) {
-    const std::optional<std::string> text = textOf(source.path);
+Result<void> readWkt(const BoundarySource& source, const Reading& reading) {
+    const auto text = systemFileBytes(source.path, source.name);
     if (!text) {
-        return std::unexpected(
-            readFailed(source.name, "the file cannot be read", "check that you may read it"));
+        return std::unexpected(text.error());
     }
-    std::size_t at = text->size() - withoutMark(*text).size();
+    std::size_t at = text->size() - withoutByteOrderMark(*text).size();
     while (true) {
         at = text->find_first_not_of(" \t\r\n;,\"", at);
         if (at == std::string::npos) {
@@ -657,15 +414,15 @@ Result<void> readWkt(const Source& source, const Reading& reading) {
         }
         const std::string place = std::format("{}, {}", source.name, lineAndColumn(*text, at));
         OGRSpatialReference system;
-        if (smallLetters(std::string_view{*text}.substr(at, 5)) == "srid=") {
+        if (inSmallLetters(std::string_view{*text}.substr(at, 5)) == "srid=") {
             int code = 0;
             const char* end = text->data() + text->size();
             const auto [next, error] = std::from_chars(text->data() + at + 5, end, code);
             if (error != std::errc{} || next == end || *next != ';' ||
                 (code != 0 && system.importFromEPSG(code) != OGRERR_NONE)) {
-                return std::unexpected(refused(place,
-                                               "the number after SRID= is no coordinate system that is known",
-                                               "give an EPSG code, as in SRID=4326;POLYGON(...)"));
+                return std::unexpected(
+                    inputRefused(place, "the number after SRID= is no coordinate system that is known",
+                                 "give an EPSG code, as in SRID=4326;POLYGON(...)"));
             }
             system.SetAxisMappingStrategy(OAMS_TRADITIONAL_GIS_ORDER);
             at = static_cast<std::size_t>(next - text->data()) + 1;
@@ -675,8 +432,9 @@ Result<void> readWkt(const Source& source, const Reading& reading) {
         const OGRErr error = OGRGeometryFactory::createFromWkt(&rest, nullptr, &made);
         const std::unique_ptr<OGRGeometry> geometry{made};
         if (error != OGRERR_NONE || !geometry) {
-            return std::unexpected(refused(place, "this is not well-known text from here on",
-                                           "write POLYGON((lon lat, lon lat, ...)), one polygon a line"));
+            return std::unexpected(
+                inputRefused(place, "this is not well-known text from here on",
+                             "write POLYGON((lon lat, lon lat, ...)), one polygon a line"));
         }
         const Result<ToWgs84> toWgs84 = ToWgs84::from(&system, source.name);
         if (!toWgs84) {
@@ -685,8 +443,8 @@ Result<void> readWkt(const Source& source, const Reading& reading) {
         VectorFeature feature;
         feature.attributes.resize(reading.attributes.size());
         addGeometry(*geometry, *toWgs84, feature);
-        if (auto inRange = checkRange(feature, *toWgs84, place); !inRange) {
-            return inRange;
+        if (auto checked = checkRange(feature, *toWgs84, place); !checked) {
+            return checked;
         }
         reading.file.features.push_back(std::move(feature));
         at = static_cast<std::size_t>(rest - text->c_str());
@@ -705,13 +463,12 @@ std::string nameAround(pugi::xml_node node) {
 
 /// Polygon elements of an XML document that its driver makes no layers of: field files of Fields2Cover,
 /// KML without the element kml. (Polygons of KML and of GML 2 are written alike.)
-Result<void> readLoosePolygons(const Source& source, const Reading& reading) {
-    const std::optional<std::string> text = textOf(source.path);
-    pugi::xml_document document;
+Result<void> readLoosePolygons(const BoundarySource& source, const Reading& reading) {
+    const auto text = systemFileBytes(source.path, source.name);
     if (!text) {
-        return std::unexpected(
-            readFailed(source.name, "the file cannot be read", "check that you may read it"));
+        return std::unexpected(text.error());
     }
+    pugi::xml_document document;
     if (const pugi::xml_parse_result parsed = document.load_buffer(text->data(), text->size()); !parsed) {
         return std::unexpected(readFailed(
             std::format("{}, {}", source.name, lineAndColumn(*text, static_cast<std::size_t>(parsed.offset))),
@@ -723,7 +480,7 @@ Result<void> readLoosePolygons(const Source& source, const Reading& reading) {
         found.node().print(gml, "", pugi::format_raw);
         const std::unique_ptr<OGRGeometry> geometry{OGRGeometryFactory::createFromGML(gml.str().c_str())};
         if (!geometry) {
-            return std::unexpected(refused(
+            return std::unexpected(inputRefused(
                 std::format("{}, {}", source.name,
                             lineAndColumn(*text, static_cast<std::size_t>(found.node().offset_debug()))),
                 "this polygon cannot be read", "check its coordinates"));
@@ -738,26 +495,26 @@ Result<void> readLoosePolygons(const Source& source, const Reading& reading) {
             feature.attributes[static_cast<std::size_t>(nameColumn)] = nameAround(found.node());
         }
         addGeometry(*geometry, *toWgs84, feature);
-        if (auto inRange = checkRange(feature, *toWgs84, source.name); !inRange) {
-            return inRange;
+        if (auto checked = checkRange(feature, *toWgs84, source.name); !checked) {
+            return checked;
         }
         reading.file.features.push_back(std::move(feature));
     }
     return {};
 }
 
-Result<void> readSource(const Source& source, const Reading& reading) {
+Result<void> readSource(const BoundarySource& source, const Reading& reading) {
     Messages messages;
-    const std::string start = textOf(source.path, 4096).value_or("");
-    const std::string extension = extensionOf(source.path);
+    const std::string start = systemFileStart(source.path, source.name, 4096).value_or("");
+    const std::string extension = extensionInSmallLetters(source.path);
     if (extension == ".wkt" || looksLikeWkt(start)) {
         return readWkt(source, reading);
     }
     messages.forget();
     const Dataset dataset = openDataset(source.path, messages);
     if (!dataset) {
-        if (withoutBlanks(withoutMark(start)).starts_with('{')) {
-            if (auto checked = checkGeoJson(source, false); !checked) {
+        if (withoutBlanks(withoutByteOrderMark(start)).starts_with('{')) {
+            if (auto checked = checkPositions(source, false); !checked) {
                 return checked;
             }
         }
@@ -777,12 +534,12 @@ Result<void> readSource(const Source& source, const Reading& reading) {
             source.name,
             messages.failed() ? std::format("no boundary can be read from this file ({})", messages.failure())
                               : "this is no boundary file that can be read",
-            std::string{kFormats}));
+            std::string{kBoundaryFormats}));
     }
     const std::string driver = dataset->GetDriverName();
     reading.file.isTable = reading.file.isTable || driver == "CSV";
     if (driver == "GeoJSON") {
-        if (auto checked = checkGeoJson(source, true); !checked) {
+        if (auto checked = checkPositions(source, true); !checked) {
             return checked;
         }
     }
@@ -799,106 +556,6 @@ Result<void> readSource(const Source& source, const Reading& reading) {
     return {};
 }
 
-// --- Which sources ----------------------------------------------------------------------------------
-
-bool isZip(const std::string& path) {
-    return textOf(path, 4).value_or("").starts_with("PK\x03\x04");
-}
-
-/// What can be read inside a zip. Files that often only describe the others (.json, .xml, .csv) count
-/// where there is nothing else.
-std::vector<Source> sourcesInZip(const std::string& path, const std::string& name) {
-    // Braces keep a name with blanks, brackets or another ".zip" in it in one piece.
-    const std::string root = std::format("/vsizip/{{{}}}", path);
-    const CPLStringList entries{VSIReadDirRecursive(root.c_str())};
-    std::set<std::string> sure;
-    std::set<std::string> perhaps;
-    constexpr std::string_view kSure[] = {".shp", ".gpkg", ".gml", ".geojson",
-                                          ".kml", ".fgb",  ".wkt", ".gpx"};
-    constexpr std::string_view kPerhaps[] = {".json", ".xml", ".csv"};
-    for (int i = 0; i < entries.size(); ++i) {
-        const std::filesystem::path entry{entries[i]};
-        const std::string fileName = entry.filename().string();
-        if (std::string_view{entries[i]}.starts_with("__MACOSX") || fileName.starts_with("._")) {
-            continue;
-        }
-        if (const std::size_t end = smallLetters(entries[i]).find(".gdb/"); end != std::string::npos) {
-            sure.insert(std::string{entries[i]}.substr(0, end + 4));
-            continue;
-        }
-        const std::string extension = extensionOf(fileName);
-        if (extension == ".gdbtable") {
-            return {
-                {path, name}};  // a geodatabase zipped without its folder: its driver takes the zip itself
-        }
-        if (std::ranges::contains(kSure, extension)) {
-            sure.insert(entries[i]);
-        } else if (std::ranges::contains(kPerhaps, extension)) {
-            perhaps.insert(entries[i]);
-        }
-    }
-    std::vector<Source> sources;
-    for (const std::string& entry : sure.empty() ? perhaps : sure) {
-        sources.push_back({root + "/" + entry, std::format("{}, {}", name, entry)});
-    }
-    return sources;
-}
-
-/// Of a shapefile people may choose any of its files.
-std::filesystem::path mainFileOf(const std::filesystem::path& path) {
-    constexpr std::string_view kCompanions[] = {".shx", ".dbf", ".prj", ".cpg"};
-    if (std::ranges::contains(kCompanions, extensionOf(path.string()))) {
-        for (const char* extension : {".shp", ".SHP"}) {
-            std::filesystem::path shapes = path;
-            shapes.replace_extension(extension);
-            if (std::filesystem::exists(shapes)) {
-                return shapes;
-            }
-        }
-    }
-    return path;
-}
-
-Result<std::vector<Source>> sourcesOf(const std::filesystem::path& given) {
-    const std::string name = given.filename().string();
-    const std::string text = given.string();
-    if (text.find("://") != std::string::npos || text.starts_with("/vsi")) {
-        return std::unexpected(
-            readFailed(text, "only files on this computer are read", "download the file and give its path"));
-    }
-    std::error_code error;
-    const std::filesystem::file_status status = std::filesystem::status(given, error);
-    if (!std::filesystem::exists(status)) {
-        return std::unexpected(readFailed(text, "there is no such file", "check the path"));
-    }
-    // Absolute, so that no part of the name can be taken for a prefix of GDAL's.
-    const std::filesystem::path path = mainFileOf(std::filesystem::absolute(given));
-    if (std::filesystem::is_directory(status)) {
-        if (extensionOf(name) == ".gdb") {
-            return std::vector<Source>{{path.string(), name}};
-        }
-        return std::unexpected(readFailed(text, "this is a folder", "give one of the files in it"));
-    }
-    if (!std::filesystem::is_regular_file(status)) {
-        return std::unexpected(readFailed(text, "this is no ordinary file", "give a file on a disk"));
-    }
-    if (std::filesystem::file_size(path, error) == 0 && !error) {
-        return std::unexpected(refused(text, "the file is empty", "export the field again"));
-    }
-    if (!textOf(path.string(), 1)) {
-        return std::unexpected(readFailed(text, "the file cannot be read", "check that you may read it"));
-    }
-    if (!isZip(path.string())) {
-        return std::vector<Source>{{path.string(), name}};
-    }
-    std::vector<Source> sources = sourcesInZip(path.string(), name);
-    if (sources.empty()) {
-        return std::unexpected(
-            readFailed(text, "there is no boundary file in this zip", std::string{kFormats}));
-    }
-    return sources;
-}
-
 }  // namespace
 
 Result<VectorFile> readVectorFile(const std::filesystem::path& path,
@@ -906,7 +563,7 @@ Result<VectorFile> readVectorFile(const std::filesystem::path& path,
     registerDrivers();
     const ThreadOptions options;
     const Messages messages;
-    const Result<std::vector<Source>> sources = sourcesOf(path);
+    const Result<std::vector<BoundarySource>> sources = boundarySources(path);
     if (!sources) {
         return std::unexpected(sources.error());
     }

@@ -1,5 +1,6 @@
 #include "planner/io/track_reader.h"
 
+#include "planner/core/text_file.h"
 #include "planner/io/track_formats.h"
 #include "planner/units/angle.h"
 
@@ -22,7 +23,7 @@ constexpr std::string_view kMcapMagic = "\x89MCAP";
 constexpr std::string_view kSqliteMagic = "SQLite format 3";
 
 bool isBagFile(const fs::path& path) {
-    const std::string extension = inSmallLetters(path.extension().string());
+    const std::string extension = extensionInSmallLetters(path);
     return extension == ".db3" || extension == ".mcap";
 }
 
@@ -109,7 +110,7 @@ Result<TrackFile> readFile(const fs::path& path, const JobContext& job) {
     if (start->starts_with(kMcapMagic) || start->starts_with(kSqliteMagic) || isBagFile(path)) {
         return rosbagTracks({path}, path.string(), job);
     }
-    if (start->starts_with("PK\x03\x04")) {
+    if (isZip(*start)) {
         const auto zip = FileFolder::open(path);
         return zip ? isoxmlTracks(*zip, path.string(), job) : std::unexpected(zip.error());
     }
@@ -117,10 +118,7 @@ Result<TrackFile> readFile(const fs::path& path, const JobContext& job) {
         return std::unexpected(trackRefused(path.string(), "this is a bag of ROS 1",
                                             "turn it into a rosbag2 with rosbags-convert"));
     }
-    std::string_view text = *start;
-    if (text.starts_with("\xEF\xBB\xBF")) {
-        text.remove_prefix(3);
-    }
+    const std::string_view text = withoutByteOrderMark(*start);
     if (trimmed(text).starts_with('<')) {
         return readXml(path, text, job);
     }
@@ -132,10 +130,7 @@ Result<TrackFile> readFile(const fs::path& path, const JobContext& job) {
     if (!whole) {
         return std::unexpected(whole.error());
     }
-    std::string_view content = *whole;
-    if (content.starts_with("\xEF\xBB\xBF")) {
-        content.remove_prefix(3);
-    }
+    const std::string_view content = withoutByteOrderMark(*whole);
     return looksLikeGpsd(text)   ? gpsdTracks(content, path.string(), job)
            : looksLikeNmea(text) ? nmeaTracks(content, path.string(), job)
                                  : tableTracks(content, path.string(), job);

@@ -1,5 +1,6 @@
 #include "planner/machine/machine_file.h"
 
+#include "planner/core/text_file.h"
 #include "planner/settings/settings.h"
 
 #include <nlohmann/json.hpp>
@@ -307,15 +308,6 @@ Error unknownKey(std::string_view origin, std::string_view key) {
                        : std::format("did you mean '{}'?", nearest));
 }
 
-// The byte is counted from 1, as the parser gives it.
-std::string lineAndColumn(std::string_view text, std::size_t byte) {
-    const std::string_view before = text.substr(0, std::min(text.size(), byte > 0 ? byte - 1 : 0));
-    const auto line = std::ranges::count(before, '\n') + 1;
-    const std::size_t lineBreak = before.rfind('\n');
-    const std::size_t column = before.size() - (lineBreak == std::string_view::npos ? 0 : lineBreak + 1) + 1;
-    return std::format("line {}, column {}", line, column);
-}
-
 std::string joined(std::span<const std::string_view> words) {
     std::string text;
     for (const std::string_view word : words) {
@@ -378,7 +370,7 @@ Result<nlohmann::json> parsed(std::string_view text, std::string_view origin) {
     try {
         json = nlohmann::json::parse(text, collectKeys);
     } catch (const nlohmann::json::parse_error& error) {
-        return std::unexpected(refused(origin, lineAndColumn(text, error.byte),
+        return std::unexpected(refused(origin, lineAndColumn(text, error.byte > 0 ? error.byte - 1 : 0),
                                        "this is not JSON from here on",
                                        "look for a missing comma, quote or brace just before it"));
     } catch (const nlohmann::json::exception&) {

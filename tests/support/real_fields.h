@@ -19,7 +19,8 @@ inline std::vector<FieldSource> shippedFields() {
     std::vector<FieldSource> fields;
     for (const char* name :
          {"home_field", "bend", "three_ponds", "long_strip", "great_field", "slanted_field"}) {
-        const std::string file = std::string{FURROW_SOURCE_DIR "/resources/sample_fields/"} + name + ".geojson";
+        const std::string file =
+            std::string{FURROW_SOURCE_DIR "/resources/sample_fields/"} + name + ".geojson";
         std::ranges::move(readBoundaries(file).value(), std::back_inserter(fields));
     }
     std::ranges::move(paperFields(), std::back_inserter(fields));
