@@ -84,7 +84,7 @@ std::optional<Manoeuvre> manoeuvre(const Turn& line, const RoundedCorner& corner
     };
     const double onward = farthest(entry, 1.0, toCorner + beyond + lead);
     // On the next side it needs its run-in before it is lowered.
-    const double runIn = machine.spec().implement.runIn.si();
+    const double runIn = machine.runIn().si();
     const double back = std::max(0.0, farthest(exit, -1.0, fromCorner + beyond - lead + runIn) - runIn);
     if (onward <= 0.0 && back <= 0.0) {
         return std::nullopt;

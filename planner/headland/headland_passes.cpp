@@ -4,6 +4,7 @@
 #include "planner/headland/inner_passes.h"
 #include "planner/headland/pass_tracks.h"
 #include "planner/headland/smooth_ring.h"
+#include "planner/turns/trailer.h"
 #include "planner/turns/turn_method.h"
 
 #include <algorithm>
@@ -92,7 +93,9 @@ Result<ClosedRing> closedRing(const HeadlandTask& task, Length inset, int ring, 
                               const JobContext& job) {
     const Machine& machine = task.machine;
     const bool clockwise = task.settings.choice(kHeadlandDirection) == "clockwise";
-    const auto tracks = passTracks(task.field.workable(), inset, task.drivable, machine, corners.driven, job);
+    const auto tracks = passTracks(task.field.workable(), inset, task.drivable, machine,
+                                   clockwise ? RoundTheField::Clockwise : RoundTheField::CounterClockwise,
+                                   corners.driven, job);
     if (!tracks) {
         return std::unexpected(tracks.error());
     }
@@ -105,7 +108,7 @@ Result<ClosedRing> closedRing(const HeadlandTask& task, Length inset, int ring, 
         result.passes.push_back({.ring = ring,
                                  .width = machine.operatingWidth(),
                                  .closed = true,
-                                 .stretches = withCorners(clockwise ? reversedLine(line) : line, corners.method,
+                                 .stretches = withCorners(line, corners.method,
                                                           task.drivable, machine, wanted, result.rounded, job)});
         for (const PassStretch& stretch : result.passes.back().stretches) {
             if (corners.method == CornerMethod::Searched && stretch.working) {
@@ -203,6 +206,8 @@ Result<void> addPasses(Headland& headland, const HeadlandTask& task, const JobCo
     const auto keep = [&](std::vector<HeadlandPass> passes) {
         std::ranges::move(passes, std::back_inserter(headland.rings));
     };
+    // A boom that trails comes to the edge by its own track.
+    const Length beside = Trailer::of(machine) ? kBesideEdge : Length{};
     for (std::size_t i = 0; i < all.size(); ++i) {
         const int ring = static_cast<int>(i);
         if (ring > 0) {
@@ -215,8 +220,8 @@ Result<void> addPasses(Headland& headland, const HeadlandTask& task, const JobCo
         // What cannot reverse would not get out of a corner again.
         if (ring == 0 || method != CornerMethod::Rounded || !canReverse(machine)) {
             auto closed = ring == 0 && method == CornerMethod::Rounded
-                              ? outermostRing(task, all[i], job)
-                              : closedRing(task, all[i], ring, {.method = method, .driven = {}}, job);
+                              ? outermostRing(task, all[i] + beside, job)
+                              : closedRing(task, all[i] + beside, ring, {.method = method, .driven = {}}, job);
             if (!closed) {
                 return std::unexpected(closed.error());
             }

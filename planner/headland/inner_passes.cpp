@@ -120,7 +120,7 @@ HeadlandPass passOf(std::vector<Turn> lines, bool closed, int ring, bool clockwi
             };
             const double share = line.pieces.size() == 1 ? 0.5 : 1.0;
             // Beside the edge it comes into its lane backwards and needs its run-in again.
-            const double runInM = room.machine.spec().implement.runIn.si();
+            const double runInM = room.machine.runIn().si();
             const double before =
                 room.farthest(line.start, -1.0, backM + runInM, -share * straightM(line.pieces.front())) - runInM;
             const double past = room.farthest(line.end(), 1.0, onM, -share * straightM(line.pieces.back()));

@@ -1,9 +1,9 @@
 #include "planner/headland/pass_tracks.h"
 
-#include "planner/geometry/boundary_distance.h"
 #include "planner/geometry/geos_bridge.h"
 #include "planner/headland/smooth_ring.h"
-#include "planner/turns/footprint_check.h"
+#include "planner/headland/swing_out.h"
+#include "planner/turns/rig.h"
 
 #include <algorithm>
 #include <cmath>
@@ -26,6 +26,8 @@ constexpr double kReserveFactor = 1.15;
 // Where it moves by less it does not move: the bend that begins there swings nothing out.
 constexpr double kLeastMoveM = 2e-4;
 constexpr int kMostMoves = 10;
+// A trailed implement that points elsewhere than the tractor by less is in line.
+constexpr double kInLineRad = 1e-3;
 // Places that are looked at lie so many of the distances between two moves apart.
 constexpr double kLookShare = 0.1;
 // Points of a ring that can be moved lie no farther apart.
@@ -218,37 +220,48 @@ Result<MultiPolygon> moved(const MultiPolygon& polygons, const Displacement& dis
     return madeValid(result, job);
 }
 
-/// The worst places along a line, at most one for each half of the reach. Ends early where the job is stopped.
-std::vector<Excess> excessesAlong(const Turn& line, const Ring& footprint, const BoundaryDistance& edge, double apartM,
-                                  const JobContext& job) {
+/// The worst places along a line, at most one for each `apart`. Ends early where the job is stopped.
+std::vector<Excess> excessesAlong(const Turn& line, const Rig& rig, double apartM, const JobContext& job) {
     std::vector<Excess> found;
     double wayM = 0.0;
     double lastM = -apartM;
-    Pose pose = line.start;
-    for (const TurnPiece& piece : line.pieces) {
-        const auto steps = static_cast<int>(std::ceil(piece.length.si() / (kLookShare * apartM)));
-        for (int i = 0; i < steps && !job.stopRequested(); ++i) {
-            const Length way = piece.length * (static_cast<double>(i) / steps);
-            // In the middle of a straight nothing swings: now and then is often enough.
-            const double toEndM = std::min(way, piece.length - way).si();
-            if (piece.curvature == Curvature{} && toEndM > 2.0 * apartM && i % 10 != 0) {
-                continue;
-            }
-            const Pose at = advanced(pose, piece, way);
-            const double outsideM = furrow::outsideM(at, footprint, edge);
-            if (outsideM <= kTouchingM) {
-                continue;
-            }
-            const double hereM = wayM + way.si();
-            const double moveM = kReserveFactor * outsideM + kReserveM;
-            if (hereM - lastM >= apartM || found.empty()) {
-                found.push_back({at.position, moveM});
-                lastM = hereM;
-            } else if (moveM > found.back().moveM) {
-                found.back() = {at.position, moveM};
-            }
+    RigState state = Rig::inLine(line.start);
+    // An implement that trails comes round the last corner of the ring when the line begins.
+    for (const TurnPiece& piece : rig.hasTrailer() ? line.pieces : std::vector<TurnPiece>{}) {
+        state = *rig.follow(state, piece, piece.length, [](const RigState&) { return true; });
+    }
+    state.tractor = line.start;
+    const auto look = [&](const RigState& at, double hereM) {
+        const double outsideM = rig.outsideM(at);
+        if (outsideM <= kTouchingM) {
+            return;
         }
-        pose = advanced(pose, piece, piece.length);
+        const double moveM = kReserveFactor * outsideM + kReserveM;
+        if (hereM - lastM >= apartM || found.empty()) {
+            found.push_back({at.tractor.position, moveM});
+            lastM = hereM;
+        } else if (moveM > found.back().moveM) {
+            found.back() = {at.tractor.position, moveM};
+        }
+    };
+    for (const TurnPiece& piece : line.pieces) {
+        const Point from = state.tractor.position;
+        int looked = 0;
+        const auto next = rig.follow(state, piece, metres(kLookShare * apartM), [&](const RigState& at) {
+            const double gone = distance(at.tractor.position, from);
+            // In the middle of a straight nothing swings: now and then is often enough.
+            const bool inLine = std::abs((at.implement - at.tractor.heading).si()) < kInLineRad;
+            const bool nearEnd = std::min(gone, piece.length.si() - gone) <= 2.0 * apartM;
+            if (piece.curvature != Curvature{} || nearEnd || !inLine || looked % 10 == 0) {
+                look(at, wayM + (piece.curvature == Curvature{} ? gone : 0.0));
+            }
+            ++looked;
+            return !job.stopRequested();
+        });
+        if (!next) {
+            break;
+        }
+        state = *next;
         wayM += piece.length.si();
     }
     return found;
@@ -301,9 +314,9 @@ Result<PassTracks> linesOf(const MultiPolygon& region, Length radius, Length gen
 }
 
 /// How far tail or nose reach from the axle: the scale on which a swing-out has to be prepared.
-double overhangM(const Ring& footprint) {
+double overhangM(const Machine& machine) {
     double farthest = 0.0;
-    for (const Point& corner : footprint) {
+    for (const Point& corner : Trailer::of(machine) ? tractorOutline(machine) : machine.workingFootprint()) {
         farthest = std::max(farthest, std::abs(corner.x));
     }
     return farthest;
@@ -312,10 +325,9 @@ double overhangM(const Ring& footprint) {
 }  // namespace
 
 Result<PassTracks> passTracks(const MultiPolygon& workable, Length inset, const MultiPolygon& drivable,
-                              const Machine& machine, std::span<const Point> driven, const JobContext& job) {
+                              const Machine& machine, RoundTheField way, std::span<const Point> driven, const JobContext& job) {
     const Length radius = machine.minTurningRadius();
-    const Ring footprint = machine.workingFootprint();
-    const double reachM = overhangM(footprint);
+    const double reachM = overhangM(machine);
     auto base = eroded(workable, inset, kRoundTolerance, job);
     if (!base) {
         return std::unexpected(base.error());
@@ -324,8 +336,8 @@ Result<PassTracks> passTracks(const MultiPolygon& workable, Length inset, const 
     // that, one place gets it.
     const double besideM = radius.si() + 0.5 * machine.workingFootprintWidth().si();
     const double swingM = std::hypot(besideM, reachM) - besideM;
-    const bool touches = inset.si() < 0.5 * machine.workingFootprintWidth().si() + swingM;
-    const BoundaryDistance edge{drivable, metres(reachM)};
+    const bool touches = !Trailer::of(machine) && inset.si() < 0.5 * machine.workingFootprintWidth().si() + swingM;
+    const Rig rig{drivable, machine, ImplementAt::Lowered};
     Displacement displacement{reachM};
     PassTracks tracks;
     for (int round = 0;; ++round) {
@@ -336,9 +348,16 @@ Result<PassTracks> passTracks(const MultiPolygon& workable, Length inset, const 
             return std::unexpected(lines.error());
         }
         tracks = std::move(*lines);
+        if (way == RoundTheField::Clockwise) {
+            std::ranges::transform(tracks.lines, tracks.lines.begin(), reversedLine);
+        }
+        if (rig.hasTrailer()) {
+            std::ranges::transform(tracks.lines, tracks.lines.begin(),
+                                   [&rig](const Turn& line) { return swungOut(line, rig); });
+        }
         std::vector<Excess> excesses;
         for (const Turn& line : tracks.lines) {
-            std::vector<Excess> found = excessesAlong(line, footprint, edge, 0.5 * reachM, job);
+            std::vector<Excess> found = excessesAlong(line, rig, 0.5 * reachM, job);
             std::erase_if(found, [&](const Excess& excess) {
                 return std::ranges::any_of(driven, [&](Point corner) { return distance(corner, excess.place) < besideM + reachM; });
             });
@@ -366,11 +385,9 @@ Result<PassTracks> passTracks(const MultiPolygon& workable, Length inset, const 
 
 std::vector<Point> placesOutside(const Turn& line, const MultiPolygon& drivable, const Machine& machine,
                                  const JobContext& job) {
-    const Ring footprint = machine.workingFootprint();
-    const double reachM = overhangM(footprint);
     std::vector<Point> places;
-    const BoundaryDistance edge{drivable, metres(reachM)};
-    for (const Excess& excess : excessesAlong(line, footprint, edge, 0.5 * reachM, job)) {
+    const Rig rig{drivable, machine, ImplementAt::Lowered};
+    for (const Excess& excess : excessesAlong(line, rig, 0.5 * overhangM(machine), job)) {
         places.push_back(excess.place);
     }
     return places;

@@ -8,6 +8,9 @@ namespace furrow {
 
 namespace {
 
+// What trails at 45 degrees is within 11 of the line after so many of its own lengths: tan(a / 2) falls with exp(-s / l).
+constexpr double kLengthsToComeIntoLine = 1.5;
+
 /// From straight wheels to full lock, for a machine that does not say.
 constexpr Duration kFullLockTime = seconds(2.0);
 
@@ -102,6 +105,12 @@ CurvatureRate Machine::maxCurvatureRate() const {
 Speed Machine::turningSpeed() const {
     const double lateral = std::sqrt(spec_.tractor.maxLateralAcceleration.si() * minTurningRadius().si());
     return std::min(spec_.tractor.turningSpeed, metresPerSecond(lateral));
+}
+
+Length Machine::runIn() const {
+    const Implement& implement = spec_.implement;
+    const Length trailing = implement.mounting == Mounting::Trailed ? implement.hitchOffset - implement.offset : Length{};
+    return std::max(implement.runIn, kLengthsToComeIntoLine * trailing);
 }
 
 Length Machine::turningWidth() const {

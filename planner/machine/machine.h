@@ -106,6 +106,9 @@ public:
     CurvatureRate maxCurvatureRate() const;
     /// The turning speed, or less where the lateral acceleration would be too large at the smallest radius.
     Speed turningSpeed() const;
+    /// The straight way before the implement is lowered: as given, and for a trailed one so long that it comes into
+    /// line.
+    Length runIn() const;
     /// Width of tractor and raised implement, whichever is more.
     Length turningWidth() const;
     /// Width of tractor and lowered implement, whichever is more.

@@ -3,12 +3,15 @@
 #include "planner/geometry/geos_bridge.h"
 #include "planner/jobs/parallel.h"
 #include "planner/turns/footprint_check.h"
+#include "planner/turns/rig.h"
 #include "planner/turns/turn_sampling.h"
 
 #include <algorithm>
 #include <cmath>
 #include <iterator>
+#include <numbers>
 #include <optional>
+#include <span>
 #include <utility>
 
 namespace furrow {
@@ -17,6 +20,9 @@ namespace {
 
 // Places along a headland pass where the footprint is looked at lie no farther apart.
 constexpr Length kPassStep = metres(0.5);
+constexpr Length kAnyStep = metres(1e6);
+// A trailed implement that points elsewhere than the tractor by less is in line.
+constexpr double kInLineRad = 1e-3;
 // Passes lie along the edge: what they are outside by less is drawing.
 constexpr Length kPassReserve = metres(0.005);
 // Taken off the footprint all round, so that touching the edge up to rounding is staying inside.
@@ -39,15 +45,63 @@ MultiPolygon withoutHoles(const MultiPolygon& polygons) {
     return filled;
 }
 
-/// The outline of the footprint at every sample.
-std::vector<Polyline> outlinesAlong(const PathSegment& segment, const Ring& footprint) {
-    std::vector<Polyline> outlines;
-    for (const PathSample& sample : segment.samples) {
-        outlines.push_back(
-            placed(footprint, {.position = sample.position, .heading = radians(sample.headingRad)}));
-        outlines.back().push_back(outlines.back().front());
+/// What drives, less a finger's breadth: one shape, or a tractor and what trails behind it.
+struct Shapes {
+    explicit Shapes(const Machine& machine)
+        : trailer{Trailer::of(machine)},
+          tractor{shrunken(tractorOutline(machine))},
+          raised{shrunken(trailer ? trailer->raised : machine.turningFootprint())},
+          lowered{shrunken(trailer ? trailer->lowered : machine.workingFootprint())} {}
+
+    const Ring& implement(bool down) const { return down ? lowered : raised; }
+
+    std::optional<Trailer> trailer;
+    Ring tractor;  ///< only of use with a trailer
+    Ring raised;   ///< with the tractor where there is no trailer
+    Ring lowered;
+};
+
+/// Where tractor and implement are along a segment: at every sample, no farther apart than `step`, and close together
+/// while a trailed implement is not in line. `implement` is carried on from segment to segment.
+std::vector<RigState> statesAlong(const PathSegment& segment, const Shapes& shapes, Length step, Angle& implement) {
+    std::vector<RigState> states;
+    const auto poseAt = [](const PathSample& sample) {
+        return Pose{.position = sample.position, .heading = radians(sample.headingRad)};
+    };
+    states.push_back({poseAt(segment.samples.front()), implement});
+    for (std::size_t i = 1; i < segment.samples.size(); ++i) {
+        const PathSample& from = segment.samples[i - 1];
+        const Pose start = poseAt(from);
+        const Length way = metres(segment.samples[i].sM - from.sM);
+        const Curvature curvature = Curvature::fromSi(from.curvature1pm);
+        const TurnPiece piece{.length = way, .curvature = curvature, .endCurvature = curvature, .gear = segment.gear};
+        // At least once: on the spot only the heading changes.
+        Length gone;
+        do {
+            Length next = std::min(way, gone + step);
+            if (shapes.trailer) {
+                const double askew = std::remainder((implement - states.back().tractor.heading).si(), 2.0 * std::numbers::pi);
+                if (std::abs(askew) > kInLineRad || curvature != Curvature{}) {
+                    next = std::min(next, gone + shapes.trailer->longestStep());
+                }
+            }
+            const Pose pose = next == way ? poseAt(segment.samples[i]) : advanced(start, piece, next);
+            implement = shapes.trailer ? shapes.trailer->headingAfter(implement, states.back().tractor, pose) : pose.heading;
+            states.push_back({pose, implement});
+            gone = next;
+        } while (gone < way);
     }
-    return outlines;
+    return states;
+}
+
+/// The outlines of one shape along the way.
+std::vector<Polyline> outlines(std::span<const RigState> states, const Ring& shape, const std::optional<Trailer>& trailer) {
+    std::vector<Polyline> all;
+    for (const RigState& state : states) {
+        all.push_back(placed(shape, trailer ? trailer->poseOf(state.tractor, state.implement) : state.tractor));
+        all.back().push_back(all.back().front());
+    }
+    return all;
 }
 
 /// The lines that the corners of these outlines draw from one to the next.
@@ -61,34 +115,70 @@ std::vector<Polyline> cornerTracks(const std::vector<Polyline>& outlines) {
     return tracks;
 }
 
-/// Where a footprint gets farthest outside along a headland pass; nothing where it stays inside. A pass is too long
-/// to be drawn outline by outline. Ends early, with something, where the job is stopped.
-std::optional<BlockedConnection> farthestAlong(const PathSegment& pass, const Ring& footprint,
+/// How far whatever drives gets outside.
+double outsideM(const RigState& state, const Shapes& shapes, const BoundaryDistance& edges) {
+    if (!shapes.trailer) {
+        return outsideM(state.tractor, shapes.lowered, edges);
+    }
+    return std::max(outsideM(state.tractor, shapes.tractor, edges),
+                    outsideM(shapes.trailer->poseOf(state.tractor, state.implement), shapes.lowered, edges));
+}
+
+/// Where a headland pass is farthest outside; nothing where it stays inside. A pass is too long to be drawn outline by
+/// outline. Ends early, with something, where the job is stopped.
+std::optional<BlockedConnection> farthestAlong(std::span<const RigState> states, const Shapes& shapes,
                                                const BoundaryDistance& drivable, const BoundaryDistance& land,
                                                const JobContext& job) {
     BlockedConnection farthest;
-    Pose worst;
-    for (std::size_t i = 0; i + 1 < pass.samples.size() && !job.stopRequested(); ++i) {
-        const PathSample& from = pass.samples[i];
-        const Pose start{.position = from.position, .heading = radians(from.headingRad)};
-        const Length way = metres(pass.samples[i + 1].sM - from.sM);
-        const Curvature curvature = Curvature::fromSi(from.curvature1pm);
-        const TurnPiece piece{.length = way, .curvature = curvature, .endCurvature = curvature, .gear = pass.gear};
-        const auto steps = std::max(1, static_cast<int>(std::ceil(way / kPassStep)));
-        for (int k = 0; k < steps; ++k) {
-            const Pose pose = advanced(start, piece, way * (static_cast<double>(k) / steps));
-            if (const Length outside = metres(outsideM(pose, footprint, drivable)); outside > farthest.outside) {
-                farthest.outside = outside;
-                worst = pose;
-            }
+    RigState worst;
+    for (const RigState& state : states) {
+        if (job.stopRequested()) {
+            break;
+        }
+        if (const Length outside = metres(outsideM(state, shapes, drivable)); outside > farthest.outside) {
+            farthest.outside = outside;
+            worst = state;
         }
     }
     if (farthest.outside <= kPassReserve) {
         return std::nullopt;
     }
-    farthest.place = worst.position;
-    farthest.obstacle = outsideM(worst, footprint, land) == 0.0;
+    farthest.place = worst.tractor.position;
+    farthest.obstacle = outsideM(worst, shapes, land) == 0.0;
     return farthest;
+}
+
+/// Where what is swept between two stretches of work is farthest outside; nothing where it stays inside.
+std::optional<BlockedConnection> farthestOnWay(std::span<const RigState> states, const Shapes& shapes, bool lowered,
+                                               const PreparedArea& drivable, const PreparedArea& land) {
+    std::vector<Polyline> all = outlines(states, shapes.implement(lowered), shapes.trailer);
+    std::vector<Polyline> tracks = cornerTracks(all);
+    if (shapes.trailer) {
+        const std::vector<Polyline> tractor = outlines(states, shapes.tractor, std::nullopt);
+        std::ranges::move(cornerTracks(tractor), std::back_inserter(tracks));
+        std::ranges::copy(tractor, std::back_inserter(all));
+    }
+    // Along a straight or bulging boundary the hull decides; only inward corners need more.
+    if (drivable.coversHullOf(all)) {
+        return std::nullopt;
+    }
+    const bool tracksInside = drivable.covers(tracks);
+    if (tracksInside && drivable.covers(all)) {
+        return std::nullopt;
+    }
+    BlockedConnection blocked;
+    // A footprint is farthest out with one of its corners, unless it straddles what is in the way.
+    const std::vector<Polyline>& lines = tracksInside ? all : tracks;
+    const auto beyondLand = land.farthestOutside(lines);
+    blocked.obstacle = !beyondLand;
+    const auto farthest = beyondLand ? beyondLand : drivable.farthestOutside(lines);
+    // Outside by less than rounding can tell: covered after all.
+    if (!farthest) {
+        return std::nullopt;
+    }
+    blocked.place = farthest->point;
+    blocked.outside = farthest->distance;
+    return blocked;
 }
 
 }  // namespace
@@ -101,48 +191,32 @@ Result<std::vector<BlockedConnection>> blockedConnections(const Path& path, cons
     const Length reach = machine.workingFootprintWidth() + machine.spec().tractor.length;
     const BoundaryDistance drivableEdges{drivableArea, reach};
     const BoundaryDistance landEdges{landArea, reach};
-    const Ring raised = shrunken(machine.turningFootprint());
-    const Ring lowered = shrunken(machine.workingFootprint());
+    const Shapes shapes{machine};
     std::vector<std::size_t> connections;
+    std::vector<Angle> implements;  // as each segment begins
+    Angle implement = path.segments.empty() ? Angle{} : radians(path.segments.front().samples.front().headingRad);
     for (std::size_t i = 0; i < path.segments.size(); ++i) {
+        implements.push_back(implement);
         if (path.segments[i].kind != SegmentKind::Swath) {
             connections.push_back(i);
+        }
+        if (shapes.trailer) {
+            statesAlong(path.segments[i], shapes, kAnyStep, implement);
         }
     }
     const auto checked = parallelMap<std::optional<BlockedConnection>>(
         connections.size(),
         [&](std::size_t i) -> std::optional<BlockedConnection> {
             const PathSegment& segment = path.segments[connections[i]];
-            if (segment.kind == SegmentKind::HeadlandPass) {
-                auto found = farthestAlong(segment, lowered, drivableEdges, landEdges, job);
-                if (found) {
-                    found->segment = connections[i];
-                }
-                return found;
+            const bool isPass = segment.kind == SegmentKind::HeadlandPass;
+            Angle begins = implements[connections[i]];
+            const std::vector<RigState> states = statesAlong(segment, shapes, isPass ? kPassStep : kAnyStep, begins);
+            auto found = isPass ? farthestAlong(states, shapes, drivableEdges, landEdges, job)
+                                : farthestOnWay(states, shapes, segment.implementDown, drivable, land);
+            if (found) {
+                found->segment = connections[i];
             }
-            const auto outlines = outlinesAlong(segment, raised);
-            // Along a straight or bulging boundary the hull decides; only inward corners need more.
-            if (drivable.coversHullOf(outlines)) {
-                return std::nullopt;
-            }
-            const auto tracks = cornerTracks(outlines);
-            const bool tracksInside = drivable.covers(tracks);
-            if (tracksInside && drivable.covers(outlines)) {
-                return std::nullopt;
-            }
-            BlockedConnection blocked{.segment = connections[i]};
-            // A footprint is farthest out with one of its corners, unless it straddles what is in the way.
-            const auto& lines = tracksInside ? outlines : tracks;
-            const auto beyondLand = land.farthestOutside(lines);
-            blocked.obstacle = !beyondLand;
-            const auto farthest = beyondLand ? beyondLand : drivable.farthestOutside(lines);
-            // Outside by less than rounding can tell: covered after all.
-            if (!farthest) {
-                return std::nullopt;
-            }
-            blocked.place = farthest->point;
-            blocked.outside = farthest->distance;
-            return blocked;
+            return found;
         },
         job);
     if (!checked) {

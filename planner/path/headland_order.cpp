@@ -3,6 +3,7 @@
 #include "planner/headland/smooth_ring.h"
 #include "planner/turns/connection.h"
 #include "planner/turns/footprint_check.h"
+#include "planner/turns/trailer.h"
 
 #include <algorithm>
 #include <cmath>
@@ -18,6 +19,8 @@ constexpr std::size_t kMostStarts = 400;
 // What none of so many places allows, no other does.
 constexpr std::size_t kMostChecked = 150;
 constexpr Length kCheckStep = metres(0.25);
+// Within so many of its own lengths a trailed implement comes into line after a bend.
+constexpr double kLengthsIntoLine = 3.0;
 
 /// A place on a pass where it may start.
 struct StartPlace {
@@ -45,7 +48,8 @@ std::vector<StartPlace> startsOfStretches(const HeadlandPass& pass) {
     return places;
 }
 
-std::vector<StartPlace> startPlaces(const HeadlandPass& pass) {
+/// What trails has to be in line again where a closed pass ends: so far after the last bend.
+std::vector<StartPlace> startPlaces(const HeadlandPass& pass, Length inLineAfter) {
     if (!pass.closed) {
         return startsOfStretches(pass);
     }
@@ -56,14 +60,20 @@ std::vector<StartPlace> startPlaces(const HeadlandPass& pass) {
         Pose pose = stretch.line.start;
         for (std::size_t p = 0; p < stretch.line.pieces.size(); ++p) {
             const TurnPiece& piece = stretch.line.pieces[p];
-            for (Length way; stretch.working && way < piece.length; way += step) {
+            const bool isStraight = piece.curvature == Curvature{} && piece.endCurvature == Curvature{};
+            Length way;
+            if (inLineAfter > Length{}) {
+                way = isStraight ? inLineAfter : piece.length;
+            }
+            for (; stretch.working && way < piece.length; way += step) {
                 const Pose here = advanced(pose, piece, way);
                 places.push_back({.stretch = s, .piece = p, .way = way, .pose = here, .end = here});
             }
             pose = advanced(pose, piece, piece.length);
         }
     }
-    return places;
+    // Where no straight is long enough it starts anywhere.
+    return places.empty() && inLineAfter > Length{} ? startPlaces(pass, Length{}) : places;
 }
 
 Leg legOf(const HeadlandPass& pass, const PassStretch& stretch) {
@@ -212,9 +222,12 @@ private:
 
 std::vector<Leg> headlandLegs(const std::vector<HeadlandPass>& passes, const HeadlandDrive& drive,
                               const Machine& machine, TurnPlanner* turn) {
+    const Implement& implement = machine.spec().implement;
+    const Length inLineAfter =
+        Trailer::of(machine) ? kLengthsIntoLine * (implement.hitchOffset - implement.offset) : Length{};
     std::vector<std::vector<StartPlace>> places;
     for (const HeadlandPass& pass : passes) {
-        places.push_back(startPlaces(pass));
+        places.push_back(startPlaces(pass, inLineAfter));
     }
     // What is fixed is the end that meets the swaths: from there the passes are lined up, backwards where the
     // swaths come after them.

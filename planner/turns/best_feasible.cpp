@@ -81,7 +81,7 @@ double costS(const Turn& turn, const Machine& machine, const TravelCost& travel)
 /// With the straight that the implement needs before it is lowered, where that fits.
 std::optional<Turn> searched(const Rig& rig, const Pose& leaving, const Pose& arriving, const TravelCost& travel,
                              const JobContext& job) {
-    const Length runIn = rig.machine().spec().implement.runIn;
+    const Length runIn = rig.machine().runIn();
     const Pose before{.position = arriving.position - runIn.si() * direction(arriving.heading.si()),
                       .heading = arriving.heading};
     if (rig.outsideM(Rig::inLine(leaving)) > kTouchingM || rig.outsideM(Rig::inLine(before)) > kTouchingM) {

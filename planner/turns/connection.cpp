@@ -18,7 +18,7 @@ bool isStraightAhead(const Pose& from, const Pose& to) {
 }  // namespace
 
 Turn connection(const Pose& leaving, const Pose& arriving, const Machine& machine, TurnPlanner* turn) {
-    const double runInM = machine.spec().implement.runIn.si();
+    const double runInM = machine.runIn().si();
     if (runInM > 0.0 && !isStraightAhead(leaving, arriving)) {
         const Pose before{.position = arriving.position - runInM * direction(arriving.heading.si()),
                           .heading = arriving.heading};

@@ -14,22 +14,6 @@ namespace {
 
 // Outside by less than this is touching.
 constexpr double kTouchingM = 1e-3;
-// Steps of a hitch, as a share of what trails behind it: the track is then within a millimetre.
-constexpr double kTrailingStep = 0.05;
-// What is hardly behind its hitch swings with it.
-constexpr double kLeastTrailingM = 0.1;
-
-/// Which way a trailed implement points after its hitch has moved straight by `way`: tan of half the angle
-/// between them falls with exp(-way / length), the tractrix.
-double trailedHeading(double headingRad, Point way, double trailingM) {
-    const double movedM = norm(way);
-    if (movedM == 0.0) {
-        return headingRad;
-    }
-    const double towardsRad = std::atan2(way.y, way.x);
-    const double angle = std::remainder(headingRad - towardsRad, 2.0 * std::numbers::pi);
-    return towardsRad + 2.0 * std::atan(std::tan(0.5 * angle) * std::exp(-movedM / trailingM));
-}
 
 double radiusOf(const Ring& shape) {
     double radius = 0.0;
@@ -39,36 +23,16 @@ double radiusOf(const Ring& shape) {
     return radius;
 }
 
-bool isTrailed(const Machine& machine) {
-    const Implement& implement = machine.spec().implement;
-    return implement.mounting == Mounting::Trailed &&
-           (implement.hitchOffset - implement.offset).si() > kLeastTrailingM;
+Ring wholeFootprint(const Machine& machine, ImplementAt implement) {
+    return implement == ImplementAt::Lowered ? machine.workingFootprint() : machine.turningFootprint();
 }
 
-Ring tractorShape(const Machine& machine) {
-    const Tractor& tractor = machine.spec().tractor;
-    const double front = (tractor.length - tractor.rearOverhang).si();
-    const double rear = -tractor.rearOverhang.si();
-    const double half = 0.5 * tractor.width.si();
-    return {{rear, -half}, {front, -half}, {front, half}, {rear, half}};
+Ring tractorShape(const Machine& machine, const std::optional<Trailer>& trailer, ImplementAt implement) {
+    return trailer ? tractorOutline(machine) : wholeFootprint(machine, implement);
 }
 
-/// The raised implement with its hitch at the origin.
-Ring trailedShape(const Machine& machine) {
-    const Implement& implement = machine.spec().implement;
-    const double middle = (implement.offset - implement.hitchOffset).si();
-    const double halfLength = 0.5 * implement.length.si();
-    const double half = 0.5 * implement.raisedWidth.value_or(implement.operatingWidth).si();
-    const double aside = implement.lateralOffset.si();
-    return {{middle - halfLength, aside - half},
-            {middle + halfLength, aside - half},
-            {middle + halfLength, aside + half},
-            {middle - halfLength, aside + half}};
-}
-
-Length reachOf(const Machine& machine) {
-    return metres(1.0 + (isTrailed(machine) ? std::max(radiusOf(tractorShape(machine)), radiusOf(trailedShape(machine)))
-                                            : radiusOf(machine.turningFootprint())));
+Ring trailedShape(const std::optional<Trailer>& trailer, ImplementAt implement) {
+    return !trailer ? Ring{} : implement == ImplementAt::Lowered ? trailer->lowered : trailer->raised;
 }
 
 }  // namespace
@@ -78,17 +42,12 @@ Rig::Part Rig::partOf(Ring shape) {
     return {std::move(shape), radiusM};
 }
 
-Rig::Rig(const MultiPolygon& drivable, const Machine& machine)
+Rig::Rig(const MultiPolygon& drivable, const Machine& machine, ImplementAt implement)
     : machine_{machine},
-      tractor_{partOf(isTrailed(machine) ? tractorShape(machine) : machine.turningFootprint())},
-      edges_{drivable, reachOf(machine)} {
-    if (isTrailed(machine)) {
-        const Implement& implement = machine.spec().implement;
-        trailed_ = partOf(trailedShape(machine));
-        hitchM_ = implement.hitchOffset.si();
-        trailingM_ = (implement.hitchOffset - implement.offset).si();
-    }
-}
+      trailer_{Trailer::of(machine)},
+      tractor_{partOf(tractorShape(machine, trailer_, implement))},
+      trailed_{partOf(trailedShape(trailer_, implement))},
+      edges_{drivable, metres(1.0 + std::max(tractor_.radiusM, trailed_.radiusM))} {}
 
 double Rig::outsideM(const Part& part, const Pose& pose) const {
     const auto inside = edges_.insideM(pose.position);
@@ -99,25 +58,20 @@ double Rig::outsideM(const Part& part, const Pose& pose) const {
 }
 
 double Rig::outsideM(const RigState& state) const {
-    double farthest = outsideM(tractor_, state.tractor);
-    if (trailed_) {
-        const Point hitch = state.tractor.position + hitchM_ * direction(state.tractor.heading.si());
-        farthest = std::max(farthest, outsideM(*trailed_, {.position = hitch, .heading = state.implement}));
-    }
-    return farthest;
+    const double farthest = outsideM(tractor_, state.tractor);
+    return trailer_ ? std::max(farthest, outsideM(trailed_, trailer_->poseOf(state.tractor, state.implement)))
+                    : farthest;
 }
 
-template <class Visit>
-std::optional<RigState> Rig::follow(const RigState& from, const TurnPiece& piece, Length step, const Visit& visit) const {
-    const double longest = trailed_ ? std::min(step.si(), kTrailingStep * trailingM_) : step.si();
-    const auto steps = std::max(1, static_cast<int>(std::ceil(piece.length.si() / longest)));
-    const auto visited = trailed_ ? std::max(1, static_cast<int>(step.si() / longest)) : 1;
+std::optional<RigState> Rig::follow(const RigState& from, const TurnPiece& piece, Length step,
+                                    const std::function<bool(const RigState&)>& visit) const {
+    const Length longest = trailer_ ? std::min(step, trailer_->longestStep()) : step;
+    const auto steps = std::max(1, static_cast<int>(std::ceil(piece.length / longest)));
+    const auto visited = trailer_ ? std::max(1, static_cast<int>(step / longest)) : 1;
     RigState at = from;
-    const auto hitchOf = [this](const Pose& pose) { return pose.position + hitchM_ * direction(pose.heading.si()); };
     for (int i = 1; i <= steps; ++i) {
         const Pose pose = advanced(from.tractor, piece, piece.length * (static_cast<double>(i) / steps));
-        at.implement = trailed_ ? radians(trailedHeading(at.implement.si(), hitchOf(pose) - hitchOf(at.tractor), trailingM_))
-                                : pose.heading;
+        at.implement = trailer_ ? trailer_->headingAfter(at.implement, at.tractor, pose) : pose.heading;
         at.tractor = pose;
         if ((i % visited == 0 || i == steps) && !visit(at)) {
             return std::nullopt;
@@ -132,7 +86,7 @@ std::optional<RigState> Rig::driven(const RigState& from, const TurnPiece& piece
 
 std::optional<RigState> Rig::driven(const RigState& from, const Turn& turn, Length step) const {
     // A turn on the spot begins with another heading than it was asked for.
-    RigState state = trailed_ ? RigState{turn.start, from.implement} : inLine(turn.start);
+    RigState state = trailer_ ? RigState{turn.start, from.implement} : inLine(turn.start);
     for (const TurnPiece& piece : turn.pieces) {
         const auto next = driven(state, piece, step);
         if (!next) {

@@ -283,7 +283,8 @@ private slots:
         std::stop_source stop;
         stop.request_stop();
         const MultiPolygon field{test::rectangle(100.0, 60.0)};
-        const auto tracks = passTracks(field, metres(2.0), field, agbot(), {}, {.stop = stop.get_token()});
+        const auto tracks = passTracks(field, metres(2.0), field, agbot(), RoundTheField::CounterClockwise, {},
+                                       {.stop = stop.get_token()});
         QVERIFY(!tracks);
         QCOMPARE(tracks.error().code, ErrorCode::Cancelled);
     }

@@ -1,0 +1,155 @@
+#include "planner/headland/swing_out.h"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <optional>
+#include <span>
+#include <vector>
+
+namespace furrow {
+
+namespace {
+
+// Corners that are rounded more gently, or turn by less, lose little.
+constexpr double kTightRadii = 1.5;
+constexpr double kLeastTurnRad = 0.3;
+// Beyond this the two sides hardly meet.
+constexpr double kMostTurnRad = 2.6;
+// By how much the tractor turns too far, the most first.
+constexpr std::array kSwingsDeg{45.0, 35.0, 28.0, 20.0, 12.0};
+constexpr Length kLookStep = metres(0.3);
+constexpr double kTouchingM = 1e-3;
+// After the corner the implement comes into line within so many of its own lengths.
+constexpr double kLengthsAfter = 3.0;
+constexpr double kLeastStraightM = 0.01;
+// A straight that is longer than so many radii parts two corners.
+constexpr double kLongRadii = 1.5;
+
+bool isStraight(const TurnPiece& piece) {
+    return piece.curvature == Curvature{} && piece.endCurvature == Curvature{};
+}
+
+/// Bends the same way with little between them, from one straight to another, seen so that they turn to the left.
+struct Corner {
+    std::size_t last = 0;  ///< piece
+    double turnRad = 0.0;
+    double side = 1.0;      ///< 1 to the left
+    double entryM = 0.0;  ///< from where the bends begin to where the two sides meet
+    double exitM = 0.0;   ///< from there to where they end
+};
+
+/// The corner that begins after a straight; nothing where there is none worth it.
+std::optional<Corner> cornerAfter(const std::vector<TurnPiece>& pieces, std::size_t straight, const Pose& begins,
+                                  double radiusM) {
+    Corner corner;
+    double turnRad = 0.0;
+    double lengthM = 0.0;
+    double arcsM = 0.0;
+    bool isTight = false;
+    std::size_t i = straight + 1;
+    for (; i < pieces.size(); ++i) {
+        const TurnPiece& piece = pieces[i];
+        if (isStraight(piece)) {
+            if (piece.length.si() > kLongRadii * radiusM) {
+                break;
+            }
+        } else if (piece.curvature != piece.endCurvature || turnRad * piece.curvature.si() < 0.0) {
+            break;
+        } else {
+            turnRad += piece.length.si() * piece.curvature.si();
+            corner.last = i;
+            arcsM += piece.length.si();
+            isTight = isTight || std::abs(piece.curvature.si()) * kTightRadii * radiusM > 1.0;
+        }
+        lengthM += piece.length.si();
+    }
+    corner.turnRad = std::abs(turnRad);
+    corner.side = turnRad > 0.0 ? 1.0 : -1.0;
+    const bool wide = lengthM > 2.0 * arcsM + kLongRadii * radiusM;
+    if (!isTight || wide || corner.turnRad < kLeastTurnRad || corner.turnRad > kMostTurnRad ||
+        corner.last + 1 >= pieces.size() || !isStraight(pieces[corner.last + 1])) {
+        return std::nullopt;
+    }
+    Pose ends = begins;
+    for (std::size_t k = straight + 1; k <= corner.last; ++k) {
+        ends = advanced(ends, pieces[k], pieces[k].length);
+    }
+    const Point in = direction(begins.heading.si());
+    const Point out = direction(ends.heading.si());
+    const Point way = ends.position - begins.position;
+    corner.entryM = cross(way, out) / cross(in, out);
+    corner.exitM = cross(in, way) / cross(in, out);
+    return corner;
+}
+
+/// A corner that is driven too far and back, with what it takes of the two sides.
+struct Swing {
+    double beforeM = 0.0;
+    double afterM = 0.0;
+    std::array<TurnPiece, 2> arcs;
+};
+
+Swing swingOf(const Corner& corner, double overRad, double radiusM) {
+    const double farthest = corner.turnRad + overRad;
+    // Left by `farthest`, then right by `overRad`, from the origin along x.
+    const double endX = radiusM * (2.0 * std::sin(farthest) - std::sin(corner.turnRad));
+    const double endY = radiusM * (1.0 - 2.0 * std::cos(farthest) + std::cos(corner.turnRad));
+    const double afterM = endY / std::sin(corner.turnRad);
+    const Curvature curvature = Curvature::fromSi(corner.side / radiusM);
+    return {.beforeM = endX - afterM * std::cos(corner.turnRad),
+            .afterM = afterM,
+            .arcs = {{{.length = metres(radiusM * farthest), .curvature = curvature},
+                      {.length = metres(radiusM * overRad), .curvature = -1.0 * curvature, .endCurvature = -1.0 * curvature}}}};
+}
+
+}  // namespace
+
+Turn swungOut(const Turn& line, const Rig& rig) {
+    const double radiusM = rig.machine().minTurningRadius().si();
+    const Implement& implement = rig.machine().spec().implement;
+    const Length afterwards = kLengthsAfter * (implement.hitchOffset - implement.offset);
+    Turn swung = line;
+    std::vector<TurnPiece>& pieces = swung.pieces;
+    if (!pieces.empty() && isStraight(pieces.front())) {
+        // From the middle of a straight, so that no corner lies across the ends.
+        const Length half = 0.5 * pieces.front().length;
+        swung.start = advanced(line.start, pieces.front(), half);
+        pieces.push_back({.length = half, .curvature = {}});
+        pieces.front().length = half;
+    }
+    Pose pose = swung.start;
+    for (std::size_t i = 0; i + 2 < pieces.size(); ++i) {
+        const Pose begins = advanced(pose, pieces[i], pieces[i].length);
+        const auto corner = isStraight(pieces[i]) ? cornerAfter(pieces, i, begins, radiusM) : std::nullopt;
+        for (const double degreesOver : corner ? std::span{kSwingsDeg} : std::span<const double>{}) {
+            const Swing swing = swingOf(*corner, degrees(degreesOver).si(), radiusM);
+            TurnPiece& next = pieces[corner->last + 1];
+            const Length before = pieces[i].length + metres(corner->entryM - swing.beforeM);
+            const Length after = next.length + metres(corner->exitM - swing.afterM);
+            if (before.si() < kLeastStraightM || after.si() < kLeastStraightM) {
+                continue;
+            }
+            std::optional<RigState> state = Rig::inLine(advanced(pose, pieces[i], before));
+            const TurnPiece on{.length = std::min(after, afterwards), .curvature = {}};
+            for (const TurnPiece& piece : {swing.arcs[0], swing.arcs[1], on}) {
+                state = state ? rig.follow(*state, piece, kLookStep,
+                                           [&](const RigState& at) { return rig.outsideM(at) <= kTouchingM; })
+                              : state;
+            }
+            if (!state) {
+                continue;
+            }
+            pieces[i].length = before;
+            next.length = after;
+            const auto first = pieces.begin() + static_cast<std::ptrdiff_t>(i) + 1;
+            const auto past = pieces.begin() + static_cast<std::ptrdiff_t>(corner->last) + 1;
+            pieces.insert(pieces.erase(first, past), swing.arcs.begin(), swing.arcs.end());
+            break;
+        }
+        pose = advanced(pose, pieces[i], pieces[i].length);
+    }
+    return swung;
+}
+
+}  // namespace furrow

@@ -1,0 +1,31 @@
+#pragma once
+
+#include "planner/geometry/polygon.h"
+#include "planner/machine/machine.h"
+#include "planner/turns/turn.h"
+
+#include <optional>
+
+namespace furrow {
+
+/// A trailed implement: it follows its hitch on its own track (a tractrix).
+struct Trailer {
+    double hitchM = 0.0;     ///< from the tractor's fixed axle, negative behind it
+    double trailingM = 0.0;  ///< from the hitch to the working line
+    Ring raised;             ///< its outline with the hitch at the origin, drawbar to +x
+    Ring lowered;
+
+    /// Nothing where the implement is mounted, or so close behind its hitch that it swings with the tractor.
+    static std::optional<Trailer> of(const Machine& machine);
+
+    Pose poseOf(const Pose& tractor, Angle heading) const;
+    /// Where it points after the tractor has moved; its hitch is taken to have moved straight. Within a millimetre of
+    /// the track for steps of `longestStep`.
+    Angle headingAfter(Angle heading, const Pose& from, const Pose& to) const;
+    Length longestStep() const;
+};
+
+/// The tractor alone, counter-clockwise, reference point at the origin.
+Ring tractorOutline(const Machine& machine);
+
+}  // namespace furrow
