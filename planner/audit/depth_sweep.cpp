@@ -270,6 +270,28 @@ void LayeredPolygons::add(std::size_t layer, const MultiPolygon& polygons) {
     }
 }
 
+void LayeredPolygons::addNext(std::size_t layer, std::span<const Point> ring) {
+    std::vector<Edge> before(edges_.begin() + static_cast<std::ptrdiff_t>(std::min(last_, edges_.size())), edges_.end());
+    const std::size_t kept = edges_.size() - before.size();
+    add(layer, ring);
+    std::vector<Edge> added(edges_.begin() + static_cast<std::ptrdiff_t>(kept + before.size()), edges_.end());
+    for (auto edge = added.begin(); edge != added.end();) {
+        const auto shared = std::ranges::find_if(before, [&](const Edge& other) {
+            return other.layer == edge->layer && other.from == edge->to && other.to == edge->from;
+        });
+        if (shared == before.end()) {
+            ++edge;
+        } else {
+            before.erase(shared);
+            edge = added.erase(edge);
+        }
+    }
+    edges_.resize(kept);
+    edges_.insert(edges_.end(), before.begin(), before.end());
+    last_ = edges_.size();
+    edges_.insert(edges_.end(), added.begin(), added.end());
+}
+
 Result<std::vector<MeasuredRegion>> measureRegions(const LayeredPolygons& polygons, Point along,
                                                    const DepthRegions& regions, const JobContext& job) {
     return Sweep{polygons, along, regions}.run(job);

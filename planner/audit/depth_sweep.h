@@ -26,6 +26,9 @@ public:
     /// @param ring   counter-clockwise adds to the depth inside, clockwise takes from it
     void add(std::size_t layer, std::span<const Point> ring);
     void add(std::size_t layer, const MultiPolygon& polygons);
+    /// The same as add, for a ring that follows on the one added before: a side that both share, each the other way
+    /// round, changes no depth and is left out. A strip of such rings costs its outline.
+    void addNext(std::size_t layer, std::span<const Point> ring);
 
     struct Edge {
         Point from;
@@ -36,6 +39,7 @@ public:
 
 private:
     std::vector<Edge> edges_;
+    std::size_t last_ = 0;  ///< where the edges of the ring begin that addNext has added last
 };
 
 /// What is asked for: up to 32 regions, told apart by the depths.

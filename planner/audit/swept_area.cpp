@@ -229,7 +229,7 @@ Result<SweptArea> measureSweptArea(const AuditInput& input, const MachineShape& 
     layers.add(kWorkable, input.workable);
     for (const SweptPiece& piece : result.pieces) {
         const bool headland = input.segments[piece.segment].kind == SegmentKind::HeadlandPass;
-        layers.add(headland ? kHeadlandPass : kSwath, piece.ring);
+        layers.addNext(headland ? kHeadlandPass : kSwath, piece.ring);
     }
     if (input.machine) {
         const auto reach = reachable(input, job);

@@ -36,6 +36,34 @@ Result<std::vector<MeasuredRegion>> measured(const MultiPolygon& a, const MultiP
 class TestDepthSweep : public QObject {
     Q_OBJECT
 private slots:
+    /// A bent strip of quadrilaterals that lies over itself: the same areas as ring by ring.
+    void ringsThatFollowEachOther() {
+        LayeredPolygons one;
+        LayeredPolygons other;
+        std::vector<Point> left;
+        std::vector<Point> right;
+        for (int i = 0; i <= 60; ++i) {
+            const double angle = 0.12 * i;
+            left.push_back((10.0 - 0.05 * i) * direction(angle));
+            right.push_back((13.0 - 0.05 * i) * direction(angle));
+        }
+        for (std::size_t i = 0; i + 1 < left.size(); ++i) {
+            const Ring quad{left[i], right[i], right[i + 1], left[i + 1]};
+            one.add(0, quad);
+            other.addNext(0, quad);
+        }
+        QCOMPARE(one.edges().size(), std::size_t{240});
+        QCOMPARE(other.edges().size(), std::size_t{122});  // 60 on both sides, 2 ends
+        const auto a = measureRegions(one, {1.0, 0.0}, {.at = regionsAt, .count = kRegionCount}, {});
+        const auto b = measureRegions(other, {1.0, 0.0}, {.at = regionsAt, .count = kRegionCount}, {});
+        VERIFY_RESULT(a);
+        VERIFY_RESULT(b);
+        QVERIFY((*a)[kTwice].area > squareMetres(1.0));
+        for (const Region region : {kOnce, kTwice, kFirstOnly}) {
+            QCOMPARE_LT(std::abs(((*a)[region].area - (*b)[region].area).si()), 1e-8);
+        }
+    }
+
     void byHand_data() {
         QTest::addColumn<QString>("a");
         QTest::addColumn<QString>("b");
