@@ -37,6 +37,8 @@ Result<AuditReport> audit(const AuditInput& input, const JobContext& job) {
     report.coveredOfReachable = swept->coveredOfReachable;
     report.missed = swept->missedArea;
     report.missedAreas = swept->missed;
+    report.leftAreas = swept->dropped;
+    report.left = swept->droppedArea;
     report.overlap = swept->overlap;
     report.overlapHeadland = swept->overlapHeadland;
     if (clearance) {

@@ -68,6 +68,9 @@ struct AuditReport {
     std::optional<double> coveredOfReachable;  ///< share of the reachable area that is covered
     std::optional<Area> missed;                ///< of the workable area, not swept
     MultiPolygon missedAreas;                  ///< largest first
+    /// Of these what is within reach and was to be worked, largest first, hairs left out; and all of it.
+    MultiPolygon leftAreas;
+    Area left;
     std::optional<Area> overlap;               ///< swept by at least two passes, inside the workable area
     std::optional<Area> overlapHeadland;       ///< of it, between headland passes and swaths
     std::optional<Area> outside;            ///< swept by the footprint outside the drivable area, gates aside

@@ -1,4 +1,5 @@
 #include "planner/geometry/geos_bridge.h"
+#include "planner/headland/finishing_passes.h"
 #include "planner/headland/headland_passes.h"
 #include "planner/headland/methods.h"
 #include "planner/headland/turning_room.h"
@@ -103,7 +104,7 @@ Result<Headland> constantWidth(const HeadlandTask& task, const JobContext& job) 
 
 constexpr const Parameter* kParameters[] = {&kHeadlandPasses,    &kHeadlandWidth, &kHeadlandDriven,
                                             &kHeadlandOrder,     &kHeadlandWhen,  &kHeadlandDirection,
-                                            &kHeadlandCorner};
+                                            &kHeadlandCorner,     &kHeadlandFinish};
 
 }  // namespace
 

@@ -23,8 +23,8 @@ constexpr Length kPassStep = metres(0.5);
 constexpr Length kAnyStep = metres(1e6);
 // A trailed implement that points elsewhere than the tractor by less is in line.
 constexpr double kInLineRad = 1e-3;
-// Passes lie along the edge: what they are outside by less is drawing.
-constexpr Length kPassReserve = metres(0.005);
+// What passes and ways along the edge are outside by less is drawing.
+constexpr Length kDrawing = metres(0.005);
 // Taken off the footprint all round, so that touching the edge up to rounding is staying inside.
 constexpr double kTouchingM = 1e-3;
 
@@ -140,7 +140,7 @@ std::optional<BlockedConnection> farthestAlong(std::span<const RigState> states,
             worst = state;
         }
     }
-    if (farthest.outside <= kPassReserve) {
+    if (farthest.outside <= kDrawing) {
         return std::nullopt;
     }
     farthest.place = worst.tractor.position;
@@ -172,8 +172,8 @@ std::optional<BlockedConnection> farthestOnWay(std::span<const RigState> states,
     const auto beyondLand = land.farthestOutside(lines);
     blocked.obstacle = !beyondLand;
     const auto farthest = beyondLand ? beyondLand : drivable.farthestOutside(lines);
-    // Outside by less than rounding can tell: covered after all.
-    if (!farthest) {
+    // Outside by less than can be told from drawing: covered after all.
+    if (!farthest || farthest->distance <= kDrawing) {
         return std::nullopt;
     }
     blocked.place = farthest->point;

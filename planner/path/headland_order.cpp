@@ -18,6 +18,9 @@ namespace {
 constexpr std::size_t kMostStarts = 400;
 // What none of so many places allows, no other does.
 constexpr std::size_t kMostChecked = 150;
+// Legs that meet closer than this are driven in one go.
+constexpr double kSamePlaceM = 1e-6;
+constexpr std::size_t kMostPlacesTried = 4;
 constexpr Length kCheckStep = metres(0.25);
 // Within so many of its own lengths a trailed implement comes into line after a bend.
 constexpr double kLengthsIntoLine = 3.0;
@@ -253,6 +256,39 @@ std::vector<Leg> headlandLegs(const std::vector<HeadlandPass>& passes, const Hea
     std::vector<Leg> legs;
     for (std::vector<Leg>& some : lined) {
         std::ranges::move(some, std::back_inserter(legs));
+    }
+    return legs;
+}
+
+std::vector<Leg> withFinishingPasses(std::vector<Leg> legs, const std::vector<HeadlandPass>& passes,
+                                     const FittingWayFinder& way, std::vector<HeadlandPass>& put, const JobContext& job) {
+    for (const HeadlandPass& pass : passes) {
+        const Leg leg = legOf(pass, pass.stretches.front());
+        const Pose start = leg.line.start;
+        const Pose end = leg.line.end();
+        std::vector<std::pair<double, std::size_t>> places;  // detour, and the leg it goes before
+        for (std::size_t i = 0; i <= legs.size(); ++i) {
+            const double toM = i > 0 ? distance(legs[i - 1].line.end().position, start.position) : 0.0;
+            const double onM = i < legs.size() ? distance(end.position, legs[i].line.start.position) : 0.0;
+            const double directM =
+                i > 0 && i < legs.size() ? distance(legs[i - 1].line.end().position, legs[i].line.start.position) : 0.0;
+            // What follows on without a way between is one pass.
+            if (i == 0 || i == legs.size() || directM > kSamePlaceM) {
+                places.emplace_back(toM + onM - directM, i);
+            }
+        }
+        std::ranges::sort(places);
+        for (const auto& [detourM, i] : places | std::views::take(kMostPlacesTried)) {
+            if (job.stopRequested()) {
+                return legs;
+            }
+            if ((i == 0 || way(legs[i - 1].line.end(), start, job)) &&
+                (i == legs.size() || way(end, legs[i].line.start, job))) {
+                legs.insert(legs.begin() + static_cast<std::ptrdiff_t>(i), leg);
+                put.push_back(pass);
+                break;
+            }
+        }
     }
     return legs;
 }

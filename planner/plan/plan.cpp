@@ -3,16 +3,19 @@
 #include "planner/field/drivable_area.h"
 #include "planner/geometry/convex_hull.h"
 #include "planner/geometry/geos_bridge.h"
+#include "planner/headland/finishing_passes.h"
 #include "planner/headland/headland_passes.h"
 #include "planner/headland/turning_room.h"
 #include "planner/path/drivable_check.h"
 #include "planner/path/headland_order.h"
 #include "planner/path/path_builder.h"
+#include "planner/path/remembered_ways.h"
 #include "planner/plan/general_parameters.h"
 #include "planner/plan/method_registry.h"
 #include "planner/swaths/full_ends.h"
 #include "planner/swaths/methods.h"
 #include "planner/turns/best_feasible.h"
+#include "planner/turns/connection.h"
 #include "planner/turns/straight_turn.h"
 #include "planner/turns/turn_sampling.h"
 
@@ -28,6 +31,10 @@ namespace furrow {
 namespace {
 
 using Clock = std::chrono::steady_clock;
+
+// Short passes are added until so little is left: below what the audit blocks a plan for.
+constexpr double kMayStayShare = 0.009;
+constexpr Area kMayStayInOnePiece = squareMetres(95.0);
 
 /// Runs one stage and notes how long it took.
 template <class Run>
@@ -162,11 +169,10 @@ Result<SwathSet> swathStage(const Plan& plan, const MultiPolygon& drivable, cons
     return swaths;
 }
 
-/// Headland passes before or after the swaths, all joined by turns.
-Result<Path> pathStage(const Plan& plan, const MultiPolygon& drivable, const JobContext& job) {
+/// Headland passes before or after the swaths.
+std::vector<Leg> layOut(const Plan& plan, const MultiPolygon& drivable) {
     const Settings& settings = plan.request.settings;
     const Machine& machine = plan.request.machine;
-    TurnPlanner* const turn = turnMethod(settings);
     std::vector<Leg> legs = swathLegs(plan.swaths, plan.route, machine);
     if (!plan.headland.rings.empty()) {
         const bool first = settings.choice(kHeadlandWhen) == "before";
@@ -179,19 +185,10 @@ Result<Path> pathStage(const Plan& plan, const MultiPolygon& drivable, const Job
         } else if (!legs.empty()) {
             drive.before = legs.back().line.end();
         }
-        const std::vector<Leg> passes = headlandLegs(plan.headland.rings, drive, machine, turn);
+        const std::vector<Leg> passes = headlandLegs(plan.headland.rings, drive, machine, turnMethod(settings));
         legs.insert(first ? legs.begin() : legs.end(), passes.begin(), passes.end());
     }
-    if (turn != kBestFeasibleMethod.run || !settings.flag(kStayInside)) {
-        return buildPath(legs, machine, waysBy(turn, machine), job);
-    }
-    const Rig rig{drivable, machine};
-    return buildPath(
-        legs, machine,
-        [&rig](const Pose& leaving, const Pose& arriving, const JobContext& part) {
-            return feasibleConnection(rig, leaving, arriving, {}, part);
-        },
-        job);
+    return legs;
 }
 
 std::string blockedReason(const BlockedConnection& blocked) {
@@ -225,6 +222,115 @@ Polyline lineOf(const Turn& turn) {
         line.push_back(sample.pose.position);
     }
     return line;
+}
+
+/// Marks what leaves the field and tells it, a way in several gears once, at its worst place.
+Result<void> checkWays(Plan& plan, const MultiPolygon& drivable, const JobContext& job) {
+    const auto blocked = blockedConnections(plan.path, drivable, plan.request.machine, job);
+    if (!blocked) {
+        return std::unexpected(blocked.error());
+    }
+    std::optional<BlockedConnection> worst;
+    for (const BlockedConnection& connection : *blocked) {
+        PathSegment& segment = plan.path.segments[connection.segment];
+        segment.drivable = false;
+        segment.reason = blockedReason(connection);
+        const bool sameWay = worst && !segment.implementDown &&
+                             plan.path.workBefore(worst->segment) == plan.path.workBefore(connection.segment);
+        if (sameWay && connection.outside <= worst->outside) {
+            continue;
+        }
+        if (sameWay) {
+            plan.findings.pop_back();
+        }
+        worst = connection;
+        plan.findings.push_back(blockedFinding(plan.path, connection, plan.headland, plan.request.machine));
+    }
+    return {};
+}
+
+/// The path over these legs, checked and audited, with what both find.
+Result<void> drive(Plan& plan, std::span<const Leg> legs, RememberedWays& ways, const MultiPolygon& drivable,
+                   const JobContext& job) {
+    const Settings& settings = plan.request.settings;
+    const Machine& machine = plan.request.machine;
+    TurnPlanner* const turn = turnMethod(settings);
+    const bool fits = turn == kBestFeasibleMethod.run && settings.flag(kStayInside);
+    const Clock::time_point begin = Clock::now();
+    auto path = buildPath(
+        legs, machine,
+        [&](const Pose& leaving, const Pose& arriving, const JobContext& part) {
+            auto way = fits ? ways(leaving, arriving, part) : std::nullopt;
+            return way ? std::move(*way) : connection(leaving, arriving, machine, turn);
+        },
+        job.part(0.0, 0.4));
+    if (!path) {
+        return std::unexpected(path.error());
+    }
+    plan.path = std::move(*path);
+    plan.findings.clear();
+    if (settings.flag(kStayInside)) {
+        if (auto checked = checkWays(plan, drivable, job.part(0.4, 0.6)); !checked) {
+            return checked;
+        }
+    }
+    if (turn == kStraightMethod.run && !machine.spec().tractor.canTurnInPlace && plan.path.turnCount() > 0) {
+        plan.findings.push_back(
+            {.severity = Severity::Blocking,
+             .kind = "heading-jump",
+             .place = std::ranges::find(plan.path.segments, SegmentKind::Turn, &PathSegment::kind)->samples.front().position,
+             .text = "This machine cannot turn on the spot.",
+             .suggestion = "Choose forward curves, or a machine that can."});
+    }
+    const Clock::time_point driven = Clock::now();
+    plan.timings.path += seconds(std::chrono::duration<double>(driven - begin).count());
+    auto report = audit(auditInput(plan), job.part(0.6, 1.0));
+    if (!report) {
+        return std::unexpected(report.error());
+    }
+    plan.audit = std::move(*report);
+    addAuditFindings(plan);
+    plan.timings.audit += seconds(std::chrono::duration<double>(Clock::now() - driven).count());
+    return {};
+}
+
+std::ptrdiff_t blockingCount(const Plan& plan) {
+    return std::ranges::count(plan.findings, Severity::Blocking, &Finding::severity);
+}
+
+/// Where more is left than may stay, short passes over it, if the plan gets better by them.
+Result<void> finish(Plan& plan, const std::vector<Leg>& legs, RememberedWays& ways, const MultiPolygon& drivable,
+                    const JobContext& job) {
+    const Settings& settings = plan.request.settings;
+    const bool applies = !plan.headland.rings.empty() && settings.flag(kHeadlandFinish) && settings.flag(kStayInside) &&
+                         turnMethod(settings) == kBestFeasibleMethod.run;
+    if (!applies || std::ranges::none_of(plan.findings, [](const Finding& finding) { return finding.kind == "missed"; })) {
+        return {};
+    }
+    const Clock::time_point begin = Clock::now();
+    const Rig lowered{drivable, plan.request.machine, ImplementAt::Lowered};
+    const auto passes = finishingPasses({.workable = plan.field().workable(),
+                                         .left = plan.audit.leftAreas,
+                                         .mayStay = kMayStayShare * plan.audit.workable,
+                                         .mayStayInOnePiece = kMayStayInOnePiece,
+                                         .lowered = lowered},
+                                        job.part(0.0, 0.2));
+    if (!passes) {
+        return std::unexpected(passes.error());
+    }
+    Plan finished = plan;
+    const std::vector<Leg> more = withFinishingPasses(legs, *passes, std::ref(ways), finished.headland.rings, job);
+    finished.timings.path += seconds(std::chrono::duration<double>(Clock::now() - begin).count());
+    if (more.size() == legs.size()) {
+        return {};
+    }
+    if (auto driven = drive(finished, more, ways, drivable, job.part(0.2, 1.0)); !driven) {
+        return driven;
+    }
+    if (blockingCount(finished) <= blockingCount(plan)) {
+        plan = std::move(finished);
+    }
+    return {};
 }
 
 }  // namespace
@@ -327,54 +433,18 @@ Result<std::shared_ptr<const Plan>> makePlan(const PlanRequest& request, const J
     }
     plan->route = std::move(*route);
 
-    auto path = timed(plan->timings.path, [&] { return pathStage(*plan, *drivable, job.part(0.85, 0.9)); });
-    if (!path) {
-        return std::unexpected(path.error());
+    const auto rig = std::make_shared<Rig>(*drivable, machine);
+    RememberedWays ways{[rig](const Pose& leaving, const Pose& arriving, const JobContext& part) {
+        return fittingConnection(*rig, leaving, arriving, {}, part);
+    }};
+    const std::vector<Leg> legs = layOut(*plan, *drivable);
+    if (auto driven = drive(*plan, legs, ways, *drivable, job.part(0.85, 0.97)); !driven) {
+        return std::unexpected(driven.error());
     }
-    plan->path = std::move(*path);
-
+    if (auto finished = finish(*plan, legs, ways, *drivable, job.part(0.97, 1.0)); !finished) {
+        return std::unexpected(finished.error());
+    }
     const Point middle = field.frame().toLocal(middleOf(field.source().parts));
-    if (settings.flag(kStayInside)) {
-        const auto blocked = blockedConnections(plan->path, *drivable, machine, job.part(0.9, 0.95));
-        if (!blocked) {
-            return std::unexpected(blocked.error());
-        }
-        std::optional<BlockedConnection> worst;
-        for (const BlockedConnection& connection : *blocked) {
-            PathSegment& segment = plan->path.segments[connection.segment];
-            segment.drivable = false;
-            segment.reason = blockedReason(connection);
-            // A way in several gears is one finding, at its worst place.
-            const bool sameWay = worst && !segment.implementDown &&
-                                 plan->path.workBefore(worst->segment) == plan->path.workBefore(connection.segment);
-            if (sameWay && connection.outside <= worst->outside) {
-                continue;
-            }
-            if (sameWay) {
-                plan->findings.pop_back();
-            }
-            worst = connection;
-            plan->findings.push_back(blockedFinding(plan->path, connection, plan->headland, machine));
-        }
-    }
-    if (turnMethod(settings) == kStraightMethod.run && !machine.spec().tractor.canTurnInPlace &&
-        plan->path.turnCount() > 0) {
-        plan->findings.push_back({.severity = Severity::Blocking,
-                                  .kind = "heading-jump",
-                                  .place = std::ranges::find(plan->path.segments, SegmentKind::Turn, &PathSegment::kind)
-                                               ->samples.front()
-                                               .position,
-                                  .text = "This machine cannot turn on the spot.",
-                                  .suggestion = "Choose forward curves, or a machine that can."});
-    }
-    auto report = timed(plan->timings.audit,
-                        [&] { return audit(auditInput(*plan), job.part(0.95, 1.0)); });
-    if (!report) {
-        return std::unexpected(report.error());
-    }
-    plan->audit = std::move(*report);
-    addAuditFindings(*plan);
-
     for (const Note& note : plan->headland.notes) {
         plan->findings.push_back({.severity = Severity::Note,
                                   .kind = note.where,

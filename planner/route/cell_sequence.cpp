@@ -1,5 +1,6 @@
 #include "planner/route/cell_sequence.h"
 
+#include "planner/turns/connection.h"
 #include "planner/turns/dubins.h"
 
 #include <algorithm>

@@ -23,14 +23,6 @@ Pose endPose(const RouteStep& step, const SwathSet& swaths) {
     return {.position = step.reversed ? swath.start : swath.end, .heading = drivingHeading(step, swaths)};
 }
 
-Pose vehicleAt(const Pose& implement, const Machine& machine) {
-    const Point ahead = direction(implement.heading.si());
-    const Point left{-ahead.y, ahead.x};
-    const Implement& spec = machine.spec().implement;
-    return {.position = implement.position - spec.offset.si() * ahead - spec.lateralOffset.si() * left,
-            .heading = implement.heading};
-}
-
 Turn turnBetween(const RouteStep& from, const RouteStep& to, const SwathSet& swaths, const Machine& machine,
                  TurnPlanner* turn) {
     return connection(vehicleAt(endPose(from, swaths), machine), vehicleAt(startPose(to, swaths), machine),

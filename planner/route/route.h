@@ -32,9 +32,6 @@ struct Route {
 Pose startPose(const RouteStep& step, const SwathSet& swaths);
 Pose endPose(const RouteStep& step, const SwathSet& swaths);
 
-/// Where the vehicle's reference point is while the middle of the implement is at `implement`.
-Pose vehicleAt(const Pose& implement, const Machine& machine);
-
 /// The turn from the end of one step to the start of another, run-in included.
 Turn turnBetween(const RouteStep& from, const RouteStep& to, const SwathSet& swaths, const Machine& machine,
                  TurnPlanner* turn);

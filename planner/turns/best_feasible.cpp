@@ -96,8 +96,8 @@ std::optional<Turn> searched(const Rig& rig, const Pose& leaving, const Pose& ar
 
 }  // namespace
 
-Turn feasibleConnection(const Rig& rig, const Pose& leaving, const Pose& arriving, const TravelCost& travel,
-                        const JobContext& job) {
+std::optional<Turn> fittingConnection(const Rig& rig, const Pose& leaving, const Pose& arriving,
+                                      const TravelCost& travel, const JobContext& job) {
     const Machine& machine = rig.machine();
     std::vector<Candidate> turns = candidates(leaving, arriving, machine);
     const auto fits = std::ranges::find_if(turns, [&](const Candidate& candidate) {
@@ -108,13 +108,14 @@ Turn feasibleConnection(const Rig& rig, const Pose& leaving, const Pose& arrivin
         return std::move(fits->turn);
     }
     auto way = searched(rig, leaving, arriving, travel, job);
-    if (!way) {
-        return std::move(found ? fits->turn : turns.front().turn);
-    }
-    if (found && costS(fits->turn, machine, travel) <= costS(*way, machine, travel)) {
-        return std::move(fits->turn);
-    }
-    return std::move(*way);
+    const bool better = found && (!way || costS(fits->turn, machine, travel) <= costS(*way, machine, travel));
+    return better ? std::optional{std::move(fits->turn)} : way;
+}
+
+Turn feasibleConnection(const Rig& rig, const Pose& leaving, const Pose& arriving, const TravelCost& travel,
+                        const JobContext& job) {
+    auto way = fittingConnection(rig, leaving, arriving, travel, job);
+    return way ? std::move(*way) : std::move(candidates(leaving, arriving, rig.machine()).front().turn);
 }
 
 const Method<TurnPlanner> kBestFeasibleMethod{

@@ -4,6 +4,8 @@
 #include "planner/turns/manoeuvre_search.h"
 #include "planner/turns/turn_method.h"
 
+#include <optional>
+
 namespace furrow {
 
 /// In free space the quickest of all turns; in a field, by feasibleConnection, the quickest that fits.
@@ -16,5 +18,8 @@ extern const Method<TurnPlanner> kBestFeasibleMethod;
 /// Cost: some ten microseconds where a turn fits, up to half a second where nothing does.
 Turn feasibleConnection(const Rig& rig, const Pose& leaving, const Pose& arriving, const TravelCost& travel,
                         const JobContext& job);
+/// The same; nothing where nothing fits.
+std::optional<Turn> fittingConnection(const Rig& rig, const Pose& leaving, const Pose& arriving, const TravelCost& travel,
+                                      const JobContext& job);
 
 }  // namespace furrow

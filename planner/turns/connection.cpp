@@ -17,6 +17,14 @@ bool isStraightAhead(const Pose& from, const Pose& to) {
 
 }  // namespace
 
+Pose vehicleAt(const Pose& implement, const Machine& machine) {
+    const Point ahead = direction(implement.heading.si());
+    const Point left{-ahead.y, ahead.x};
+    const Implement& spec = machine.spec().implement;
+    return {.position = implement.position - spec.offset.si() * ahead - spec.lateralOffset.si() * left,
+            .heading = implement.heading};
+}
+
 Turn connection(const Pose& leaving, const Pose& arriving, const Machine& machine, TurnPlanner* turn) {
     const double runInM = machine.runIn().si();
     if (runInM > 0.0 && !isStraightAhead(leaving, arriving)) {

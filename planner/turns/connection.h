@@ -4,6 +4,9 @@
 
 namespace furrow {
 
+/// Where the vehicle's reference point is while the middle of the implement is at `implement`.
+Pose vehicleAt(const Pose& implement, const Machine& machine);
+
 /// The way from where one working stretch ends to where the next begins, both poses of the vehicle: the turn
 /// itself and the straight run-in that the implement needs before it is lowered. Straight ahead on the same
 /// line there is nothing to straighten out from, and what turns on the spot is straight at once: no run-in.

@@ -1,0 +1,22 @@
+#include "planner/path/remembered_ways.h"
+
+namespace furrow {
+
+std::optional<Turn> RememberedWays::operator()(const Pose& leaving, const Pose& arriving, const JobContext& job) {
+    const std::array key{leaving.position.x,  leaving.position.y,  leaving.heading.si(),
+                         arriving.position.x, arriving.position.y, arriving.heading.si()};
+    {
+        const std::lock_guard lock{mutex_};
+        if (const auto known = found_.find(key); known != found_.end()) {
+            return known->second;
+        }
+    }
+    std::optional<Turn> way = finder_(leaving, arriving, job);
+    if (!job.stopRequested()) {
+        const std::lock_guard lock{mutex_};
+        found_.emplace(key, way);
+    }
+    return way;
+}
+
+}  // namespace furrow
