@@ -20,6 +20,7 @@ public:
     /// Metres inside the nearest edge, negative outside; nothing where no edge is within reach.
     /// Cost: the edges in the cells around the point.
     std::optional<double> insideM(Point point) const;
+    double reachM() const { return reachM_; }
 
     /// Corners that point inwards, where a shape can be poked between its own corners; those with x from low to
     /// high.

@@ -95,7 +95,7 @@ std::optional<Manoeuvre> manoeuvre(const Turn& line, const RoundedCorner& corner
     const Turn turn = method == CornerMethod::Searched ? feasibleConnection(rig, from, to, {}, job)
                       : method == CornerMethod::Loop   ? connection(from, to, machine, kDubinsMethod.run)
                                                        : connection(from, to, machine, kReedsSheppMethod.run);
-    if (!rig.driven(Rig::inLine(from), turn, metres(2.0 * kStepM))) {
+    if (!rig.driven(Rig::inLine(from), turn)) {
         return std::nullopt;
     }
     return Manoeuvre{metres(onward), turn, metres(back)};

@@ -15,7 +15,6 @@ namespace furrow {
 
 namespace {
 
-constexpr Length kCheckStep = metres(0.2);
 // Outside by less than this is touching.
 constexpr double kTouchingM = 1e-3;
 // A way that is dearer by this than its length alone is worth looking for another.
@@ -101,7 +100,7 @@ std::optional<Turn> fittingConnection(const Rig& rig, const Pose& leaving, const
     const Machine& machine = rig.machine();
     std::vector<Candidate> turns = candidates(leaving, arriving, machine);
     const auto fits = std::ranges::find_if(turns, [&](const Candidate& candidate) {
-        return rig.driven(Rig::inLine(leaving), candidate.turn, kCheckStep).has_value();
+        return rig.driven(Rig::inLine(leaving), candidate.turn).has_value();
     });
     const bool found = fits != turns.end();
     if (found && (!travel || costS(fits->turn, machine, travel) < kDearWay * fits->time.si())) {

@@ -13,8 +13,8 @@ namespace {
 // Outside by less than this is touching.
 constexpr double kTouchingM = 1e-3;
 
-/// How deep a point lies in a shape; 0 outside.
-double depthIn(const Ring& shape, Point point) {
+/// How far a point is from a shape's sides, negative inside.
+double awayFrom(const Ring& shape, Point point) {
     bool inside = false;
     double nearest = std::numeric_limits<double>::infinity();
     for (std::size_t i = 0; i < shape.size(); ++i) {
@@ -28,26 +28,32 @@ double depthIn(const Ring& shape, Point point) {
         const double share = std::clamp(dot(point - a, way) / std::max(dot(way, way), 1e-12), 0.0, 1.0);
         nearest = std::min(nearest, distance(point, a + share * way));
     }
-    return inside ? nearest : 0.0;
+    return inside ? -nearest : nearest;
 }
 
 }  // namespace
 
-double outsideM(const Pose& pose, const Ring& footprint, const BoundaryDistance& edges) {
-    double farthest = 0.0;
+FootprintRoom roomAround(const Pose& pose, const Ring& footprint, const BoundaryDistance& edges) {
+    const double reachM = edges.reachM();
+    FootprintRoom room{reachM, reachM};
     double radius = 0.0;
     for (const Point& corner : placed(footprint, pose)) {
-        farthest = std::max(farthest, -edges.insideM(corner).value_or(0.0));
+        room.edgesM = std::min(room.edgesM, edges.insideM(corner).value_or(reachM));
         radius = std::max(radius, distance(corner, pose.position));
     }
     const Point ahead = direction(pose.heading.si());
-    for (const Point& corner : edges.inwardCorners(pose.position.x - radius, pose.position.x + radius)) {
+    const double farM = radius + reachM;
+    for (const Point& corner : edges.inwardCorners(pose.position.x - farM, pose.position.x + farM)) {
         const Point way = corner - pose.position;
-        if (std::abs(way.y) < radius) {
-            farthest = std::max(farthest, depthIn(footprint, {dot(ahead, way), cross(ahead, way)}));
+        if (std::abs(way.y) < farM) {
+            room.cornersM = std::min(room.cornersM, awayFrom(footprint, {dot(ahead, way), cross(ahead, way)}));
         }
     }
-    return farthest;
+    return room;
+}
+
+double outsideM(const Pose& pose, const Ring& footprint, const BoundaryDistance& edges) {
+    return std::max(0.0, -roomAround(pose, footprint, edges).least());
 }
 
 bool isInside(const Pose& pose, const Ring& footprint, const BoundaryDistance& edges) {

@@ -11,6 +11,15 @@ namespace furrow {
 bool staysInside(const Turn& turn, const Ring& footprint, const BoundaryDistance& edges, Length step);
 bool isInside(const Pose& pose, const Ring& footprint, const BoundaryDistance& edges);
 
+/// How far a footprint is from what it must not cross; negative where it does.
+struct FootprintRoom {
+    double edgesM = 0.0;    ///< from its corners to the edges, no more than the edges' reach
+    double cornersM = 0.0;  ///< from its sides to corners of the field that poke inwards, as much
+
+    double least() const { return edgesM < cornersM ? edgesM : cornersM; }
+};
+FootprintRoom roomAround(const Pose& pose, const Ring& footprint, const BoundaryDistance& edges);
+
 /// How far the footprint at a pose gets across the edges: with one of its corners, or with a side that a corner of
 /// the field pokes into. 0 inside.
 double outsideM(const Pose& pose, const Ring& footprint, const BoundaryDistance& edges);

@@ -24,7 +24,6 @@ constexpr double kMoveRad = kPi / 9.0;
 constexpr int kHeadings = 36;
 // Straight on, in the open, in longer moves.
 constexpr double kLongMove = 4.0;
-constexpr Length kCheckStep = metres(0.25);
 constexpr std::size_t kMostMoves = 6000;
 // Moves that are looked at for a quicker way when one was found.
 constexpr std::size_t kMovesAfterFirst = 150;
@@ -237,7 +236,7 @@ private:
     }
 
     bool isFree(const RigState& state, Gear gear, double side) const {
-        return rig_.driven(state, pieceOf(gear, side / radiusM_, kFreeRad * radiusM_), kCheckStep).has_value();
+        return rig_.driven(state, pieceOf(gear, side / radiusM_, kFreeRad * radiusM_)).has_value();
     }
 
     /// Out from beside an edge, in both gears and to both sides; none where it can turn at once. Not with a
@@ -275,7 +274,7 @@ private:
             std::optional<RigState> next;
             for (const double share : kEscapeShares) {
                 const TurnPiece piece = pieceOf(gear, side * share / radiusM_, kEscapeStepM);
-                next = rig_.driven(state, piece, kCheckStep);
+                next = rig_.driven(state, piece);
                 if (next) {
                     escape.pieces.push_back(piece);
                     break;
@@ -327,7 +326,7 @@ private:
             if (known != reached_.end() && known->second <= next.timeS) {
                 return;
             }
-            const auto state = rig_.driven(node.state, piece, kCheckStep);
+            const auto state = rig_.driven(node.state, piece);
             if (!state) {
                 return;
             }
@@ -364,7 +363,7 @@ private:
             }
             // The way in along the edge was driven before.
             const Turn open{.type = rest.type, .start = rest.start, .pieces = {rest.pieces.begin(), rest.pieces.begin() + static_cast<std::ptrdiff_t>(checked)}};
-            if (rig_.driven(node.state, open, kCheckStep)) {
+            if (rig_.driven(node.state, open)) {
                 bestS_ = timeS;
                 best_ = joined(index, rest);
             }

@@ -14,6 +14,12 @@ namespace {
 
 // Outside by less than this is touching.
 constexpr double kTouchingM = 1e-3;
+// What is flush with an edge is looked at no more often than this; in bends beside a corner of the field so often that
+// it cannot pass through a corner of the footprint unseen.
+constexpr double kLookOnStraightM = 0.2;
+constexpr double kLookInBendM = 0.05;
+constexpr double kLookAtCornersM = 0.01;
+constexpr double kRoundingM = 1e-9;
 
 double radiusOf(const Ring& shape) {
     double radius = 0.0;
@@ -49,18 +55,25 @@ Rig::Rig(const MultiPolygon& drivable, const Machine& machine, ImplementAt imple
       trailed_{partOf(trailedShape(trailer_, implement))},
       edges_{drivable, metres(1.0 + std::max(tractor_.radiusM, trailed_.radiusM))} {}
 
-double Rig::outsideM(const Part& part, const Pose& pose) const {
-    const auto inside = edges_.insideM(pose.position);
-    if (!inside || *inside > part.radiusM) {
-        return 0.0;
+FootprintRoom Rig::roomAround(const Part& part, const Pose& pose) const {
+    const double inside = edges_.insideM(pose.position).value_or(edges_.reachM());
+    if (inside > part.radiusM) {
+        return {inside - part.radiusM, inside - part.radiusM};
     }
-    return furrow::outsideM(pose, part.shape, edges_);
+    return furrow::roomAround(pose, part.shape, edges_);
+}
+
+FootprintRoom Rig::roomAround(const RigState& state) const {
+    const FootprintRoom tractor = roomAround(tractor_, state.tractor);
+    if (!trailer_) {
+        return tractor;
+    }
+    const FootprintRoom trailed = roomAround(trailed_, trailer_->poseOf(state.tractor, state.implement));
+    return {std::min(tractor.edgesM, trailed.edgesM), std::min(tractor.cornersM, trailed.cornersM)};
 }
 
 double Rig::outsideM(const RigState& state) const {
-    const double farthest = outsideM(tractor_, state.tractor);
-    return trailer_ ? std::max(farthest, outsideM(trailed_, trailer_->poseOf(state.tractor, state.implement)))
-                    : farthest;
+    return std::max(0.0, -roomAround(state).least());
 }
 
 std::optional<RigState> Rig::follow(const RigState& from, const TurnPiece& piece, Length step,
@@ -80,15 +93,45 @@ std::optional<RigState> Rig::follow(const RigState& from, const TurnPiece& piece
     return at;
 }
 
-std::optional<RigState> Rig::driven(const RigState& from, const TurnPiece& piece, Length step) const {
-    return follow(from, piece, step, [this](const RigState& state) { return outsideM(state) <= kTouchingM; });
+std::optional<RigState> Rig::driven(const RigState& from, const TurnPiece& piece) const {
+    // No point of it moves by more than this for each metre of the way.
+    const double bent = std::max(std::abs(piece.curvature.si()), std::abs(piece.endCurvature.si()));
+    const double swings = std::max(1.0 + bent * tractor_.radiusM, trailer_ ? 1.0 + trailed_.radiusM / trailer_->trailingM : 0.0);
+    const bool isStraight = bent == 0.0;
+    const auto freeWay = [&](const FootprintRoom& room) {
+        const double alongEdges = std::max(room.edgesM / swings, isStraight ? kLookOnStraightM : kLookInBendM);
+        const double atCorners = std::max(room.cornersM / swings, isStraight ? kLookInBendM : kLookAtCornersM);
+        return std::min(alongEdges, atCorners);
+    };
+    RigState at = from;
+    const double lengthM = piece.length.si();
+    double free = 0.0;  // of the way ahead
+    for (double goneM = 0.0; goneM < lengthM;) {
+        double stepM = std::min(std::max(free, kLookAtCornersM), lengthM - goneM);
+        if (trailer_) {
+            stepM = std::min(stepM, trailer_->longestStep().si());
+        }
+        goneM = lengthM - goneM - stepM < kRoundingM ? lengthM : goneM + stepM;
+        const Pose pose = advanced(from.tractor, piece, metres(goneM));
+        at.implement = trailer_ ? trailer_->headingAfter(at.implement, at.tractor, pose) : pose.heading;
+        at.tractor = pose;
+        free -= stepM;
+        if (free <= kRoundingM || goneM == lengthM) {
+            const FootprintRoom room = roomAround(at);
+            if (room.least() < -kTouchingM) {
+                return std::nullopt;
+            }
+            free = freeWay(room);
+        }
+    }
+    return at;
 }
 
-std::optional<RigState> Rig::driven(const RigState& from, const Turn& turn, Length step) const {
+std::optional<RigState> Rig::driven(const RigState& from, const Turn& turn) const {
     // A turn on the spot begins with another heading than it was asked for.
     RigState state = trailer_ ? RigState{turn.start, from.implement} : inLine(turn.start);
     for (const TurnPiece& piece : turn.pieces) {
-        const auto next = driven(state, piece, step);
+        const auto next = driven(state, piece);
         if (!next) {
             return std::nullopt;
         }

@@ -2,6 +2,7 @@
 
 #include "planner/geometry/boundary_distance.h"
 #include "planner/machine/machine.h"
+#include "planner/turns/footprint_check.h"
 #include "planner/turns/trailer.h"
 #include "planner/turns/turn.h"
 
@@ -34,10 +35,11 @@ public:
     /// How far either gets outside at this place; 0 inside. About 1 microsecond near an edge.
     double outsideM(const RigState& state) const;
 
-    /// After a piece of a turn; nothing as soon as something is outside, asked every `step`.
-    std::optional<RigState> driven(const RigState& from, const TurnPiece& piece, Length step) const;
+    /// After a piece of a turn; nothing as soon as something is outside. It is looked at as often as the room there is
+    /// asks for: what is outside in between is so by a millimetre or two.
+    std::optional<RigState> driven(const RigState& from, const TurnPiece& piece) const;
     /// After all of a turn.
-    std::optional<RigState> driven(const RigState& from, const Turn& turn, Length step) const;
+    std::optional<RigState> driven(const RigState& from, const Turn& turn) const;
 
     /// Along a piece of a turn, with the state after every `step` and at its end; until `visit` says no, then nothing.
     std::optional<RigState> follow(const RigState& from, const TurnPiece& piece, Length step,
@@ -55,7 +57,8 @@ private:
         double radiusM = 0.0;
     };
     static Part partOf(Ring shape);
-    double outsideM(const Part& part, const Pose& pose) const;
+    FootprintRoom roomAround(const Part& part, const Pose& pose) const;
+    FootprintRoom roomAround(const RigState& state) const;
 
     Machine machine_;
     std::optional<Trailer> trailer_;

@@ -130,7 +130,7 @@ private slots:
         const Rig rig{open(), trailed(-1.0)};
         const Pose start = test::pose(3.0, -7.0, 25.0);
         const RigState from{.tractor = start, .implement = start.heading + degrees(angleDeg)};
-        const auto after = rig.driven(from, piece(wayM, 0.0), metres(0.5));
+        const auto after = rig.driven(from, piece(wayM, 0.0));
         QVERIFY(after.has_value());
         COMPARE_WITHIN(distance(after->tractor.position, start.position + wayM * direction(start.heading.si())), 0.0, 1e-9);
         const double angle = wrapped(after->implement.si() - after->tractor.heading.si());
@@ -145,9 +145,9 @@ private slots:
     void pushedBack() {
         const Rig rig{open(), trailed(-1.0)};
         const RigState from{.tractor = test::pose(0.0, 0.0, 0.0), .implement = degrees(50.0)};
-        const auto there = rig.driven(from, piece(6.0, 0.0), metres(0.5));
+        const auto there = rig.driven(from, piece(6.0, 0.0));
         QVERIFY(there.has_value());
-        const auto back = rig.driven(*there, piece(6.0, 0.0, Gear::Reverse), metres(0.5));
+        const auto back = rig.driven(*there, piece(6.0, 0.0, Gear::Reverse));
         QVERIFY(back.has_value());
         COMPARE_WITHIN(back->implement.si(), from.implement.si(), 1e-9);
     }
@@ -169,7 +169,7 @@ private slots:
         QFETCH(double, hitchM);
         const Rig rig{open(), trailed(hitchM)};
         const auto after =
-            rig.driven(Rig::inLine(test::pose(0.0, 0.0, 70.0)), piece(200.0, 1.0 / radiusM), metres(0.5));
+            rig.driven(Rig::inLine(test::pose(0.0, 0.0, 70.0)), piece(200.0, 1.0 / radiusM));
         QVERIFY(after.has_value());
         const double angle = wrapped(after->tractor.heading.si() - after->implement.si());
         const double r = std::hypot(radiusM, hitchM);
@@ -181,13 +181,13 @@ private slots:
         const Rig rig{square(), mounted()};
         const RigState from = Rig::inLine(test::pose(10.0, 10.0, 0.0));
         // The nose is 3 m ahead: 7 m are left.
-        QVERIFY(rig.driven(from, piece(6.9, 0.0), metres(0.2)).has_value());
-        QVERIFY(!rig.driven(from, piece(7.1, 0.0), metres(0.2)).has_value());
+        QVERIFY(rig.driven(from, piece(6.9, 0.0)).has_value());
+        QVERIFY(!rig.driven(from, piece(7.1, 0.0)).has_value());
         // Back again before the end does not help.
         const Turn outAndBack{.type = "made", .start = from.tractor, .pieces = {piece(8.0, 0.0), piece(8.0, 0.0, Gear::Reverse)}};
-        QVERIFY(!rig.driven(from, outAndBack, metres(0.2)).has_value());
+        QVERIFY(!rig.driven(from, outAndBack).has_value());
         const Turn inside{.type = "made", .start = from.tractor, .pieces = {piece(5.0, 0.0), piece(3.0, 0.2, Gear::Reverse)}};
-        const auto after = rig.driven(from, inside, metres(0.2));
+        const auto after = rig.driven(from, inside);
         QVERIFY(after.has_value());
         const Pose end = test::driven(inside);
         COMPARE_WITHIN(distance(after->tractor.position, end.position), 0.0, 1e-9);
@@ -199,10 +199,10 @@ private slots:
     void theTailSwingsOut() {
         const RigState from = Rig::inLine(test::pose(10.0, 17.9, 0.0));
         const TurnPiece bend = piece(2.0, -1.0 / 4.0);
-        QVERIFY(!Rig(square(), mounted()).driven(from, bend, metres(0.2)).has_value());
+        QVERIFY(!Rig(square(), mounted()).driven(from, bend).has_value());
         MachineSpec narrow = mounted().spec();
         narrow.implement.raisedWidth = metres(2.0);
-        QVERIFY(Rig(square(), Machine::create(narrow).value()).driven(from, bend, metres(0.2)).has_value());
+        QVERIFY(Rig(square(), Machine::create(narrow).value()).driven(from, bend).has_value());
     }
 
     void roomForTheWheels() {
