@@ -15,7 +15,7 @@ namespace furrow {
 
 namespace {
 
-constexpr int kMostPasses = 48;
+constexpr std::size_t kMostPasses = 32;
 // A pass that gains less, as a share of the square of its width, is not worth lowering the implement for.
 constexpr double kLeastGainShare = 0.08;
 constexpr double kLookM = 0.15;
@@ -231,7 +231,8 @@ Result<std::vector<HeadlandPass>> finishingPasses(const FinishingTask& task, con
     std::vector<HeadlandPass> passes;
     while (!open.empty() && passes.size() < kMostPasses) {
         const auto largest = std::ranges::max_element(open, {}, [](const Polygon& piece) { return area(piece); });
-        if (area(open) + given <= task.mayStay && area(*largest) <= task.mayStayInOnePiece) {
+        const bool isEnough = area(open) + given <= task.mayStay && area(*largest) <= task.mayStayInOnePiece;
+        if (isEnough || area(*largest).si() < kLeastGainShare * widthM * widthM) {
             break;
         }
         if (job.stopRequested()) {

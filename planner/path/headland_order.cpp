@@ -20,7 +20,7 @@ constexpr std::size_t kMostStarts = 400;
 constexpr std::size_t kMostChecked = 150;
 // Legs that meet closer than this are driven in one go.
 constexpr double kSamePlaceM = 1e-6;
-constexpr std::size_t kMostPlacesTried = 4;
+constexpr std::size_t kMostPlacesTried = 3;
 constexpr Length kCheckStep = metres(0.25);
 // Within so many of its own lengths a trailed implement comes into line after a bend.
 constexpr double kLengthsIntoLine = 3.0;

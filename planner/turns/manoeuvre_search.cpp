@@ -24,7 +24,9 @@ constexpr double kMoveRad = kPi / 9.0;
 constexpr int kHeadings = 36;
 // Straight on, in the open, in longer moves.
 constexpr double kLongMove = 4.0;
-constexpr std::size_t kMostMoves = 6000;
+constexpr std::size_t kMostMoves = 3000;
+// A trailed implement takes ten times as long to be followed.
+constexpr std::size_t kMostMovesTrailed = 800;
 // Moves that are looked at for a quicker way when one was found.
 constexpr std::size_t kMovesAfterFirst = 150;
 // The way to the goal is taken for longer than it is known to be: fewer moves for a slightly longer way. From afar
@@ -129,7 +131,7 @@ private:
 // smallest radius' curvature that keeps it inside: its tail or nose follows the edge meanwhile.
 constexpr double kEscapeStepM = 0.2;
 constexpr int kMostEscapeSteps = 90;
-constexpr double kEscapeShares[] = {1.0, 0.5, 0.25, 0.125, 0.06, 0.03, 0.015, 0.008};
+constexpr double kEscapeShares[] = {1.0, 0.5, 0.25, 0.125, 0.06, 0.03, 0.015, 0.008, 0.0};
 // It is free when it can turn by this on full lock.
 constexpr double kFreeRad = 0.5;
 
@@ -177,8 +179,13 @@ public:
     std::optional<Turn> run() {
         mostWayM_ = 200.0 + 60.0 * radiusM_ + 8.0 * distance(from().position, to_.position);
         greed_ = grid_.from(from().position, mostWayM_) > kNearRadii * radiusM_ ? kGreedAfar : kGreed;
+        auto out = escapes(from());
+        auto in = escapes(to_);
+        if (!out || !in) {
+            return std::nullopt;
+        }
         push(0);
-        for (Escape& escape : escapes(from())) {
+        for (Escape& escape : *out) {
             double timeS = 0.0;
             Node node{.state = Rig::inLine(escape.end), .pieces = std::move(escape.pieces)};
             for (const TurnPiece& piece : node.pieces) {
@@ -188,11 +195,12 @@ public:
             nodes_.push_back(std::move(node));
             push(nodes_.size() - 1);
         }
-        for (Escape& escape : escapes(to_)) {
+        for (Escape& escape : *in) {
             ends_.push_back({.pieces = backInTime(std::move(escape.pieces)), .end = escape.end});
         }
         std::size_t movesLeft = kMovesAfterFirst;
-        for (std::size_t moves = 0; !open_.empty() && moves < kMostMoves; ++moves) {
+        const std::size_t most = rig_.hasTrailer() ? kMostMovesTrailed : kMostMoves;
+        for (std::size_t moves = 0; !open_.empty() && moves < most; ++moves) {
             const auto [priority, index] = open_.top();
             if (best_ && (priority >= bestS_ || --movesLeft == 0)) {
                 break;
@@ -239,9 +247,9 @@ private:
         return rig_.driven(state, pieceOf(gear, side / radiusM_, kFreeRad * radiusM_)).has_value();
     }
 
-    /// Out from beside an edge, in both gears and to both sides; none where it can turn at once. Not with a
-    /// trailed implement, which does not go the same way back.
-    std::vector<Escape> escapes(const Pose& pose) const {
+    /// Out from beside an edge, in both gears and to both sides; none where it can turn at once, nothing where it
+    /// gets out nowhere. Not looked for with a trailed implement, which does not go the same way back.
+    std::optional<std::vector<Escape>> escapes(const Pose& pose) const {
         std::vector<Escape> found;
         const RigState start = Rig::inLine(pose);
         if (rig_.hasTrailer() || !reverses_) {
@@ -250,7 +258,7 @@ private:
         for (const Gear gear : {Gear::Forward, Gear::Reverse}) {
             for (const double side : {-1.0, 1.0}) {
                 if (isFree(start, gear, side)) {
-                    return {};
+                    return found;
                 }
             }
         }
@@ -261,7 +269,19 @@ private:
                 }
             }
         }
-        return found;
+        return found.empty() && !canMove(start) ? std::nullopt : std::optional{std::move(found)};
+    }
+
+    /// By one of the search's own moves.
+    bool canMove(const RigState& state) const {
+        for (const Gear gear : {Gear::Forward, Gear::Reverse}) {
+            for (const double side : {-1.0, 0.0, 1.0}) {
+                if (rig_.driven(state, pieceOf(gear, side / radiusM_, kMoveRad * radiusM_))) {
+                    return true;
+                }
+            }
+        }
+        return false;
     }
 
     std::optional<Escape> escapeTo(RigState state, Gear gear, double side) const {
