@@ -3,6 +3,8 @@
 #include "planner/headland/methods.h"
 #include "planner/plan/general_parameters.h"
 #include "planner/route/methods.h"
+#include "planner/settings/operation.h"
+#include "planner/settings/traversal.h"
 #include "planner/swaths/methods.h"
 #include "planner/turns/best_feasible.h"
 #include "planner/turns/continuous_curvature.h"
@@ -67,6 +69,7 @@ constexpr std::array kTurnMethods{
 
 // Parameters that every method of a stage reads.
 constexpr std::array<const Parameter*, 3> kSwathParameters{&kEnds, &kOverlap, &kLastPass};
+constexpr std::array<const Parameter*, 1> kRouteParameters{&kTraversal};
 constexpr std::array<const Parameter*, 1> kPathParameters{&kStayInside};
 constexpr std::array<const Parameter*, 2> kGeneralParameters{&kOperationKind, &kMargin};
 
@@ -129,7 +132,7 @@ struct Registry {
                      "route.method",
                      "Order",
                      "In which order the swaths are driven.",
-                     {}};
+                     kRouteParameters};
     StageEntry path{kTurnMethods,   "path", "Turns",
                     "path.method",  "Turn", "How the machine gets from one swath to the next.",
                     kPathParameters};
@@ -166,21 +169,7 @@ auto chosen(const Methods& methods, const StageEntry& stage, const Settings& set
     return (*std::ranges::find(methods, id, [](const auto* method) { return method->info.id; }))->run;
 }
 
-constexpr Choice kOperations[] = {
-    {"tillage", "Tillage", "Working the soil."},  {"sowing", "Sowing", "Drilling or planting."},
-    {"spraying", "Spraying", "Crop protection."}, {"spreading", "Spreading", "Fertiliser or manure."},
-    {"mowing", "Mowing", "Cutting grass."},       {"harvest", "Harvest", "Bringing the crop in."},
-};
-
 }  // namespace
-
-const Parameter kOperationKind{
-    .key = "operation.kind",
-    .name = "Operation",
-    .description = "What the field is driven over for; named in the plan and its files.",
-    .kind = ParameterKind::Choice,
-    .standard = 0.0,
-    .choices = kOperations};
 
 const Parameter kMargin{
     .key = "field.margin_m",

@@ -1,6 +1,7 @@
 #include "planner/settings/settings.h"
 
 #include "planner/geometry/geos_bridge.h"
+#include "planner/settings/operation.h"
 
 #include <algorithm>
 #include <charconv>
@@ -142,8 +143,9 @@ Result<void> Settings::set(const Parameter& parameter, const SettingValue& value
     if (!checked) {
         return checked;
     }
-    // Only what differs is kept, so that two requests that mean the same compare equal.
-    if (value == parameter.defaultValue()) {
+    // Only what differs is kept, so that two requests that mean the same compare equal. What depends on the operation
+    // stays as it was given, whichever of the two is set first.
+    if (value == parameter.defaultValue() && !isSetByOperation(parameter.key)) {
         clear(parameter);
     } else {
         given_.insert_or_assign(std::string{parameter.key}, value);
@@ -182,8 +184,17 @@ void Settings::clear(const Parameter& parameter) {
 }
 
 SettingValue Settings::value(const Parameter& parameter) const {
-    const auto found = given_.find(parameter.key);
-    return found == given_.end() ? parameter.defaultValue() : found->second;
+    if (const auto found = given_.find(parameter.key); found != given_.end()) {
+        return found->second;
+    }
+    if (isSetByOperation(parameter.key)) {
+        return std::ranges::find(operation().defaults, parameter.key, &OperationDefault::key)->value;
+    }
+    return parameter.defaultValue();
+}
+
+const Operation& Settings::operation() const {
+    return operationOf(choice(kOperationKind));
 }
 
 bool Settings::isSet(const Parameter& parameter) const {

@@ -65,6 +65,20 @@ private slots:
         QCOMPARE(contentsOf(folder.filePath("plan/summary.json")), answer.out);
     }
 
+    void operationsSetWhatIsNotGiven() {
+        const QTemporaryDir folder;
+        const Answer answer = furrowCli({"plan", sampleField("home_field"), "--operation", "sowing", "--set",
+                                         "swaths.overlap_m=0.05", "--out", folder.filePath("plan"), "--json"});
+        QVERIFY(answer.status == 0 || answer.status == 1);
+        const QJsonObject top = answer.json();
+        QCOMPARE(top["operation"].toString(), QStringLiteral("sowing"));
+        QCOMPARE(top["tank"].toString(), QStringLiteral("empties"));
+        QCOMPARE(top["operation_sets"].toObject(),
+                 (QJsonObject{{"headland.when", "after"}, {"route.traversal", "headland"}}));
+        QCOMPARE(top["settings"].toObject()["headland.when"].toString(), QStringLiteral("after"));
+        QCOMPARE(top["settings"].toObject()["swaths.overlap_m"].toDouble(), 0.05);
+    }
+
     void filesHoldThePlan() {
         const QTemporaryDir folder;
         QCOMPARE(furrowCli({"plan", sampleField("home_field"), "--out", folder.path(), "--quiet"}).status, 0);

@@ -2,6 +2,7 @@
 
 #include "planner/io/boundary_import.h"
 #include "planner/plan/method_registry.h"
+#include "planner/settings/operation.h"
 #include "ui/plan/unit_text.h"
 
 #include <QFile>
@@ -266,6 +267,12 @@ void PlanSession::changeSetting(const Parameter* parameter, const SettingValue& 
     for (const auto& [given, other] : kExclusive) {
         if (parameter->key == given && !std::holds_alternative<Auto>(value)) {
             settings_.clear(*findParameter(other).value());
+        }
+    }
+    if (parameter == &kOperationKind) {
+        // Who picks an operation wants what goes with it, also where another choice was made before.
+        for (const OperationDefault& entry : settings_.operation().defaults) {
+            settings_.clear(*findParameter(entry.key).value());
         }
     }
     showModels();
