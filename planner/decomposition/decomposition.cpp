@@ -283,7 +283,21 @@ std::vector<std::size_t> homesOf(const SwathSet& swaths, const LevelFrame& frame
     return homes;
 }
 
+Result<Decomposition> onePiece(const DecompositionTask& task, const JobContext& job) {
+    if (job.stopRequested()) {
+        return std::unexpected(cancelled());
+    }
+    Decomposition whole{.cells = {{.outline = task.mainland, .swaths = {}}},
+                        .altitude = metres(bounds(LevelFrame{task.swaths.heading}.to(task.mainland)).height())};
+    whole.cells.front().swaths.resize(task.swaths.swaths.size());
+    std::iota(whole.cells.front().swaths.begin(), whole.cells.front().swaths.end(), std::size_t{0});
+    return whole;
+}
+
 Result<Decomposition> decomposed(const DecompositionTask& task, bool atEveryCorner, bool merge, const JobContext& job) {
+    if (task.swaths.isCurved()) {
+        return onePiece(task, job);
+    }
     const LevelFrame frame{task.swaths.heading};
     const auto level = levelCells(frame.to(task.mainland), atEveryCorner, job);
     if (!level) {
@@ -322,17 +336,6 @@ Result<Decomposition> decomposed(const DecompositionTask& task, bool atEveryCorn
         result.cells.push_back(std::move(cell));
     }
     return result;
-}
-
-Result<Decomposition> onePiece(const DecompositionTask& task, const JobContext& job) {
-    if (job.stopRequested()) {
-        return std::unexpected(cancelled());
-    }
-    Decomposition whole{.cells = {{.outline = task.mainland, .swaths = {}}},
-                        .altitude = metres(bounds(LevelFrame{task.swaths.heading}.to(task.mainland)).height())};
-    whole.cells.front().swaths.resize(task.swaths.swaths.size());
-    std::iota(whole.cells.front().swaths.begin(), whole.cells.front().swaths.end(), std::size_t{0});
-    return whole;
 }
 
 }  // namespace

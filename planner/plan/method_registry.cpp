@@ -35,6 +35,9 @@ constexpr std::array kSwathMethods{
     &kLongestEdgeMethod,
     &kEdgeMethod,
     &kOksanenMethod,
+    // curves
+    &kAbCurveMethod,
+    &kPivotMethod,
 };
 constexpr std::array kDecompositionMethods{
     &kMergedCellsMethod,

@@ -150,7 +150,8 @@ Result<SwathSet> swathStage(const Plan& plan, const MultiPolygon& drivable, cons
     auto swaths = swathMethod(request.settings)({.field = field,
                                                  .mainland = plan.headland.mainland,
                                                  .machine = request.machine,
-                                                 .settings = request.settings},
+                                                 .settings = request.settings,
+                                                 .guides = request.guides.get()},
                                                 job);
     // With one pass or none there is no room to draw them out into.
     if (!swaths || !drawsOutEnds(request.settings) || plan.headland.passes < 2) {
@@ -356,7 +357,7 @@ AuditInput auditInput(const Plan& plan) {
     for (const RouteStep& step : plan.route.steps) {
         const Swath& swath = plan.swaths.swaths[step.swath];
         input.passes.push_back(
-            {.line = {startPose(step, plan.swaths).position, endPose(step, plan.swaths).position},
+            {.line = drivenMiddle(step, plan.swaths),
              .width = swath.width,
              .number = swath.number});
     }
@@ -445,12 +446,14 @@ Result<std::shared_ptr<const Plan>> makePlan(const PlanRequest& request, const J
         return std::unexpected(finished.error());
     }
     const Point middle = field.frame().toLocal(middleOf(field.source().parts));
-    for (const Note& note : plan->headland.notes) {
-        plan->findings.push_back({.severity = Severity::Note,
-                                  .kind = note.where,
-                                  .place = middle,
-                                  .text = note.text + ".",
-                                  .suggestion = ""});
+    for (const auto& notes : {plan->headland.notes, plan->swaths.notes}) {
+        for (const Note& note : notes) {
+            plan->findings.push_back({.severity = Severity::Note,
+                                      .kind = note.where,
+                                      .place = note.place ? field.frame().toLocal(*note.place) : middle,
+                                      .text = note.text + ".",
+                                      .suggestion = ""});
+        }
     }
     for (const Note& repair : field.repairs()) {
         plan->findings.push_back({.severity = Severity::Note,

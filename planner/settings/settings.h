@@ -38,6 +38,9 @@ public:
     std::string choice(const Parameter& parameter) const;
     bool flag(const Parameter& parameter) const;
     std::vector<GeoPoint> line(const Parameter& parameter) const;
+    std::vector<std::vector<GeoPoint>> lines(const Parameter& parameter) const;
+    /// A file's path as it was given.
+    std::string file(const Parameter& parameter) const;
     std::vector<int> numbers(const Parameter& parameter) const;
 
     friend bool operator==(const Settings&, const Settings&) = default;

@@ -63,7 +63,7 @@ constexpr const Parameter* kAPlusParameters[] = {&kLine, &kAngle};
 
 const Parameter kLine{.key = "swaths.line",
                       .name = "Line",
-                      .description = "Guidance line in WGS84: A and B, or A alone with a direction.",
+                      .description = "In WGS84: A and B of a line, a curve, A alone with a direction, or a pivot's centre.",
                       .kind = ParameterKind::Line,
                       .standard = {},
                       .choices = {}};

@@ -26,5 +26,7 @@ extern const Method<SwathGenerator> kAPlusMethod;
 extern const Method<SwathGenerator> kLongestEdgeMethod;
 extern const Method<SwathGenerator> kEdgeMethod;
 extern const Method<SwathGenerator> kOksanenMethod;
+extern const Method<SwathGenerator> kAbCurveMethod;
+extern const Method<SwathGenerator> kPivotMethod;
 
 }  // namespace furrow
