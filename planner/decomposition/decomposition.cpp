@@ -338,7 +338,26 @@ Result<Decomposition> decomposed(const DecompositionTask& task, bool atEveryCorn
     return result;
 }
 
+constexpr Choice kHeadings[] = {
+    {"common", "One for all", "Swaths go on from cell to cell."},
+    {"per-cell", "Each its own", "A cell gets a heading of its own where that saves time."},
+};
+
 }  // namespace
+
+const Parameter kSplit{.key = "decomposition.split",
+                       .name = "Split lines",
+                       .description = "Lines in WGS84 along which the mainland is cut; they have to run right through it.",
+                       .kind = ParameterKind::Lines,
+                       .standard = {},
+                       .choices = {}};
+
+const Parameter kCellHeading{.key = "decomposition.heading",
+                             .name = "Heading",
+                             .description = "Whether cells have a heading of their own.",
+                             .kind = ParameterKind::Choice,
+                             .standard = 0.0,
+                             .choices = kHeadings};
 
 const Method<Decomposer> kOnePieceMethod{
     .info = {.id = "none",

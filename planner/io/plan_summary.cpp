@@ -57,6 +57,15 @@ std::string methodOf(std::string_view stageId, const Settings& settings) {
     return settings.choice(*stage->method);
 }
 
+/// One for each cell.
+Json headingsJson(const Decomposition& cells) {
+    Json headings = Json::array();
+    for (const Cell& cell : cells.cells) {
+        headings.push_back(inDegrees(cell.heading));
+    }
+    return headings;
+}
+
 Json milliseconds(Duration duration) {
     return duration.si() * 1e3;
 }
@@ -92,7 +101,7 @@ std::string planSummaryJson(const Plan& plan) {
         {"swaths",
          {{"count", plan.swaths.swaths.size()},
           {"total_length_m", plan.swaths.totalLength.si()},
-          {"heading_deg", Json::array({inDegrees(plan.swaths.heading)})},
+          {"heading_deg", headingsJson(plan.cells)},
           {"proved", plan.swaths.proved},
           {"coverage", plan.swaths.coverage},
           {"overlap_m2", plan.swaths.overlap.si()},

@@ -6,6 +6,7 @@
 #include "planner/settings/operation.h"
 #include "planner/settings/traversal.h"
 #include "planner/swaths/methods.h"
+#include "planner/swaths/tramlines.h"
 #include "planner/turns/best_feasible.h"
 #include "planner/turns/continuous_curvature.h"
 #include "planner/turns/dubins.h"
@@ -37,7 +38,9 @@ constexpr std::array kSwathMethods{
     &kOksanenMethod,
     // curves
     &kAbCurveMethod,
+    &kContourMethod,
     &kPivotMethod,
+    &kRowsMethod,
 };
 constexpr std::array kDecompositionMethods{
     &kMergedCellsMethod,
@@ -71,7 +74,9 @@ constexpr std::array kTurnMethods{
 };
 
 // Parameters that every method of a stage reads.
-constexpr std::array<const Parameter*, 3> kSwathParameters{&kEnds, &kOverlap, &kLastPass};
+constexpr std::array<const Parameter*, 5> kSwathParameters{&kEnds, &kOverlap, &kLastPass, &kTramlineEvery,
+                                                           &kTramlineStart};
+constexpr std::array<const Parameter*, 2> kCellParameters{&kSplit, &kCellHeading};
 constexpr std::array<const Parameter*, 1> kRouteParameters{&kTraversal};
 constexpr std::array<const Parameter*, 1> kPathParameters{&kStayInside};
 constexpr std::array<const Parameter*, 2> kGeneralParameters{&kOperationKind, &kMargin};
@@ -128,7 +133,7 @@ struct Registry {
                              "decomposition.method",
                              "Cells",
                              "How the mainland is divided; the swaths of a cell are driven together.",
-                             {}};
+                             kCellParameters};
     StageEntry route{kRouteMethods,
                      "route",
                      "Route",

@@ -23,62 +23,15 @@ constexpr double kMostTracks = 1e6;
 constexpr double kFlushM = 1e-3;
 // How far strips may be from their chords where their area is measured.
 constexpr Length kStripChord = metres(0.002);
+// One strip turns by no more.
+constexpr double kMostTurnedRad = 0.5 * std::numbers::pi;
 // A ring that ends this close to its start is closed.
 constexpr double kClosedM = 1e-6;
-
-/// The strips that a swath works, without folds: where it bends more tightly than half its width every stretch is a
-/// strip of its own.
-void addStrips(const Swath& swath, MultiPolygon& strips) {
-    const double halfM = 0.5 * swath.width.si();
-    const auto strip = [halfM](const Turn& line) {
-        Ring left;
-        Ring right;
-        for (const TurnSample& sample : sampled(line, kStripChord)) {
-            const Point ahead = direction(sample.pose.heading.si());
-            const Point side{-ahead.y, ahead.x};
-            left.push_back(sample.pose.position + halfM * side);
-            right.push_back(sample.pose.position - halfM * side);
-        }
-        std::ranges::reverse(left);
-        right.insert(right.end(), left.begin(), left.end());
-        return Polygon{.outer = std::move(right), .holes = {}};
-    };
-    const bool isRing = swath.isClosed();
-    if (!isRing && sharpestBend(swath.curve).si() * halfM < 1.0) {
-        strips.push_back(strip(swath.curve));
-        return;
-    }
-    Pose at = swath.curve.start;
-    for (const TurnPiece& piece : swath.curve.pieces) {
-        const double bend = std::abs(piece.curvature.si());
-        // No more than a quarter of a turn at once, and a sector where it turns round a point inside the strip.
-        const auto parts = std::max(1, static_cast<int>(std::ceil(bend * piece.length.si() / (0.5 * std::numbers::pi))));
-        for (int k = 0; k < parts; ++k) {
-            TurnPiece part = piece;
-            part.length = piece.length / parts;
-            const Turn line{.type = {}, .start = at, .pieces = {part}};
-            Polygon polygon = strip(line);
-            if (bend * halfM >= 1.0) {
-                const Point ahead = direction(at.heading.si());
-                const double radiusM = 1.0 / piece.curvature.si();
-                const Point centre = at.position + radiusM * Point{-ahead.y, ahead.x};
-                const double outerM = std::abs(radiusM) + halfM;
-                std::erase_if(polygon.outer, [&](Point point) { return distance(point, centre) < 0.5 * outerM; });
-                polygon.outer.push_back(centre);
-            }
-            if (signedAreaM2(polygon.outer) < 0.0) {
-                std::ranges::reverse(polygon.outer);
-            }
-            strips.push_back(std::move(polygon));
-            at = advanced(at, part, part.length);
-        }
-    }
-}
 
 MultiPolygon stripsOf(const SwathSet& set) {
     MultiPolygon strips;
     for (const Swath& swath : set.swaths) {
-        addStrips(swath, strips);
+        addStrips(swath.curve, swath.width, strips);
     }
     return strips;
 }
@@ -97,6 +50,71 @@ Angle meanHeading(const std::vector<Swath>& swaths) {
 }
 
 }  // namespace
+
+// No strip turns so far that it comes back to itself; where it bends more tightly than half the width, every arc is one
+// of its own.
+void addStrips(const Turn& whole, Length width, MultiPolygon& strips) {
+    const double halfM = 0.5 * width.si();
+    const auto strip = [halfM](const Turn& line) {
+        Ring left;
+        Ring right;
+        for (const TurnSample& sample : sampled(line, kStripChord)) {
+            const Point ahead = direction(sample.pose.heading.si());
+            const Point side{-ahead.y, ahead.x};
+            left.push_back(sample.pose.position + halfM * side);
+            right.push_back(sample.pose.position - halfM * side);
+        }
+        std::ranges::reverse(left);
+        right.insert(right.end(), left.begin(), left.end());
+        return Polygon{.outer = std::move(right), .holes = {}};
+    };
+    const auto addPart = [&](const Turn& part) {
+        Polygon polygon = strip(part);
+        const TurnPiece& first = part.pieces.front();
+        if (std::abs(first.curvature.si()) * halfM >= 1.0) {
+            // A sector, about a centre inside the strip.
+            const Point ahead = direction(part.start.heading.si());
+            const double radiusM = 1.0 / first.curvature.si();
+            const Point centre = part.start.position + radiusM * Point{-ahead.y, ahead.x};
+            const double outerM = std::abs(radiusM) + halfM;
+            std::erase_if(polygon.outer, [&](Point point) { return distance(point, centre) < 0.5 * outerM; });
+            polygon.outer.push_back(centre);
+        }
+        if (signedAreaM2(polygon.outer) < 0.0) {
+            std::ranges::reverse(polygon.outer);
+        }
+        strips.push_back(std::move(polygon));
+    };
+    Turn open{.type = {}, .start = whole.start, .pieces = {}};
+    double turnedRad = 0.0;
+    Pose at = whole.start;
+    const auto close = [&] {
+        if (!open.pieces.empty()) {
+            addPart(open);
+        }
+        open = {.type = {}, .start = at, .pieces = {}};
+        turnedRad = 0.0;
+    };
+    for (const TurnPiece& piece : whole.pieces) {
+        const double bend = std::abs(piece.curvature.si());
+        const auto parts = std::max(1, static_cast<int>(std::ceil(bend * piece.length.si() / kMostTurnedRad)));
+        TurnPiece part = piece;
+        part.length = piece.length / parts;
+        const bool isSector = bend * halfM >= 1.0;
+        for (int k = 0; k < parts; ++k) {
+            if (isSector || turnedRad + bend * part.length.si() > kMostTurnedRad * (1.0 + 1e-9)) {
+                close();
+            }
+            open.pieces.push_back(part);
+            turnedRad += bend * part.length.si();
+            at = advanced(at, part, part.length);
+            if (isSector) {
+                close();
+            }
+        }
+    }
+    close();
+}
 
 Length swathRadius(const Machine& machine) {
     const Length aside = machine.spec().implement.lateralOffset;
@@ -182,9 +200,12 @@ Result<std::vector<SwathLine>> parallelSwathLines(const GuideLine& guide, const 
         return std::unexpected(beside.error());
     }
     std::vector<SwathLine> lines;
+    const double stepM = (spacing.width - spacing.overlap).si();
     for (std::size_t i = 0; i < beside->size(); ++i) {
+        const double steps = std::round(places[i] / stepM);
+        const bool isOnLane = anchored && std::abs(places[i] - steps * stepM) < kFlushM;
         for (const Turn& part : (*beside)[i]) {
-            lines.push_back({static_cast<int>(i), part});
+            lines.push_back({static_cast<int>(i), part, isOnLane ? std::optional{static_cast<int>(steps)} : std::nullopt});
         }
     }
     return lines;
@@ -192,7 +213,7 @@ Result<std::vector<SwathLine>> parallelSwathLines(const GuideLine& guide, const 
 
 Result<SwathSet> swathsOnLines(const std::vector<SwathLine>& lines, const SwathTask& task, const JobContext& job) {
     SwathSet set;
-    for (const auto& [track, line] : lines) {
+    for (const auto& [track, line, lane] : lines) {
         const Point end = line.end().position;
         const bool closes = distance(end, line.start.position) < kClosedM;
         set.swaths.push_back({.start = line.start.position,
@@ -200,6 +221,7 @@ Result<SwathSet> swathsOnLines(const std::vector<SwathLine>& lines, const SwathT
                               .number = static_cast<int>(set.swaths.size()) + 1,
                               .track = track,
                               .width = task.machine.operatingWidth(),
+                              .lane = lane,
                               .curve = line});
         set.totalLength += line.length();
     }

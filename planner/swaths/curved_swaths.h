@@ -15,6 +15,7 @@ Length swathRadius(const Machine& machine);
 struct SwathLine {
     int track = 0;
     Turn line;
+    std::optional<int> lane = {};
 };
 
 /// Where tracks lie, in metres to the left of a reference, rising: over a mainland that reaches from `lowM` to
@@ -27,6 +28,9 @@ std::vector<double> trackPlaces(double lowM, double highM, const SwathSpacing& s
 /// one operating width are left out where they are remains of a bend. Cancelled. InputRefused: over a million tracks.
 Result<std::vector<SwathLine>> parallelSwathLines(const GuideLine& guide, const SwathSpacing& spacing, bool anchored,
                                                   const SwathTask& task, const JobContext& job);
+
+/// Adds what is worked along a line, in strips without folds.
+void addStrips(const Turn& line, Length width, MultiPolygon& strips);
 
 /// Swaths on these lines, in their order, numbered, with coverage and overlap of flat ends. InputRefused: there are none. Cancelled.
 Result<SwathSet> swathsOnLines(const std::vector<SwathLine>& lines, const SwathTask& task, const JobContext& job);

@@ -26,6 +26,9 @@ struct Swath {
     int number = 0;  ///< as generated, from 1
     int track = 0;   ///< swaths cut from the same line share it; 0 is the rightmost seen along the heading
     Length width;
+    /// Whole spacings to the left of the line that the swaths were laid by; none without one, or where the swath was
+    /// moved to the edge.
+    std::optional<int> lane = {};
     bool tramline = false;  ///< later passes of a wider machine will drive on it
     /// The line from start to end where it is not straight along the set's heading: lines and arcs. Otherwise without
     /// pieces.

@@ -239,6 +239,9 @@ PlanGeometry planGeometry(const Plan& plan) {
             line.push_back(frame.map(point));
         }
         geometry.swaths.add(line);
+        if (swath.tramline) {
+            geometry.tramlines.add(line);
+        }
     }
     addPath(geometry, frame, plan.path);
     for (const Finding& finding : plan.findings) {

@@ -49,6 +49,20 @@ std::shared_ptr<const Field> rectangleField() {
     return std::make_shared<const Field>(Field::create(source).value());
 }
 
+/// Five rows 5 m apart, and a slope of 5 % to the north.
+std::shared_ptr<const GuideData> guides() {
+    GuideData data;
+    for (int i = -2; i <= 2; ++i) {
+        data.rows.push_back({{-90.0, 5.0 * i}, {90.0, 5.0 * i}});
+    }
+    ElevationGrid grid{.origin = {-120.0, -80.0}, .cellM = 5.0, .columns = 49, .rows = 33, .heightsM = {}};
+    for (std::size_t row = 0; row < grid.rows; ++row) {
+        grid.heightsM.insert(grid.heightsM.end(), grid.columns, 0.25 * static_cast<double>(row));
+    }
+    data.elevation = std::move(grid);
+    return std::make_shared<const GuideData>(std::move(data));
+}
+
 }  // namespace
 
 class MethodRegistryTest : public QObject {
@@ -262,7 +276,7 @@ private slots:
             VERIFY_RESULT(applySetting(settings, "route.order", order));
         }
         VERIFY_RESULT(applySetting(settings, key.toStdString(), id.toStdString()));
-        const auto plan = makePlan({.field = rectangleField(), .machine = machineLibrary().front(), .settings = settings});
+        const auto plan = makePlan({.field = rectangleField(), .machine = machineLibrary().front(), .settings = settings, .guides = guides()});
         VERIFY_RESULT(plan);
         QVERIFY(!(*plan)->swaths.swaths.empty());
         QCOMPARE((*plan)->route.steps.size(), (*plan)->swaths.swaths.size());
