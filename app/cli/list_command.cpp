@@ -57,7 +57,9 @@ std::string_view kindName(ParameterKind kind) {
         case ParameterKind::Count: return "count";
         case ParameterKind::Choice: return "choice";
         case ParameterKind::Flag: return "flag";
-        case ParameterKind::Line: return "wkt";
+        case ParameterKind::Line:
+        case ParameterKind::Lines: return "wkt";
+        case ParameterKind::File: return "file";
         case ParameterKind::Numbers: return "numbers";
     }
     return "";
@@ -97,6 +99,8 @@ std::string rangeText(const Parameter& parameter) {
             return std::format("{} to {} degrees, {}", parameter.min, parameter.max, standard);
         case ParameterKind::Count: return std::format("{} to {}, {}", parameter.min, parameter.max, standard);
         case ParameterKind::Line: return "WKT in WGS84, default none";
+        case ParameterKind::Lines: return "WKT of lines in WGS84, default none";
+        case ParameterKind::File: return "a file, default none";
         case ParameterKind::Numbers: return "numbers divided by commas, default none";
     }
     return standard;

@@ -4,6 +4,7 @@
 #include "app/cli/planning_arguments.h"
 #include "app/cli/terminal.h"
 #include "planner/io/boundary_import.h"
+#include "planner/io/guide_import.h"
 #include "planner/io/plan_folder.h"
 #include "planner/io/plan_summary.h"
 #include "planner/units/angle.h"
@@ -106,9 +107,14 @@ int runPlan(const PlanArguments& arguments) {
     if (!field) {
         return failWith(field.error());
     }
+    const auto guides = readGuides(choices->settings, *field, job);
+    if (!guides) {
+        return failWith(guides.error());
+    }
     const auto plan = makePlan({.field = std::make_shared<const Field>(std::move(*field)),
                                 .machine = choices->machine,
-                                .settings = choices->settings},
+                                .settings = choices->settings,
+                                .guides = *guides},
                                job);
     clearProgress(planning.quiet || planning.json);
     if (!plan) {

@@ -3,8 +3,8 @@
 #include "app/cli/machine_argument.h"
 #include "planner/io/format_registry.h"
 #include "planner/io/settings_file.h"
-#include "planner/plan/general_parameters.h"
 #include "planner/plan/method_registry.h"
+#include "planner/settings/operation.h"
 
 #include <format>
 #include <utility>
@@ -49,7 +49,8 @@ void addPlanningOptions(CLI::App& command, PlanningArguments& arguments) {
         "--machine", arguments.machine,
         "A machine of furrow-cli list machines, or a machine file (default: the first of the list)");
     command.add_option("--operation", arguments.operation,
-                       "tillage, sowing, spraying, spreading, mowing or harvest");
+                       "tillage, sowing, spraying, spreading, mowing or harvest: sets headland.when,\n"
+                       "route.traversal and swaths.overlap_m where they are not given");
     command.add_option("--settings", arguments.settingsFile, "A JSON file of settings");
     command.add_option("--set", arguments.assignments,
                        "One setting, for example headland.width_m=12; may be given several times")

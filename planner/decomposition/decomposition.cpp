@@ -283,7 +283,21 @@ std::vector<std::size_t> homesOf(const SwathSet& swaths, const LevelFrame& frame
     return homes;
 }
 
+Result<Decomposition> onePiece(const DecompositionTask& task, const JobContext& job) {
+    if (job.stopRequested()) {
+        return std::unexpected(cancelled());
+    }
+    Decomposition whole{.cells = {{.outline = task.mainland, .swaths = {}}},
+                        .altitude = metres(bounds(LevelFrame{task.swaths.heading}.to(task.mainland)).height())};
+    whole.cells.front().swaths.resize(task.swaths.swaths.size());
+    std::iota(whole.cells.front().swaths.begin(), whole.cells.front().swaths.end(), std::size_t{0});
+    return whole;
+}
+
 Result<Decomposition> decomposed(const DecompositionTask& task, bool atEveryCorner, bool merge, const JobContext& job) {
+    if (task.swaths.isCurved()) {
+        return onePiece(task, job);
+    }
     const LevelFrame frame{task.swaths.heading};
     const auto level = levelCells(frame.to(task.mainland), atEveryCorner, job);
     if (!level) {
@@ -324,18 +338,26 @@ Result<Decomposition> decomposed(const DecompositionTask& task, bool atEveryCorn
     return result;
 }
 
-Result<Decomposition> onePiece(const DecompositionTask& task, const JobContext& job) {
-    if (job.stopRequested()) {
-        return std::unexpected(cancelled());
-    }
-    Decomposition whole{.cells = {{.outline = task.mainland, .swaths = {}}},
-                        .altitude = metres(bounds(LevelFrame{task.swaths.heading}.to(task.mainland)).height())};
-    whole.cells.front().swaths.resize(task.swaths.swaths.size());
-    std::iota(whole.cells.front().swaths.begin(), whole.cells.front().swaths.end(), std::size_t{0});
-    return whole;
-}
+constexpr Choice kHeadings[] = {
+    {"common", "One for all", "Swaths go on from cell to cell."},
+    {"per-cell", "Each its own", "A cell gets a heading of its own where that saves time."},
+};
 
 }  // namespace
+
+const Parameter kSplit{.key = "decomposition.split",
+                       .name = "Split lines",
+                       .description = "Lines in WGS84 along which the mainland is cut; they have to run right through it.",
+                       .kind = ParameterKind::Lines,
+                       .standard = {},
+                       .choices = {}};
+
+const Parameter kCellHeading{.key = "decomposition.heading",
+                             .name = "Heading",
+                             .description = "Whether cells have a heading of their own.",
+                             .kind = ParameterKind::Choice,
+                             .standard = 0.0,
+                             .choices = kHeadings};
 
 const Method<Decomposer> kOnePieceMethod{
     .info = {.id = "none",

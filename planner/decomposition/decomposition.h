@@ -16,6 +16,7 @@ namespace furrow {
 struct Cell {
     MultiPolygon outline;
     std::vector<std::size_t> swaths;  ///< indices into the swath set, in its order
+    Angle heading;                    ///< of its swaths, modulo pi
 };
 
 /// The mainland in cells.
@@ -35,6 +36,11 @@ struct DecompositionTask {
 /// The common signature of all decompositions: the cells tile the mainland. Swaths are not cut: each lies in one
 /// cell as it is. Cancelled. Cost: O(n) edges for each of the corners that are cut at, and one GEOS noding.
 using Decomposer = Result<Decomposition>(const DecompositionTask& task, const JobContext& job);
+
+/// Lines along which the mainland is cut before any of these divides it.
+extern const Parameter kSplit;
+/// Whether all cells have one heading.
+extern const Parameter kCellHeading;
 
 extern const Method<Decomposer> kOnePieceMethod;
 /// Cut along the heading at every corner (Chazelle 1987).

@@ -2,6 +2,7 @@
 
 #include "planner/geometry/geos_bridge.h"
 #include "planner/io/boundary_import.h"
+#include "planner/io/guide_import.h"
 #include "planner/io/plan_folder.h"
 #include "planner/jobs/parallel.h"
 #include "planner/plan/plan.h"
@@ -232,9 +233,14 @@ Result<BatchRecord> planned(const BatchField& each, const BatchTask& task, const
         return unplanned(breadth.error());
     }
     record.breadth = *breadth;
+    const auto guides = readGuides(task.settings, *field, job);
+    if (!guides) {
+        return unplanned(guides.error());
+    }
     const auto plan = makePlan({.field = std::make_shared<const Field>(std::move(*field)),
                                 .machine = task.machine,
-                                .settings = task.settings},
+                                .settings = task.settings,
+                                .guides = *guides},
                                job);
     if (!plan) {
         return unplanned(plan.error());

@@ -212,6 +212,33 @@ Result<MultiPolygon> combined(const MultiPolygon& a, const MultiPolygon& b, cons
         .transform([](const Geometry& result) { return fromGeos(result.get()); });
 }
 
+Error notALine(const std::string& wkt) {
+    return {.code = ErrorCode::InputRefused,
+            .what = "'" + wkt + "' is not a line",
+            .where = {},
+            .remedy = "write it like LINESTRING (4.1 52.0, 4.2 52.0)"};
+}
+
+/// Nothing where it is no WKT, or empty.
+Geometry fromWkt(const std::string& wkt) {
+    GEOSWKTReader* const reader = GEOSWKTReader_create_r(handle());
+    Geometry geometry{GEOSWKTReader_read_r(handle(), reader, wkt.c_str())};
+    GEOSWKTReader_destroy_r(handle(), reader);
+    return geometry && GEOSisEmpty_r(handle(), geometry.get()) == 1 ? Geometry{} : std::move(geometry);
+}
+
+/// Of a line or a point.
+std::vector<Point> coordinatesOf(const GEOSGeometry* geometry) {
+    const GEOSCoordSequence* const coordinates = GEOSGeom_getCoordSeq_r(handle(), geometry);
+    unsigned count = 0;
+    GEOSCoordSeq_getSize_r(handle(), coordinates, &count);
+    std::vector<Point> points(count);
+    for (unsigned i = 0; i < count; ++i) {
+        GEOSCoordSeq_getXY_r(handle(), coordinates, i, &points[i].x, &points[i].y);
+    }
+    return points;
+}
+
 }  // namespace
 
 Result<MultiPolygon> erodedSharp(const MultiPolygon& polygons, Length distance, const JobContext& job) {
@@ -350,30 +377,36 @@ Result<std::optional<InvalidPlace>> findInvalidPlace(const MultiPolygon& polygon
 }
 
 Result<std::vector<Point>> pointsOfWkt(const std::string& wkt) {
-    const auto refused = [&] {
-        return std::unexpected(Error{.code = ErrorCode::InputRefused,
-                                     .what = "'" + wkt + "' is not a line",
-                                     .where = {},
-                                     .remedy = "write it like LINESTRING (4.1 52.0, 4.2 52.0)"});
-    };
-    GEOSWKTReader* const reader = GEOSWKTReader_create_r(handle());
-    const Geometry geometry{GEOSWKTReader_read_r(handle(), reader, wkt.c_str())};
-    GEOSWKTReader_destroy_r(handle(), reader);
-    if (!geometry || GEOSisEmpty_r(handle(), geometry.get()) == 1) {
-        return refused();
-    }
-    const int type = GEOSGeomTypeId_r(handle(), geometry.get());
+    const Geometry geometry = fromWkt(wkt);
+    const int type = geometry ? GEOSGeomTypeId_r(handle(), geometry.get()) : -1;
     if (type != GEOS_LINESTRING && type != GEOS_POINT) {
-        return refused();
+        return std::unexpected(notALine(wkt));
     }
-    const GEOSCoordSequence* const coordinates = GEOSGeom_getCoordSeq_r(handle(), geometry.get());
-    unsigned count = 0;
-    GEOSCoordSeq_getSize_r(handle(), coordinates, &count);
-    std::vector<Point> points(count);
-    for (unsigned i = 0; i < count; ++i) {
-        GEOSCoordSeq_getXY_r(handle(), coordinates, i, &points[i].x, &points[i].y);
+    return coordinatesOf(geometry.get());
+}
+
+Result<std::vector<Polyline>> linesOfWkt(const std::string& wkt) {
+    const Geometry geometry = fromWkt(wkt);
+    const int count = geometry ? GEOSGetNumGeometries_r(handle(), geometry.get()) : 0;
+    std::vector<Polyline> lines;
+    for (int i = 0; i < count; ++i) {
+        const GEOSGeometry* const part = GEOSGetGeometryN_r(handle(), geometry.get(), i);
+        const int type = GEOSGeomTypeId_r(handle(), part);
+        if (type == GEOS_LINESTRING) {
+            lines.push_back(coordinatesOf(part));
+            continue;
+        }
+        if (type != GEOS_MULTILINESTRING) {
+            return std::unexpected(notALine(wkt));
+        }
+        for (int k = 0; k < GEOSGetNumGeometries_r(handle(), part); ++k) {
+            lines.push_back(coordinatesOf(GEOSGetGeometryN_r(handle(), part, k)));
+        }
     }
-    return points;
+    if (lines.empty()) {
+        return std::unexpected(notALine(wkt));
+    }
+    return lines;
 }
 
 Result<MultiPolygon> madeValid(const MultiPolygon& polygons, const JobContext& job) {

@@ -332,7 +332,7 @@ Error noPolygon(const VectorFile& file, const std::string& name) {
     std::size_t lines = 0;
     for (const VectorFeature& feature : file.features) {
         points += feature.points.size();
-        lines += feature.openLines;
+        lines += feature.openLines.size();
     }
     std::string found;
     if (points > 0) {

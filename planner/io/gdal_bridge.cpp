@@ -268,7 +268,7 @@ void addGeometry(const OGRGeometry& geometry, const ToWgs84& toWgs84, VectorFeat
             if (line.getNumPoints() >= 4 && isClosed(line)) {
                 feature.closedLines.push_back(ringOf(line, toWgs84));
             } else if (line.getNumPoints() > 0) {
-                ++feature.openLines;
+                feature.openLines.push_back(toWgs84.points(line));
             }
             break;
         }

@@ -19,13 +19,13 @@ struct VectorFeature {
     std::vector<GeoPolygon> polygons;
     std::vector<GeoRing> closedLines;  ///< lines that end where they begin
     std::vector<GeoPoint> points;
-    std::size_t openLines = 0;
+    std::vector<GeoRing> openLines;    ///< those that do not
     std::vector<GeoPoint> openRings;      ///< where rings of the polygons begin that do not end there
     std::string key;                      ///< the file's own id of it; empty where it has none
     std::vector<std::string> attributes;  ///< in the order they were asked for; empty where there is none
 
     bool hasGeometry() const {
-        return !polygons.empty() || !closedLines.empty() || !points.empty() || openLines > 0;
+        return !polygons.empty() || !closedLines.empty() || !points.empty() || !openLines.empty();
     }
 };
 

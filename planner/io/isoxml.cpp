@@ -1,5 +1,6 @@
 #include "planner/io/isoxml.h"
 
+#include "planner/swaths/curve_parts.h"
 #include "planner/units/angle.h"
 
 #include <pugixml.hpp>
@@ -7,7 +8,9 @@
 #include <algorithm>
 #include <cmath>
 #include <cstdint>
+#include <cstdlib>
 #include <format>
+#include <limits>
 #include <numbers>
 #include <optional>
 #include <set>
@@ -30,8 +33,14 @@ constexpr const char* kRingPoint = "2";
 constexpr const char* kFieldAccess = "3";
 constexpr const char* kReferenceA = "6";
 constexpr const char* kReferenceB = "7";
+constexpr const char* kReferenceCentre = "8";
+constexpr const char* kGuidancePoint = "9";
 constexpr const char* kAbLine = "1";
+constexpr const char* kCurve = "3";
+constexpr const char* kPivot = "4";
+constexpr const char* kFullCircle = "3";
 constexpr const char* kBothSides = "1";
+constexpr const char* kNoSides = "4";
 constexpr const char* kBothEnds = "1";
 constexpr const char* kMadeOnDesktop = "16";
 
@@ -39,6 +48,14 @@ constexpr std::size_t kLongestName = 32;
 
 // Lines whose directions differ by less than this (1 cm over 100 m) are one direction to a terminal.
 constexpr double kSameDirectionRad = 1e-4;
+
+// Curves are written as chords that stay this close to them,
+constexpr Length kGuideChord = metres(0.02);
+// and stand for those beside them, which may be off by so much.
+constexpr double kBesideM = 0.15;
+constexpr Length kDrawnOut = metres(5000.0);
+// A line is compared with a guide at so many places.
+constexpr double kAsked = 100.0;
 
 /// How many bytes the character at the front takes; 0 where these bytes are not UTF-8.
 std::size_t characterBytes(std::string_view text) {
@@ -160,10 +177,18 @@ double directionRad(const Swath& swath) {
     return normalisedSwathHeading(radians(std::atan2(along.y, along.x))).si();
 }
 
+/// A swath in its own direction is straight, too.
+bool isBent(const Swath& swath) {
+    return sharpestBend(swath.curve) > Curvature{};
+}
+
 /// For each direction the longest swath of its first track, in the order in which directions first come.
-std::vector<const Swath*> guidanceSwaths(const SwathSet& set) {
+std::vector<const Swath*> straightGuides(const SwathSet& set) {
     std::vector<const Swath*> chosen;
     for (const Swath& swath : set.swaths) {
+        if (isBent(swath)) {
+            continue;
+        }
         const double direction = directionRad(swath);
         const auto same = std::ranges::find_if(chosen, [direction](const Swath* other) {
             return std::abs(std::remainder(directionRad(*other) - direction, std::numbers::pi)) <
@@ -178,35 +203,186 @@ std::vector<const Swath*> guidanceSwaths(const SwathSet& set) {
     return chosen;
 }
 
-void addGuidance(pugi::xml_node field, const Plan& plan) {
-    const LocalFrame& frame = plan.field().frame();
-    Names names;
-    int number = 0;
-    for (const Swath* swath : guidanceSwaths(plan.swaths)) {
-        ++number;
-        const Point along = swath->end - swath->start;
+double toLineM(Point point, const Polyline& line) {
+    double nearest = std::numeric_limits<double>::infinity();
+    for (std::size_t i = 0; i + 1 < line.size(); ++i) {
+        const Point way = line[i + 1] - line[i];
+        const double share = std::clamp(dot(point - line[i], way) / std::max(dot(way, way), 1e-12), 0.0, 1.0);
+        nearest = std::min(nearest, distance(point, line[i] + share * way));
+    }
+    return nearest;
+}
+
+/// Evenly along a line: bends have more points than straights.
+std::vector<Point> evenly(const Polyline& line) {
+    const double stepM = lengthM(line) / kAsked;
+    std::vector<Point> points;
+    double nextM = 0.5 * stepM;
+    for (std::size_t i = 0; i + 1 < line.size(); ++i) {
+        const double edgeM = distance(line[i], line[i + 1]);
+        for (; nextM <= edgeM; nextM += stepM) {
+            points.push_back(line[i] + (nextM / edgeM) * (line[i + 1] - line[i]));
+        }
+        nextM -= edgeM;
+    }
+    return points;
+}
+
+/// Whether a terminal that moves the guide beside itself gets the line, but for what is rounded.
+bool isBeside(const Polyline& line, const Polyline& guide) {
+    std::vector<double> distances;
+    for (const Point& point : evenly(line)) {
+        distances.push_back(toLineM(point, guide));
+    }
+    std::ranges::sort(distances);
+    const std::size_t rounded = distances.size() / 4;
+    return distances.empty() || distances[distances.size() - 1 - rounded] - distances.front() < kBesideM;
+}
+
+/// Of curves that lie beside each other the one that was given, or the longest; rings are one pivot, which the outermost stands for.
+std::vector<const Swath*> curvedGuides(const SwathSet& set) {
+    std::vector<const Swath*> longest;
+    for (const Swath& swath : set.swaths) {
+        if (isBent(swath)) {
+            longest.push_back(&swath);
+        }
+    }
+    // The line that was given before its parallels, which may have lost a bend that it has.
+    std::ranges::stable_sort(longest, [](const Swath* a, const Swath* b) {
+        const auto stepsOf = [](const Swath& swath) { return swath.lane ? std::abs(*swath.lane) : std::numeric_limits<int>::max(); };
+        return stepsOf(*a) != stepsOf(*b) ? stepsOf(*a) < stepsOf(*b) : a->length() > b->length();
+    });
+    std::vector<const Swath*> chosen;
+    std::vector<Polyline> lines;
+    for (const Swath* swath : longest) {
+        const Polyline line = middleLine(*swath, kGuideChord);
+        if (std::ranges::none_of(lines, [&](const Polyline& guide) { return isBeside(line, guide); })) {
+            chosen.push_back(swath);
+            // Terminals draw curves out at both ends.
+            lines.push_back(swath->isClosed() ? line
+                                              : middleLine({.curve = extended(swath->curve, kDrawnOut, kDrawnOut)}, kGuideChord));
+        }
+    }
+    return chosen;
+}
+
+/// Writes guidance patterns, each in a group of its own: there are terminals that take the first line of a group only.
+class GuidanceWriter {
+public:
+    GuidanceWriter(pugi::xml_node field, const Plan& plan)
+        : field_{field}, frame_{plan.field().frame()}, widthM_{plan.request.machine.operatingWidth().si()} {}
+
+    /// @param lasting  a line that stays where it is: nothing is laid beside it
+    void add(const Swath& swath, const std::string& name, bool lasting) {
+        if (!isBent(swath)) {
+            addLine(swath, name, lasting);
+        } else if (swath.isClosed()) {
+            addRing(swath, name, lasting);
+        } else {
+            addCurve(swath, name, lasting);
+        }
+    }
+
+    static std::string nameOf(const Swath& swath, std::size_t number) {
+        if (!isBent(swath)) {
+            return std::format("AB {:.1f}", bearingDeg(swath));
+        }
+        return std::format("{} {}", swath.isClosed() ? "Pivot" : "Curve", number);
+    }
+
+private:
+    /// From A to B, so in the full circle; what is rounded up to 360 is north again.
+    static double bearingDeg(const Swath& swath) {
+        const Point along = swath.end - swath.start;
         const double eastDeg = inDegrees(radians(std::atan2(along.y, along.x)));
-        // From A to B, so in the full circle; what is rounded up to 360 is north again.
-        const double bearingDeg = std::fmod(std::round((450.0 - eastDeg) * 1e4) / 1e4, 360.0);
-        const std::string name = names.unique(std::format("AB {:.1f}", bearingDeg), "AB");
-        // A group of its own for each line: there are terminals that take the first line of a group only.
-        pugi::xml_node group = field.append_child("GGP");
-        group.append_attribute("A") = std::format("GGP{}", number).c_str();
+        return std::fmod(std::round((450.0 - eastDeg) * 1e4) / 1e4, 360.0);
+    }
+
+    pugi::xml_node addPattern(const std::string& given, const char* type, bool lasting) {
+        ++number_;
+        const std::string name = names_.unique(given, "AB");
+        pugi::xml_node group = field_.append_child("GGP");
+        group.append_attribute("A") = std::format("GGP{}", number_).c_str();
         group.append_attribute("B") = name.c_str();
         pugi::xml_node pattern = group.append_child("GPN");
-        pattern.append_attribute("A") = std::format("GPN{}", number).c_str();
+        pattern.append_attribute("A") = std::format("GPN{}", number_).c_str();
         pattern.append_attribute("B") = name.c_str();
-        pattern.append_attribute("C") = kAbLine;
-        pattern.append_attribute("E") = kBothSides;
+        pattern.append_attribute("C") = type;
+        name_ = name;
+        lasting_ = lasting;
+        return pattern;
+    }
+
+    void addExtensions(pugi::xml_node pattern) const {
+        pattern.append_attribute("E") = lasting_ ? kNoSides : kBothSides;
         pattern.append_attribute("F") = kBothEnds;
-        pattern.append_attribute("G") = std::format("{:.4f}", bearingDeg).c_str();
-        pattern.append_attribute("I") = kMadeOnDesktop;
+    }
+
+    pugi::xml_node addLineString(pugi::xml_node pattern) const {
         pugi::xml_node line = pattern.append_child("LSG");
         line.append_attribute("A") = kGuidanceLine;
-        line.append_attribute("B") = name.c_str();
-        line.append_attribute("C") = wholeNumber(plan.request.machine.operatingWidth().si() * 1000.0).c_str();
-        addPoint(line, kReferenceA, frame.toGeo(swath->start));
-        addPoint(line, kReferenceB, frame.toGeo(swath->end));
+        line.append_attribute("B") = name_.c_str();
+        line.append_attribute("C") = wholeNumber(widthM_ * 1000.0).c_str();
+        return line;
+    }
+
+    void addLine(const Swath& swath, const std::string& name, bool lasting) {
+        pugi::xml_node pattern = addPattern(name, kAbLine, lasting);
+        addExtensions(pattern);
+        pattern.append_attribute("G") = std::format("{:.4f}", bearingDeg(swath)).c_str();
+        pattern.append_attribute("I") = kMadeOnDesktop;
+        pugi::xml_node line = addLineString(pattern);
+        addPoint(line, kReferenceA, frame_.toGeo(swath.start));
+        addPoint(line, kReferenceB, frame_.toGeo(swath.end));
+    }
+
+    void addCurve(const Swath& swath, const std::string& name, bool lasting) {
+        pugi::xml_node pattern = addPattern(name, kCurve, lasting);
+        addExtensions(pattern);
+        pattern.append_attribute("I") = kMadeOnDesktop;
+        pugi::xml_node line = addLineString(pattern);
+        const Polyline points = middleLine(swath, kGuideChord);
+        for (std::size_t i = 0; i < points.size(); ++i) {
+            addPoint(line, i == 0 ? kReferenceA : i + 1 == points.size() ? kReferenceB : kGuidancePoint,
+                     frame_.toGeo(points[i]));
+        }
+    }
+
+    void addRing(const Swath& swath, const std::string& name, bool lasting) {
+        const double radiusM = 1.0 / swath.curve.pieces.front().curvature.si();
+        const Point ahead = direction(swath.curve.start.heading.si());
+        const Point centre = swath.start + radiusM * Point{-ahead.y, ahead.x};
+        pugi::xml_node pattern = addPattern(name, kPivot, lasting);
+        pattern.append_attribute("D") = kFullCircle;
+        addExtensions(pattern);
+        pattern.append_attribute("H") = wholeNumber(std::abs(radiusM) * 1000.0).c_str();
+        pattern.append_attribute("I") = kMadeOnDesktop;
+        pugi::xml_node line = addLineString(pattern);
+        addPoint(line, kReferenceCentre, frame_.toGeo(centre));
+    }
+
+    pugi::xml_node field_;
+    const LocalFrame& frame_;
+    double widthM_;
+    Names names_;
+    int number_ = 0;
+    std::string name_;
+    bool lasting_ = false;
+};
+
+/// One line for each direction and each curve, which terminals lay the others beside, and every tramline.
+void addGuidance(pugi::xml_node field, const Plan& plan) {
+    GuidanceWriter writer{field, plan};
+    for (const auto& guides : {straightGuides(plan.swaths), curvedGuides(plan.swaths)}) {
+        for (std::size_t i = 0; i < guides.size(); ++i) {
+            writer.add(*guides[i], GuidanceWriter::nameOf(*guides[i], i + 1), false);
+        }
+    }
+    int tramline = 0;
+    for (const Swath& swath : plan.swaths.swaths) {
+        if (swath.tramline) {
+            writer.add(swath, std::format("Tramline {}", ++tramline), true);
+        }
     }
 }
 

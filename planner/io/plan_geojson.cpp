@@ -138,15 +138,13 @@ private:
         for (std::size_t order = 0; order < plan_.route.steps.size(); ++order) {
             const RouteStep& step = plan_.route.steps[order];
             const Swath& swath = plan_.swaths.swaths[step.swath];
-            const Point line[] = {startPose(step, plan_.swaths).position,
-                                  endPose(step, plan_.swaths).position};
             add("swath",
                 {{"number", swath.number},
                  {"order", order},
                  {"cell", cellOf(step.swath)},
                  {"width_m", swath.width.si()},
-                 {"tramline", false}},
-                lineGeometry(frame_.toGeo(line)));
+                 {"tramline", swath.tramline}},
+                lineGeometry(frame_.toGeo(drivenMiddle(step, plan_.swaths))));
         }
     }
 

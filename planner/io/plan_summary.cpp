@@ -4,6 +4,7 @@
 #include "planner/machine/machine_file.h"
 #include "planner/plan/general_parameters.h"
 #include "planner/plan/method_registry.h"
+#include "planner/settings/operation.h"
 #include "planner/version.h"
 
 #include <nlohmann/json.hpp>
@@ -40,9 +41,29 @@ Json settingsJson(const Plan& plan) {
     return all;
 }
 
+/// What the operation set: those of its settings that were not given.
+Json operationSets(const Settings& settings) {
+    Json sets = Json::object();
+    for (const OperationDefault& entry : settings.operation().defaults) {
+        if (const Parameter* const parameter = findParameter(entry.key).value(); !settings.isSet(*parameter)) {
+            sets[entry.key] = settingJson(*parameter, settings);
+        }
+    }
+    return sets;
+}
+
 std::string methodOf(std::string_view stageId, const Settings& settings) {
     const auto stage = std::ranges::find(stages(), stageId, &StageInfo::id);
     return settings.choice(*stage->method);
+}
+
+/// One for each cell.
+Json headingsJson(const Decomposition& cells) {
+    Json headings = Json::array();
+    for (const Cell& cell : cells.cells) {
+        headings.push_back(inDegrees(cell.heading));
+    }
+    return headings;
 }
 
 Json milliseconds(Duration duration) {
@@ -67,6 +88,8 @@ std::string planSummaryJson(const Plan& plan) {
         {"machine", machine},
         {"machines", Json::array({machine})},
         {"operation", settings.choice(kOperationKind)},
+        {"operation_sets", operationSets(settings)},
+        {"tank", tankUseId(settings.operation().tank)},
         {"settings", settingsJson(plan)},
         {"headland",
          {{"width_m", plan.headland.width.si()},
@@ -78,7 +101,7 @@ std::string planSummaryJson(const Plan& plan) {
         {"swaths",
          {{"count", plan.swaths.swaths.size()},
           {"total_length_m", plan.swaths.totalLength.si()},
-          {"heading_deg", Json::array({inDegrees(plan.swaths.heading)})},
+          {"heading_deg", headingsJson(plan.cells)},
           {"proved", plan.swaths.proved},
           {"coverage", plan.swaths.coverage},
           {"overlap_m2", plan.swaths.overlap.si()},

@@ -32,11 +32,8 @@ std::vector<Leg> swathLegs(const SwathSet& swaths, const Route& route, const Mac
     legs.reserve(route.steps.size());
     for (const RouteStep& step : route.steps) {
         const Swath& swath = swaths.swaths[step.swath];
-        legs.push_back({.kind = SegmentKind::Swath,
-                        .number = swath.number,
-                        .line = {.type = {},
-                                 .start = vehicleAt(startPose(step, swaths), machine),
-                                 .pieces = {{.length = swath.length(), .curvature = {}}}}});
+        legs.push_back(
+            {.kind = SegmentKind::Swath, .number = swath.number, .line = drivenLine(step, swaths, machine)});
     }
     return legs;
 }

@@ -4,8 +4,6 @@
 
 namespace furrow {
 
-/// What the field is driven over for.
-extern const Parameter kOperationKind;
 /// What everything keeps from the boundary.
 extern const Parameter kMargin;
 /// Whether connections are checked against the drivable area.

@@ -3,7 +3,10 @@
 #include "planner/headland/methods.h"
 #include "planner/plan/general_parameters.h"
 #include "planner/route/methods.h"
+#include "planner/settings/operation.h"
+#include "planner/settings/traversal.h"
 #include "planner/swaths/methods.h"
+#include "planner/swaths/tramlines.h"
 #include "planner/turns/best_feasible.h"
 #include "planner/turns/continuous_curvature.h"
 #include "planner/turns/dubins.h"
@@ -33,6 +36,11 @@ constexpr std::array kSwathMethods{
     &kLongestEdgeMethod,
     &kEdgeMethod,
     &kOksanenMethod,
+    // curves
+    &kAbCurveMethod,
+    &kContourMethod,
+    &kPivotMethod,
+    &kRowsMethod,
 };
 constexpr std::array kDecompositionMethods{
     &kMergedCellsMethod,
@@ -66,7 +74,10 @@ constexpr std::array kTurnMethods{
 };
 
 // Parameters that every method of a stage reads.
-constexpr std::array<const Parameter*, 3> kSwathParameters{&kEnds, &kOverlap, &kLastPass};
+constexpr std::array<const Parameter*, 5> kSwathParameters{&kEnds, &kOverlap, &kLastPass, &kTramlineEvery,
+                                                           &kTramlineStart};
+constexpr std::array<const Parameter*, 2> kCellParameters{&kSplit, &kCellHeading};
+constexpr std::array<const Parameter*, 1> kRouteParameters{&kTraversal};
 constexpr std::array<const Parameter*, 1> kPathParameters{&kStayInside};
 constexpr std::array<const Parameter*, 2> kGeneralParameters{&kOperationKind, &kMargin};
 
@@ -122,14 +133,14 @@ struct Registry {
                              "decomposition.method",
                              "Cells",
                              "How the mainland is divided; the swaths of a cell are driven together.",
-                             {}};
+                             kCellParameters};
     StageEntry route{kRouteMethods,
                      "route",
                      "Route",
                      "route.method",
                      "Order",
                      "In which order the swaths are driven.",
-                     {}};
+                     kRouteParameters};
     StageEntry path{kTurnMethods,   "path", "Turns",
                     "path.method",  "Turn", "How the machine gets from one swath to the next.",
                     kPathParameters};
@@ -166,21 +177,7 @@ auto chosen(const Methods& methods, const StageEntry& stage, const Settings& set
     return (*std::ranges::find(methods, id, [](const auto* method) { return method->info.id; }))->run;
 }
 
-constexpr Choice kOperations[] = {
-    {"tillage", "Tillage", "Working the soil."},  {"sowing", "Sowing", "Drilling or planting."},
-    {"spraying", "Spraying", "Crop protection."}, {"spreading", "Spreading", "Fertiliser or manure."},
-    {"mowing", "Mowing", "Cutting grass."},       {"harvest", "Harvest", "Bringing the crop in."},
-};
-
 }  // namespace
-
-const Parameter kOperationKind{
-    .key = "operation.kind",
-    .name = "Operation",
-    .description = "What the field is driven over for; named in the plan and its files.",
-    .kind = ParameterKind::Choice,
-    .standard = 0.0,
-    .choices = kOperations};
 
 const Parameter kMargin{
     .key = "field.margin_m",

@@ -5,14 +5,13 @@
 #include "planner/geometry/geos_bridge.h"
 #include "planner/headland/finishing_passes.h"
 #include "planner/headland/headland_passes.h"
-#include "planner/headland/turning_room.h"
 #include "planner/path/drivable_check.h"
 #include "planner/path/headland_order.h"
 #include "planner/path/path_builder.h"
 #include "planner/path/remembered_ways.h"
 #include "planner/plan/general_parameters.h"
 #include "planner/plan/method_registry.h"
-#include "planner/swaths/full_ends.h"
+#include "planner/plan/swath_stage.h"
 #include "planner/swaths/methods.h"
 #include "planner/turns/best_feasible.h"
 #include "planner/turns/connection.h"
@@ -141,32 +140,6 @@ Finding blockedFinding(const Path& path, const BlockedConnection& blocked, const
 
 bool drawsOutEnds(const Settings& settings) {
     return settings.choice(kEnds) == "full";
-}
-
-/// The swaths of the chosen method, with ends as the settings want them.
-Result<SwathSet> swathStage(const Plan& plan, const MultiPolygon& drivable, const JobContext& job) {
-    const PlanRequest& request = plan.request;
-    const Field& field = *request.field;
-    auto swaths = swathMethod(request.settings)({.field = field,
-                                                 .mainland = plan.headland.mainland,
-                                                 .machine = request.machine,
-                                                 .settings = request.settings},
-                                                job);
-    // With one pass or none there is no room to draw them out into.
-    if (!swaths || !drawsOutEnds(request.settings) || plan.headland.passes < 2) {
-        return swaths;
-    }
-    const Length outermost = plan.margin + uncutEdge(request.machine) + request.machine.operatingWidth();
-    const auto working = eroded(field.workable(), outermost, kArcTolerance, job);
-    if (!working) {
-        return std::unexpected(working.error());
-    }
-    drawOutEnds(*swaths, plan.headland.mainland, 
-                {.working = *working,
-                 .driving = drivable,
-                 .turning = reachOfLevelTurn(request.machine, turnMethod(request.settings))},
-                request.machine);
-    return swaths;
 }
 
 /// Headland passes before or after the swaths.
@@ -356,7 +329,7 @@ AuditInput auditInput(const Plan& plan) {
     for (const RouteStep& step : plan.route.steps) {
         const Swath& swath = plan.swaths.swaths[step.swath];
         input.passes.push_back(
-            {.line = {startPose(step, plan.swaths).position, endPose(step, plan.swaths).position},
+            {.line = drivenMiddle(step, plan.swaths),
              .width = swath.width,
              .number = swath.number});
     }
@@ -406,18 +379,14 @@ Result<std::shared_ptr<const Plan>> makePlan(const PlanRequest& request, const J
     }
     plan->headland = std::move(*headland);
 
-    auto swaths = timed(plan->timings.swaths, [&] { return swathStage(*plan, *drivable, job.part(0.1, 0.8)); });
-    if (!swaths) {
-        return std::unexpected(swaths.error());
+    auto laid = timed(plan->timings.swaths, [&] { return layStage(*plan, *drivable, job.part(0.1, 0.8)); });
+    if (!laid) {
+        return std::unexpected(laid.error());
     }
-    plan->swaths = std::move(*swaths);
+    plan->swaths = laid->swaths;
 
     auto route = timed(plan->timings.route, [&]() -> Result<Route> {
-        auto cells = decompositionMethod(settings)({.mainland = plan->headland.mainland,
-                                                    .swaths = plan->swaths,
-                                                    .machine = machine,
-                                                    .settings = settings},
-                                                   job.part(0.8, 0.82));
+        auto cells = cellStage(request, *laid, job.part(0.8, 0.82));
         if (!cells) {
             return std::unexpected(cells.error());
         }
@@ -445,12 +414,14 @@ Result<std::shared_ptr<const Plan>> makePlan(const PlanRequest& request, const J
         return std::unexpected(finished.error());
     }
     const Point middle = field.frame().toLocal(middleOf(field.source().parts));
-    for (const Note& note : plan->headland.notes) {
-        plan->findings.push_back({.severity = Severity::Note,
-                                  .kind = note.where,
-                                  .place = middle,
-                                  .text = note.text + ".",
-                                  .suggestion = ""});
+    for (const auto& notes : {plan->headland.notes, plan->swaths.notes}) {
+        for (const Note& note : notes) {
+            plan->findings.push_back({.severity = Severity::Note,
+                                      .kind = note.where,
+                                      .place = note.place ? field.frame().toLocal(*note.place) : middle,
+                                      .text = note.text + ".",
+                                      .suggestion = ""});
+        }
     }
     for (const Note& repair : field.repairs()) {
         plan->findings.push_back({.severity = Severity::Note,

@@ -9,6 +9,7 @@
 #include "planner/path/path.h"
 #include "planner/route/route.h"
 #include "planner/settings/settings.h"
+#include "planner/swaths/guide_data.h"
 #include "planner/swaths/swath.h"
 
 #include <cstdint>
@@ -23,6 +24,8 @@ struct PlanRequest {
     std::shared_ptr<const Field> field;
     Machine machine;
     Settings settings;
+    /// What swaths.rows and swaths.elevation name, read.
+    std::shared_ptr<const GuideData> guides = {};
 };
 
 /// Wall time of each stage.

@@ -207,8 +207,8 @@ std::vector<Variant> variantsIn(const std::vector<std::size_t>& cell, const Patt
         }
         Variant variant{.steps = std::move(steps), .timeS = 0.0, .begin = {}, .end = {}};
         variant.timeS = turningTime(variant.steps, task).si();
-        variant.begin = vehicleAt(startPose(variant.steps.front(), task.swaths), task.machine);
-        variant.end = vehicleAt(endPose(variant.steps.back(), task.swaths), task.machine);
+        variant.begin = vehicleStart(variant.steps.front(), task.swaths, task.machine);
+        variant.end = vehicleEnd(variant.steps.back(), task.swaths, task.machine);
         variants.push_back(std::move(variant));
     }
     return variants;

@@ -89,10 +89,15 @@ std::vector<RouteStep> alongTracks(const SwathSet& swaths, const TrackOrder& ord
         }
         tracks.back().push_back(i);
     }
+    const auto isRing = [&](std::size_t track) { return swaths.swaths[tracks[track].front()].isClosed(); };
     std::vector<RouteStep> steps;
     bool reversed = firstReversed;
     for (const std::size_t track : order) {
         std::vector<std::size_t> pieces = tracks[track];
+        // From ring to ring it goes on the same way round.
+        if (isRing(track)) {
+            reversed = firstReversed;
+        }
         if (reversed) {
             std::ranges::reverse(pieces);
         }

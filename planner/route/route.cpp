@@ -1,7 +1,11 @@
 #include "planner/route/route.h"
 
+#include "planner/headland/smooth_ring.h"
+#include "planner/swaths/curve_parts.h"
 #include "planner/turns/connection.h"
 #include "planner/units/angle.h"
+
+#include <algorithm>
 
 namespace furrow {
 
@@ -11,21 +15,72 @@ Angle drivingHeading(const RouteStep& step, const SwathSet& swaths) {
     return normalisedPoseHeading(step.reversed ? swaths.heading + degrees(180.0) : swaths.heading);
 }
 
+Pose turnedRound(const Pose& pose) {
+    return {.position = pose.position, .heading = normalisedPoseHeading(pose.heading + degrees(180.0))};
+}
+
 }  // namespace
 
 Pose startPose(const RouteStep& step, const SwathSet& swaths) {
     const Swath& swath = swaths.swaths[step.swath];
+    if (swath.isCurved()) {
+        return step.reversed ? turnedRound(swath.curve.end()) : swath.curve.start;
+    }
     return {.position = step.reversed ? swath.end : swath.start, .heading = drivingHeading(step, swaths)};
 }
 
 Pose endPose(const RouteStep& step, const SwathSet& swaths) {
     const Swath& swath = swaths.swaths[step.swath];
+    if (swath.isCurved()) {
+        return step.reversed ? turnedRound(swath.curve.start) : swath.curve.end();
+    }
     return {.position = step.reversed ? swath.start : swath.end, .heading = drivingHeading(step, swaths)};
+}
+
+Turn drivenLine(const RouteStep& step, const SwathSet& swaths, const Machine& machine) {
+    const Swath& swath = swaths.swaths[step.swath];
+    if (!swath.isCurved()) {
+        return {.type = {},
+                .start = vehicleAt(startPose(step, swaths), machine),
+                .pieces = {{.length = swath.length(), .curvature = {}}}};
+    }
+    const Turn along = step.reversed ? reversedLine(swath.curve) : swath.curve;
+    const Turn line = movedLeft(along, -machine.spec().implement.lateralOffset);
+    const Length lead = -machine.spec().implement.offset;
+    const Length length = line.length();
+    if (swath.isClosed()) {
+        // Round and round: what is ahead of the start is the ring again.
+        Turn twice = line;
+        twice.pieces.insert(twice.pieces.end(), line.pieces.begin(), line.pieces.end());
+        const Length from = lead < Length{} ? length + lead : lead;
+        return partOf(twice, from, from + length);
+    }
+    const Length beyond = std::max(lead, -lead);
+    return partOf(extended(line, beyond, beyond), beyond + lead, beyond + lead + length);
+}
+
+Pose vehicleStart(const RouteStep& step, const SwathSet& swaths, const Machine& machine) {
+    return swaths.swaths[step.swath].isCurved() ? drivenLine(step, swaths, machine).start
+                                                : vehicleAt(startPose(step, swaths), machine);
+}
+
+Pose vehicleEnd(const RouteStep& step, const SwathSet& swaths, const Machine& machine) {
+    return swaths.swaths[step.swath].isCurved() ? drivenLine(step, swaths, machine).end()
+                                                : vehicleAt(endPose(step, swaths), machine);
+}
+
+Polyline drivenMiddle(const RouteStep& step, const SwathSet& swaths) {
+    const Swath& swath = swaths.swaths[step.swath];
+    Polyline line = middleLine(swath);
+    if (step.reversed) {
+        std::ranges::reverse(line);
+    }
+    return line;
 }
 
 Turn turnBetween(const RouteStep& from, const RouteStep& to, const SwathSet& swaths, const Machine& machine,
                  TurnPlanner* turn) {
-    return connection(vehicleAt(endPose(from, swaths), machine), vehicleAt(startPose(to, swaths), machine),
+    return connection(vehicleEnd(from, swaths, machine), vehicleStart(to, swaths, machine),
                       machine, turn);
 }
 

@@ -32,6 +32,18 @@ struct Route {
 Pose startPose(const RouteStep& step, const SwathSet& swaths);
 Pose endPose(const RouteStep& step, const SwathSet& swaths);
 
+/// The line of the vehicle's reference point while the implement is on the swath. Along a curve the reference point
+/// itself follows it, as guidance steers, moved sideways by the implement's lateral offset: in a bend of radius R the
+/// middle of an implement a distance d behind the axle runs by d² / 2R outside of it.
+Turn drivenLine(const RouteStep& step, const SwathSet& swaths, const Machine& machine);
+
+/// Where the vehicle is when a step begins and ends: the ends of that line.
+Pose vehicleStart(const RouteStep& step, const SwathSet& swaths, const Machine& machine);
+Pose vehicleEnd(const RouteStep& step, const SwathSet& swaths, const Machine& machine);
+
+/// The swath in driving direction.
+Polyline drivenMiddle(const RouteStep& step, const SwathSet& swaths);
+
 /// The turn from the end of one step to the start of another, run-in included.
 Turn turnBetween(const RouteStep& from, const RouteStep& to, const SwathSet& swaths, const Machine& machine,
                  TurnPlanner* turn);

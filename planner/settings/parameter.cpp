@@ -2,8 +2,13 @@
 
 namespace furrow {
 
+bool isText(ParameterKind kind) {
+    return kind == ParameterKind::Line || kind == ParameterKind::Lines || kind == ParameterKind::File ||
+           kind == ParameterKind::Numbers;
+}
+
 SettingValue Parameter::defaultValue() const {
-    if (kind == ParameterKind::Line || kind == ParameterKind::Numbers) {
+    if (isText(kind)) {
         return std::string{};
     }
     if (!standard) {

@@ -16,8 +16,13 @@ enum class ParameterKind {
     Choice,
     Flag,
     Line,     ///< points in WGS84 as WKT: "LINESTRING (4.1 52.0, 4.2 52.0)"; empty where there are none
+    Lines,    ///< several of them: "MULTILINESTRING (...)", "GEOMETRYCOLLECTION (...)" or one LINESTRING
+    File,     ///< the path of a file; empty where there is none
     Numbers,  ///< whole numbers divided by commas: "3,-1,2"; empty where there are none
 };
+
+/// Kinds whose values are text without a list to choose from: empty until they are given.
+bool isText(ParameterKind kind);
 
 /// "Auto": the planner computes the number, and the plan says which one it used.
 struct Auto {

@@ -1,11 +1,13 @@
 #include "planner/settings/settings.h"
 
 #include "planner/geometry/geos_bridge.h"
+#include "planner/settings/operation.h"
 
 #include <algorithm>
 #include <charconv>
 #include <cmath>
 #include <format>
+#include <iterator>
 #include <numeric>
 #include <vector>
 
@@ -80,6 +82,33 @@ std::optional<std::vector<int>> parsedNumbers(std::string_view text) {
     return numbers;
 }
 
+bool isOnGlobe(const Point& point) {
+    return std::abs(point.x) <= 180.0 && std::abs(point.y) <= 90.0;
+}
+
+GeoPoint geoPoint(const Point& point) {
+    return {.lonDeg = point.x, .latDeg = point.y};
+}
+
+/// The lines of a WKT text; nothing where it holds something else or leaves the globe.
+std::optional<std::vector<std::vector<GeoPoint>>> parsedLines(const std::string& text) {
+    std::vector<std::vector<GeoPoint>> lines;
+    if (text.empty()) {
+        return lines;
+    }
+    const auto given = linesOfWkt(text);
+    if (!given) {
+        return std::nullopt;
+    }
+    for (const Polyline& line : *given) {
+        if (!std::ranges::all_of(line, isOnGlobe)) {
+            return std::nullopt;
+        }
+        std::ranges::transform(line, std::back_inserter(lines.emplace_back()), geoPoint);
+    }
+    return lines;
+}
+
 /// The points of a WKT line or point; nothing where it is not that or not on the globe.
 std::optional<std::vector<GeoPoint>> parsedLine(const std::string& text) {
     std::vector<GeoPoint> line;
@@ -90,12 +119,10 @@ std::optional<std::vector<GeoPoint>> parsedLine(const std::string& text) {
     if (!points) {
         return std::nullopt;
     }
-    for (const Point& point : *points) {
-        if (!(std::abs(point.x) <= 180.0 && std::abs(point.y) <= 90.0)) {
-            return std::nullopt;
-        }
-        line.push_back({.lonDeg = point.x, .latDeg = point.y});
+    if (!std::ranges::all_of(*points, isOnGlobe)) {
+        return std::nullopt;
     }
+    std::ranges::transform(*points, std::back_inserter(line), geoPoint);
     return line;
 }
 
@@ -127,6 +154,15 @@ Result<void> Settings::set(const Parameter& parameter, const SettingValue& value
         if (text == nullptr || !parsedLine(*text)) {
             return wrongKind("a point or a line in WGS84 such as LINESTRING (4.1 52.0, 4.2 52.0)");
         }
+    } else if (parameter.kind == ParameterKind::Lines) {
+        const auto* text = std::get_if<std::string>(&value);
+        if (text == nullptr || !parsedLines(*text)) {
+            return wrongKind("lines in WGS84 such as MULTILINESTRING ((4.1 52.0, 4.2 52.0), (4.1 52.1, 4.2 52.1))");
+        }
+    } else if (parameter.kind == ParameterKind::File) {
+        if (!std::holds_alternative<std::string>(value)) {
+            return wrongKind("the path of a file");
+        }
     } else if (parameter.kind == ParameterKind::Numbers) {
         const auto* text = std::get_if<std::string>(&value);
         if (text == nullptr || !parsedNumbers(*text)) {
@@ -142,8 +178,9 @@ Result<void> Settings::set(const Parameter& parameter, const SettingValue& value
     if (!checked) {
         return checked;
     }
-    // Only what differs is kept, so that two requests that mean the same compare equal.
-    if (value == parameter.defaultValue()) {
+    // Only what differs is kept, so that two requests that mean the same compare equal. What depends on the operation
+    // stays as it was given, whichever of the two is set first.
+    if (value == parameter.defaultValue() && !isSetByOperation(parameter.key)) {
         clear(parameter);
     } else {
         given_.insert_or_assign(std::string{parameter.key}, value);
@@ -158,6 +195,8 @@ Result<void> Settings::setText(const Parameter& parameter, std::string_view text
     switch (parameter.kind) {
         case ParameterKind::Choice:
         case ParameterKind::Line:
+        case ParameterKind::Lines:
+        case ParameterKind::File:
         case ParameterKind::Numbers: return set(parameter, std::string{text});
         case ParameterKind::Flag:
             if (text == "true" || text == "false") {
@@ -182,8 +221,17 @@ void Settings::clear(const Parameter& parameter) {
 }
 
 SettingValue Settings::value(const Parameter& parameter) const {
-    const auto found = given_.find(parameter.key);
-    return found == given_.end() ? parameter.defaultValue() : found->second;
+    if (const auto found = given_.find(parameter.key); found != given_.end()) {
+        return found->second;
+    }
+    if (isSetByOperation(parameter.key)) {
+        return std::ranges::find(operation().defaults, parameter.key, &OperationDefault::key)->value;
+    }
+    return parameter.defaultValue();
+}
+
+const Operation& Settings::operation() const {
+    return operationOf(choice(kOperationKind));
 }
 
 bool Settings::isSet(const Parameter& parameter) const {
@@ -218,6 +266,14 @@ bool Settings::flag(const Parameter& parameter) const {
 
 std::vector<GeoPoint> Settings::line(const Parameter& parameter) const {
     return parsedLine(settingText(value(parameter))).value_or(std::vector<GeoPoint>{});
+}
+
+std::vector<std::vector<GeoPoint>> Settings::lines(const Parameter& parameter) const {
+    return parsedLines(settingText(value(parameter))).value_or(std::vector<std::vector<GeoPoint>>{});
+}
+
+std::string Settings::file(const Parameter& parameter) const {
+    return settingText(value(parameter));
 }
 
 std::vector<int> Settings::numbers(const Parameter& parameter) const {

@@ -13,6 +13,8 @@
 
 namespace furrow {
 
+struct Operation;
+
 /// The settings that differ from their defaults. What has been set fits its parameter: kind, range, choice.
 class Settings {
 public:
@@ -24,8 +26,11 @@ public:
     /// Back to the default.
     void clear(const Parameter& parameter);
 
+    /// As given; what the operation sets; or the parameter's default.
     SettingValue value(const Parameter& parameter) const;
     bool isSet(const Parameter& parameter) const;
+    /// Of operation.kind.
+    const Operation& operation() const;
 
     std::optional<Length> length(const Parameter& parameter) const;
     std::optional<Angle> angle(const Parameter& parameter) const;
@@ -33,6 +38,9 @@ public:
     std::string choice(const Parameter& parameter) const;
     bool flag(const Parameter& parameter) const;
     std::vector<GeoPoint> line(const Parameter& parameter) const;
+    std::vector<std::vector<GeoPoint>> lines(const Parameter& parameter) const;
+    /// A file's path as it was given.
+    std::string file(const Parameter& parameter) const;
     std::vector<int> numbers(const Parameter& parameter) const;
 
     friend bool operator==(const Settings&, const Settings&) = default;

@@ -68,7 +68,8 @@ constexpr const Parameter* kEdgeParameters[] = {&kEdge};
 
 const Parameter kEdge{.key = "swaths.edge",
                       .name = "Edge",
-                      .description = "Number of the boundary's edge, from 0 in the order of its points.",
+                      .description = "Number of the boundary's edge, from 0 in the order of its points; for curves with all around it up to a corner of "
+                                     "35 degrees within a width, or a bend of 90 in all.",
                       .kind = ParameterKind::Count,
                       .standard = 0.0,
                       .min = 0.0,

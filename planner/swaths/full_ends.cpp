@@ -1,6 +1,7 @@
 #include "planner/swaths/full_ends.h"
 
 #include "planner/swaths/clamped_integral.h"
+#include "planner/swaths/curve_parts.h"
 #include "planner/swaths/methods.h"
 
 #include <algorithm>
@@ -187,11 +188,12 @@ Machinery machineryOf(const Machine& machine) {
             .aheadM = std::max(front - implement.offset, implement.offset + tractor.rearOverhang).si()};
 }
 
+/// Draws out ends of swaths that run along one direction.
 class EndDrawer {
 public:
-    EndDrawer(SwathSet& set, const MultiPolygon& mainland, const EndRoom& room, const Machine& machine)
+    EndDrawer(SwathSet& set, Point along, const MultiPolygon& mainland, const EndRoom& room, const Machine& machine)
         : set_{set},
-          along_{direction(set.heading.si())},
+          along_{along},
           left_{-along_.y, along_.x},
           machinery_{machineryOf(machine)},
           mainland_{mainland, along_, 2.0 * machinery_.halfWidthM},
@@ -199,16 +201,23 @@ public:
           driving_{room.driving, along_, 2.0 * machinery_.halfWidthM},
           turningM_{room.turning.si()} {}
 
-    void draw() {
-        set_.totalLength = {};
+    void drawStraightOnes() {
         for (Swath& swath : set_.swaths) {
+            if (swath.isCurved()) {
+                continue;
+            }
             const double y = cross(along_, swath.start);
             const double from = drawnOut({.x = dot(along_, swath.start), .y = y, .ahead = -1.0});
             const double to = drawnOut({.x = dot(along_, swath.end), .y = y, .ahead = 1.0});
             swath.start = from * along_ + y * left_;
             swath.end = to * along_ + y * left_;
-            set_.totalLength += swath.length();
         }
+    }
+
+    /// How far a line that ends there, along the drawer's direction, is drawn out.
+    Length beyond(Point end) {
+        const double x = dot(along_, end);
+        return metres(drawnOut({.x = x, .y = cross(along_, end), .ahead = 1.0}) - x);
     }
 
 private:
@@ -261,7 +270,23 @@ constexpr Choice kEndKinds[] = {
 }  // namespace
 
 void drawOutEnds(SwathSet& set, const MultiPolygon& mainland, const EndRoom& room, const Machine& machine) {
-    EndDrawer{set, mainland, room, machine}.draw();
+    EndDrawer{set, direction(set.heading.si()), mainland, room, machine}.drawStraightOnes();
+    set.totalLength = {};
+    for (Swath& swath : set.swaths) {
+        if (swath.isCurved() && !swath.isClosed()) {
+            // Straight on, each end in its own direction.
+            const Pose end = swath.curve.end();
+            const auto drawn = [&](Point from, Point along) {
+                return EndDrawer{set, along, mainland, room, machine}.beyond(from);
+            };
+            const Length before = drawn(swath.start, -1.0 * direction(swath.curve.start.heading.si()));
+            const Length after = drawn(swath.end, direction(end.heading.si()));
+            swath.curve = extended(swath.curve, before, after);
+            swath.start = swath.curve.start.position;
+            swath.end = swath.curve.end().position;
+        }
+        set.totalLength += swath.length();
+    }
 }
 
 const Parameter kEnds{.key = "swaths.ends",

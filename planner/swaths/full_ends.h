@@ -13,7 +13,7 @@ struct EndRoom {
 
 /// Draws both ends of every swath out until the full operating width has left the mainland, by
 /// (w/2) |cot angle| at a straight edge, but no farther than the room at that end allows. Lines may move
-/// beyond the mainland by that; coverage and overlap stay those of flat ends, the area worked beyond the
+/// beyond the mainland by that, curves straight on; coverage and overlap stay those of flat ends, the area worked beyond the
 /// mainland is added up apart. Cost: O(n + swaths * edges near each) for n vertices.
 void drawOutEnds(SwathSet& set, const MultiPolygon& mainland, const EndRoom& room, const Machine& machine);
 

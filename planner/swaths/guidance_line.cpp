@@ -18,10 +18,23 @@ Error lineMissing(std::string_view method, std::string_view wanted, std::string_
             .remedy = std::format("give it as WKT in WGS84, {}", example)};
 }
 
+// A swath that is off its lane by more was moved to the edge, or spread.
+constexpr double kLaneSlackM = 0.01;
+
 Result<SwathSet> along(const SwathTask& task, Angle heading, Point anchor) {
-    return scanLineFor(task, anchor).and_then([&](const ScanLine& scanLine) {
+    auto set = scanLineFor(task, anchor).and_then([&](const ScanLine& scanLine) {
         return swathsAlong(scanLine, heading, SwathObjective::Coverage);
     });
+    if (set) {
+        const double stepM = (task.machine.operatingWidth() - *task.settings.length(kOverlap)).si();
+        for (Swath& swath : set->swaths) {
+            const double lanes = cross(direction(heading.si()), swath.start - anchor) / stepM;
+            if (std::abs(lanes - std::round(lanes)) * stepM < kLaneSlackM) {
+                swath.lane = static_cast<int>(std::round(lanes));
+            }
+        }
+    }
+    return set;
 }
 
 Result<SwathSet> abLine(const SwathTask& task, const JobContext& job) {
@@ -63,7 +76,7 @@ constexpr const Parameter* kAPlusParameters[] = {&kLine, &kAngle};
 
 const Parameter kLine{.key = "swaths.line",
                       .name = "Line",
-                      .description = "Guidance line in WGS84: A and B, or A alone with a direction.",
+                      .description = "In WGS84: A and B of a line, a curve, A alone with a direction, or a pivot's centre.",
                       .kind = ParameterKind::Line,
                       .standard = {},
                       .choices = {}};

@@ -24,10 +24,9 @@ LastPass lastPassOf(const Settings& settings) {
 
 }  // namespace
 
-Result<ScanLine> scanLineFor(const SwathTask& task, std::optional<Point> anchor) {
-    const Machine& machine = task.machine;
+Result<SwathSpacing> spacingFor(const SwathTask& task, std::optional<Point> anchor) {
     const SwathSpacing spacing{
-        .width = machine.operatingWidth(),
+        .width = task.machine.operatingWidth(),
         .overlap = *task.settings.length(kOverlap),
         .lastPass = lastPassOf(task.settings),
         .anchor = anchor};
@@ -38,17 +37,36 @@ Result<ScanLine> scanLineFor(const SwathTask& task, std::optional<Point> anchor)
                                      .where = std::string{kOverlap.key},
                                      .remedy = "give less than the operating width"});
     }
-    ScanLine scanLine{task.mainland, spacing,
+    return spacing;
+}
+
+Error tooManyTracks(const SwathSpacing& spacing) {
+    return {.code = ErrorCode::InputRefused,
+            .what = std::format("{} m for each swath makes over a million swaths", (spacing.width - spacing.overlap).si()),
+            .where = "operating_width_m",
+            .remedy = "check the operating width and the overlap"};
+}
+
+Error noSwathFits() {
+    return {.code = ErrorCode::InputRefused,
+            .what = "no swath fits into the mainland",
+            .where = "swaths",
+            .remedy = "choose a narrower headland or a narrower machine"};
+}
+
+Result<ScanLine> scanLineFor(const SwathTask& task, std::optional<Point> anchor) {
+    const Machine& machine = task.machine;
+    const auto spacing = spacingFor(task, anchor);
+    if (!spacing) {
+        return std::unexpected(spacing.error());
+    }
+    ScanLine scanLine{task.mainland, *spacing,
                       DrivingModel{.working = machine.spec().tractor.workingSpeed,
                                    .turning = machine.turningSpeed(),
                                    .radius = machine.minTurningRadius(),
                                    .lead = -machine.spec().implement.offset}};
     if (scanLine.tooManyTracks()) {
-        return std::unexpected(Error{.code = ErrorCode::InputRefused,
-                                     .what = std::format("{} m for each swath makes over a million swaths",
-                                                         (spacing.width - spacing.overlap).si()),
-                                     .where = "operating_width_m",
-                                     .remedy = "check the operating width and the overlap"});
+        return std::unexpected(tooManyTracks(*spacing));
     }
     return scanLine;
 }
@@ -90,10 +108,7 @@ Result<BestHeading> bestHeading(const ScanLine& scanLine, std::span<const Angle>
 Result<SwathSet> swathsAlong(const ScanLine& scanLine, Angle heading, SwathObjective objective) {
     SwathSet set = scanLine.swaths(normalisedSwathHeading(heading), objective);
     if (set.swaths.empty()) {
-        return std::unexpected(Error{.code = ErrorCode::InputRefused,
-                                     .what = "no swath fits into the mainland",
-                                     .where = "swaths",
-                                     .remedy = "choose a narrower headland or a narrower machine"});
+        return std::unexpected(noSwathFits());
     }
     return set;
 }

@@ -7,6 +7,16 @@
 
 namespace furrow {
 
+/// Width, overlap and last pass as the settings have them; with an anchor one of the tracks runs through that point.
+/// InputRefused: the overlap is not below the operating width.
+Result<SwathSpacing> spacingFor(const SwathTask& task, std::optional<Point> anchor = {});
+
+/// The width is so small that there would be over a million tracks.
+Error tooManyTracks(const SwathSpacing& spacing);
+
+/// Not one swath fits into the mainland.
+Error noSwathFits();
+
 /// The scan line for this task; with an anchor one of its tracks runs through that point. InputRefused: the
 /// overlap is not below the operating width, or the width is so small that there would be over a million
 /// tracks.

@@ -15,6 +15,12 @@ extern const Parameter kAngle;
 /// Guidance line: A and B, or A alone.
 extern const Parameter kLine;
 extern const Parameter kEdge;
+/// A raster of heights.
+extern const Parameter kElevation;
+/// A file of rows, where to drive, and which of them not.
+extern const Parameter kRows;
+extern const Parameter kRowsAt;
+extern const Parameter kSkipRows;
 /// Where swaths end: on the centre line or once the full width is covered.
 extern const Parameter kEnds;
 
@@ -26,5 +32,9 @@ extern const Method<SwathGenerator> kAPlusMethod;
 extern const Method<SwathGenerator> kLongestEdgeMethod;
 extern const Method<SwathGenerator> kEdgeMethod;
 extern const Method<SwathGenerator> kOksanenMethod;
+extern const Method<SwathGenerator> kAbCurveMethod;
+extern const Method<SwathGenerator> kPivotMethod;
+extern const Method<SwathGenerator> kContourMethod;
+extern const Method<SwathGenerator> kRowsMethod;
 
 }  // namespace furrow

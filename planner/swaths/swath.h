@@ -6,28 +6,48 @@
 #include "planner/jobs/job.h"
 #include "planner/machine/machine.h"
 #include "planner/settings/settings.h"
+#include "planner/turns/turn.h"
 
+#include <algorithm>
 #include <optional>
 #include <vector>
 
 namespace furrow {
 
-/// One pass of the implement: a straight line with a width.
+struct GuideData;
+
+/// How far curved swaths may be from the chords that stand for them.
+inline constexpr Length kSwathChord = metres(0.005);
+
+/// One pass of the implement: a line with a width, most often straight along the heading of its set.
 struct Swath {
     Point start;
     Point end;
     int number = 0;  ///< as generated, from 1
     int track = 0;   ///< swaths cut from the same line share it; 0 is the rightmost seen along the heading
     Length width;
+    /// Whole spacings to the left of the line that the swaths were laid by; none without one, or where the swath was
+    /// moved to the edge.
+    std::optional<int> lane = {};
+    bool tramline = false;  ///< later passes of a wider machine will drive on it
+    /// The line from start to end where it is not straight along the set's heading: lines and arcs. Otherwise without
+    /// pieces.
+    Turn curve = {};
 
-    Length length() const { return metres(distance(start, end)); }
+    bool isCurved() const { return !curve.pieces.empty(); }
+    /// A ring is driven the same way round whatever comes before it.
+    bool isClosed() const { return isCurved() && start == end; }
+    Length length() const { return isCurved() ? curve.length() : metres(distance(start, end)); }
     friend bool operator==(const Swath&, const Swath&) = default;
 };
+
+/// The middle of a swath from start to end, curves as chords within this of them.
+Polyline middleLine(const Swath& swath, Length chordTolerance = kSwathChord);
 
 /// The swaths of one mainland and the figures of their heading.
 struct SwathSet {
     std::vector<Swath> swaths;  ///< ordered by track, then along the heading
-    Angle heading;              ///< modulo pi
+    Angle heading;              ///< modulo pi; of curved swaths on average
     bool proved = false;        ///< nothing better exists for the objective
     Length totalLength;     ///< of the swaths as they are
     double coverage = 0.0;  ///< A_cov: covered share of the mainland, flat ends
@@ -36,6 +56,11 @@ struct SwathSet {
     int headingsTried = 1;
     /// Worked beyond the mainland's edge where ends were drawn out to the full width.
     Area endOverlap;
+    std::vector<Note> notes;  ///< what was left out, and why
+
+    bool isCurved() const {
+        return std::ranges::any_of(swaths, [](const Swath& swath) { return swath.isCurved(); });
+    }
 };
 
 /// What swaths are made from; nothing of it is kept.
@@ -44,6 +69,7 @@ struct SwathTask {
     const MultiPolygon& mainland;  ///< valid polygons in metres, holes allowed
     const Machine& machine;
     const Settings& settings;
+    const GuideData* guides = nullptr;  ///< rows and heights, where the method needs any
 };
 
 /// The common signature of all swath methods.

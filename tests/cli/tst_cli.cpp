@@ -65,6 +65,76 @@ private slots:
         QCOMPARE(contentsOf(folder.filePath("plan/summary.json")), answer.out);
     }
 
+    // Another machine drives where the plan of the drill has its tramlines.
+    void tramlinesBecomeRows() {
+        const QTemporaryDir folder;
+        const Answer drill = furrowCli({"plan", sampleField("home_field"), "--set", "swaths.tramline_every=8", "--out",
+                                        folder.filePath("drill"), "--quiet"});
+        QVERIFY(drill.status == 0 || drill.status == 1);
+        const auto swathsOf = [&](const QString& plan, bool tramlinesOnly) {
+            QList<QJsonObject> swaths;
+            const QJsonDocument json = QJsonDocument::fromJson(contentsOf(folder.filePath(plan + "/plan.geojson")));
+            for (const QJsonValue& feature : json["features"].toArray()) {
+                const QJsonObject properties = feature["properties"].toObject();
+                if (properties["kind"].toString() == "swath" && (!tramlinesOnly || properties["tramline"].toBool())) {
+                    swaths << feature["geometry"].toObject();
+                }
+            }
+            return swaths;
+        };
+        const auto tramlines = swathsOf("drill", true);
+        QVERIFY(tramlines.size() > 2 && tramlines.size() * 6 < swathsOf("drill", false).size());
+        const Answer sprayer =
+            furrowCli({"plan", sampleField("home_field"), "--set", "swaths.method=rows", "--set",
+                       "swaths.rows=" + folder.filePath("drill/plan.geojson"), "--set", "swaths.ends=centre", "--set",
+                       "headland.passes=2", "--out", folder.filePath("sprayer"), "--quiet"});
+        QVERIFY2(sprayer.status == 0 || sprayer.status == 1, sprayer.error.constData());
+        const auto rows = swathsOf("sprayer", false);
+        QVERIFY(rows.size() >= tramlines.size());
+        // Each on one of them: the middle of a row lies on the straight between a tramline's ends.
+        for (const QJsonObject& row : rows) {
+            const QJsonArray ends = row["coordinates"].toArray();
+            const double lon = 0.5 * (ends.first()[0].toDouble() + ends.last()[0].toDouble());
+            const double lat = 0.5 * (ends.first()[1].toDouble() + ends.last()[1].toDouble());
+            const bool isOnOne = std::ranges::any_of(tramlines, [&](const QJsonObject& tramline) {
+                const QJsonArray line = tramline["coordinates"].toArray();
+                const double cosine = std::cos(lat * M_PI / 180.0);
+                const double x = (line.last()[0].toDouble() - line.first()[0].toDouble()) * cosine;
+                const double y = line.last()[1].toDouble() - line.first()[1].toDouble();
+                const double px = (lon - line.first()[0].toDouble()) * cosine;
+                const double py = lat - line.first()[1].toDouble();
+                return std::abs(x * py - y * px) / std::hypot(x, y) * 111e3 < 0.01;
+            });
+            QVERIFY(isOnOne);
+        }
+    }
+
+    void rowsThatAreNotThere() {
+        const QTemporaryDir folder;
+        const Answer none = furrowCli({"plan", sampleField("home_field"), "--set", "swaths.method=rows", "--set",
+                                       "swaths.rows=" + folder.filePath("none.geojson"), "--out", folder.filePath("plan")});
+        QCOMPARE(none.status, 4);
+        const Answer heights = furrowCli({"plan", sampleField("home_field"), "--set", "swaths.method=contour", "--set",
+                                          "swaths.elevation=" + sampleField("home_field"), "--out", folder.filePath("plan")});
+        QCOMPARE(heights.status, 4);
+        const Answer nothing = furrowCli({"plan", sampleField("home_field"), "--set", "swaths.method=rows", "--out", folder.filePath("plan")});
+        QCOMPARE(nothing.status, 2);
+    }
+
+    void operationsSetWhatIsNotGiven() {
+        const QTemporaryDir folder;
+        const Answer answer = furrowCli({"plan", sampleField("home_field"), "--operation", "sowing", "--set",
+                                         "swaths.overlap_m=0.05", "--out", folder.filePath("plan"), "--json"});
+        QVERIFY(answer.status == 0 || answer.status == 1);
+        const QJsonObject top = answer.json();
+        QCOMPARE(top["operation"].toString(), QStringLiteral("sowing"));
+        QCOMPARE(top["tank"].toString(), QStringLiteral("empties"));
+        QCOMPARE(top["operation_sets"].toObject(),
+                 (QJsonObject{{"headland.when", "after"}, {"route.traversal", "headland"}}));
+        QCOMPARE(top["settings"].toObject()["headland.when"].toString(), QStringLiteral("after"));
+        QCOMPARE(top["settings"].toObject()["swaths.overlap_m"].toDouble(), 0.05);
+    }
+
     void filesHoldThePlan() {
         const QTemporaryDir folder;
         QCOMPARE(furrowCli({"plan", sampleField("home_field"), "--out", folder.path(), "--quiet"}).status, 0);
@@ -163,7 +233,7 @@ private slots:
         QTest::newRow("a batch of no file") << batch(folder_.filePath("none.shp"), "batch", {}) << 4 << "none.shp";
         QTest::newRow("a batch into a file") << QStringList{"batch", two, "--out", file + "/batch"} << 4 << "could not";
         QTest::newRow("an option that is not there") << plan(field, {"--fast"}) << 2 << "--fast";
-        QTest::newRow("no such method") << plan(field, {"--set", "swaths.method=contour"}) << 2 << "brute-force";
+        QTest::newRow("no such method") << plan(field, {"--set", "swaths.method=zigzag"}) << 2 << "brute-force";
         QTest::newRow("no such setting") << plan(field, {"--set", "headland.witdh_m=3"}) << 2 << "headland.width_m";
         QTest::newRow("no such machine") << plan(field, {"--machine", "agbott"}) << 2 << "agbot";
         QTest::newRow("no such format") << plan(field, {"--format", "dwg"}) << 2 << "geojson";

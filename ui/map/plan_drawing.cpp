@@ -234,7 +234,14 @@ PlanGeometry planGeometry(const Plan& plan) {
     }
     geometry.swathSpacing = plan.request.machine.operatingWidth().si() * geometry.unitsPerMetre;
     for (const Swath& swath : plan.swaths.swaths) {
-        geometry.swaths.add(std::array{frame.map(swath.start), frame.map(swath.end)});
+        std::vector<MapPoint> line;
+        for (const Point& point : middleLine(swath)) {
+            line.push_back(frame.map(point));
+        }
+        geometry.swaths.add(line);
+        if (swath.tramline) {
+            geometry.tramlines.add(line);
+        }
     }
     addPath(geometry, frame, plan.path);
     for (const Finding& finding : plan.findings) {

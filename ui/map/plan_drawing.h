@@ -60,6 +60,7 @@ struct PlanGeometry {
     FillMesh headland;
     LineMesh mainlandEdge;
     LineMesh swaths;
+    LineMesh tramlines;  ///< of these, those that are driven on again
     double swathSpacing = 0.0;
     std::vector<PathChunk> chunks;
     std::vector<DirectionMark> directions;

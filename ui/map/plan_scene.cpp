@@ -112,6 +112,7 @@ PlanScene::PlanScene() {
     boundary_ = newLine(transform_);
     obstacleEdges_ = newLine(transform_);
     swaths_ = newLine(transform_);
+    tramlines_ = newLine(transform_);
     transform_->appendChildNode(chunkParent_);
     appendChildNode(directions_);
     startEdge_ = newLine(transform_);
@@ -145,6 +146,7 @@ void PlanScene::setGeometry(std::shared_ptr<const PlanGeometry> geometry) {
     boundary_->setMesh(shown.boundary);
     obstacleEdges_->setMesh(shown.obstacleEdges);
     swaths_->setMesh(shown.swaths);
+    tramlines_->setMesh(shown.tramlines);
     for (const PathChunk& chunk : shown.chunks) {
         auto* node = new LineNode;
         chunkParent_->appendChildNode(node);
@@ -179,6 +181,8 @@ void PlanScene::setStyle(const PlanStyle& style) {
     casing_->setShown(style.showBoundary);
     boundary_->setShown(style.showBoundary);
     swaths_->setShown(style.showSwaths);
+    tramlines_->setShown(style.showSwaths);
+    tramlines_->setStyle({.color = style.ink, .widthPx = 2.6 * factor, .dashPx = 12.0, .periodPx = 18.0});
     directions_->setStyle({.color = style.ink, .widthPx = 1.5 * factor});
     styleDensity();
     startEdge_->setStyle({.color = style.ground, .widthPx = 19.0});

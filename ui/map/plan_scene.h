@@ -105,6 +105,7 @@ private:
     LineNode* boundary_;
     LineNode* obstacleEdges_;
     LineNode* swaths_;
+    LineNode* tramlines_;
     QSGNode* chunkParent_ = new QSGNode;
     std::vector<LineNode*> lines_;
     std::vector<ChunkNode> chunks_;

@@ -27,6 +27,8 @@ ParameterModel::Kind kindOf(const Parameter& parameter) {
         case ParameterKind::Choice: return ParameterModel::Kind::Choice;
         case ParameterKind::Flag: return ParameterModel::Kind::Flag;
         case ParameterKind::Line:
+        case ParameterKind::Lines:
+        case ParameterKind::File:
         case ParameterKind::Numbers: return ParameterModel::Kind::Text;
         case ParameterKind::Length:
         case ParameterKind::Angle:
@@ -53,6 +55,8 @@ QString unitOf(const Parameter& parameter) {
         case ParameterKind::Choice:
         case ParameterKind::Flag:
         case ParameterKind::Line:
+        case ParameterKind::Lines:
+        case ParameterKind::File:
         case ParameterKind::Numbers: break;
     }
     return {};

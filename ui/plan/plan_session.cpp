@@ -1,7 +1,9 @@
 #include "ui/plan/plan_session.h"
 
 #include "planner/io/boundary_import.h"
+#include "planner/io/guide_import.h"
 #include "planner/plan/method_registry.h"
+#include "planner/settings/operation.h"
 #include "ui/plan/unit_text.h"
 
 #include <QFile>
@@ -229,7 +231,10 @@ PlanSession::Outcome PlanSession::planned(const FieldSource& source, std::shared
         }
         field = std::make_shared<const Field>(std::move(*made));
     }
-    const auto plan = makePlan({.field = field, .machine = machine, .settings = settings}, job.part(0.1, 0.95));
+    const auto plan = readGuides(settings, *field, job).and_then([&](std::shared_ptr<const GuideData> guides) {
+        return makePlan({.field = field, .machine = machine, .settings = settings, .guides = std::move(guides)},
+                        job.part(0.1, 0.95));
+    });
     if (!plan) {
         return {.field = field, .plan = {}, .drawing = PlanDrawing{fieldGeometry(*field, plan.error().place)},
                 .error = plan.error()};
@@ -266,6 +271,12 @@ void PlanSession::changeSetting(const Parameter* parameter, const SettingValue& 
     for (const auto& [given, other] : kExclusive) {
         if (parameter->key == given && !std::holds_alternative<Auto>(value)) {
             settings_.clear(*findParameter(other).value());
+        }
+    }
+    if (parameter == &kOperationKind) {
+        // Who picks an operation wants what goes with it, also where another choice was made before.
+        for (const OperationDefault& entry : settings_.operation().defaults) {
+            settings_.clear(*findParameter(entry.key).value());
         }
     }
     showModels();

@@ -2,6 +2,7 @@
 #include "planner/io/boundary_import.h"
 #include "planner/io/isoxml.h"
 #include "planner/machine/machine_library.h"
+#include "planner/plan/method_registry.h"
 #include "planner/plan/plan.h"
 
 #include <QFileInfo>
@@ -148,13 +149,18 @@ constexpr Case kCases[] = {{"plain field", plainField},
                            {"across the antimeridian", fieldOnTheAntimeridian},
                            {"80 degrees north", farNorth}};
 
-std::shared_ptr<const Plan> planOf(const FieldSource& source) {
+std::shared_ptr<const Plan> planOf(const FieldSource& source,
+                                   std::initializer_list<std::pair<const char*, const char*>> given = {}) {
     const auto field = Field::create(source);
     if (!field) {
         qWarning("%s", field.error().line().c_str());
         return nullptr;
     }
-    const auto plan = makePlan({std::make_shared<const Field>(*field), machineLibrary().front(), {}});
+    Settings settings;
+    for (const auto& [key, value] : given) {
+        applySetting(settings, key, value).value();
+    }
+    const auto plan = makePlan({std::make_shared<const Field>(*field), machineLibrary().front(), settings});
     if (!plan) {
         qWarning("%s", plan.error().line().c_str());
         return nullptr;
@@ -184,6 +190,8 @@ private slots:
     void lineLiesOnTheLongestSwathOfItsTrack_data();
     void lineLiesOnTheLongestSwathOfItsTrack();
     void oneLineForEachDirection();
+    void curvesAndPivots();
+    void tramlinesAreLinesOfTheirOwn();
     void numbersHaveNineDecimals();
     void fitsTheSchema_data();
     void fitsTheSchema();
@@ -193,6 +201,7 @@ private slots:
 private:
     static void addCases();
     static std::shared_ptr<const Plan> currentPlan();
+    static void checkSchema(const Plan& plan);
 };
 
 void TestIsoxml::addCases() {
@@ -386,12 +395,86 @@ void TestIsoxml::fitsTheSchema_data() {
 }
 
 void TestIsoxml::fitsTheSchema() {
+    const auto plan = currentPlan();
+    QVERIFY(plan);
+    checkSchema(*plan);
+}
+
+// formats.md: type 3 is a curve from point 6 over points 9 to point 7; type 4 with option 3 a full circle about point 8
+// with its radius in millimetres. One stands for all that lie beside it.
+void TestIsoxml::curvesAndPivots() {
+    const auto curve = planOf(plainField(), {{"swaths.method", "ab-curve"},
+                                             {"swaths.line", "LINESTRING ("
+                                              "9.000500 52.000800, 9.000667 52.000818, 9.000833 52.000833, 9.001000 52.000845, 9.001167 52.000853, "
+                                              "9.001333 52.000858, 9.001500 52.000860, 9.001667 52.000858, 9.001833 52.000853, "
+                                              "9.002000 52.000845, 9.002167 52.000833, 9.002333 52.000818, 9.002500 52.000800)"}});
+    QVERIFY(curve);
+    const QList<Element> curves = parsed(isoxmlTaskData(*curve)).all("PFD").first().all("GGP");
+    // And those whose bends are lost to the inside.
+    QVERIFY(!curves.isEmpty() && curves.size() < 5);
+    const Element pattern = curves.first().all("GPN").first();
+    QCOMPARE(pattern.value("C"), "3");
+    QCOMPARE(pattern.value("E"), "1");
+    const QList<Element> points = pattern.all("LSG").first().all("PNT");
+    QVERIFY(points.size() > 2);
+    for (qsizetype i = 0; i < points.size(); ++i) {
+        QCOMPARE(points[i].value("A"), i == 0 ? "6" : i + 1 == points.size() ? "7" : "9");
+    }
+    checkSchema(*curve);
+
+    // A round field: rings only.
+    FieldSource round = plainField();
+    round.parts.front().outer.clear();
+    for (int i = 0; i < 90; ++i) {
+        const double angle = i * M_PI / 45.0;
+        round.parts.front().outer.push_back({9.0 + 0.0015 * std::cos(angle), 52.0 + 0.0015 * std::cos(52.0 * M_PI / 180.0) * std::sin(angle)});
+    }
+    const auto pivot = planOf(round, {{"swaths.method", "pivot"}, {"swaths.line", "POINT (9 52)"}});
+    QVERIFY(pivot);
+    QVERIFY(pivot->swaths.swaths[3].isClosed());
+    bool found = false;
+    for (const Element& group : parsed(isoxmlTaskData(*pivot)).all("PFD").first().all("GGP")) {
+        const Element ring = group.all("GPN").first();
+        if (ring.value("C") == "4") {
+            QVERIFY(!found);
+            found = true;
+            QCOMPARE(ring.value("D"), "3");
+            const double radiusM = pivot->swaths.swaths.front().isClosed() ? pivot->swaths.swaths.front().length().si() / (2.0 * M_PI) : 0.0;
+            if (radiusM > 0.0) {
+                QVERIFY(std::abs(ring.value("H").toDouble() - 1000.0 * radiusM) <= 1.0);
+            }
+            QCOMPARE(ring.all("LSG").first().all("PNT").size(), 1);
+            QCOMPARE(ring.all("LSG").first().all("PNT").first().value("A"), "8");
+        }
+    }
+    QVERIFY(found);
+    checkSchema(*pivot);
+}
+
+// Beside the AB line a group for each tramline, which is not laid beside itself (propagation 4).
+void TestIsoxml::tramlinesAreLinesOfTheirOwn() {
+    const auto plan = planOf(plainField(), {{"swaths.tramline_every", "8"}});
+    QVERIFY(plan);
+    const auto tramlines = std::ranges::count_if(plan->swaths.swaths, &Swath::tramline);
+    QVERIFY(tramlines > 3);
+    int written = 0;
+    for (const Element& group : parsed(isoxmlTaskData(*plan)).all("PFD").first().all("GGP")) {
+        if (group.value("B").startsWith("Tramline")) {
+            ++written;
+            QCOMPARE(group.all("GPN").first().value("C"), "1");
+            QCOMPARE(group.all("GPN").first().value("E"), "4");
+        }
+    }
+    QCOMPARE(written, tramlines);
+    checkSchema(*plan);
+}
+
+void TestIsoxml::checkSchema(const Plan& given) {
+    const Plan* const plan = &given;
     const QString schema = QStringLiteral(FURROW_SHARED_DATA_DIR "/schemas/ISO11783_TaskFile_V4-3.xsd");
     if (!QFileInfo::exists(schema) || QStandardPaths::findExecutable("xmllint").isEmpty()) {
         QSKIP("needs xmllint and the schemas in ../shared/data/schemas");
     }
-    const auto plan = currentPlan();
-    QVERIFY(plan);
     const QTemporaryDir folder;
     QProcess lint;
     lint.start("xmllint",

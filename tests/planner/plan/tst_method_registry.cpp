@@ -1,6 +1,7 @@
 #include "planner/machine/machine_library.h"
 #include "planner/plan/method_registry.h"
 #include "planner/plan/plan.h"
+#include "planner/settings/operation.h"
 #include "tests/support/field_generator.h"
 #include "tests/support/result_check.h"
 
@@ -39,11 +40,27 @@ const std::array kContractChoices{
     ContractRow{"swaths.ends", {"full", "centre"}},
     ContractRow{"route.corner", {"best", "first"}},
     ContractRow{"headland.order", {"outside-in", "inside-out"}},
+    ContractRow{"headland.when", {"before", "after"}},
+    ContractRow{"route.traversal", {"interior", "headland", "boundary"}},
 };
 
 std::shared_ptr<const Field> rectangleField() {
     const auto source = test::fieldSourceFromLocal({test::centredRectangle(200.0, 120.0)}, {9.5, 51.5});
     return std::make_shared<const Field>(Field::create(source).value());
+}
+
+/// Five rows 5 m apart, and a slope of 5 % to the north.
+std::shared_ptr<const GuideData> guides() {
+    GuideData data;
+    for (int i = -2; i <= 2; ++i) {
+        data.rows.push_back({{-90.0, 5.0 * i}, {90.0, 5.0 * i}});
+    }
+    ElevationGrid grid{.origin = {-120.0, -80.0}, .cellM = 5.0, .columns = 49, .rows = 33, .heightsM = {}};
+    for (std::size_t row = 0; row < grid.rows; ++row) {
+        grid.heightsM.insert(grid.heightsM.end(), grid.columns, 0.25 * static_cast<double>(row));
+    }
+    data.elevation = std::move(grid);
+    return std::make_shared<const GuideData>(std::move(data));
 }
 
 }  // namespace
@@ -148,12 +165,62 @@ private slots:
         Settings settings;
         VERIFY_RESULT(settings.set(parameter, parameter.defaultValue()));
         VERIFY_RESULT(settings.setText(parameter, settingText(parameter.defaultValue())));
-        QVERIFY(settings == Settings{});
+        QVERIFY(settings == Settings{} || isSetByOperation(parameter.key));
         // And every value that it offers can be set.
         for (const Choice& choice : parameter.choices) {
             VERIFY_RESULT(applySetting(settings, parameter.key, choice.id));
             QCOMPARE(settings.choice(parameter), std::string{choice.id});
         }
+    }
+
+    // planner.md, section 2: an operation sets headland first or last, where may be driven, fill or empty, and overlap.
+    void operationsSetDefaults_data() {
+        QTest::addColumn<QString>("kind");
+        QTest::addColumn<QString>("when");
+        QTest::addColumn<QString>("traversal");
+        QTest::addColumn<double>("overlapM");
+        QTest::addColumn<TankUse>("tank");
+        QTest::newRow("tillage") << "tillage" << "before" << "interior" << 0.0 << TankUse::None;
+        QTest::newRow("sowing") << "sowing" << "after" << "headland" << 0.0 << TankUse::Empties;
+        QTest::newRow("spraying") << "spraying" << "before" << "headland" << 0.0 << TankUse::Empties;
+        QTest::newRow("spreading") << "spreading" << "before" << "headland" << 0.0 << TankUse::Empties;
+        QTest::newRow("mowing") << "mowing" << "before" << "headland" << 0.1 << TankUse::None;
+        QTest::newRow("harvest") << "harvest" << "before" << "headland" << 0.1 << TankUse::Fills;
+    }
+    void operationsSetDefaults() {
+        QFETCH(QString, kind);
+        QFETCH(QString, when);
+        QFETCH(QString, traversal);
+        QFETCH(double, overlapM);
+        QFETCH(TankUse, tank);
+        Settings settings;
+        VERIFY_RESULT(applySetting(settings, "operation.kind", kind.toStdString()));
+        const auto value = [&](std::string_view key) { return settingText(settings.value(**findParameter(key))); };
+        QCOMPARE(value("headland.when"), when.toStdString());
+        QCOMPARE(value("route.traversal"), traversal.toStdString());
+        QCOMPARE(settings.length(**findParameter("swaths.overlap_m"))->si(), overlapM);
+        QCOMPARE(settings.operation().tank, tank);
+        // What it sets exists, and can be set.
+        for (const OperationDefault& entry : settings.operation().defaults) {
+            const auto parameter = findParameter(entry.key);
+            VERIFY_RESULT(parameter);
+            Settings other;
+            VERIFY_RESULT(other.set(**parameter, entry.value));
+        }
+    }
+
+    // Also where it is what the operation before it would have set, and whichever comes first.
+    void whatIsGivenHoldsForEveryOperation() {
+        Settings first;
+        VERIFY_RESULT(applySetting(first, "headland.when", "before"));
+        VERIFY_RESULT(applySetting(first, "operation.kind", "sowing"));
+        Settings second;
+        VERIFY_RESULT(applySetting(second, "operation.kind", "sowing"));
+        VERIFY_RESULT(applySetting(second, "headland.when", "before"));
+        QCOMPARE(first.choice(**findParameter("headland.when")), std::string{"before"});
+        QVERIFY(first == second);
+        second.clear(**findParameter("headland.when"));
+        QCOMPARE(second.choice(**findParameter("headland.when")), std::string{"after"});
     }
 
     void unknownKeyNamesTheNearest() {
@@ -209,7 +276,7 @@ private slots:
             VERIFY_RESULT(applySetting(settings, "route.order", order));
         }
         VERIFY_RESULT(applySetting(settings, key.toStdString(), id.toStdString()));
-        const auto plan = makePlan({.field = rectangleField(), .machine = machineLibrary().front(), .settings = settings});
+        const auto plan = makePlan({.field = rectangleField(), .machine = machineLibrary().front(), .settings = settings, .guides = guides()});
         VERIFY_RESULT(plan);
         QVERIFY(!(*plan)->swaths.swaths.empty());
         QCOMPARE((*plan)->route.steps.size(), (*plan)->swaths.swaths.size());

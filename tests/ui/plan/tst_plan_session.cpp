@@ -141,6 +141,21 @@ private slots:
         QCOMPARE(swaths->data(swaths->index(row), ParameterModel::ValueRole).toDouble(), bearing);
         QTRY_VERIFY(session.plan() && std::abs(inDegrees(session.plan()->swaths.heading) - degreesFromEast) < 1e-6);
     }
+    // Also over a choice that was made before.
+    void anOperationBringsItsDefaults() {
+        PlanSession session;
+        ParameterModel* field = session.steps()->parameters(QStringLiteral("field"));
+        const int row = rowOf(*field, QStringLiteral("operation.kind"));
+        QVERIFY(row >= 0);
+        const Parameter& when = *findParameter("headland.when").value();
+        ParameterModel* headland = session.steps()->parameters(QStringLiteral("headland"));
+        headland->setChoice(rowOf(*headland, QStringLiteral("headland.when")), 1);
+        QCOMPARE(session.settings().choice(when), std::string{"after"});
+        field->setChoice(row, 5);  // harvest
+        QCOMPARE(session.settings().choice(when), std::string{"before"});
+        field->setChoice(row, 1);  // sowing
+        QCOMPARE(session.settings().choice(when), std::string{"after"});
+    }
     void onlyParametersOfTheMethodAreShown() {
         PlanSession session;
         ParameterModel* swaths = session.steps()->parameters(QStringLiteral("swaths"));

@@ -1,0 +1,77 @@
+#pragma once
+
+#include "planner/geometry/polygon.h"
+
+#include <algorithm>
+#include <cstddef>
+#include <vector>
+
+namespace furrow {
+
+/// Boxes in an order in which neighbours lie near each other, as the edges of rings do: halved again and again, each
+/// half with the box around it. Immutable; may be asked by several threads at once.
+class BoxTree {
+public:
+    BoxTree() = default;
+    explicit BoxTree(const std::vector<Bounds>& boxes) : size_{boxes.size()} {
+        if (size_ > 0) {
+            nodes_.reserve(2 * size_);
+            build(boxes, 0, size_);
+        }
+    }
+
+    /// Calls visit(index) for boxes that lie in boxes of which `matters(box)` holds, until it says true; says whether
+    /// it did.
+    template <class Matters, class Visit>
+    bool any(const Matters& matters, const Visit& visit) const {
+        return size_ > 0 && any(0, 0, size_, matters, visit);
+    }
+
+private:
+    static Bounds around(const Bounds& a, const Bounds& b) {
+        return {{std::min(a.min.x, b.min.x), std::min(a.min.y, b.min.y)},
+                {std::max(a.max.x, b.max.x), std::max(a.max.y, b.max.y)}};
+    }
+
+    struct Node {
+        Bounds box;
+        std::size_t second = 0;  ///< of the upper half; the lower one comes next
+    };
+
+    std::size_t build(const std::vector<Bounds>& boxes, std::size_t first, std::size_t last) {
+        const std::size_t self = nodes_.size();
+        nodes_.emplace_back();
+        if (last - first == 1) {
+            nodes_[self].box = boxes[first];
+            return self;
+        }
+        const std::size_t middle = first + (last - first) / 2;
+        const std::size_t lower = build(boxes, first, middle);
+        const std::size_t upper = build(boxes, middle, last);
+        nodes_[self] = {around(nodes_[lower].box, nodes_[upper].box), upper};
+        return self;
+    }
+
+    template <class Matters, class Visit>
+    bool any(std::size_t node, std::size_t first, std::size_t last, const Matters& matters, const Visit& visit) const {
+        if (!matters(nodes_[node].box)) {
+            return false;
+        }
+        if (last - first == 1) {
+            return visit(first);
+        }
+        const std::size_t middle = first + (last - first) / 2;
+        return any(node + 1, first, middle, matters, visit) || any(nodes_[node].second, middle, last, matters, visit);
+    }
+
+    std::size_t size_ = 0;
+    std::vector<Node> nodes_;
+};
+
+/// From a point to the nearest one of a box; 0 inside.
+inline double distanceM(Point point, const Bounds& box) {
+    return std::hypot(std::max({box.min.x - point.x, 0.0, point.x - box.max.x}),
+                      std::max({box.min.y - point.y, 0.0, point.y - box.max.y}));
+}
+
+}  // namespace furrow

@@ -1,0 +1,128 @@
+#include "planner/io/raster_bridge.h"
+
+#include <gdal_priv.h>
+#include <gdal_utils.h>
+#include <ogr_spatialref.h>
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <format>
+#include <limits>
+#include <memory>
+#include <mutex>
+
+namespace furrow {
+
+namespace {
+
+constexpr double kFinestM = 1.0;
+constexpr double kMostCells = 1024.0;
+
+// Formats that are files of their own and name no others.
+constexpr std::array kDrivers{"GTiff", "AAIGrid", "SRTMHGT", "DTED", static_cast<const char*>(nullptr)};
+
+struct CloseDataset {
+    void operator()(GDALDataset* dataset) const { GDALClose(dataset); }
+};
+using Dataset = std::unique_ptr<GDALDataset, CloseDataset>;
+
+Error readFailed(const std::filesystem::path& path, std::string what) {
+    return {.code = ErrorCode::ReadFailed,
+            .what = std::move(what),
+            .where = path.string(),
+            .remedy = "give heights as a GeoTIFF or an ASCII grid"};
+}
+
+int goOn(double /*share*/, const char* /*message*/, void* job) {
+    return static_cast<const JobContext*>(job)->stopRequested() ? FALSE : TRUE;
+}
+
+/// The raster's own resolution in metres, about.
+double cellOf(GDALDataset& raster) {
+    std::array<double, 6> transform{};
+    if (raster.GetGeoTransform(transform.data()) != CE_None) {
+        return kFinestM;
+    }
+    const double step = std::min(std::hypot(transform[1], transform[4]), std::hypot(transform[2], transform[5]));
+    const OGRSpatialReference* const system = raster.GetSpatialRef();
+    return system != nullptr && system->IsGeographic() != 0 ? step * 111e3 : step;
+}
+
+}  // namespace
+
+Result<ElevationGrid> readElevation(const std::filesystem::path& path, const LocalFrame& frame, const Bounds& box,
+                                    const JobContext& job) {
+    static std::once_flag once;
+    std::call_once(once, [] { GDALAllRegister(); });
+    std::error_code ignored;
+    if (!std::filesystem::is_regular_file(path, ignored)) {
+        return std::unexpected(readFailed(path, "there is no such file"));
+    }
+    CPLPushErrorHandler(CPLQuietErrorHandler);
+    const Dataset raster{GDALDataset::Open(path.c_str(), GDAL_OF_RASTER | GDAL_OF_READONLY, kDrivers.data())};
+    CPLPopErrorHandler();
+    if (!raster || raster->GetRasterCount() == 0) {
+        return std::unexpected(readFailed(path, "it is no raster of heights"));
+    }
+    if (raster->GetSpatialRef() == nullptr) {
+        return std::unexpected(Error{.code = ErrorCode::InputRefused,
+                                     .what = "it does not say in which coordinate system it is",
+                                     .where = path.string(),
+                                     .remedy = "export it again with its coordinate system"});
+    }
+    const double cellM =
+        std::max({kFinestM, cellOf(*raster), std::max(box.width(), box.height()) / kMostCells});
+    const auto columns = static_cast<int>(std::ceil(box.width() / cellM)) + 1;
+    const auto rows = static_cast<int>(std::ceil(box.height() / cellM)) + 1;
+    // Cells of the result have their values in their middles.
+    const double west = box.min.x - 0.5 * cellM;
+    const double south = box.min.y - 0.5 * cellM;
+    const std::array<std::string, 17> words{
+        "-of", "MEM", "-ot", "Float64", "-r", "bilinear", "-t_srs", frame.projString(), "-dstnodata", "nan", "-te",
+        std::format("{}", west), std::format("{}", south), std::format("{}", west + columns * cellM),
+        std::format("{}", south + rows * cellM), "-ts", std::format("{}", columns)};
+    std::vector<char*> arguments;
+    for (const std::string& word : words) {
+        arguments.push_back(const_cast<char*>(word.c_str()));
+    }
+    std::string height = std::format("{}", rows);
+    arguments.push_back(height.data());
+    arguments.push_back(nullptr);
+    CPLPushErrorHandler(CPLQuietErrorHandler);
+    GDALWarpAppOptions* const options = GDALWarpAppOptionsNew(arguments.data(), nullptr);
+    GDALWarpAppOptionsSetProgress(options, goOn, const_cast<JobContext*>(&job));
+    GDALDatasetH source = raster.get();
+    const Dataset warped{GDALDataset::FromHandle(GDALWarp("", nullptr, 1, &source, options, nullptr))};
+    GDALWarpAppOptionsFree(options);
+    CPLPopErrorHandler();
+    if (job.stopRequested()) {
+        return std::unexpected(cancelled());
+    }
+    ElevationGrid grid{.origin = box.min,
+                       .cellM = cellM,
+                       .columns = static_cast<std::size_t>(columns),
+                       .rows = static_cast<std::size_t>(rows),
+                       .heightsM = std::vector<double>(static_cast<std::size_t>(columns) * static_cast<std::size_t>(rows),
+                                                       std::numeric_limits<double>::quiet_NaN())};
+    if (!warped) {
+        return std::unexpected(readFailed(path, "its heights cannot be read"));
+    }
+    for (int row = 0; row < rows; ++row) {
+        // Rasters begin in the north.
+        double* const line = grid.heightsM.data() + static_cast<std::size_t>(rows - 1 - row) * grid.columns;
+        if (warped->GetRasterBand(1)->RasterIO(GF_Read, 0, row, columns, 1, line, columns, 1, GDT_Float64, 0, 0,
+                                               nullptr) != CE_None) {
+            return std::unexpected(readFailed(path, "its heights cannot be read"));
+        }
+    }
+    if (std::ranges::none_of(grid.heightsM, [](double height_) { return std::isfinite(height_); })) {
+        return std::unexpected(Error{.code = ErrorCode::InputRefused,
+                                     .what = "it has no heights where the field is",
+                                     .where = path.string(),
+                                     .remedy = "give heights that cover the field"});
+    }
+    return grid;
+}
+
+}  // namespace furrow

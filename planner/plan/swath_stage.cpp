@@ -1,0 +1,252 @@
+#include "planner/plan/swath_stage.h"
+
+#include "planner/geometry/geos_bridge.h"
+#include "planner/headland/headland_passes.h"
+#include "planner/headland/turning_room.h"
+#include "planner/plan/method_registry.h"
+#include "planner/route/patterns.h"
+#include "planner/swaths/full_ends.h"
+#include "planner/swaths/mainland_edges.h"
+#include "planner/swaths/methods.h"
+#include "planner/swaths/tramlines.h"
+
+#include <algorithm>
+#include <cmath>
+#include <numeric>
+
+namespace furrow {
+
+namespace {
+
+// A heading of its own is worth it from this share of the time on.
+constexpr double kWorthwhile = 0.99;
+
+Turn lineOf(const Swath& swath) {
+    if (swath.isCurved()) {
+        return swath.curve;
+    }
+    const Point way = swath.end - swath.start;
+    return {.type = {},
+            .start = {.position = swath.start, .heading = radians(std::atan2(way.y, way.x))},
+            .pieces = {{.length = swath.length(), .curvature = {}}}};
+}
+
+/// What lies inside of a part, in the same order and on the same tracks.
+SwathSet cutTo(const SwathSet& set, const MultiPolygon& part) {
+    const MainlandEdges edges{part};
+    SwathSet inside = set;
+    inside.swaths.clear();
+    inside.totalLength = {};
+    for (const Swath& swath : set.swaths) {
+        for (Turn& piece : edges.partsInside(lineOf(swath))) {
+            Swath cut = swath;
+            cut.start = piece.start.position;
+            cut.end = piece.end().position;
+            cut.curve = swath.isCurved() ? std::move(piece) : Turn{};
+            inside.totalLength += cut.length();
+            inside.swaths.push_back(std::move(cut));
+        }
+    }
+    return inside;
+}
+
+/// Work and turns to and fro, and what is missed worked by itself: in free space, as an estimate.
+double estimatedSeconds(const SwathSet& set, const MultiPolygon& part, const PlanRequest& request) {
+    if (set.swaths.empty()) {
+        return 0.0;
+    }
+    const Machine& machine = request.machine;
+    const RouteTask task{.swaths = set, .machine = machine, .turn = turnMethod(request.settings), .settings = request.settings};
+    const Duration turning = turningTime(alongTracks(set, toAndFroOrder(trackCount(set)), false), task);
+    const double missedM = (1.0 - set.coverage) * area(part).si() / machine.operatingWidth().si();
+    return (set.totalLength.si() + missedM) / machine.spec().tractor.workingSpeed.si() + turning.si();
+}
+
+Result<SwathSet> byMethod(const PlanRequest& request, const MultiPolygon& mainland, const JobContext& job) {
+    return swathMethod(request.settings)({.field = *request.field,
+                                          .mainland = mainland,
+                                          .machine = request.machine,
+                                          .settings = request.settings,
+                                          .guides = request.guides.get()},
+                                         job);
+}
+
+Result<std::vector<MultiPolygon>> piecesBetweenSplits(const Plan& plan, const JobContext& job) {
+    const MultiPolygon& mainland = plan.headland.mainland;
+    std::vector<Polyline> cuts;
+    for (const std::vector<GeoPoint>& line : plan.request.settings.lines(kSplit)) {
+        cuts.push_back(plan.field().frame().toLocal(line));
+    }
+    if (cuts.empty()) {
+        return std::vector<MultiPolygon>{mainland};
+    }
+    const auto pieces = cutAlong(mainland, cuts, job);
+    if (!pieces) {
+        return std::unexpected(pieces.error());
+    }
+    std::vector<MultiPolygon> parts;
+    for (const Polygon& piece : *pieces) {
+        parts.push_back({piece});
+    }
+    return parts;
+}
+
+/// The parts of a set with their swaths one after the other.
+class PartCollector {
+public:
+    explicit PartCollector(const SwathSet& common) : laid_{.swaths = common, .parts = {}} {
+        laid_.swaths.swaths.clear();
+        laid_.swaths.totalLength = {};
+    }
+
+    /// @param heading  of its own; its swaths then get lines of their own
+    void add(MultiPolygon outline, SwathSet set, std::optional<Angle> heading) {
+        MainlandPart part{.outline = std::move(outline),
+                          .firstSwath = laid_.swaths.swaths.size(),
+                          .swathCount = set.swaths.size(),
+                          .heading = heading};
+        for (Swath& swath : set.swaths) {
+            swath.number = static_cast<int>(laid_.swaths.swaths.size()) + 1;
+            if (heading && !swath.isCurved()) {
+                swath.curve = lineOf(swath);
+            }
+            laid_.swaths.totalLength += swath.length();
+            laid_.swaths.swaths.push_back(std::move(swath));
+        }
+        laid_.parts.push_back(std::move(part));
+    }
+
+    LaidSwaths take() { return std::move(laid_); }
+
+private:
+    LaidSwaths laid_;
+};
+
+/// The swaths of one part in a set of their own, as the methods read them.
+SwathSet setOf(const LaidSwaths& laid, const MainlandPart& part) {
+    SwathSet set = laid.swaths;
+    set.heading = part.heading.value_or(laid.swaths.heading);
+    const auto first = laid.swaths.swaths.begin() + static_cast<std::ptrdiff_t>(part.firstSwath);
+    set.swaths.assign(first, first + static_cast<std::ptrdiff_t>(part.swathCount));
+    return set;
+}
+
+Result<LaidSwaths> laidInParts(const Plan& plan, const SwathSet& common, const JobContext& job) {
+    const PlanRequest& request = plan.request;
+    const auto pieces = piecesBetweenSplits(plan, job);
+    if (!pieces) {
+        return std::unexpected(pieces.error());
+    }
+    const bool ownHeadings = request.settings.choice(kCellHeading) == "per-cell" && !common.isCurved();
+    PartCollector collector{common};
+    if (pieces->size() == 1 && !ownHeadings) {
+        collector.add(plan.headland.mainland, common, {});
+        return collector.take();
+    }
+    for (const MultiPolygon& piece : *pieces) {
+        SwathSet inside = cutTo(common, piece);
+        if (!ownHeadings) {
+            collector.add(piece, std::move(inside), {});
+            continue;
+        }
+        const auto cells = decompositionMethod(request.settings)(
+            {.mainland = piece, .swaths = inside, .machine = request.machine, .settings = request.settings}, job);
+        if (!cells) {
+            return std::unexpected(cells.error());
+        }
+        for (const Cell& cell : cells->cells) {
+            SwathSet shared = inside;
+            shared.swaths.clear();
+            shared.totalLength = {};
+            for (const std::size_t index : cell.swaths) {
+                shared.swaths.push_back(inside.swaths[index]);
+                shared.totalLength += inside.swaths[index].length();
+            }
+            auto own = byMethod(request, cell.outline, job);
+            if (!own && own.error().code == ErrorCode::Cancelled) {
+                return std::unexpected(own.error());
+            }
+            const bool isBetter = own && estimatedSeconds(*own, cell.outline, request) <
+                                             kWorthwhile * estimatedSeconds(shared, cell.outline, request);
+            if (isBetter) {
+                const Angle heading = own->heading;
+                collector.add(cell.outline, std::move(*own), heading);
+            } else {
+                collector.add(cell.outline, std::move(shared), {});
+            }
+        }
+    }
+    return collector.take();
+}
+
+/// Each part by itself where a neighbour has another heading: nothing goes on beyond its edge then.
+void drawOut(LaidSwaths& laid, const MultiPolygon& mainland, const EndRoom& room, const Machine& machine) {
+    if (std::ranges::none_of(laid.parts, [](const MainlandPart& part) { return part.heading.has_value(); })) {
+        drawOutEnds(laid.swaths, mainland, room, machine);
+        return;
+    }
+    Length total;
+    Area overlap;
+    for (const MainlandPart& part : laid.parts) {
+        SwathSet set = setOf(laid, part);
+        set.endOverlap = {};
+        drawOutEnds(set, part.outline, room, machine);
+        std::ranges::copy(set.swaths, laid.swaths.swaths.begin() + static_cast<std::ptrdiff_t>(part.firstSwath));
+        total += set.totalLength;
+        overlap += set.endOverlap;
+    }
+    laid.swaths.totalLength = total;
+    laid.swaths.endOverlap = overlap;
+}
+
+}  // namespace
+
+Result<LaidSwaths> layStage(const Plan& plan, const MultiPolygon& drivable, const JobContext& job) {
+    const PlanRequest& request = plan.request;
+    auto common = byMethod(request, plan.headland.mainland, job);
+    if (!common) {
+        return std::unexpected(common.error());
+    }
+    markTramlines(*common, request.settings);
+    auto laid = laidInParts(plan, *common, job);
+    // With one pass or none there is no room to draw them out into.
+    if (!laid || request.settings.choice(kEnds) != "full" || plan.headland.passes < 2) {
+        return laid;
+    }
+    const Length outermost = plan.margin + uncutEdge(request.machine) + request.machine.operatingWidth();
+    const auto working = eroded(plan.field().workable(), outermost, kArcTolerance, job);
+    if (!working) {
+        return std::unexpected(working.error());
+    }
+    drawOut(*laid, plan.headland.mainland,
+            {.working = *working,
+             .driving = drivable,
+             .turning = reachOfLevelTurn(request.machine, turnMethod(request.settings))},
+            request.machine);
+    return laid;
+}
+
+Result<Decomposition> cellStage(const PlanRequest& request, const LaidSwaths& laid, const JobContext& job) {
+    Decomposition all;
+    for (const MainlandPart& part : laid.parts) {
+        SwathSet set = setOf(laid, part);
+        if (part.heading) {
+            // Straight along a heading of their own.
+            std::ranges::for_each(set.swaths, [](Swath& swath) { swath.curve = {}; });
+        }
+        auto cells = decompositionMethod(request.settings)(
+            {.mainland = part.outline, .swaths = set, .machine = request.machine, .settings = request.settings}, job);
+        if (!cells) {
+            return std::unexpected(cells.error());
+        }
+        for (Cell& cell : cells->cells) {
+            cell.heading = set.heading;
+            std::ranges::for_each(cell.swaths, [&](std::size_t& swath) { swath += part.firstSwath; });
+            all.cells.push_back(std::move(cell));
+        }
+        all.altitude += cells->altitude;
+    }
+    return all;
+}
+
+}  // namespace furrow

@@ -1,0 +1,129 @@
+#include "planner/swaths/curved_swaths.h"
+#include "planner/swaths/guide_curve.h"
+#include "planner/swaths/heading_search.h"
+#include "planner/swaths/methods.h"
+
+#include <algorithm>
+#include <cmath>
+#include <format>
+#include <numbers>
+
+namespace furrow {
+
+namespace {
+
+// A run of edges ends at a corner of more, within one operating width,
+constexpr double kCornerRad = 35.0 * std::numbers::pi / 180.0;
+// or where it has turned by more from the edge that was picked: a line that comes back beside itself is no guide.
+constexpr double kWholeBendRad = 90.0 * std::numbers::pi / 180.0;
+
+/// The ring that holds edge `number`, counted along every ring of the boundary, and the edge's place in it.
+struct PickedEdge {
+    Ring ring;
+    std::size_t index = 0;
+};
+
+Result<PickedEdge> pickedEdge(const Field& field, int number) {
+    std::size_t left = static_cast<std::size_t>(number);
+    std::size_t count = 0;
+    std::optional<PickedEdge> found;
+    const auto visit = [&](const Ring& ring) {
+        if (!found && left < ring.size()) {
+            found = PickedEdge{ring, left};
+        }
+        left -= std::min(left, ring.size());
+        count += ring.size();
+    };
+    for (const Polygon& polygon : field.boundary()) {
+        visit(polygon.outer);
+        std::ranges::for_each(polygon.holes, visit);
+    }
+    if (!found) {
+        return std::unexpected(Error{.code = ErrorCode::InputRefused,
+                                     .what = std::format("there is no edge {}", number),
+                                     .where = std::string{kEdge.key},
+                                     .remedy = std::format("give a number from 0 to {}", count - 1)});
+    }
+    return std::move(*found);
+}
+
+/// From the picked edge on, one way round the ring, until a corner.
+Polyline runFrom(const Ring& ring, std::size_t first, bool onwards, double widthM) {
+    const std::size_t size = ring.size();
+    const auto vertex = [&](std::size_t step) { return ring[onwards ? (first + 1 + step) % size : (first + 2 * size - step) % size]; };
+    const Point start = onwards ? ring[first] : ring[(first + 1) % size];
+    const auto turnAt = [&](std::size_t step) {
+        const Point in = vertex(step) - (step == 0 ? start : vertex(step - 1));
+        const Point out = vertex(step + 1) - vertex(step);
+        return std::atan2(cross(in, out), dot(in, out));
+    };
+    Polyline run;
+    double wholeRad = 0.0;
+    for (std::size_t step = 0; step < size; ++step) {
+        run.push_back(vertex(step));
+        double cornerRad = 0.0;
+        double wayM = 0.0;
+        for (std::size_t k = step; k < step + size && wayM <= widthM; ++k) {
+            cornerRad += turnAt(k);
+            wayM += distance(vertex(k), vertex(k + 1));
+            if (std::abs(cornerRad) > kCornerRad) {
+                return run;
+            }
+        }
+        wholeRad += turnAt(step);
+        if (std::abs(wholeRad) > kWholeBendRad) {
+            return run;
+        }
+    }
+    return run;
+}
+
+Result<Polyline> edgeRun(const SwathTask& task) {
+    const auto edge = pickedEdge(task.field, *task.settings.count(kEdge));
+    if (!edge) {
+        return std::unexpected(edge.error());
+    }
+    const double widthM = task.machine.operatingWidth().si();
+    Polyline run = runFrom(edge->ring, edge->index, false, widthM);
+    std::ranges::reverse(run);
+    std::ranges::copy(runFrom(edge->ring, edge->index, true, widthM), std::back_inserter(run));
+    return run;
+}
+
+Result<SwathSet> abCurve(const SwathTask& task, const JobContext& job) {
+    if (job.stopRequested()) {
+        return std::unexpected(cancelled());
+    }
+    const std::vector<GeoPoint> given = task.settings.line(kLine);
+    const bool isDrawn = !given.empty();
+    const auto points = isDrawn ? Result<Polyline>{task.field.frame().toLocal(given)} : edgeRun(task);
+    if (!points) {
+        return std::unexpected(points.error());
+    }
+    const auto spacing = spacingFor(task);
+    if (!spacing) {
+        return std::unexpected(spacing.error());
+    }
+    Bounds box = bounds(task.mainland);
+    for (const Point& point : *points) {
+        box = {{std::min(box.min.x, point.x), std::min(box.min.y, point.y)},
+               {std::max(box.max.x, point.x), std::max(box.max.y, point.y)}};
+    }
+    const Length reach = metres(box.width() + box.height());
+    return guideCurve(*points, swathRadius(task.machine), reach, isDrawn ? kLine.key : kEdge.key)
+        .and_then([&](const GuideLine& guide) { return parallelSwathLines(guide, *spacing, isDrawn, task, job.part(0.0, 0.5)); })
+        .and_then([&](const std::vector<SwathLine>& lines) { return swathsOnLines(lines, task, job.part(0.5, 1.0)); });
+}
+
+constexpr const Parameter* kParameters[] = {&kLine, &kEdge};
+
+}  // namespace
+
+const Method<SwathGenerator> kAbCurveMethod{
+    .info = {.id = "ab-curve",
+             .name = "AB curve",
+             .description = "Beside a curve of your own, or beside the edges around the one that you pick.",
+             .parameters = kParameters},
+    .run = abCurve};
+
+}  // namespace furrow

@@ -1,0 +1,73 @@
+#include "planner/swaths/curve_parts.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace furrow {
+
+namespace {
+
+// Pieces shorter than this are rounding.
+constexpr Length kLeastPiece = metres(1e-9);
+
+}  // namespace
+
+Turn partOf(const Turn& line, Length from, Length to) {
+    Turn part{.type = line.type, .start = line.start, .pieces = {}};
+    Pose pose = line.start;
+    Length way;
+    bool begun = false;
+    for (const TurnPiece& piece : line.pieces) {
+        const Length begin = std::clamp(from - way, Length{}, piece.length);
+        const Length end = std::clamp(to - way, Length{}, piece.length);
+        if (end - begin > kLeastPiece) {
+            if (!begun) {
+                part.start = advanced(pose, piece, begin);
+                begun = true;
+            }
+            TurnPiece kept = piece;
+            kept.length = end - begin;
+            part.pieces.push_back(kept);
+        }
+        pose = advanced(pose, piece, piece.length);
+        way += piece.length;
+    }
+    return part;
+}
+
+Turn movedLeft(const Turn& line, Length left) {
+    if (left == Length{}) {
+        return line;
+    }
+    Turn moved = line;
+    const Point ahead = direction(line.start.heading.si());
+    moved.start.position = line.start.position + left.si() * Point{-ahead.y, ahead.x};
+    for (TurnPiece& piece : moved.pieces) {
+        const double shrinks = 1.0 - piece.curvature.si() * left.si();
+        piece.length = shrinks * piece.length;
+        piece.curvature = piece.endCurvature = Curvature::fromSi(piece.curvature.si() / shrinks);
+    }
+    return moved;
+}
+
+Turn extended(const Turn& line, Length before, Length after) {
+    Turn longer = line;
+    if (before > Length{}) {
+        longer.start.position = line.start.position - before.si() * direction(line.start.heading.si());
+        longer.pieces.insert(longer.pieces.begin(), {.length = before, .curvature = {}});
+    }
+    if (after > Length{}) {
+        longer.pieces.push_back({.length = after, .curvature = {}});
+    }
+    return longer;
+}
+
+Curvature sharpestBend(const Turn& line) {
+    double most = 0.0;
+    for (const TurnPiece& piece : line.pieces) {
+        most = std::max(most, std::abs(piece.curvature.si()));
+    }
+    return Curvature::fromSi(most);
+}
+
+}  // namespace furrow

@@ -1,0 +1,194 @@
+#include "planner/swaths/guide_curve.h"
+
+#include <algorithm>
+#include <cmath>
+#include <format>
+#include <limits>
+#include <numbers>
+
+namespace furrow {
+
+namespace {
+
+constexpr double kSamePointM = 0.01;
+constexpr Length kSimplified = metres(0.05);
+// How far an arc in place of a gentle corner may be from it.
+constexpr Length kGentle = metres(0.1);
+// A line that is drawn out ends so far before it meets itself.
+constexpr double kApartM = 1.0;
+// A turn back is no bend.
+constexpr Angle kSharpest = degrees(175.0);
+
+Polyline withoutCloseOnes(std::span<const Point> line) {
+    Polyline kept;
+    for (const Point& point : line) {
+        if (kept.empty() || distance(kept.back(), point) >= kSamePointM) {
+            kept.push_back(point);
+        }
+    }
+    return kept;
+}
+
+void addSimplified(std::span<const Point> line, double toleranceM, Polyline& kept) {
+    const Point way = line.back() - line.front();
+    const double lengthM = std::max(norm(way), 1e-12);
+    std::size_t farthest = 0;
+    double mostM = toleranceM;
+    for (std::size_t i = 1; i + 1 < line.size(); ++i) {
+        const Point off = line[i] - line.front();
+        const double along = dot(way, off) / lengthM;
+        // Beyond the ends of a loop that nearly closes the chord says nothing.
+        const double awayM = along < 0.0 ? norm(off) : along > lengthM ? distance(line[i], line.back())
+                                                                       : std::abs(cross(way, off)) / lengthM;
+        if (awayM > mostM) {
+            mostM = awayM;
+            farthest = i;
+        }
+    }
+    if (farthest == 0) {
+        kept.push_back(line.front());
+        return;
+    }
+    addSimplified(line.first(farthest + 1), toleranceM, kept);
+    addSimplified(line.subspan(farthest), toleranceM, kept);
+}
+
+/// How far along a + s (b - a) it meets c to d; nothing where it does not.
+std::optional<double> meeting(Point a, Point b, Point c, Point d) {
+    const Point u = b - a;
+    const Point v = d - c;
+    const double area = cross(u, v);
+    if (std::abs(area) < 1e-12) {
+        return std::nullopt;
+    }
+    const double s = cross(c - a, v) / area;
+    const double t = cross(c - a, u) / area;
+    return s >= 0.0 && s <= 1.0 && t >= 0.0 && t <= 1.0 ? std::optional{s} : std::nullopt;
+}
+
+Bounds boxOf(Point a, Point b) {
+    return {{std::min(a.x, b.x), std::min(a.y, b.y)}, {std::max(a.x, b.x), std::max(a.y, b.y)}};
+}
+
+bool touches(const Bounds& a, const Bounds& b) {
+    return a.min.x <= b.max.x && b.min.x <= a.max.x && a.min.y <= b.max.y && b.min.y <= a.max.y;
+}
+
+/// Where a line crosses itself; nothing where it does not.
+std::optional<Point> crossingOf(const Polyline& line) {
+    std::vector<Bounds> boxes;
+    for (std::size_t i = 0; i + 1 < line.size(); ++i) {
+        boxes.push_back(boxOf(line[i], line[i + 1]));
+    }
+    const BoxTree tree{boxes};
+    for (std::size_t i = 0; i + 1 < line.size(); ++i) {
+        std::optional<Point> place;
+        tree.any([&](const Bounds& box) { return touches(box, boxes[i]); },
+                 [&](std::size_t k) {
+                     if (k > i + 1) {
+                         if (const auto share = meeting(line[i], line[i + 1], line[k], line[k + 1])) {
+                             place = line[i] + *share * (line[i + 1] - line[i]);
+                         }
+                     }
+                     return place.has_value();
+                 });
+        if (place) {
+            return place;
+        }
+    }
+    return std::nullopt;
+}
+
+/// How far a ray from the end of the line may reach before it meets the line.
+double reachBefore(const Polyline& line, Point end, Point ahead, double reachM, std::size_t ownEdge) {
+    double shortestM = reachM;
+    for (std::size_t i = 0; i + 1 < line.size(); ++i) {
+        if (i != ownEdge) {
+            if (const auto share = meeting(end, end + reachM * ahead, line[i], line[i + 1])) {
+                shortestM = std::min(shortestM, *share * reachM - kApartM);
+            }
+        }
+    }
+    return std::max(0.0, shortestM);
+}
+
+Polyline drawnOut(Polyline line, double reachM) {
+    const std::size_t last = line.size() - 1;
+    const auto aheadOf = [](Point from, Point to) { return (1.0 / distance(from, to)) * (to - from); };
+    const Point back = aheadOf(line[1], line[0]);
+    const Point ahead = aheadOf(line[last - 1], line[last]);
+    double beforeM = reachBefore(line, line[0], back, reachM, 0);
+    double afterM = reachBefore(line, line[last], ahead, reachM, last - 1);
+    const Point first = line.front();
+    const Point end = line.back();
+    if (const auto share = meeting(first, first + beforeM * back, end, end + afterM * ahead)) {
+        const Point at = first + *share * beforeM * back;
+        beforeM = std::max(0.0, distance(first, at) - kApartM);
+        afterM = std::max(0.0, distance(end, at) - kApartM);
+    }
+    if (beforeM > 0.0) {
+        line.front() = first + beforeM * back;
+    }
+    if (afterM > 0.0) {
+        line.back() = end + afterM * ahead;
+    }
+    return line;
+}
+
+/// First what bends to the left is rounded, then what bends to the right; the second leaves the first alone.
+std::vector<GuideLine> rounded(const GuideLine& line, Length radius, Angle sharpest) {
+    std::vector<GuideLine> result;
+    for (GuideLine& part : ParallelLines{line}.at(0.0, radius, sharpest)) {
+        for (GuideLine& finished : ParallelLines{std::move(part)}.at(-0.0, radius, sharpest)) {
+            result.push_back(std::move(finished));
+        }
+    }
+    return result;
+}
+
+}  // namespace
+
+Polyline simplifiedLine(std::span<const Point> line, Length tolerance) {
+    Polyline kept;
+    if (line.size() < 3) {
+        return {line.begin(), line.end()};
+    }
+    addSimplified(line, tolerance.si(), kept);
+    kept.push_back(line.back());
+    return kept;
+}
+
+Result<GuideLine> guideCurve(const Polyline& points, Length radius, Length reach, std::string_view where) {
+    const Polyline line = simplifiedLine(withoutCloseOnes(points), kSimplified);
+    if (line.size() < 2) {
+        return std::unexpected(Error{.code = ErrorCode::Usage,
+                                     .what = "a curve needs at least two points that differ",
+                                     .where = std::string{where},
+                                     .remedy = "give it as WKT in WGS84, such as LINESTRING (4.1 52.0, 4.2 52.0, 4.3 52.1)"});
+    }
+    if (const auto crossing = crossingOf(line)) {
+        return std::unexpected(Error{
+            .code = ErrorCode::InputRefused,
+            .what = std::format("the curve crosses itself, {:.0f} m from its start", distance(*crossing, line.front())),
+            .where = std::string{where},
+            .remedy = "give a curve that does not, or plan its parts apart"});
+    }
+    std::vector<GuideLine> result =
+        rounded(guideLineThrough(drawnOut(line, reach.si()), radius, kGentle), radius, kSharpest);
+    if (result.size() != 1) {
+        return std::unexpected(Error{
+            .code = ErrorCode::InputRefused,
+            .what = std::format("the curve bends more sharply than this machine can follow ({:.1f} m of radius)", radius.si()),
+            .where = std::string{where},
+            .remedy = "give a gentler curve, or one without a turn back"});
+    }
+    return std::move(result.front());
+}
+
+std::vector<GuideLine> followedLine(const Polyline& points, Length radius) {
+    const Polyline line = simplifiedLine(withoutCloseOnes(points), kSimplified);
+    return line.size() < 2 ? std::vector<GuideLine>{}
+                           : rounded(guideLineThrough(line, radius, kGentle), radius, kSharpestBend);
+}
+
+}  // namespace furrow

@@ -1,0 +1,142 @@
+#include "planner/machine/machine_library.h"
+#include "planner/plan/method_registry.h"
+#include "planner/plan/plan.h"
+#include "tests/support/field_generator.h"
+#include "tests/support/result_check.h"
+
+#include <algorithm>
+#include <cmath>
+#include <set>
+
+using namespace furrow;
+
+namespace {
+
+constexpr GeoPoint kCentre{9.5, 51.5};
+
+std::shared_ptr<const Field> fieldOf(const MultiPolygon& polygons) {
+    return std::make_shared<const Field>(Field::create(test::fieldSourceFromLocal(polygons, kCentre)).value());
+}
+
+std::string wktOf(const Field& field, const std::vector<Polyline>& lines) {
+    QStringList parts;
+    for (const Polyline& line : lines) {
+        QStringList points;
+        for (const Point& point : line) {
+            const GeoPoint place = field.frame().toGeo(point);
+            points << QStringLiteral("%1 %2").arg(place.lonDeg, 0, 'f', 12).arg(place.latDeg, 0, 'f', 12);
+        }
+        parts << "(" + points.join(", ") + ")";
+    }
+    return ("MULTILINESTRING (" + parts.join(", ") + ")").toStdString();
+}
+
+Result<std::shared_ptr<const Plan>> planOf(const std::shared_ptr<const Field>& field,
+                                           std::initializer_list<std::pair<std::string_view, std::string>> given) {
+    Settings settings;
+    for (const auto& [key, value] : given) {
+        applySetting(settings, key, value).value();
+    }
+    return makePlan({.field = field, .machine = findMachine("agbot").value(), .settings = settings});
+}
+
+/// An L: an arm of 300 m to the east and one of 300 m to the north, each 80 m wide.
+MultiPolygon angle() {
+    return {{.outer = {{0, 0}, {300, 0}, {300, 80}, {80, 80}, {80, 300}, {0, 300}}, .holes = {}}};
+}
+
+}  // namespace
+
+class SwathStageTest : public QObject {
+    Q_OBJECT
+
+private slots:
+    // Two lines right through make three pieces of known size; one that ends inside makes none.
+    void splitLinesCutExactlyThere_data() {
+        QTest::addColumn<QString>("method");
+        for (const char* method : {"none", "boustrophedon", "merged", "trapezoidal"}) {
+            QTest::newRow(method) << method;
+        }
+    }
+    void splitLinesCutExactlyThere() {
+        QFETCH(QString, method);
+        const auto field = fieldOf({test::centredRectangle(240.0, 120.0)});
+        const std::string split = wktOf(*field, {{{-50.0, -200.0}, {-50.0, 200.0}}, {{60.0, -200.0}, {30.0, 200.0}}, {{0.0, 0.0}, {0.0, 20.0}}});
+        const auto plan = planOf(field, {{"decomposition.method", method.toStdString()}, {"decomposition.split", split},
+                                         {"swaths.method", "fixed"}, {"swaths.angle_deg", "0"}});
+        VERIFY_RESULT(plan);
+        const Plan& p = **plan;
+        QCOMPARE(p.cells.cells.size(), std::size_t{3});
+        const double insetM = p.headland.width.si();
+        const double heightM = 120.0 - 2.0 * insetM;
+        // Across the middle the slanting line lies at 45.
+        std::multiset<long> areas;
+        for (const Cell& cell : p.cells.cells) {
+            areas.insert(std::lround(area(cell.outline).si()));
+        }
+        const auto rounded = [&](double widthM) { return std::lround(widthM * heightM); };
+        QCOMPARE(areas, (std::multiset<long>{rounded(70.0 - insetM), rounded(95.0), rounded(75.0 - insetM)}));
+        double sum = 0.0;
+        std::set<std::size_t> dealt;
+        for (const Cell& cell : p.cells.cells) {
+            sum += area(cell.outline).si();
+            for (const std::size_t index : cell.swaths) {
+                QVERIFY(dealt.insert(index).second);
+                const Swath& swath = p.swaths.swaths[index];
+                const Point middle = 0.5 * (swath.start + swath.end);
+                const Bounds box = bounds(cell.outline);
+                QVERIFY(middle.x > box.min.x && middle.x < box.max.x);
+            }
+        }
+        QCOMPARE(dealt.size(), p.swaths.swaths.size());
+        COMPARE_WITHIN(sum / area(p.headland.mainland).si(), 1.0, 1e-6);
+        QCOMPARE(p.route.steps.size(), p.swaths.swaths.size());
+        // A swath goes on beyond the line: together they are as long as without.
+        const auto whole = planOf(field, {{"swaths.method", "fixed"}, {"swaths.angle_deg", "0"}});
+        VERIFY_RESULT(whole);
+        COMPARE_WITHIN(p.swaths.totalLength.si(), (*whole)->swaths.totalLength.si(), 1e-3);
+        QCOMPARE(p.swaths.swaths.size(), 3 * (*whole)->swaths.swaths.size());
+        for (std::size_t i = 0; i < p.swaths.swaths.size(); ++i) {
+            QCOMPARE(p.swaths.swaths[i].number, static_cast<int>(i) + 1);
+        }
+    }
+
+    // Each arm of an L along itself, once a split line parts them.
+    void cellsHaveHeadingsOfTheirOwnWhereThatSavesTime() {
+        const auto field = fieldOf(angle());
+        const Point corner = field->frame().toLocal(kCentre);
+        const std::string split = wktOf(*field, {{corner + Point{-50.0, 80.0}, corner + Point{150.0, 80.0}}});
+        const auto common = planOf(field, {{"decomposition.split", split}, {"decomposition.method", "none"}});
+        const auto own = planOf(field, {{"decomposition.split", split}, {"decomposition.method", "none"}, {"decomposition.heading", "per-cell"}});
+        VERIFY_RESULT(common);
+        VERIFY_RESULT(own);
+        QCOMPARE((*common)->cells.cells.size(), std::size_t{2});
+        QCOMPARE((*own)->cells.cells.size(), std::size_t{2});
+        COMPARE_WITHIN((*common)->cells.cells[0].heading.si(), (*common)->cells.cells[1].heading.si(), 0.0);
+        std::vector<double> headings{inDegrees((*own)->cells.cells[0].heading), inDegrees((*own)->cells.cells[1].heading)};
+        std::ranges::sort(headings);
+        // East within a degree, at either end of the range, and north.
+        const auto toEast = [](double deg) { return std::min(deg, 180.0 - deg); };
+        QVERIFY2((toEast(headings[0]) < 1.5 && std::abs(headings[1] - 90.0) < 1.5) || (toEast(headings[1]) < 1.5 && std::abs(headings[0] - 90.0) < 1.5),
+                 qPrintable(QString("%1 %2").arg(headings[0]).arg(headings[1])));
+        QVERIFY2((*own)->swaths.swaths.size() < (*common)->swaths.swaths.size(),
+                 qPrintable(QString("%1 %2").arg((*own)->swaths.swaths.size()).arg((*common)->swaths.swaths.size())));
+        QVERIFY((*own)->path.duration() < (*common)->path.duration());
+        QVERIFY2((*own)->audit.coveredShare.value() > 0.97, qPrintable(QString::number(*(*own)->audit.coveredShare)));
+    }
+
+    // A rectangle is best in one heading: nothing changes.
+    void aSharedHeadingStaysWhereItIsBest() {
+        const auto field = fieldOf({test::centredRectangle(240.0, 120.0)});
+        const std::string split = wktOf(*field, {{{0.0, -200.0}, {0.0, 200.0}}});
+        const auto own = planOf(field, {{"decomposition.split", split}, {"decomposition.heading", "per-cell"}, {"swaths.method", "fixed"}, {"swaths.angle_deg", "0"}});
+        VERIFY_RESULT(own);
+        for (const Cell& cell : (*own)->cells.cells) {
+            QCOMPARE(cell.heading.si(), 0.0);
+        }
+        QVERIFY(!(*own)->swaths.isCurved());
+    }
+};
+
+QTEST_APPLESS_MAIN(SwathStageTest)
+#include "tst_swath_stage.moc"
