@@ -174,11 +174,12 @@ int listFormats(bool asJson) {
                            {"name", format.name},
                            {"extensions", format.extensions},
                            {"read", format.read},
-                           {"write", format.write},
+                           {"write", format.writes()},
+                           {"writes_fields", format.writesFields},
                            {"carries", format.carries}});
         } else {
-            std::println("{:12} {:24} {:5} {:6} {}", format.id, format.name, format.read ? "read" : "",
-                         format.write ? "write" : "", format.carries);
+            std::println("{:14} {:22} {:5} {:6} {}", format.id, format.name, format.read ? "read" : "",
+                         format.writes() ? "write" : "", format.carries);
         }
     }
     if (asJson) {

@@ -43,7 +43,7 @@ std::string counted(long long count, std::string_view one, std::string_view many
     return std::format("{} {}", count, count == 1 ? one : many);
 }
 
-void printPlan(const Plan& plan, const std::vector<std::filesystem::path>& files, bool quiet) {
+void printPlan(const Plan& plan, const WrittenFiles& written, bool quiet) {
     if (quiet) {
         return;
     }
@@ -81,8 +81,11 @@ void printPlan(const Plan& plan, const std::vector<std::filesystem::path>& files
         std::println("       and {} more in summary.json", plan.findings.size() - kMostShown);
     }
     std::println("Planned in {:.1f} ms. Written:", plan.timings.total.si() * 1e3);
-    for (const std::filesystem::path& file : files) {
+    for (const std::filesystem::path& file : written.files) {
         std::println("  {}", file.string());
+    }
+    for (const std::string& note : written.notes) {
+        std::println("Note      {}", note);
     }
 }
 

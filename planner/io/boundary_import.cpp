@@ -2,6 +2,7 @@
 
 #include "planner/io/file_error.h"
 #include "planner/io/gdal_bridge.h"
+#include "planner/io/geo_ring.h"
 #include "planner/settings/settings.h"
 
 #include <algorithm>
@@ -192,25 +193,6 @@ Result<void> readTable(VectorFile& file, const std::string& name) {
 }
 
 // --- Obstacles and gates ----------------------------------------------------------------------------
-
-/// Longitude nearest to the anchor, so that a field across the antimeridian is one piece.
-double lonNear(double lonDeg, double anchorDeg) {
-    return anchorDeg + std::remainder(lonDeg - anchorDeg, 360.0);
-}
-
-bool contains(const GeoRing& ring, GeoPoint point) {
-    bool inside = false;
-    for (std::size_t i = 0, j = ring.size() - 1; i < ring.size(); j = i++) {
-        const GeoPoint a{lonNear(ring[i].lonDeg, point.lonDeg), ring[i].latDeg};
-        const GeoPoint b{lonNear(ring[j].lonDeg, point.lonDeg), ring[j].latDeg};
-        if ((a.latDeg > point.latDeg) != (b.latDeg > point.latDeg) &&
-            point.lonDeg <
-                a.lonDeg + (b.lonDeg - a.lonDeg) * (point.latDeg - a.latDeg) / (b.latDeg - a.latDeg)) {
-            inside = !inside;
-        }
-    }
-    return inside;
-}
 
 bool touches(const FieldSource& field, const GeoPolygon& outline) {
     return std::ranges::any_of(field.parts, [&outline](const GeoPolygon& part) {

@@ -5,9 +5,9 @@
 #include "planner/io/coordinate_check.h"
 #include "planner/io/file_error.h"
 #include "planner/io/file_folder.h"
+#include "planner/io/gdal_messages.h"
 
 #include <cpl_conv.h>
-#include <cpl_error.h>
 #include <cpl_string.h>
 #include <cpl_vsi.h>
 #include <gdal_priv.h>
@@ -43,36 +43,6 @@ constexpr const char* kDrivers[] = {"GeoJSON",        "GeoJSONSeq",  "JSONFG", "
                                     "ESRI Shapefile", "LIBKML",      "KML",    "GPKG",     "GML",
                                     "FlatGeobuf",     "OpenFileGDB", "CSV",    "GPX",      nullptr};
 constexpr const char* kPlainKml[] = {"KML", nullptr};
-
-void registerDrivers() {
-    static std::once_flag once;
-    std::call_once(once, [] {
-        GDALAllRegister();
-        OSRSetPROJEnableNetwork(0);
-    });
-}
-
-/// Keeps what GDAL would print; the first failure is the one that explains the others.
-class Messages {
-public:
-    Messages() { CPLPushErrorHandlerEx(&Messages::keep, this); }
-    ~Messages() { CPLPopErrorHandler(); }
-    Messages(const Messages&) = delete;
-    Messages& operator=(const Messages&) = delete;
-
-    bool failed() const { return !failure_.empty(); }
-    const std::string& failure() const { return failure_; }
-    void forget() { failure_.clear(); }
-
-private:
-    static void CPL_STDCALL keep(CPLErr severity, CPLErrorNum, const char* message) {
-        auto* self = static_cast<Messages*>(CPLGetErrorHandlerUserData());
-        if (severity >= CE_Failure && self->failure_.empty()) {
-            self->failure_ = message;
-        }
-    }
-    std::string failure_;
-};
 
 /// GDAL's options for this thread, put back afterwards.
 class ThreadOptions {
@@ -315,7 +285,7 @@ Dataset openWith(const std::string& path, const char* const* drivers) {
 }
 
 /// LIBKML refuses a KML without Document or Folder, which is legal; the plain driver reads it.
-Dataset openDataset(const std::string& path, Messages& messages) {
+Dataset openDataset(const std::string& path, GdalMessages& messages) {
     Dataset dataset = openWith(path, kDrivers);
     if (extensionInSmallLetters(path) == ".kml" && (!dataset || dataset->GetLayerCount() == 0)) {
         messages.forget();
@@ -352,7 +322,7 @@ std::string textOf(const OGRFeature& feature, int column) {
     return feature.GetFieldAsString(column);
 }
 
-Result<void> readLayer(OGRLayer& layer, const BoundarySource& source, const Messages& messages,
+Result<void> readLayer(OGRLayer& layer, const BoundarySource& source, const GdalMessages& messages,
                        const Reading& reading) {
     const Result<ToWgs84> toWgs84 = ToWgs84::from(layer.GetSpatialRef(), source.name);
     if (!toWgs84) {
@@ -504,7 +474,7 @@ Result<void> readLoosePolygons(const BoundarySource& source, const Reading& read
 }
 
 Result<void> readSource(const BoundarySource& source, const Reading& reading) {
-    Messages messages;
+    GdalMessages messages;
     const std::string start = systemFileStart(source.path, source.name, 4096).value_or("");
     const std::string extension = extensionInSmallLetters(source.path);
     if (extension == ".wkt" || looksLikeWkt(start)) {
@@ -558,11 +528,19 @@ Result<void> readSource(const BoundarySource& source, const Reading& reading) {
 
 }  // namespace
 
+void registerGdalDrivers() {
+    static std::once_flag once;
+    std::call_once(once, [] {
+        GDALAllRegister();
+        OSRSetPROJEnableNetwork(0);
+    });
+}
+
 Result<VectorFile> readVectorFile(const std::filesystem::path& path,
                                   std::span<const std::string_view> attributes, const JobContext& job) {
-    registerDrivers();
+    registerGdalDrivers();
     const ThreadOptions options;
-    const Messages messages;
+    const GdalMessages messages;
     const Result<std::vector<BoundarySource>> sources = boundarySources(path);
     if (!sources) {
         return std::unexpected(sources.error());

@@ -16,7 +16,7 @@ namespace {
 
 std::vector<FormatInfo> planFormats() {
     std::vector<FormatInfo> written;
-    std::ranges::copy_if(formats(), std::back_inserter(written), &FormatInfo::write);
+    std::ranges::copy_if(formats(), std::back_inserter(written), &FormatInfo::writes);
     return written;
 }
 
@@ -94,7 +94,7 @@ void ExportModel::writeTo(const QString& folder) {
         auto written = writePlanFolder(*plan, path, ids, job);
         return [this, written = std::move(written), path] {
             if (written) {
-                setState(State::Done, tr("%n file(s) written to %1", nullptr, static_cast<int>(written->size()))
+                setState(State::Done, tr("%n file(s) written to %1", nullptr, static_cast<int>(written->files.size()))
                                           .arg(QString::fromStdU16String(path.u16string())));
             } else {
                 const Error& error = written.error();
