@@ -3,6 +3,7 @@
 #include "app/cli/exit_status.h"
 #include "planner/io/boundary_import.h"
 #include "planner/io/format_registry.h"
+#include "planner/io/terminals.h"
 #include "planner/machine/machine_file.h"
 #include "planner/machine/machine_library.h"
 #include "planner/plan/method_registry.h"
@@ -188,6 +189,26 @@ int listFormats(bool asJson) {
     return kDrivable;
 }
 
+int listTerminals(bool asJson) {
+    Json all = Json::array();
+    for (const Terminal& terminal : terminals()) {
+        if (asJson) {
+            all.push_back({{"id", terminal.id},
+                           {"name", terminal.name},
+                           {"format", terminal.format},
+                           {"folder", terminal.folder},
+                           {"usb_stick", terminal.onStick},
+                           {"shows", terminal.shows}});
+        } else {
+            std::println("{:30} {} ({})\n{:30} {}", terminal.id, terminal.name, terminal.format, "", terminal.shows);
+        }
+    }
+    if (asJson) {
+        printJson({{"terminals", all}});
+    }
+    return kDrivable;
+}
+
 }  // namespace
 
 void addListCommand(CLI::App& app, std::function<int()>& run) {
@@ -208,6 +229,8 @@ void addListCommand(CLI::App& app, std::function<int()>& run) {
         ->required();
     add("methods", "Every method and setting, with its default", [=] { return listMethods(*asJson); });
     add("machines", "The machines that come with Furrow", [=] { return listMachines(*asJson); });
+    add("terminals", "The terminals that plans are written for, and what they show of them",
+        [=] { return listTerminals(*asJson); });
     add("formats", "The file formats that are read and written", [=] { return listFormats(*asJson); });
 }
 

@@ -41,7 +41,8 @@ constexpr double kSamePointDeg = 1e-8;
 // Only these: others may follow references to elsewhere (VRT, WFS) or run for ever on the wrong input.
 constexpr const char* kDrivers[] = {"GeoJSON",        "GeoJSONSeq",  "JSONFG", "TopoJSON", "ESRIJSON",
                                     "ESRI Shapefile", "LIBKML",      "KML",    "GPKG",     "GML",
-                                    "FlatGeobuf",     "OpenFileGDB", "CSV",    "GPX",      nullptr};
+                                    "FlatGeobuf",     "OpenFileGDB", "CSV",    "GPX",      "DXF",
+                                    nullptr};
 constexpr const char* kPlainKml[] = {"KML", nullptr};
 
 /// GDAL's options for this thread, put back afterwards.
@@ -237,8 +238,8 @@ void addGeometry(const OGRGeometry& geometry, const ToWgs84& toWgs84, VectorFeat
             const OGRLineString& line = *geometry.toLineString();
             if (line.getNumPoints() >= 4 && isClosed(line)) {
                 feature.closedLines.push_back(ringOf(line, toWgs84));
-            } else if (line.getNumPoints() > 0) {
-                ++feature.openLines;
+            } else if (line.getNumPoints() > 1) {
+                feature.openLines.push_back(toWgs84.points(line));
             }
             break;
         }
@@ -322,9 +323,29 @@ std::string textOf(const OGRFeature& feature, int column) {
     return feature.GetFieldAsString(column);
 }
 
+/// "EPSG" and a code in a file's name; empty where there is none.
+OGRSpatialReference systemInName(const std::string& name) {
+    OGRSpatialReference system;
+    const std::size_t at = inSmallLetters(name).rfind("epsg");
+    std::size_t begin = at == std::string::npos ? name.size() : at + 4;
+    begin += begin < name.size() && (name[begin] == '_' || name[begin] == '-') ? 1 : 0;
+    int code = 0;
+    const auto [end, error] = std::from_chars(name.data() + begin, name.data() + name.size(), code);
+    if (error == std::errc{} && code > 0 && system.importFromEPSG(code) == OGRERR_NONE) {
+        system.SetAxisMappingStrategy(OAMS_TRADITIONAL_GIS_ORDER);
+    }
+    return system;
+}
+
 Result<void> readLayer(OGRLayer& layer, const BoundarySource& source, const GdalMessages& messages,
                        const Reading& reading) {
-    const Result<ToWgs84> toWgs84 = ToWgs84::from(layer.GetSpatialRef(), source.name);
+    const OGRSpatialReference named = systemInName(source.name);
+    const bool isDrawing = extensionInSmallLetters(source.path) == ".dxf";
+    if (isDrawing && named.IsEmpty()) {
+        return std::unexpected(inputRefused(source.name, "a drawing does not say which coordinate system it uses",
+                                            "put the EPSG code into its name, as in field_EPSG32632.dxf"));
+    }
+    const Result<ToWgs84> toWgs84 = ToWgs84::from(isDrawing ? &named : layer.GetSpatialRef(), source.name);
     if (!toWgs84) {
         return std::unexpected(toWgs84.error());
     }
@@ -508,6 +529,7 @@ Result<void> readSource(const BoundarySource& source, const Reading& reading) {
     }
     const std::string driver = dataset->GetDriverName();
     reading.file.isTable = reading.file.isTable || driver == "CSV";
+    reading.file.isTrack = reading.file.isTrack || driver == "GPX";
     if (driver == "GeoJSON") {
         if (auto checked = checkPositions(source, true); !checked) {
             return checked;

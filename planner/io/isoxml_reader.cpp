@@ -69,7 +69,8 @@ public:
         for (const pugi::xml_node line : node_.children("LSG")) {
             attribute(line, "A") == kGuidanceLine ? readLine(line) : skip("lines that guide nothing");
         }
-        for (const pugi::xml_node group : node_.children("GGP")) {
+        // Groups are GGP; files exist that call them otherwise.
+        for (const pugi::xml_node group : node_.children()) {
             for (const pugi::xml_node pattern : group.children("GPN")) {
                 readPattern(pattern, group);
             }
@@ -346,7 +347,7 @@ Result<std::unique_ptr<pugi::xml_document>> parsed(std::string_view xml, const s
 }  // namespace
 
 bool looksLikeIsoxml(std::string_view start) {
-    return start.contains("<ISO11783_TaskData");
+    return start.contains("<ISO11783_TaskData") || start.contains("<XFC");
 }
 
 Result<ImportedFields> readIsoxml(std::string_view xml, const std::string& where, const IsoxmlPart& part,
@@ -355,7 +356,9 @@ Result<ImportedFields> readIsoxml(std::string_view xml, const std::string& where
     if (!main) {
         return std::unexpected(main.error());
     }
-    const pugi::xml_node root = (*main)->child("ISO11783_TaskData");
+    // Or one of its parts alone.
+    const pugi::xml_node whole = (*main)->child("ISO11783_TaskData");
+    const pugi::xml_node root = whole ? whole : (*main)->child("XFC");
     if (!root) {
         return std::unexpected(inputRefused(where, "this XML is no task data", "give the file TASKDATA.XML"));
     }

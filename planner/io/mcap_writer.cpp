@@ -13,6 +13,11 @@ namespace {
 constexpr std::string_view kMagic{"\x89MCAP0\r\n", 8};
 constexpr std::uint16_t kSchemaId = 1;
 
+/// From 1: there are readers that take a channel 0 for none.
+std::uint16_t channelId(std::size_t topic) {
+    return static_cast<std::uint16_t>(topic + 1);
+}
+
 enum Opcode : std::uint8_t {
     kHeader = 1,
     kFooter = 2,
@@ -106,7 +111,7 @@ std::string channelRecords(const std::vector<NavTopic>& topics) {
     std::string all;
     for (std::size_t i = 0; i < topics.size(); ++i) {
         ByteWriter body;
-        body.integer(static_cast<std::uint16_t>(i));
+        body.integer(channelId(i));
         body.integer(kSchemaId);
         addText(body, topics[i].name);
         addText(body, "cdr");
@@ -118,9 +123,9 @@ std::string channelRecords(const std::vector<NavTopic>& topics) {
 
 std::string messageRecord(std::size_t channel, std::uint32_t sequence, const NavPath& path) {
     ByteWriter body;
-    body.integer(static_cast<std::uint16_t>(channel));
+    body.integer(channelId(channel));
     body.integer(sequence);
-    const auto stamp = static_cast<std::uint64_t>(path.poses.front().stampNs);
+    const auto stamp = static_cast<std::uint64_t>(path.recordedNs());
     body.integer(stamp);  // logged
     body.integer(stamp);  // published
     body.bytes(cdrOf(path));
@@ -139,7 +144,7 @@ std::string mcapOf(const std::vector<NavPath>& paths) {
     for (std::size_t channel = 0; channel < topics.size(); ++channel) {
         for (std::size_t i = 0; i < topics[channel].messages.size(); ++i) {
             const NavPath& path = *topics[channel].messages[i];
-            const auto stamp = static_cast<std::uint64_t>(path.poses.front().stampNs);
+            const auto stamp = static_cast<std::uint64_t>(path.recordedNs());
             first = std::min(first, stamp);
             last = std::max(last, stamp);
             places[channel].emplace_back(stamp, records.size());
@@ -169,7 +174,7 @@ std::string mcapOf(const std::vector<NavPath>& paths) {
     for (std::size_t channel = 0; channel < topics.size(); ++channel) {
         indexOffsets.push_back(file.size());
         ByteWriter index;
-        index.integer(static_cast<std::uint16_t>(channel));
+        index.integer(channelId(channel));
         index.integer(static_cast<std::uint32_t>(places[channel].size() * 16));
         for (const auto& [stamp, offset] : places[channel]) {
             index.integer(stamp);
@@ -196,7 +201,7 @@ std::string mcapOf(const std::vector<NavPath>& paths) {
     statistics.integer(last);
     statistics.integer(static_cast<std::uint32_t>(topics.size() * 10));
     for (std::size_t channel = 0; channel < topics.size(); ++channel) {
-        statistics.integer(static_cast<std::uint16_t>(channel));
+        statistics.integer(channelId(channel));
         statistics.integer(static_cast<std::uint64_t>(places[channel].size()));
     }
     file += record(kStatistics, std::move(statistics));
@@ -207,7 +212,7 @@ std::string mcapOf(const std::vector<NavPath>& paths) {
     chunkIndex.integer(chunkLength);
     chunkIndex.integer(static_cast<std::uint32_t>(topics.size() * 10));
     for (std::size_t channel = 0; channel < topics.size(); ++channel) {
-        chunkIndex.integer(static_cast<std::uint16_t>(channel));
+        chunkIndex.integer(channelId(channel));
         chunkIndex.integer(indexOffsets[channel]);
     }
     chunkIndex.integer(indexLength);

@@ -97,13 +97,13 @@ std::vector<NavTopic> topicsOf(const std::vector<NavPath>& paths) {
 std::string bagMetadata(const std::vector<NavPath>& paths, std::string_view storage, std::string_view file) {
     std::int64_t last = 0;
     for (const NavPath& path : paths) {
-        last = std::max(last, path.poses.front().stampNs);
+        last = std::max(last, path.recordedNs());
     }
     std::string text = std::format(
         "rosbag2_bagfile_information:\n  version: 4\n  storage_identifier: {}\n  relative_file_paths:\n    - {}\n"
-        "  duration:\n    nanoseconds: {}\n  starting_time:\n    nanoseconds_since_epoch: 0\n  message_count: {}\n"
+        "  duration:\n    nanoseconds: {}\n  starting_time:\n    nanoseconds_since_epoch: {}\n  message_count: {}\n"
         "  topics_with_message_count:\n",
-        storage, file, last, paths.size());
+        storage, file, last - paths.front().recordedNs(), paths.front().recordedNs(), paths.size());
     for (const NavTopic& topic : topicsOf(paths)) {
         std::format_to(std::back_inserter(text),
                        "    - topic_metadata:\n        name: {}\n        type: nav_msgs/msg/Path\n"

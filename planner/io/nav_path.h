@@ -22,6 +22,10 @@ struct NavPose {
 struct NavPath {
     std::string topic;
     std::vector<NavPose> poses;
+
+    /// When it counts as recorded: with its first pose. A nanosecond later, because in MCAP a chunk whose first time
+    /// is 0 has no messages.
+    std::int64_t recordedNs() const { return poses.front().stampNs + 1; }
 };
 
 /// "/coverage_path" with the whole path. The message does not say which gear: where the path reverses, each

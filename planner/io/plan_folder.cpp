@@ -2,6 +2,7 @@
 
 #include "planner/io/format_registry.h"
 #include "planner/io/plan_summary.h"
+#include "planner/io/terminals.h"
 
 #include <algorithm>
 #include <iterator>
@@ -10,6 +11,17 @@
 namespace furrow {
 
 namespace fs = std::filesystem;
+
+namespace {
+
+Result<WrittenFiles> written(const fs::path& folder, const std::vector<FileToWrite>& files,
+                             std::vector<std::string> notes, const JobContext& job) {
+    return writeTogether(folder, files, job).transform([&notes](std::vector<fs::path> paths) {
+        return WrittenFiles{std::move(paths), std::move(notes)};
+    });
+}
+
+}  // namespace
 
 std::span<const std::string_view> standardPlanFormats() {
     static constexpr std::string_view kStandard[] = {"geojson", "csv", "isoxml"};
@@ -46,11 +58,18 @@ Result<WrittenFiles> writePlanFolder(const Plan& plan, const fs::path& folder,
         }
         std::ranges::move(made->notes, std::back_inserter(notes));
     }
-    auto written = writeTogether(folder, files, job);
-    if (!written) {
-        return std::unexpected(written.error());
+    return written(folder, files, std::move(notes), job);
+}
+
+Result<WrittenFiles> writeForTerminal(const Plan& plan, const fs::path& folder, const Terminal& terminal,
+                                      const JobContext& job) {
+    auto made = terminalFiles(terminal, plan, job);
+    if (!made) {
+        return std::unexpected(made.error());
     }
-    return WrittenFiles{*std::move(written), std::move(notes)};
+    std::vector<FileToWrite> files{{"summary.json", [&plan] { return planSummaryJson(plan); }}};
+    std::ranges::move(made->files, std::back_inserter(files));
+    return written(folder, files, std::move(made->notes), job);
 }
 
 }  // namespace furrow

@@ -11,6 +11,8 @@
 
 namespace furrow {
 
+struct Terminal;
+
 /// The formats that are written where none are named.
 std::span<const std::string_view> standardPlanFormats();
 
@@ -29,5 +31,9 @@ struct WrittenFiles {
 Result<WrittenFiles> writePlanFolder(const Plan& plan, const std::filesystem::path& folder,
                                      std::span<const std::string_view> formatIds, const JobContext& job = {},
                                      const ExportOptions& options = {});
+
+/// The same for a terminal: summary.json, and its files as they lie on a stick.
+Result<WrittenFiles> writeForTerminal(const Plan& plan, const std::filesystem::path& folder, const Terminal& terminal,
+                                      const JobContext& job = {});
 
 }  // namespace furrow

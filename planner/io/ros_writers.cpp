@@ -64,7 +64,7 @@ bool insertTopics(sqlite3* database, const std::vector<NavTopic>& topics) {
             const std::string data = cdrOf(*path);
             sqlite3_reset(addMessage.get());
             sqlite3_bind_int64(addMessage.get(), 1, id);
-            sqlite3_bind_int64(addMessage.get(), 2, path->poses.front().stampNs);
+            sqlite3_bind_int64(addMessage.get(), 2, path->recordedNs());
             sqlite3_bind_blob64(addMessage.get(), 3, data.data(), data.size(), SQLITE_TRANSIENT);
             if (sqlite3_step(addMessage.get()) != SQLITE_DONE) {
                 return false;
