@@ -21,6 +21,12 @@ packages() { sed 's/#.*//' "$project/packaging/packages.txt" | xargs -n1; }
 
 packages_key() { packages | sort | sha1sum | cut -c1-12; }
 
+# A folder for each list, so that clones whose lists differ do not take each other's packages away.
+validators() {
+    local source="$project/tests/validators"
+    printf '%s/node-%s' "$cache" "$(cat "$source/package.json" "$source/package-lock.json" | sha1sum | cut -c1-12)"
+}
+
 as_root() {
     if [ "$(id -u)" = 0 ]; then
         "$@"
@@ -84,7 +90,7 @@ enter() {
     export CCACHE_DIR=${CCACHE_DIR:-$cache/ccache}
     # Clones in other folders share what was compiled.
     export CCACHE_BASEDIR=${CCACHE_BASEDIR:-$project} CCACHE_NOHASHDIR=1
-    export FURROW_NODE_MODULES=$cache/node/node_modules
+    export FURROW_NODE_MODULES=$(validators)/node_modules
     if host_is_new_enough; then
         export PATH=/usr/lib/qt6/bin:$PATH
         unset PATH_OF_ENVIRONMENT

@@ -3,6 +3,7 @@
 #include "app/cli/exit_status.h"
 #include "planner/io/boundary_import.h"
 #include "planner/io/format_registry.h"
+#include "planner/io/terminals.h"
 #include "planner/machine/machine_file.h"
 #include "planner/machine/machine_library.h"
 #include "planner/plan/method_registry.h"
@@ -178,15 +179,36 @@ int listFormats(bool asJson) {
                            {"name", format.name},
                            {"extensions", format.extensions},
                            {"read", format.read},
-                           {"write", format.write},
+                           {"write", format.writes()},
+                           {"writes_fields", format.writesFields},
                            {"carries", format.carries}});
         } else {
-            std::println("{:12} {:24} {:5} {:6} {}", format.id, format.name, format.read ? "read" : "",
-                         format.write ? "write" : "", format.carries);
+            std::println("{:14} {:22} {:5} {:6} {}", format.id, format.name, format.read ? "read" : "",
+                         format.writes() ? "write" : "", format.carries);
         }
     }
     if (asJson) {
         printJson({{"formats", all}});
+    }
+    return kDrivable;
+}
+
+int listTerminals(bool asJson) {
+    Json all = Json::array();
+    for (const Terminal& terminal : terminals()) {
+        if (asJson) {
+            all.push_back({{"id", terminal.id},
+                           {"name", terminal.name},
+                           {"format", terminal.format},
+                           {"folder", terminal.folder},
+                           {"usb_stick", terminal.onStick},
+                           {"shows", terminal.shows}});
+        } else {
+            std::println("{:30} {} ({})\n{:30} {}", terminal.id, terminal.name, terminal.format, "", terminal.shows);
+        }
+    }
+    if (asJson) {
+        printJson({{"terminals", all}});
     }
     return kDrivable;
 }
@@ -211,6 +233,8 @@ void addListCommand(CLI::App& app, std::function<int()>& run) {
         ->required();
     add("methods", "Every method and setting, with its default", [=] { return listMethods(*asJson); });
     add("machines", "The machines that come with Furrow", [=] { return listMachines(*asJson); });
+    add("terminals", "The terminals that plans are written for, and what they show of them",
+        [=] { return listTerminals(*asJson); });
     add("formats", "The file formats that are read and written", [=] { return listFormats(*asJson); });
 }
 

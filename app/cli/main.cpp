@@ -1,6 +1,7 @@
 #include "app/cli/batch_command.h"
 #include "app/cli/bench_command.h"
 #include "app/cli/compare_command.h"
+#include "app/cli/convert_command.h"
 #include "app/cli/audit_command.h"
 #include "app/cli/exit_status.h"
 #include "app/cli/list_command.h"
@@ -27,6 +28,7 @@ int main(int argc, char** argv) {
     addBatchCommand(app, run);
     addBenchCommand(app, run);
     addCompareCommand(app, run);
+    addConvertCommand(app, run);
     addAuditCommand(app, run);
     addListCommand(app, run);
     try {

@@ -7,6 +7,7 @@
 #include "planner/io/guide_import.h"
 #include "planner/io/plan_folder.h"
 #include "planner/io/plan_summary.h"
+#include "planner/io/terminals.h"
 #include "planner/units/angle.h"
 
 #include <algorithm>
@@ -26,8 +27,12 @@ namespace {
 struct PlanArguments {
     std::string field;
     std::optional<std::string> fieldId;
+    std::optional<std::string> terminal;
     PlanningArguments planning;
 };
+
+// More would push the plan itself off the screen.
+constexpr std::size_t kMostFilesShown = 24;
 
 std::string kilometres(Length length) {
     return length < metres(1000.0) ? std::format("{:.0f} m", length.si())
@@ -44,7 +49,7 @@ std::string counted(long long count, std::string_view one, std::string_view many
     return std::format("{} {}", count, count == 1 ? one : many);
 }
 
-void printPlan(const Plan& plan, const std::vector<std::filesystem::path>& files, bool quiet) {
+void printPlan(const Plan& plan, const WrittenFiles& written, const Terminal* terminal, bool quiet) {
     if (quiet) {
         return;
     }
@@ -81,9 +86,18 @@ void printPlan(const Plan& plan, const std::vector<std::filesystem::path>& files
     if (plan.findings.size() > kMostShown) {
         std::println("       and {} more in summary.json", plan.findings.size() - kMostShown);
     }
+    if (terminal != nullptr) {
+        std::println("Terminal  {}: {}", terminal->name, terminal->shows);
+    }
     std::println("Planned in {:.1f} ms. Written:", plan.timings.total.si() * 1e3);
-    for (const std::filesystem::path& file : files) {
-        std::println("  {}", file.string());
+    for (std::size_t i = 0; i < std::min(written.files.size(), kMostFilesShown); ++i) {
+        std::println("  {}", written.files[i].string());
+    }
+    if (written.files.size() > kMostFilesShown) {
+        std::println("  and {} more", written.files.size() - kMostFilesShown);
+    }
+    for (const std::string& note : written.notes) {
+        std::println("Note      {}", note);
     }
 }
 
@@ -94,6 +108,14 @@ int runPlan(const PlanArguments& arguments) {
     const auto choices = choicesFrom(planning, standardPlanFormats());
     if (!choices) {
         return failWith(choices.error());
+    }
+    const Terminal* terminal = nullptr;
+    if (arguments.terminal) {
+        const auto found = findTerminal(*arguments.terminal);
+        if (!found) {
+            return failWith(found.error());
+        }
+        terminal = *found;
     }
     const auto sources = readBoundaries(arguments.field, job);
     if (!sources) {
@@ -120,14 +142,15 @@ int runPlan(const PlanArguments& arguments) {
     if (!plan) {
         return failWith(plan.error());
     }
-    const auto written = writePlanFolder(**plan, planning.out, choices->formats, job);
+    const auto written = terminal != nullptr ? writeForTerminal(**plan, planning.out, *terminal, job)
+                                             : writePlanFolder(**plan, planning.out, choices->formats, job);
     if (!written) {
         return failWith(written.error());
     }
     if (planning.json) {
         std::print("{}", planSummaryJson(**plan));
     } else {
-        printPlan(**plan, *written, planning.quiet);
+        printPlan(**plan, *written, terminal, planning.quiet);
     }
     return (*plan)->drivable() ? kDrivable : kBlockingFinding;
 }
@@ -142,6 +165,9 @@ void addPlanCommand(CLI::App& app, std::function<int()>& run) {
     plan->add_option("--field-id", arguments->fieldId,
                      "Which field of the file: its id, its name, or its number from 1");
     addPlanningOptions(*plan, arguments->planning);
+    plan->add_option("--terminal", arguments->terminal,
+                     "Write what this terminal takes, as it lies on its stick (see furrow-cli list terminals)")
+        ->excludes("--format");
     plan->footer(
         "Examples:\n"
         "  furrow-cli plan field.geojson --out plan\n"

@@ -2,6 +2,8 @@ option(FURROW_TESTS "Build the tests and benchmarks" ON)
 option(FURROW_WARNINGS_ARE_ERRORS "Stop at a compiler warning; off for packagers with other compilers" OFF)
 set(FURROW_SANITIZE "" CACHE STRING "Sanitisers for every target: address,undefined or thread")
 
+option(FURROW_FUZZ "Build the fuzz targets of tests/fuzz instead of the tests; needs clang" OFF)
+
 set(CMAKE_CXX_STANDARD 23)
 set(CMAKE_CXX_STANDARD_REQUIRED ON)
 set(CMAKE_CXX_EXTENSIONS OFF)
@@ -17,6 +19,12 @@ endif()
 if(FURROW_SANITIZE)
     add_compile_options(-fsanitize=${FURROW_SANITIZE} -fno-omit-frame-pointer)
     add_link_options(-fsanitize=${FURROW_SANITIZE})
+endif()
+
+if(FURROW_FUZZ)
+    # Every file counts its branches for libFuzzer and looks for bad addresses and undefined behaviour.
+    add_compile_options(-fsanitize=fuzzer-no-link,address,undefined -fno-sanitize-recover=undefined -fno-omit-frame-pointer)
+    add_link_options(-fsanitize=address,undefined)
 endif()
 
 # Warnings for our own code; generated code of Qt's tools goes without.

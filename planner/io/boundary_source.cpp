@@ -17,6 +17,8 @@ namespace {
 
 namespace fs = std::filesystem;
 
+constexpr int kDeepest = 16;
+
 /// What can be read inside a zip. Files that often only describe the others (.json, .xml, .csv) count
 /// where there is nothing else.
 std::vector<BoundarySource> sourcesInZip(const std::string& path, const std::string& name) {
@@ -97,6 +99,10 @@ Result<std::vector<BoundarySource>> boundarySources(const fs::path& chosen) {
     const std::string path = fs::absolute(meant).string();
     if (!isZip(*start)) {
         return std::vector<BoundarySource>{{path, name}};
+    }
+    // For its bounds only: GDAL lists the zip in its own way.
+    if (const auto bounded = FileFolder::open(path, kDeepest); !bounded) {
+        return std::unexpected(bounded.error());
     }
     std::vector<BoundarySource> sources = sourcesInZip(path, name);
     if (sources.empty()) {

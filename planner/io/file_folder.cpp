@@ -7,6 +7,7 @@
 #include <cpl_vsi.h>
 
 #include <algorithm>
+#include <cstdint>
 #include <format>
 #include <system_error>
 #include <tuple>
@@ -18,6 +19,10 @@ namespace {
 namespace fs = std::filesystem;
 
 constexpr std::size_t kMostEntries = 10'000;
+
+// Text of machines shrinks to a twentieth at best; what shrinks further was made to fill memories.
+constexpr std::uintmax_t kMostExpansion = 1000;
+constexpr std::uintmax_t kHarmlessBytes = std::uintmax_t{64} << 20;
 
 /// Keeps GDAL from printing.
 class Quiet {
@@ -87,8 +92,9 @@ Result<void> checkOrdinary(const fs::path& path) {
     return {};
 }
 
-Result<std::vector<FileFolder::Entry>> entriesUnder(const std::string& root, const std::string& where,
-                                                    int depth) {
+/// @param packedBytes  of a zip, the size of its file
+Result<std::vector<FileFolder::Entry>> entriesUnder(const std::string& root, const std::string& where, int depth,
+                                                    std::optional<std::uintmax_t> packedBytes) {
     const Quiet quiet;
     std::vector<FileFolder::Entry> entries;
     VSIDIR* listing = VSIOpenDir(root.c_str(), depth, nullptr);
@@ -97,6 +103,7 @@ Result<std::vector<FileFolder::Entry>> entriesUnder(const std::string& root, con
                                           "it may be damaged; copy or export it again"));
     }
     bool tooMany = false;
+    std::uintmax_t bytes = 0;
     while (const VSIDIREntry* found = VSIGetNextDirEntry(listing)) {
         if (VSI_ISDIR(found->nMode)) {
             continue;
@@ -105,6 +112,7 @@ Result<std::vector<FileFolder::Entry>> entriesUnder(const std::string& root, con
             tooMany = true;
             break;
         }
+        bytes += found->nSize;
         const std::string_view inner = found->pszName;
         const std::size_t slash = inner.rfind('/');
         const std::string_view folder = slash == std::string_view::npos ? "" : inner.substr(0, slash);
@@ -118,6 +126,10 @@ Result<std::vector<FileFolder::Entry>> entriesUnder(const std::string& root, con
     if (tooMany) {
         return std::unexpected(inputRefused(where, std::format("it holds more than {} files", kMostEntries),
                                             "give the folder of one recording"));
+    }
+    if (packedBytes && bytes > kHarmlessBytes && bytes / kMostExpansion > *packedBytes) {
+        return std::unexpected(inputRefused(where, "it would grow more than a thousandfold when it is unpacked",
+                                            "this is no zip of fields or recordings"));
     }
     std::ranges::sort(entries, {},
                       [](const FileFolder::Entry& entry) { return std::tie(entry.folder, entry.name); });
@@ -161,8 +173,10 @@ Result<FileFolder> FileFolder::open(const fs::path& path, int depth) {
     const std::string absolute = fs::absolute(path).lexically_normal().string();
     // Braces keep a name with blanks, brackets or another ".zip" in it in one piece.
     const std::string root = fs::is_directory(path) ? absolute : std::format("/vsizip/{{{}}}", absolute);
-    auto entries =
-        entriesUnder(root.ends_with('/') ? root.substr(0, root.size() - 1) : root, path.string(), depth);
+    std::error_code failed;
+    const std::uintmax_t bytes = fs::file_size(path, failed);
+    auto entries = entriesUnder(root.ends_with('/') ? root.substr(0, root.size() - 1) : root, path.string(), depth,
+                                failed ? std::nullopt : std::optional{bytes});
     if (!entries) {
         return std::unexpected(entries.error());
     }

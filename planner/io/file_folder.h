@@ -32,7 +32,8 @@ class FileFolder {
 public:
     /// @param path  a folder or a zip
     /// @param depth  levels of inner folders that are looked into
-    /// @return ReadFailed: neither, or damaged. InputRefused: more than 10,000 files.
+    /// @return ReadFailed: neither, or damaged. InputRefused: more than 10,000 files, a zip that grows more
+    ///         than a thousandfold.
     static Result<FileFolder> open(const std::filesystem::path& path, int depth = 2);
 
     struct Entry {

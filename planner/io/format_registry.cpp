@@ -1,5 +1,12 @@
 #include "planner/io/format_registry.h"
 
+#include "planner/io/agopengps_writer.h"
+#include "planner/io/gis_writers.h"
+#include "planner/io/isoxml_writer.h"
+#include "planner/io/map_writers.h"
+#include "planner/io/robot_writers.h"
+#include "planner/io/text_writers.h"
+
 #include <format>
 #include <string>
 
@@ -8,19 +15,52 @@ namespace furrow {
 namespace {
 
 constexpr FormatInfo kFormats[] = {
-    {"geojson", "GeoJSON", "geojson json", true, true,
-     "Boundary, obstacles, swaths, path and findings of a plan."},
-    {"csv", "CSV table", "csv", true, true,
-     "Every sample of the path; reading: a WKT column or lon and lat columns."},
-    {"isoxml", "ISOXML v4", "xml", false, true,
-     "Boundary, holes and AB lines for terminals; no driving order."},
-    {"shapefile", "Shapefile, also zipped", "shp zip", true, false, "Boundaries."},
-    {"kml", "KML", "kml", true, false, "Boundaries."},
-    {"kmz", "KMZ", "kmz", true, false, "Boundaries."},
-    {"geopackage", "GeoPackage", "gpkg", true, false, "Boundaries."},
-    {"gml", "GML", "gml", true, false, "Boundaries."},
-    {"flatgeobuf", "FlatGeobuf", "fgb", true, false, "Boundaries."},
-    {"wkt", "Well-known text", "wkt txt", true, false, "Boundaries in longitude and latitude."},
+    {"geojson", "GeoJSON", "geojson json", true,
+     "Boundary, obstacles, gates, headland, swaths, path and findings; for maps and programs.", writeGeoJson, true},
+    {"csv", "CSV table", "csv", true,
+     "Every sample of the path; of fields alone, and in reading, boundaries as WKT or as points.", writeCsv, true},
+    {"isoxml", "ISOXML 4.3", "xml zip", true,
+     "Boundary, holes, obstacles, gates, headland and guidance lines for terminals; no driving order.", writeIsoxml4,
+     true},
+    {"isoxml-v3", "ISOXML 3.3", "xml zip", true,
+     "Boundary, holes, obstacles and guidance lines for older terminals; no headland, no driving order.",
+     writeIsoxml3, true, "isoxml-v3"},
+    {"agopengps", "AgOpenGPS field", "", true,
+     "Boundary, holes, headland, guidance lines, and the whole driven path as a recorded path.", writeAgOpenGps, true,
+     "agopengps"},
+    {"shapefile", "Shapefile", "shp zip", true,
+     "Boundary, obstacles, gates, mainland, swaths and path, a shapefile of each.", writeShapefiles, true,
+     "shapefile"},
+    {"shapefile-zip", "Zipped boundary", "zip", true,
+     "The boundary alone as a flat zipped shapefile, as operations centres take it.", writeBoundaryZip, true},
+    {"aggps", "AgGPS folder", "", true,
+     "Boundary and guidance lines for Trimble and FM displays; no driving order.", writeAgGps, true},
+    {"kml", "KML", "kml", true, "Boundary, obstacles, gates, headland, swaths and path, to look at.", writeKml, true},
+    {"kmz", "KMZ", "kmz", true, "The same as KML, zipped.", writeKmz, true},
+    {"geopackage", "GeoPackage", "gpkg", true,
+     "Boundary, obstacles, gates, mainland, swaths and path as layers for a GIS.", writeGeoPackage, true},
+    {"gpx", "GPX", "gpx", true, "The path as a track, swath ends as a route, gates as waypoints; for phones.",
+     writeGpx, true},
+    {"dxf", "DXF drawing", "dxf", true,
+     "Boundary, holes, obstacles, headland, swaths and path in metres of the UTM zone.", writeDxf, true},
+    {"waypoints", "MAVLink waypoints", "waypoints", false,
+     "The path as a mission for ArduPilot Rover: waypoints, speeds, gear, implement.", writeWaypoints},
+    {"qgc-plan", "QGroundControl plan", "plan", false,
+     "The same mission with the boundary and obstacles as fences.", writeGroundStationPlan},
+    {"rosbag2", "rosbag2, sqlite3", "db3", false, "The path as nav_msgs/Path in a recording of ROS 2.",
+     writeRosbagSqlite, false, "ros"},
+    {"rosbag2-mcap", "rosbag2, MCAP", "mcap", false, "The path as nav_msgs/Path in a recording of ROS 2.",
+     writeRosbagMcap, false, "ros"},
+    {"nav-path", "nav_msgs/Path as YAML", "yaml", false, "The path as one message for ros2 topic pub.",
+     writeNavPathYaml, false, "ros"},
+    {"coverage-goal", "opennav_coverage goal", "yaml", false,
+     "Boundary, headland, heading and order; the robot lays swaths and turns itself.", writeCoverageGoal, false,
+     "ros"},
+    {"protobuf", "Protobuf message", "pb", false,
+     "The path with times, velocities and orientations, and the boundary as a fence; for own robots.", writeProtobuf},
+    {"gml", "GML", "gml xml", true, "Boundaries, also field files of Fields2Cover and GAOS."},
+    {"flatgeobuf", "FlatGeobuf", "fgb", true, "Boundaries."},
+    {"wkt", "Well-known text", "wkt txt", true, "Boundaries in longitude and latitude."},
 };
 
 }  // namespace
@@ -32,10 +72,10 @@ std::span<const FormatInfo> formats() {
 Result<const FormatInfo*> findPlanFormat(std::string_view id) {
     std::string known;
     for (const FormatInfo& format : kFormats) {
-        if (format.write && format.id == id) {
+        if (format.writes() && format.id == id) {
             return &format;
         }
-        if (format.write) {
+        if (format.writes()) {
             known += (known.empty() ? "" : ", ") + std::string{format.id};
         }
     }

@@ -1,6 +1,7 @@
 #pragma once
 
 #include "planner/core/result.h"
+#include "planner/io/export_job.h"
 
 #include <span>
 #include <string_view>
@@ -12,11 +13,16 @@ struct FormatInfo {
     std::string_view id;          ///< as in `--format`
     std::string_view name;        ///< "GeoJSON"
     std::string_view extensions;  ///< "geojson json"
-    bool read = false;            ///< boundaries can be read from it
-    bool write = false;           ///< plans can be written to it
+    bool read = false;            ///< fields can be read from it
     std::string_view carries;     ///< one sentence: what a reader finds in it
+    FormatWriter* writer = nullptr;     ///< of plans; null where none are written
+    bool writesFields = false;          ///< also of fields without a plan
+    std::string_view folder = {};       ///< of a plan's folder, where it goes; empty for its top
+
+    bool writes() const { return writer != nullptr; }
 };
 
+/// Every format, in the order in which people see them.
 std::span<const FormatInfo> formats();
 
 /// A format that plans can be written to. Usage: there is none of that name; the message lists them.

@@ -5,9 +5,9 @@
 #include "planner/io/coordinate_check.h"
 #include "planner/io/file_error.h"
 #include "planner/io/file_folder.h"
+#include "planner/io/gdal_messages.h"
 
 #include <cpl_conv.h>
-#include <cpl_error.h>
 #include <cpl_string.h>
 #include <cpl_vsi.h>
 #include <gdal_priv.h>
@@ -41,38 +41,9 @@ constexpr double kSamePointDeg = 1e-8;
 // Only these: others may follow references to elsewhere (VRT, WFS) or run for ever on the wrong input.
 constexpr const char* kDrivers[] = {"GeoJSON",        "GeoJSONSeq",  "JSONFG", "TopoJSON", "ESRIJSON",
                                     "ESRI Shapefile", "LIBKML",      "KML",    "GPKG",     "GML",
-                                    "FlatGeobuf",     "OpenFileGDB", "CSV",    "GPX",      nullptr};
+                                    "FlatGeobuf",     "OpenFileGDB", "CSV",    "GPX",      "DXF",
+                                    nullptr};
 constexpr const char* kPlainKml[] = {"KML", nullptr};
-
-void registerDrivers() {
-    static std::once_flag once;
-    std::call_once(once, [] {
-        GDALAllRegister();
-        OSRSetPROJEnableNetwork(0);
-    });
-}
-
-/// Keeps what GDAL would print; the first failure is the one that explains the others.
-class Messages {
-public:
-    Messages() { CPLPushErrorHandlerEx(&Messages::keep, this); }
-    ~Messages() { CPLPopErrorHandler(); }
-    Messages(const Messages&) = delete;
-    Messages& operator=(const Messages&) = delete;
-
-    bool failed() const { return !failure_.empty(); }
-    const std::string& failure() const { return failure_; }
-    void forget() { failure_.clear(); }
-
-private:
-    static void CPL_STDCALL keep(CPLErr severity, CPLErrorNum, const char* message) {
-        auto* self = static_cast<Messages*>(CPLGetErrorHandlerUserData());
-        if (severity >= CE_Failure && self->failure_.empty()) {
-            self->failure_ = message;
-        }
-    }
-    std::string failure_;
-};
 
 /// GDAL's options for this thread, put back afterwards.
 class ThreadOptions {
@@ -267,7 +238,7 @@ void addGeometry(const OGRGeometry& geometry, const ToWgs84& toWgs84, VectorFeat
             const OGRLineString& line = *geometry.toLineString();
             if (line.getNumPoints() >= 4 && isClosed(line)) {
                 feature.closedLines.push_back(ringOf(line, toWgs84));
-            } else if (line.getNumPoints() > 0) {
+            } else if (line.getNumPoints() > 1) {
                 feature.openLines.push_back(toWgs84.points(line));
             }
             break;
@@ -315,7 +286,7 @@ Dataset openWith(const std::string& path, const char* const* drivers) {
 }
 
 /// LIBKML refuses a KML without Document or Folder, which is legal; the plain driver reads it.
-Dataset openDataset(const std::string& path, Messages& messages) {
+Dataset openDataset(const std::string& path, GdalMessages& messages) {
     Dataset dataset = openWith(path, kDrivers);
     if (extensionInSmallLetters(path) == ".kml" && (!dataset || dataset->GetLayerCount() == 0)) {
         messages.forget();
@@ -352,9 +323,29 @@ std::string textOf(const OGRFeature& feature, int column) {
     return feature.GetFieldAsString(column);
 }
 
-Result<void> readLayer(OGRLayer& layer, const BoundarySource& source, const Messages& messages,
+/// "EPSG" and a code in a file's name; empty where there is none.
+OGRSpatialReference systemInName(const std::string& name) {
+    OGRSpatialReference system;
+    const std::size_t at = inSmallLetters(name).rfind("epsg");
+    std::size_t begin = at == std::string::npos ? name.size() : at + 4;
+    begin += begin < name.size() && (name[begin] == '_' || name[begin] == '-') ? 1 : 0;
+    int code = 0;
+    const auto [end, error] = std::from_chars(name.data() + begin, name.data() + name.size(), code);
+    if (error == std::errc{} && code > 0 && system.importFromEPSG(code) == OGRERR_NONE) {
+        system.SetAxisMappingStrategy(OAMS_TRADITIONAL_GIS_ORDER);
+    }
+    return system;
+}
+
+Result<void> readLayer(OGRLayer& layer, const BoundarySource& source, const GdalMessages& messages,
                        const Reading& reading) {
-    const Result<ToWgs84> toWgs84 = ToWgs84::from(layer.GetSpatialRef(), source.name);
+    const OGRSpatialReference named = systemInName(source.name);
+    const bool isDrawing = extensionInSmallLetters(source.path) == ".dxf";
+    if (isDrawing && named.IsEmpty()) {
+        return std::unexpected(inputRefused(source.name, "a drawing does not say which coordinate system it uses",
+                                            "put the EPSG code into its name, as in field_EPSG32632.dxf"));
+    }
+    const Result<ToWgs84> toWgs84 = ToWgs84::from(isDrawing ? &named : layer.GetSpatialRef(), source.name);
     if (!toWgs84) {
         return std::unexpected(toWgs84.error());
     }
@@ -504,7 +495,7 @@ Result<void> readLoosePolygons(const BoundarySource& source, const Reading& read
 }
 
 Result<void> readSource(const BoundarySource& source, const Reading& reading) {
-    Messages messages;
+    GdalMessages messages;
     const std::string start = systemFileStart(source.path, source.name, 4096).value_or("");
     const std::string extension = extensionInSmallLetters(source.path);
     if (extension == ".wkt" || looksLikeWkt(start)) {
@@ -538,6 +529,7 @@ Result<void> readSource(const BoundarySource& source, const Reading& reading) {
     }
     const std::string driver = dataset->GetDriverName();
     reading.file.isTable = reading.file.isTable || driver == "CSV";
+    reading.file.isTrack = reading.file.isTrack || driver == "GPX";
     if (driver == "GeoJSON") {
         if (auto checked = checkPositions(source, true); !checked) {
             return checked;
@@ -558,11 +550,19 @@ Result<void> readSource(const BoundarySource& source, const Reading& reading) {
 
 }  // namespace
 
+void registerGdalDrivers() {
+    static std::once_flag once;
+    std::call_once(once, [] {
+        GDALAllRegister();
+        OSRSetPROJEnableNetwork(0);
+    });
+}
+
 Result<VectorFile> readVectorFile(const std::filesystem::path& path,
                                   std::span<const std::string_view> attributes, const JobContext& job) {
-    registerDrivers();
+    registerGdalDrivers();
     const ThreadOptions options;
-    const Messages messages;
+    const GdalMessages messages;
     const Result<std::vector<BoundarySource>> sources = boundarySources(path);
     if (!sources) {
         return std::unexpected(sources.error());

@@ -1,32 +1,25 @@
 #include "planner/io/plan_folder.h"
 
-#include "planner/io/atomic_files.h"
 #include "planner/io/format_registry.h"
-#include "planner/io/isoxml.h"
-#include "planner/io/path_csv.h"
-#include "planner/io/plan_geojson.h"
 #include "planner/io/plan_summary.h"
+#include "planner/io/terminals.h"
 
 #include <algorithm>
+#include <iterator>
+#include <utility>
 
 namespace furrow {
 
-namespace {
-
 namespace fs = std::filesystem;
 
-struct PlanFile {
-    std::string_view format;
-    std::string_view path;
-    std::string (*write)(const Plan&);
-};
+namespace {
 
-constexpr PlanFile kFiles[] = {
-    {"", "summary.json", planSummaryJson},
-    {"geojson", "plan.geojson", planGeoJson},
-    {"csv", "path.csv", pathCsv},
-    {"isoxml", "TASKDATA/TASKDATA.XML", isoxmlTaskData},
-};
+Result<WrittenFiles> written(const fs::path& folder, const std::vector<FileToWrite>& files,
+                             std::vector<std::string> notes, const JobContext& job) {
+    return writeTogether(folder, files, job).transform([&notes](std::vector<fs::path> paths) {
+        return WrittenFiles{std::move(paths), std::move(notes)};
+    });
+}
 
 }  // namespace
 
@@ -35,21 +28,48 @@ std::span<const std::string_view> standardPlanFormats() {
     return kStandard;
 }
 
-Result<std::vector<fs::path>> writePlanFolder(const Plan& plan, const fs::path& folder,
-                                              std::span<const std::string_view> formatIds,
-                                              const JobContext& job) {
+Result<WrittenFiles> writePlanFolder(const Plan& plan, const fs::path& folder,
+                                     std::span<const std::string_view> formatIds, const JobContext& job,
+                                     const ExportOptions& options) {
+    std::vector<const FormatInfo*> wanted;
     for (const std::string_view id : formatIds) {
-        if (const auto known = findPlanFormat(id); !known) {
+        const auto known = findPlanFormat(id);
+        if (!known) {
             return std::unexpected(known.error());
         }
-    }
-    std::vector<FileToWrite> files;
-    for (const PlanFile& file : kFiles) {
-        if (file.format.empty() || std::ranges::contains(formatIds, file.format)) {
-            files.push_back({file.path, [&plan, &file] { return file.write(plan); }});
+        if (!std::ranges::contains(wanted, *known)) {
+            wanted.push_back(*known);
         }
     }
-    return writeTogether(folder, files, job);
+    const FieldContent content = contentOf(plan, options);
+    std::vector<FileToWrite> files{{"summary.json", [&plan] { return planSummaryJson(plan); }}};
+    std::vector<std::string> notes;
+    for (const FormatInfo* format : wanted) {
+        auto made = format->writer({.fields = {&content, 1}, .plan = &plan, .options = options, .job = job});
+        if (!made) {
+            return std::unexpected(made.error());
+        }
+        for (FileToWrite& file : made->files) {
+            fs::path path = fs::path{format->folder} / file.path;
+            // Formats that share a folder share what explains them.
+            if (!std::ranges::contains(files, path, &FileToWrite::path)) {
+                files.push_back({std::move(path), std::move(file.text)});
+            }
+        }
+        std::ranges::move(made->notes, std::back_inserter(notes));
+    }
+    return written(folder, files, std::move(notes), job);
+}
+
+Result<WrittenFiles> writeForTerminal(const Plan& plan, const fs::path& folder, const Terminal& terminal,
+                                      const JobContext& job) {
+    auto made = terminalFiles(terminal, plan, job);
+    if (!made) {
+        return std::unexpected(made.error());
+    }
+    std::vector<FileToWrite> files{{"summary.json", [&plan] { return planSummaryJson(plan); }}};
+    std::ranges::move(made->files, std::back_inserter(files));
+    return written(folder, files, std::move(made->notes), job);
 }
 
 }  // namespace furrow

@@ -1,6 +1,7 @@
 #pragma once
 
 #include "planner/core/result.h"
+#include "planner/io/export_job.h"
 #include "planner/plan/plan.h"
 
 #include <filesystem>
@@ -10,19 +11,29 @@
 
 namespace furrow {
 
+struct Terminal;
+
 /// The formats that are written where none are named.
 std::span<const std::string_view> standardPlanFormats();
 
-/// Writes a plan to a folder: summary.json always, plan.geojson, path.csv and TASKDATA/TASKDATA.XML as
-/// asked. The folder is made if it is not there. Everything is written and synced beside its final name
-/// first and renamed when all of it is on the disk, so that a full disk, a cancel or a crash leaves what was
-/// there before.
+/// What an export came to.
+struct WrittenFiles {
+    std::vector<std::filesystem::path> files;
+    std::vector<std::string> notes;  ///< what a receiver will not find, or should know
+};
+
+/// Writes a plan to a folder: summary.json always, and each format's files at its place (see FormatInfo). The
+/// folder is made if it is not there. Everything is written and synced beside its final name first and renamed
+/// when all of it is on the disk, so that a full disk, a cancel or a crash leaves what was there before.
 ///
-/// @return the files, summary.json first. Usage: unknown format. WriteFailed: with the system's reason.
-/// Cancelled.
-Result<std::vector<std::filesystem::path>> writePlanFolder(const Plan& plan,
-                                                           const std::filesystem::path& folder,
-                                                           std::span<const std::string_view> formatIds,
-                                                           const JobContext& job = {});
+/// @return the files, summary.json first. Usage: unknown format. InputRefused: a format cannot hold this plan.
+///         WriteFailed: with the system's reason. Cancelled.
+Result<WrittenFiles> writePlanFolder(const Plan& plan, const std::filesystem::path& folder,
+                                     std::span<const std::string_view> formatIds, const JobContext& job = {},
+                                     const ExportOptions& options = {});
+
+/// The same for a terminal: summary.json, and its files as they lie on a stick.
+Result<WrittenFiles> writeForTerminal(const Plan& plan, const std::filesystem::path& folder, const Terminal& terminal,
+                                      const JobContext& job = {});
 
 }  // namespace furrow

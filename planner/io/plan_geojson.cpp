@@ -1,61 +1,13 @@
 #include "planner/io/plan_geojson.h"
 
 #include "planner/geometry/geos_bridge.h"
-
-#include <nlohmann/json.hpp>
+#include "planner/io/geojson_shapes.h"
 
 #include <algorithm>
 
 namespace furrow {
 
 namespace {
-
-using Json = nlohmann::ordered_json;
-
-Json position(GeoPoint point) {
-    return Json::array({point.lonDeg, point.latDeg});
-}
-
-Json ringCoordinates(const GeoRing& ring) {
-    Json coordinates = Json::array();
-    for (const GeoPoint& point : ring) {
-        coordinates.push_back(position(point));
-    }
-    coordinates.push_back(position(ring.front()));
-    return coordinates;
-}
-
-Json polygonCoordinates(const GeoPolygon& polygon) {
-    Json rings = Json::array({ringCoordinates(polygon.outer)});
-    for (const GeoRing& hole : polygon.holes) {
-        rings.push_back(ringCoordinates(hole));
-    }
-    return rings;
-}
-
-/// A Polygon for one part, a MultiPolygon for several.
-Json polygonGeometry(const std::vector<GeoPolygon>& polygons) {
-    if (polygons.size() == 1) {
-        return {{"type", "Polygon"}, {"coordinates", polygonCoordinates(polygons.front())}};
-    }
-    Json parts = Json::array();
-    for (const GeoPolygon& polygon : polygons) {
-        parts.push_back(polygonCoordinates(polygon));
-    }
-    return {{"type", "MultiPolygon"}, {"coordinates", std::move(parts)}};
-}
-
-Json lineGeometry(const GeoRing& line) {
-    Json coordinates = Json::array();
-    for (const GeoPoint& point : line) {
-        coordinates.push_back(position(point));
-    }
-    return {{"type", "LineString"}, {"coordinates", std::move(coordinates)}};
-}
-
-Json pointGeometry(GeoPoint point) {
-    return {{"type", "Point"}, {"coordinates", position(point)}};
-}
 
 class PlanWriter {
 public:
@@ -70,17 +22,12 @@ public:
         addPath();
         addMissed();
         addFindings();
-        return Json{{"type", "FeatureCollection"}, {"features", std::move(features_)}}.dump(
-                   -1, ' ', false, Json::error_handler_t::replace) +
-               "\n";
+        return geoJsonText(std::move(features_));
     }
 
 private:
     void add(std::string_view kind, Json properties, Json geometry) {
-        Json all{{"kind", kind}};
-        all.update(properties);
-        features_.push_back(
-            {{"type", "Feature"}, {"properties", std::move(all)}, {"geometry", std::move(geometry)}});
+        features_.push_back(geoJsonFeature(kind, std::move(properties), std::move(geometry)));
     }
 
     std::vector<GeoPolygon> inWgs84(const MultiPolygon& polygons) const {
@@ -91,22 +38,7 @@ private:
         return geo;
     }
 
-    void addField() {
-        const FieldSource& source = plan_.field().source();
-        add("field", {{"id", source.id}, {"name", source.name}, {"area_m2", plan_.field().area().si()},
-             {"boundary_accuracy_m", source.boundaryAccuracy.si()}},
-            polygonGeometry(source.parts));
-        for (const Obstacle& obstacle : source.obstacles) {
-            add("obstacle",
-                {{"name", obstacle.name},
-                 {"passable", obstacle.passable},
-                 {"buffer_m", obstacle.buffer.si()}},
-                polygonGeometry({obstacle.outline}));
-        }
-        for (const Gate& gate : source.gates) {
-            add("gate", {{"name", gate.name}, {"width_m", gate.width.si()}}, pointGeometry(gate.position));
-        }
-    }
+    void addField() { addFieldFeatures(plan_.field().source(), plan_.field().area(), features_); }
 
     void addAreas() {
         const Headland& headland = plan_.headland;

@@ -16,7 +16,7 @@ namespace {
 
 std::vector<FormatInfo> planFormats() {
     std::vector<FormatInfo> written;
-    std::ranges::copy_if(formats(), std::back_inserter(written), &FormatInfo::write);
+    std::ranges::copy_if(formats(), std::back_inserter(written), &FormatInfo::writes);
     return written;
 }
 
@@ -36,6 +36,7 @@ ExportModel::ExportModel(QObject* parent) : QAbstractListModel{parent} {
 
 void ExportModel::setPlan(std::shared_ptr<const Plan> plan) {
     plan_ = std::move(plan);
+    stick_.setPlan(plan_);
     if (state_ == State::Done || state_ == State::Failed) {
         clear();
     }
@@ -94,7 +95,11 @@ void ExportModel::writeTo(const QString& folder) {
         auto written = writePlanFolder(*plan, path, ids, job);
         return [this, written = std::move(written), path] {
             if (written) {
-                setState(State::Done, tr("%n file(s) written to %1", nullptr, static_cast<int>(written->size()))
+                notes_.clear();
+                for (const std::string& note : written->notes) {
+                    notes_ << fromStd(note);
+                }
+                setState(State::Done, tr("%n file(s) written to %1", nullptr, static_cast<int>(written->files.size()))
                                           .arg(QString::fromStdU16String(path.u16string())));
             } else {
                 const Error& error = written.error();
@@ -106,6 +111,7 @@ void ExportModel::writeTo(const QString& folder) {
 }
 
 void ExportModel::clear() {
+    notes_.clear();
     setState(State::Idle);
 }
 

@@ -2,6 +2,7 @@
 
 #include "planner/plan/plan.h"
 #include "ui/plan/job_runner.h"
+#include "ui/plan/stick_export.h"
 
 #include <QAbstractListModel>
 #include <QUrl>
@@ -17,6 +18,10 @@ class ExportModel : public QAbstractListModel {
     Q_PROPERTY(State state READ state NOTIFY stateChanged FINAL)
     Q_PROPERTY(QString message READ message NOTIFY stateChanged FINAL)
     Q_PROPERTY(QString remedy READ remedy NOTIFY stateChanged FINAL)
+    /// What the receivers of the written files should know.
+    Q_PROPERTY(QStringList notes READ notes NOTIFY stateChanged FINAL)
+    /// The same plan for a terminal, on a stick.
+    Q_PROPERTY(furrow::StickExport* stick READ stick CONSTANT FINAL)
 
 public:
     enum class State { Idle, Writing, Done, Failed };
@@ -31,6 +36,8 @@ public:
     State state() const { return state_; }
     QString message() const { return message_; }
     QString remedy() const { return remedy_; }
+    QStringList notes() const { return notes_; }
+    StickExport* stick() { return &stick_; }
 
     int rowCount(const QModelIndex& parent = {}) const override;
     QVariant data(const QModelIndex& index, int role) const override;
@@ -56,6 +63,8 @@ private:
     State state_ = State::Idle;
     QString message_;
     QString remedy_;
+    QStringList notes_;
+    StickExport stick_;
     JobRunner runner_;
 };
 

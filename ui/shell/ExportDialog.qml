@@ -1,29 +1,34 @@
 pragma ComponentBehavior: Bound
 import QtQuick
-import QtQuick.Dialogs
 import QtQuick.Templates as T
 import Furrow.Controls
 import Furrow.Plan
 
-/// Which files a plan is written to, and where.
+/// A plan on its way out: to a stick for a terminal, or as files in a folder.
 T.Popup {
     id: root
 
     required property PlanSession session
     readonly property ExportModel exporter: session.exporter
+    readonly property StickExport stick: exporter.stick
+    readonly property bool writing: exporter.state === ExportModel.Writing || stick.state === StickExport.Writing
+    readonly property bool done: onStick.checked ? stick.state === StickExport.Done : exporter.state === ExportModel.Done
 
     objectName: "exportDialog"
     modal: true
     focus: true
-    width: 460
-    implicitHeight: contentItem.implicitHeight + 2 * padding
+    width: 520
+    height: Math.min(content.implicitHeight + 2 * padding, parent ? parent.height - 32 : 800)
     padding: 24
-    closePolicy: T.Popup.CloseOnEscape | T.Popup.CloseOnPressOutside
+    closePolicy: writing ? T.Popup.NoAutoClose : T.Popup.CloseOnEscape | T.Popup.CloseOnPressOutside
     onAboutToShow: {
-        exporter.clear();
-        if (folder.text.length === 0)
-            folder.text = exporter.suggestedFolder();
+        stick.clear();
+        stick.looking = true;
+        folderPage.begin();
+        onStick.checked = stick.count > 0;
+        inFolder.checked = stick.count === 0;
     }
+    onAboutToHide: stick.looking = false
 
     T.Overlay.modal: Rectangle { color: "#66000000" }
     enter: Transition {
@@ -35,144 +40,84 @@ T.Popup {
         border.width: Theme.hairline
         border.color: Theme.line
     }
-    contentItem: Column {
-        spacing: 14
+    contentItem: Flickable {
+        clip: true
+        contentHeight: content.implicitHeight
+        boundsBehavior: Flickable.StopAtBounds
+        interactive: contentHeight > height
 
-        BodyText {
-            text: qsTr("Export the plan")
-            font.pixelSize: 18
-            font.weight: Font.DemiBold
-        }
-        NoticeBar {
-            width: parent.width
-            visible: root.session.findings.blockingCount > 0
-            text: qsTr("%n place(s) in this plan cannot be driven as drawn. The files say so too.", "", root.session.findings.blockingCount)
-        }
         Column {
+            id: content
+
             width: parent.width
-            spacing: 4
+            spacing: 14
 
-            Repeater {
-                model: root.exporter
+            BodyText {
+                text: qsTr("Export the plan")
+                font.pixelSize: 18
+                font.weight: Font.DemiBold
+            }
+            Row {
+                spacing: 4
 
-                Column {
-                    id: format
+                ExportTab {
+                    id: onStick
 
-                    required property int index
-                    required property string name
-                    required property string hint
-                    required property bool checked
+                    objectName: "export.onStick"
+                    text: qsTr("USB stick")
+                    enabled: !root.writing
+                }
+                ExportTab {
+                    id: inFolder
 
-                    width: parent.width
-
-                    CheckRow {
-                        objectName: "export.format." + format.index
-                        width: parent.width
-                        text: format.name
-                        checked: format.checked
-                        onToggled: root.exporter.setChecked(format.index, checked)
-                    }
-                    Caption {
-                        x: 26
-                        width: parent.width - 26
-                        text: format.hint
-                        wrapMode: Text.WordWrap
-                        bottomPadding: 4
-                    }
+                    objectName: "export.inFolder"
+                    text: qsTr("Files in a folder")
+                    enabled: !root.writing
+                    checked: true
                 }
             }
-        }
-        Column {
-            width: parent.width
-            spacing: 5
-
-            Caption { text: qsTr("Folder") }
-            Row {
+            NoticeBar {
                 width: parent.width
+                visible: root.session.findings.blockingCount > 0
+                text: qsTr("%n place(s) in this plan cannot be driven as drawn. The files say so too.", "", root.session.findings.blockingCount)
+            }
+            ExportStickPage {
+                id: stickPage
+
+                width: parent.width
+                visible: onStick.checked
+                stick: root.stick
+            }
+            ExportFolderPage {
+                id: folderPage
+
+                width: parent.width
+                visible: inFolder.checked
+                exporter: root.exporter
+                roomForFormats: Math.max(160, (root.parent ? root.parent.height : 800) - 430)
+            }
+            Row {
+                anchors.right: parent.right
                 spacing: 8
 
-                T.TextField {
-                    id: folder
-
-                    objectName: "export.folder"
-                    width: parent.width - choose.width - 8
-                    height: Theme.controlHeight
-                    leftPadding: 12
-                    rightPadding: 12
-                    verticalAlignment: TextInput.AlignVCenter
-                    color: Theme.ink
-                    selectionColor: Theme.accent
-                    selectedTextColor: Theme.accentInk
-                    selectByMouse: true
-                    font.family: Theme.family
-                    font.pixelSize: Theme.bodySize
-                    Accessible.name: qsTr("Folder")
-                    onAccepted: write.clicked()
-                    background: Rectangle {
-                        radius: Theme.radius
-                        color: Theme.panel
-                        border.width: folder.activeFocus ? 2 : Theme.hairline
-                        border.color: folder.activeFocus ? Theme.accent : Theme.line
+                PushButton {
+                    objectName: "export.close"
+                    text: root.done ? qsTr("Close") : qsTr("Cancel")
+                    onClicked: {
+                        if (root.stick.state === StickExport.Writing)
+                            root.stick.cancel();
+                        else
+                            root.close();
                     }
                 }
                 PushButton {
-                    id: choose
-
-                    objectName: "export.choose"
-                    text: qsTr("Choose…")
-                    onClicked: folderDialog.open()
+                    objectName: "export.write"
+                    primary: true
+                    enabled: onStick.checked ? stickPage.canWrite : folderPage.canWrite
+                    text: root.writing ? qsTr("Writing …") : onStick.checked ? qsTr("Write to the stick") : qsTr("Write files")
+                    onClicked: onStick.checked ? stickPage.write() : folderPage.write()
                 }
             }
         }
-        NoticeBar {
-            objectName: "export.problem"
-            width: parent.width
-            visible: root.exporter.state === ExportModel.Failed
-            failed: true
-            text: root.exporter.message
-            remedy: root.exporter.remedy
-        }
-        Row {
-            width: parent.width
-            visible: root.exporter.state === ExportModel.Done
-            spacing: 8
-
-            Icon {
-                name: "check"
-                color: Theme.accent
-            }
-            BodyText {
-                objectName: "export.message"
-                width: parent.width - 28
-                text: root.exporter.message
-                wrapMode: Text.Wrap
-            }
-        }
-        Row {
-            anchors.right: parent.right
-            spacing: 8
-
-            PushButton {
-                objectName: "export.close"
-                text: root.exporter.state === ExportModel.Done ? qsTr("Close") : qsTr("Cancel")
-                onClicked: root.close()
-            }
-            PushButton {
-                id: write
-
-                objectName: "export.write"
-                primary: true
-                enabled: root.exporter.state !== ExportModel.Writing && folder.text.length > 0
-                text: root.exporter.state === ExportModel.Writing ? qsTr("Writing …") : qsTr("Write files")
-                onClicked: root.exporter.writeTo(folder.text)
-            }
-        }
-    }
-
-    FolderDialog {
-        id: folderDialog
-
-        title: qsTr("Folder for the plan")
-        onAccepted: folder.text = root.exporter.pathOf(selectedFolder)
     }
 }

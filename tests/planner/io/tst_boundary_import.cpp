@@ -367,7 +367,7 @@ void TestBoundaryImport::refuses_data() {
     };
     row("empty file", "f.geojson", "", false, "f.geojson: the file is empty");
     row("blanks only", "f.geojson", "   \n", true, "no boundary");
-    row("picture", "f.geojson", QByteArray{"\x89PNG\r\n\x1a\n\0\0\0\rIHDR", 16}, true, "no boundary");
+    row("picture", "f.geojson", QByteArray{"\x89PNG\r\n\x1a\n\0\0\0\rIHDR", 16}, true, "the picture cannot be read");
     row("shapefile in name only", "f.shp", "POINT and nothing else", true, "f.shp");
     row("GeoJSON cut off", "f.geojson",
         R"({"type":"Polygon",)"
@@ -437,7 +437,7 @@ void TestBoundaryImport::refusesPlaces_data() {
     QTest::addColumn<QString>("path");
     QTest::addColumn<QString>("message");
     QTest::newRow("missing") << "/no/such/file.geojson" << "/no/such/file.geojson: there is no such file";
-    QTest::newRow("folder") << QDir::tempPath() << "this is a folder";
+    QTest::newRow("folder") << FURROW_TEST_DATA_DIR "/imports/geojson" << "this folder holds no TASKDATA.XML";
     QTest::newRow("device") << "/dev/null" << "this is no ordinary file";
     QTest::newRow("web address") << "https://example.org/field.geojson" << "only files on this computer";
     QTest::newRow("file system of GDAL's")

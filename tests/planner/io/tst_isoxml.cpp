@@ -1,6 +1,6 @@
 #include "planner/geodesy/local_frame.h"
 #include "planner/io/boundary_import.h"
-#include "planner/io/isoxml.h"
+#include "planner/io/isoxml_writer.h"
 #include "planner/machine/machine_library.h"
 #include "planner/plan/method_registry.h"
 #include "planner/plan/plan.h"
@@ -264,7 +264,11 @@ void TestIsoxml::obstaclesAndGates() {
     QVERIFY(plan);
     const Element field = parsed(isoxmlTaskData(*plan)).all("PFD").first();
     const QList<Element> polygons = field.all("PLN");
-    QCOMPARE(polygons.size(), 4);
+    // Two parts, two obstacles, and what is left inside the headland of each part.
+    QCOMPARE(polygons.size(), 4 + static_cast<qsizetype>(plan->headland.mainland.size()));
+    QCOMPARE(polygons[4].value("A"), "10");
+    QVERIFY(sameRing(ringOf(polygons[4].all("LSG").first()),
+                     plan->field().frame().toGeo(plan->headland.mainland.front().outer)));
     QCOMPARE(polygons[2].value("A"), "6");
     QCOMPARE(polygons[2].value("B"), "Pylon");
     QCOMPARE(polygons[3].value("A"), "8");
@@ -386,8 +390,15 @@ void TestIsoxml::numbersHaveNineDecimals() {
         QVERIFY2(std::regex_match((*found)[1].str(), number), (*found)[1].str().c_str());
         QVERIFY2(std::regex_match((*found)[2].str(), number), (*found)[2].str().c_str());
     }
-    // Rings of four, closed: two parts, a hole, two obstacles; a gate and an AB line.
-    QCOMPARE(points, 5 * 5 + 1 + 2);
+    // Rings of four, closed: two parts, a hole, two obstacles; a gate and an AB line; the mainland's rings.
+    qsizetype mainland = 0;
+    for (const Polygon& polygon : plan->headland.mainland) {
+        mainland += static_cast<qsizetype>(polygon.outer.size()) + 1;
+        for (const Ring& hole : polygon.holes) {
+            mainland += static_cast<qsizetype>(hole.size()) + 1;
+        }
+    }
+    QCOMPARE(points, 5 * 5 + 1 + 2 + mainland);
 }
 
 void TestIsoxml::fitsTheSchema_data() {
@@ -509,7 +520,8 @@ void TestIsoxml::anotherReaderFindsTheSame() {
     const FieldSource& source = plan->field().source();
     QCOMPARE(field["area"].toInteger(), std::llround(plan->field().area().si()));
     const QJsonArray polygons = field["polygons"].toArray();
-    QCOMPARE(static_cast<std::size_t>(polygons.size()), source.parts.size() + source.obstacles.size());
+    QCOMPARE(static_cast<std::size_t>(polygons.size()),
+             source.parts.size() + source.obstacles.size() + plan->headland.mainland.size());
     for (std::size_t i = 0; i < source.parts.size(); ++i) {
         GeoRing outer;
         const QJsonArray rings = polygons[static_cast<qsizetype>(i)].toObject()["rings"].toArray();

@@ -1,0 +1,158 @@
+#include "app/cli/convert_command.h"
+
+#include "app/cli/exit_status.h"
+#include "app/cli/terminal.h"
+#include "planner/io/boundary_import.h"
+#include "planner/io/field_files.h"
+#include "planner/io/field_reader.h"
+
+#include <nlohmann/json.hpp>
+
+#include <format>
+#include <memory>
+#include <optional>
+#include <print>
+#include <string>
+#include <utility>
+#include <vector>
+
+namespace furrow::cli {
+
+namespace {
+
+using Json = nlohmann::ordered_json;
+
+struct ConvertArguments {
+    std::string in;
+    std::string out;
+    std::optional<std::string> format;
+    std::optional<std::string> fieldId;
+    bool holesAsObstacles = false;
+    bool asciiNames = false;
+    bool json = false;
+};
+
+/// What is read, checked and repaired; what is refused is told and left out, as long as something remains.
+Result<std::vector<FieldContent>> fieldsFrom(const ConvertArguments& arguments, std::vector<std::string>& notes,
+                                             const JobContext& job) {
+    auto imported = readFields(arguments.in, job);
+    if (!imported) {
+        return std::unexpected(imported.error());
+    }
+    const auto tell = [&notes](const Note& note) {
+        notes.push_back(note.where.empty() ? note.text : std::format("{} ({})", note.text, note.where));
+    };
+    for (const Note& note : imported->notes) {
+        tell(note);
+    }
+    if (!imported->looseLines.empty()) {
+        notes.push_back(std::format("{} guidance lines that belong to no field are left out", imported->looseLines.size()));
+    }
+    std::vector<FieldSource> sources;
+    for (const FieldContent& content : imported->fields) {
+        sources.push_back(content.field);
+    }
+    std::optional<FieldSource> only;
+    if (arguments.fieldId) {
+        auto picked = pickField(sources, *arguments.fieldId);
+        if (!picked) {
+            return std::unexpected(picked.error());
+        }
+        only = *std::move(picked);
+    }
+    std::vector<FieldContent> fields;
+    std::optional<Error> refused;
+    for (FieldContent& content : imported->fields) {
+        if (only && !(content.field == *only)) {
+            continue;
+        }
+        const auto field = Field::create(content.field, job);
+        if (!field) {
+            notes.push_back(std::format("'{}' is left out: {}", content.field.name, field.error().line()));
+            refused = refused.value_or(field.error());
+            continue;
+        }
+        for (const Note& repair : field->repairs()) {
+            tell({std::format("'{}': {}", content.field.name, repair.text), repair.where, {}});
+        }
+        content.field = field->source();
+        content.area = field->area();
+        fields.push_back(std::move(content));
+    }
+    if (fields.empty()) {
+        return std::unexpected(refused.value_or(Error{.code = ErrorCode::InputRefused,
+                                                      .what = "there is no field in it, only guidance lines",
+                                                      .where = arguments.in,
+                                                      .remedy = "export the field with its boundary"}));
+    }
+    return fields;
+}
+
+int runConvert(const ConvertArguments& arguments) {
+    const InterruptWatch watch;
+    const JobContext job = terminalJob(watch, 0, true);
+    std::vector<std::string> notes;
+    const auto fields = fieldsFrom(arguments, notes, job);
+    if (!fields) {
+        return failWith(fields.error());
+    }
+    const auto written = writeFields(
+        *fields, arguments.out, arguments.format,
+        {.holesAsObstacles = arguments.holesAsObstacles, .asciiNames = arguments.asciiNames}, job);
+    if (!written) {
+        return failWith(written.error());
+    }
+    notes.insert(notes.end(), written->notes.begin(), written->notes.end());
+    if (arguments.json) {
+        Json files = Json::array();
+        for (const auto& file : written->files) {
+            files.push_back(file.string());
+        }
+        Json names = Json::array();
+        for (const FieldContent& content : *fields) {
+            names.push_back({{"id", content.field.id},
+                             {"name", content.field.name},
+                             {"area_m2", content.statedArea().si()},
+                             {"obstacles", content.field.obstacles.size()},
+                             {"lines", content.lines.size()}});
+        }
+        std::println("{}", Json{{"fields", names}, {"files", files}, {"notes", notes}}.dump(
+                               2, ' ', false, Json::error_handler_t::replace));
+        return kDrivable;
+    }
+    for (const FieldContent& content : *fields) {
+        std::println("{:24}  {:.2f} ha  {} obstacles  {} guidance lines", content.field.name,
+                     inHectares(content.statedArea()), content.field.obstacles.size(), content.lines.size());
+    }
+    for (const std::string& note : notes) {
+        std::println("Note: {}", note);
+    }
+    std::println("Written:");
+    for (const auto& file : written->files) {
+        std::println("  {}", file.string());
+    }
+    return kDrivable;
+}
+
+}  // namespace
+
+void addConvertCommand(CLI::App& app, std::function<int()>& run) {
+    const auto arguments = std::make_shared<ConvertArguments>();
+    CLI::App* convert = app.add_subcommand("convert", "Read fields from one format and write them in another.");
+    convert->add_option("IN", arguments->in, "A file or folder; furrow-cli list formats shows what is read")->required();
+    convert->add_option("OUT", arguments->out, "A file whose name says the format, or a folder")->required();
+    convert->add_option("--format", arguments->format, "The format, where the name of OUT does not say it");
+    convert->add_option("--field-id", arguments->fieldId, "One field: its id, its name, or its number from 1");
+    convert->add_flag("--holes-as-obstacles", arguments->holesAsObstacles,
+                      "ISOXML: holes as areas of their own, for terminals that overlook inner rings");
+    convert->add_flag("--ascii-names", arguments->asciiNames, "ISOXML and AgOpenGPS: names in plain letters");
+    convert->add_flag("--json", arguments->json, "Print one JSON object and nothing else");
+    convert->footer(
+        "Examples:\n"
+        "  furrow-cli convert field.kml field.geojson\n"
+        "  furrow-cli convert TASKDATA fields.gpkg\n"
+        "  furrow-cli convert farm.shp TASKDATA --format isoxml-v3");
+    convert->callback([&run, arguments] { run = [arguments] { return runConvert(*arguments); }; });
+}
+
+}  // namespace furrow::cli

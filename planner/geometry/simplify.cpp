@@ -1,0 +1,53 @@
+#include "planner/geometry/simplify.h"
+
+#include <algorithm>
+#include <utility>
+
+namespace furrow {
+
+namespace {
+
+double distanceToSegmentM(Point p, Point a, Point b) {
+    const Point along = b - a;
+    const double squared = dot(along, along);
+    const double share = squared > 0.0 ? std::clamp(dot(p - a, along) / squared, 0.0, 1.0) : 0.0;
+    return distance(p, a + share * along);
+}
+
+}  // namespace
+
+Polyline simplified(const Polyline& line, Length tolerance) {
+    if (line.size() < 3) {
+        return line;
+    }
+    std::vector<bool> stays(line.size(), false);
+    stays.front() = stays.back() = true;
+    // A stack of its own: long spirals would nest as deep as they have points.
+    std::vector<std::pair<std::size_t, std::size_t>> open{{0, line.size() - 1}};
+    while (!open.empty()) {
+        const auto [first, last] = open.back();
+        open.pop_back();
+        double farthest = tolerance.si();
+        std::size_t at = first;
+        for (std::size_t i = first + 1; i < last; ++i) {
+            if (const double beside = distanceToSegmentM(line[i], line[first], line[last]); beside > farthest) {
+                farthest = beside;
+                at = i;
+            }
+        }
+        if (at != first) {
+            stays[at] = true;
+            open.emplace_back(first, at);
+            open.emplace_back(at, last);
+        }
+    }
+    Polyline kept;
+    for (std::size_t i = 0; i < line.size(); ++i) {
+        if (stays[i]) {
+            kept.push_back(line[i]);
+        }
+    }
+    return kept;
+}
+
+}  // namespace furrow

@@ -1,0 +1,12 @@
+#pragma once
+
+#include "planner/geometry/polygon.h"
+
+namespace furrow {
+
+/// The line with fewer points: those stay without which it would run more than `tolerance` beside itself, first
+/// and last always (Douglas and Peucker 1973, doi 10.3138/FM57-6770-U75U-7727).
+/// Cost: O(n log n) for usual lines, O(n²) at worst.
+Polyline simplified(const Polyline& line, Length tolerance);
+
+}  // namespace furrow

@@ -1,0 +1,21 @@
+#pragma once
+
+#include "planner/core/geo_point.h"
+
+#include <span>
+
+namespace furrow {
+
+/// Which way round a ring runs, seen from above; right across the antimeridian too.
+bool isCounterClockwise(std::span<const GeoPoint> ring);
+
+/// Longitude that differs from the anchor's by at most half a turn.
+double lonNear(double lonDeg, double anchorDeg);
+
+/// Whether a point lies inside a ring, straight edges in longitude and latitude.
+bool contains(std::span<const GeoPoint> ring, GeoPoint point);
+
+/// In metres on a sphere: good enough to tell which of two things is nearer.
+double roughDistanceM(GeoPoint a, GeoPoint b);
+
+}  // namespace furrow

@@ -1,0 +1,177 @@
+#include "planner/io/guidance_lines.h"
+
+#include "planner/plan/plan.h"
+#include "planner/swaths/curve_parts.h"
+#include "planner/units/angle.h"
+
+#include <algorithm>
+#include <cmath>
+#include <cstdlib>
+#include <format>
+#include <limits>
+#include <numbers>
+
+namespace furrow {
+
+namespace {
+
+// Lines whose directions differ by less than this (1 cm over 100 m) are one direction to a terminal.
+constexpr double kSameDirectionRad = 1e-4;
+// Curves are written as chords that stay this close to them,
+constexpr Length kGuideChord = metres(0.02);
+// and stand for those beside them, which may be off by so much.
+constexpr double kBesideM = 0.15;
+constexpr Length kDrawnOut = metres(5000.0);
+// A line is compared with a guide at so many places.
+constexpr double kAsked = 100.0;
+
+double directionRad(const Swath& swath) {
+    const Point along = swath.end - swath.start;
+    return normalisedSwathHeading(radians(std::atan2(along.y, along.x))).si();
+}
+
+/// A swath in its own direction is straight, too.
+bool isBent(const Swath& swath) {
+    return sharpestBend(swath.curve) > Curvature{};
+}
+
+/// For each direction the longest swath of its first track, in the order in which directions first come.
+std::vector<const Swath*> straightGuides(const SwathSet& set) {
+    std::vector<const Swath*> chosen;
+    for (const Swath& swath : set.swaths) {
+        if (isBent(swath)) {
+            continue;
+        }
+        const double direction = directionRad(swath);
+        const auto same = std::ranges::find_if(chosen, [direction](const Swath* other) {
+            return std::abs(std::remainder(directionRad(*other) - direction, std::numbers::pi)) <
+                   kSameDirectionRad;
+        });
+        if (same == chosen.end()) {
+            chosen.push_back(&swath);
+        } else if (swath.track == (*same)->track && swath.length() > (*same)->length()) {
+            *same = &swath;
+        }
+    }
+    return chosen;
+}
+
+double toLineM(Point point, const Polyline& line) {
+    double nearest = std::numeric_limits<double>::infinity();
+    for (std::size_t i = 0; i + 1 < line.size(); ++i) {
+        const Point way = line[i + 1] - line[i];
+        const double share = std::clamp(dot(point - line[i], way) / std::max(dot(way, way), 1e-12), 0.0, 1.0);
+        nearest = std::min(nearest, distance(point, line[i] + share * way));
+    }
+    return nearest;
+}
+
+/// Evenly along a line: bends have more points than straights.
+std::vector<Point> evenly(const Polyline& line) {
+    const double stepM = lengthM(line) / kAsked;
+    std::vector<Point> points;
+    double nextM = 0.5 * stepM;
+    for (std::size_t i = 0; i + 1 < line.size(); ++i) {
+        const double edgeM = distance(line[i], line[i + 1]);
+        for (; nextM <= edgeM; nextM += stepM) {
+            points.push_back(line[i] + (nextM / edgeM) * (line[i + 1] - line[i]));
+        }
+        nextM -= edgeM;
+    }
+    return points;
+}
+
+/// Whether a terminal that moves the guide beside itself gets the line, but for what is rounded.
+bool isBeside(const Polyline& line, const Polyline& guide) {
+    std::vector<double> distances;
+    for (const Point& point : evenly(line)) {
+        distances.push_back(toLineM(point, guide));
+    }
+    std::ranges::sort(distances);
+    const std::size_t rounded = distances.size() / 4;
+    return distances.empty() || distances[distances.size() - 1 - rounded] - distances.front() < kBesideM;
+}
+
+/// Of curves that lie beside each other the one that was given, or the longest; rings are one pivot, which the outermost stands for.
+std::vector<const Swath*> curvedGuides(const SwathSet& set) {
+    std::vector<const Swath*> longest;
+    for (const Swath& swath : set.swaths) {
+        if (isBent(swath)) {
+            longest.push_back(&swath);
+        }
+    }
+    // The line that was given before its parallels, which may have lost a bend that it has.
+    std::ranges::stable_sort(longest, [](const Swath* a, const Swath* b) {
+        const auto stepsOf = [](const Swath& swath) { return swath.lane ? std::abs(*swath.lane) : std::numeric_limits<int>::max(); };
+        return stepsOf(*a) != stepsOf(*b) ? stepsOf(*a) < stepsOf(*b) : a->length() > b->length();
+    });
+    std::vector<const Swath*> chosen;
+    std::vector<Polyline> lines;
+    for (const Swath* swath : longest) {
+        const Polyline line = middleLine(*swath, kGuideChord);
+        if (std::ranges::none_of(lines, [&](const Polyline& guide) { return isBeside(line, guide); })) {
+            chosen.push_back(swath);
+            // Terminals draw curves out at both ends.
+            lines.push_back(swath->isClosed() ? line
+                                              : middleLine({.curve = extended(swath->curve, kDrawnOut, kDrawnOut)}, kGuideChord));
+        }
+    }
+    return chosen;
+}
+
+GuidanceLine abLine(const Swath& swath, const Plan& plan) {
+    const Point along = swath.end - swath.start;
+    const double eastDeg = inDegrees(radians(std::atan2(along.y, along.x)));
+    // From A to B, so in the full circle; what is rounded up to 360 is north again.
+    const double bearingDeg = std::fmod(std::round((450.0 - eastDeg) * 1e4) / 1e4, 360.0);
+    const LocalFrame& frame = plan.field().frame();
+    return {.kind = GuidanceKind::AbLine,
+            .name = std::format("AB {:.1f}", bearingDeg),
+            .points = {frame.toGeo(swath.start), frame.toGeo(swath.end)},
+            .bearing = degrees(bearingDeg),
+            .width = plan.request.machine.operatingWidth()};
+}
+
+GuidanceLine pivot(const Swath& ring, const Plan& plan) {
+    const double radiusM = 1.0 / ring.curve.pieces.front().curvature.si();
+    const Point ahead = direction(ring.curve.start.heading.si());
+    const Point centre = ring.start + radiusM * Point{-ahead.y, ahead.x};
+    return {.kind = GuidanceKind::Pivot,
+            .points = {plan.field().frame().toGeo(centre)},
+            .radius = metres(std::abs(radiusM)),
+            .width = plan.request.machine.operatingWidth()};
+}
+
+GuidanceLine lineFor(const Swath& swath, const Plan& plan, std::size_t number) {
+    if (!isBent(swath)) {
+        return abLine(swath, plan);
+    }
+    GuidanceLine line = swath.isClosed() ? pivot(swath, plan)
+                                         : GuidanceLine{.kind = GuidanceKind::Curve,
+                                                        .points = plan.field().frame().toGeo(middleLine(swath, kGuideChord)),
+                                                        .width = plan.request.machine.operatingWidth()};
+    line.name = std::format("{} {}", swath.isClosed() ? "Pivot" : "Curve", number);
+    return line;
+}
+
+}  // namespace
+
+std::vector<GuidanceLine> guidanceLines(const Plan& plan) {
+    std::vector<GuidanceLine> lines;
+    for (const auto& guides : {straightGuides(plan.swaths), curvedGuides(plan.swaths)}) {
+        for (std::size_t i = 0; i < guides.size(); ++i) {
+            lines.push_back(lineFor(*guides[i], plan, i + 1));
+        }
+    }
+    int tramline = 0;
+    for (const Swath& swath : plan.swaths.swaths) {
+        if (swath.tramline) {
+            lines.push_back(lineFor(swath, plan, 0));
+            lines.back().name = std::format("Tramline {}", ++tramline);
+            lines.back().repeats = false;
+        }
+    }
+    return lines;
+}
+
+}  // namespace furrow

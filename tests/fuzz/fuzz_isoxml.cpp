@@ -1,0 +1,19 @@
+#include "planner/io/isoxml_check.h"
+#include "planner/io/isoxml_reader.h"
+
+#include <cstddef>
+#include <cstdint>
+#include <string>
+#include <string_view>
+
+using namespace furrow;
+
+/// Whatever the bytes are: no crash, no bad address, no memory without bounds.
+extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {
+    std::string_view text{reinterpret_cast<const char*>(data), size};
+    const auto part = [text](const std::string&) -> Result<std::string> { return std::string{text}; };
+    if (const auto read = readIsoxml(text, "fuzz", part, {})) {
+        (void)isoxmlProblems(text, read->fields);
+    }
+    return 0;
+}

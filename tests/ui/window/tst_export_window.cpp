@@ -1,0 +1,193 @@
+#include "planner/io/terminals.h"
+#include "ui/plan/plan_session.h"
+#include "ui/shell/window_tools.h"
+
+#include <QDir>
+#include <QFile>
+#include <QQmlApplicationEngine>
+#include <QQuickItem>
+#include <QQuickWindow>
+#include <QStandardPaths>
+#include <QTemporaryDir>
+#include <QTest>
+#include <QUrl>
+
+#include <memory>
+#include <utility>
+
+using namespace furrow;
+
+/// The export dialog in the whole window, with real mouse and keys.
+class TestExportWindow : public QObject {
+    Q_OBJECT
+
+private:
+    std::unique_ptr<PlanSession> session_;
+    std::unique_ptr<QQmlApplicationEngine> engine_;
+    QQuickWindow* window_ = nullptr;
+
+    static QQuickItem* below(QQuickItem* parent, const QString& name) {
+        if (parent->objectName() == name) {
+            return parent;
+        }
+        for (QQuickItem* child : parent->childItems()) {
+            if (QQuickItem* found = below(child, name)) {
+                return found;
+            }
+        }
+        return nullptr;
+    }
+    QQuickItem* item(const char* name) const { return below(window_->contentItem(), QString::fromLatin1(name)); }
+    bool shown(const char* name) const { return item(name) != nullptr && item(name)->isVisible(); }
+    QPoint middleOf(const QQuickItem& of) const { return of.mapToScene({of.width() / 2.0, of.height() / 2.0}).toPoint(); }
+    void waitForRest(const QQuickItem& moving) const {
+        QPoint last{-1, -1};
+        int still = 0;
+        QTRY_VERIFY((still = std::exchange(last, middleOf(moving)) == middleOf(moving) ? still + 1 : 0) >= 4);
+    }
+    void click(const char* name) {
+        QTRY_VERIFY2(shown(name), name);
+        waitForRest(*item(name));
+        const QPoint at = middleOf(*item(name));
+        QVERIFY2(QRect(QPoint{}, window_->size()).contains(at), name);
+        QTest::mouseClick(window_, Qt::LeftButton, {}, at);
+    }
+    void picture(const QString& name) {
+        QDir{}.mkpath(QStringLiteral(FURROW_SCREENSHOT_DIR));
+        QVERIFY(window_->grabWindow().save(QStringLiteral(FURROW_SCREENSHOT_DIR "/%1.png").arg(name)));
+    }
+    void setTheme(int mode) { engine_->singletonInstance<QObject*>("Furrow.Controls", "Theme")->setProperty("forced", mode); }
+    StickExport& stick() const { return *session_->exporter()->stick(); }
+    void openOn(const QTemporaryDir& folder) {
+        click("empty.sample.0");
+        QTRY_COMPARE_WITH_TIMEOUT(session_->state(), PlanSession::State::Ready, 20000);
+        click("exportButton");
+        click("export.onStick");
+        QTRY_VERIFY(shown("stick.terminal"));
+        // In the place of the system's own dialog.
+        stick().addFolder(QUrl::fromLocalFile(folder.path()));
+        QTRY_VERIFY(shown("stick.row.0"));
+    }
+    static QByteArray contentsOf(const QString& path) {
+        QFile file{path};
+        return file.open(QIODevice::ReadOnly) ? file.readAll() : QByteArray{};
+    }
+
+private slots:
+    void initTestCase() {
+        QStandardPaths::setTestModeEnabled(true);
+        QCoreApplication::setOrganizationName(QStringLiteral("furrow-tests"));
+        prepareWindow();
+    }
+    void init() {
+        session_ = std::make_unique<PlanSession>();
+        engine_ = std::make_unique<QQmlApplicationEngine>();
+        engine_->setInitialProperties({{QStringLiteral("session"), QVariant::fromValue(session_.get())}});
+        engine_->loadFromModule("Furrow.Shell", "Main");
+        QVERIFY(!engine_->rootObjects().isEmpty());
+        window_ = qobject_cast<QQuickWindow*>(engine_->rootObjects().first());
+        window_->resize(1280, 800);
+        QVERIFY(QTest::qWaitForWindowExposed(window_));
+        QTRY_COMPARE(window_->width(), 1280);
+    }
+    void cleanup() {
+        engine_.reset();
+        session_.reset();
+    }
+
+    void aStickIsWrittenAndWhatWasThereIsKept() {
+        const QTemporaryDir folder;
+        QVERIFY(QDir{folder.path()}.mkdir(QStringLiteral("TASKDATA")));
+        QFile old{folder.filePath(QStringLiteral("TASKDATA/TASKDATA.XML"))};
+        QVERIFY(old.open(QIODevice::WriteOnly) && old.write("the old one") > 0);
+        old.close();
+        openOn(folder);
+        QTRY_VERIFY(shown("stick.conflict"));
+        picture(QStringLiteral("stick-asks"));
+        QVERIFY(!item("export.write")->isEnabled());
+        click("stick.replace");
+        QTRY_VERIFY(item("export.write")->isEnabled());
+        click("export.write");
+        QTRY_COMPARE(stick().state(), StickExport::State::Done);
+        QTRY_VERIFY(shown("stick.message"));
+        QVERIFY(item("stick.message")->property("text").toString().startsWith(QStringLiteral("Safe to unplug")));
+        picture(QStringLiteral("stick-done"));
+        QCOMPARE(contentsOf(folder.filePath(QStringLiteral("TASKDATA_backup_1/TASKDATA.XML"))), QByteArray{"the old one"});
+        QVERIFY(contentsOf(folder.filePath(QStringLiteral("TASKDATA/TASKDATA.XML"))).contains("<PFD"));
+        click("export.close");
+        QTRY_VERIFY(!shown("stick.message"));
+    }
+
+    void theTerminalDecidesTheFiles() {
+        const QTemporaryDir folder;
+        openOn(folder);
+        // The first of the list is AgOpenGPS: chosen by keys, as without a mouse.
+        click("stick.terminal");
+        QTest::keyClick(window_, Qt::Key_Home);
+        QTest::keyClick(window_, Qt::Key_Return);
+        QTRY_COMPARE(stick().terminal(), 0);
+        QVERIFY(item("stick.shows")->property("text").toString().contains(QStringLiteral("recorded path")));
+        click("export.write");
+        QTRY_COMPARE(stick().state(), StickExport::State::Done);
+        const QStringList fields = QDir{folder.filePath(QStringLiteral("AgOpenGPS/Fields"))}.entryList(QDir::Dirs | QDir::NoDotAndDotDot);
+        QCOMPARE(fields.size(), 1);
+        QVERIFY(QFile::exists(folder.filePath(QStringLiteral("AgOpenGPS/Fields/%1/RecPath.txt").arg(fields.first()))));
+        picture(QStringLiteral("stick-agopengps"));
+    }
+
+    void aStickThatIsGoneIsTold() {
+        auto folder = std::make_unique<QTemporaryDir>();
+        const QString path = folder->path();
+        openOn(*folder);
+        stick().setLooking(false);  // so that it is still in the list
+        folder.reset();
+        QVERIFY(!QFile::exists(path));
+        click("export.write");
+        QTRY_COMPARE(stick().state(), StickExport::State::Failed);
+        QTRY_VERIFY(shown("stick.problem"));
+        picture(QStringLiteral("stick-gone"));
+        QVERIFY(!QFile::exists(path));
+    }
+
+    void aStickThatIsPulledOutLeavesTheList() {
+        auto folder = std::make_unique<QTemporaryDir>();
+        openOn(*folder);
+        folder.reset();
+        QTRY_VERIFY(shown("stick.none"));
+        QVERIFY(!item("export.write")->isEnabled());
+    }
+
+    void picturesOfEveryTheme_data() {
+        QTest::addColumn<int>("mode");
+        QTest::addColumn<QSize>("size");
+        QTest::addColumn<QString>("name");
+        QTest::newRow("light, small") << 1 << QSize{1280, 800} << "light-1280";
+        QTest::newRow("dark, small") << 2 << QSize{1280, 800} << "dark-1280";
+        QTest::newRow("light, large") << 1 << QSize{1920, 1200} << "light-1920";
+        QTest::newRow("dark, large") << 2 << QSize{1920, 1200} << "dark-1920";
+    }
+    void picturesOfEveryTheme() {
+        QFETCH(int, mode);
+        QFETCH(QSize, size);
+        QFETCH(QString, name);
+        window_->resize(size);
+        QTRY_COMPARE(window_->width(), size.width());
+        setTheme(mode);
+        const QTemporaryDir folder;
+        openOn(folder);
+        waitForRest(*item("export.write"));
+        picture(QStringLiteral("stick-") + name);
+        click("export.inFolder");
+        QTRY_VERIFY(shown("export.folder"));
+        waitForRest(*item("export.write"));
+        // Everything that can be pressed is inside the window.
+        for (const char* button : {"export.write", "export.close", "export.choose", "export.format.0"}) {
+            QVERIFY2(QRect(QPoint{}, size).contains(middleOf(*item(button))), button);
+        }
+        picture(QStringLiteral("files-") + name);
+        setTheme(0);
+    }
+};
+
+QTEST_MAIN(TestExportWindow)
+#include "tst_export_window.moc"

@@ -1,0 +1,311 @@
+#include "ui/plan/stick_export.h"
+
+#include "planner/io/stick_writer.h"
+#include "planner/io/terminals.h"
+#include "ui/plan/unit_text.h"
+
+#include <QDir>
+#include <QFileInfo>
+#include <QLocale>
+#include <QSettings>
+#include <QStorageInfo>
+
+#include <algorithm>
+#include <ranges>
+#include <utility>
+
+namespace furrow {
+
+namespace {
+
+constexpr int kLookEveryMs = 1000;
+constexpr auto kTerminalKey = "export/terminal";
+
+/// Those that go on a stick.
+const std::vector<const Terminal*>& stickTerminals() {
+    static const std::vector<const Terminal*> all = [] {
+        std::vector<const Terminal*> chosen;
+        for (const Terminal& terminal : terminals()) {
+            if (terminal.onStick) {
+                chosen.push_back(&terminal);
+            }
+        }
+        return chosen;
+    }();
+    return all;
+}
+
+bool isStick(const QStorageInfo& volume) {
+    static const QStringList places{QStringLiteral("/media/"), QStringLiteral("/run/media/"), QStringLiteral("/mnt/"),
+                                    QStringLiteral("/Volumes/")};
+    return volume.isValid() && volume.isReady() && !volume.isRoot() && std::ranges::any_of(places, [&volume](const QString& place) {
+               return (volume.rootPath() + u'/').startsWith(place);
+           });
+}
+
+/// As people call them: Linux says vfat to all kinds of FAT.
+QString fileSystemName(const QByteArray& type) {
+    if (type == "vfat" || type == "msdos") {
+        return QStringLiteral("FAT32");
+    }
+    return type == "fuseblk" || type.startsWith("ntfs") ? QStringLiteral("NTFS")
+           : type == "exfat"                            ? QStringLiteral("exFAT")
+                                                        : QString::fromLatin1(type);
+}
+
+QString detailOf(const QStorageInfo& volume) {
+    const QLocale locale;
+    return QStringLiteral("%1 · %2 · %3").arg(
+        volume.rootPath(), fileSystemName(volume.fileSystemType()),
+        StickExport::tr("%1 free of %2").arg(locale.formattedDataSize(volume.bytesAvailable(), 1, QLocale::DataSizeSIFormat),
+                                             locale.formattedDataSize(volume.bytesTotal(), 1, QLocale::DataSizeSIFormat)));
+}
+
+QString joined(const std::vector<std::filesystem::path>& paths) {
+    QStringList names;
+    for (const std::filesystem::path& path : paths) {
+        names << QString::fromStdU16String(path.u16string());
+    }
+    return names.join(QStringLiteral(", "));
+}
+
+}  // namespace
+
+StickExport::StickExport(QObject* parent) : QAbstractListModel{parent} {
+    timer_.setInterval(kLookEveryMs);
+    connect(&timer_, &QTimer::timeout, this, &StickExport::refresh);
+    connect(&runner_, &JobRunner::progressChanged, this, &StickExport::progressChanged);
+    // The terminal of last time, or the one that most stand for.
+    const QString last = QSettings{}.value(kTerminalKey, QStringLiteral("isobus")).toString();
+    const auto& all = stickTerminals();
+    const auto known = std::ranges::find(all, last.toStdString(), [](const Terminal* terminal) { return std::string{terminal->id}; });
+    terminal_ = known == all.end() ? 0 : static_cast<int>(known - all.begin());
+}
+
+void StickExport::setPlan(std::shared_ptr<const Plan> plan) {
+    plan_ = std::move(plan);
+    if (state_ == State::Writing) {
+        runner_.cancel();
+    }
+    clear();
+    if (looking()) {
+        examine();
+    }
+}
+
+void StickExport::setLooking(bool looking) {
+    if (looking == timer_.isActive()) {
+        return;
+    }
+    if (looking) {
+        refresh();
+        timer_.start();
+        examine();
+    } else {
+        timer_.stop();
+    }
+    emit lookingChanged();
+}
+
+QStringList StickExport::terminalNames() const {
+    QStringList names;
+    for (const Terminal* terminal : stickTerminals()) {
+        names << fromStd(terminal->name);
+    }
+    return names;
+}
+
+void StickExport::setTerminal(int index) {
+    if (index == terminal_ || index < 0 || index >= static_cast<int>(stickTerminals().size())) {
+        return;
+    }
+    terminal_ = index;
+    QSettings{}.setValue(kTerminalKey, fromStd(stickTerminals()[static_cast<std::size_t>(index)]->id));
+    emit terminalChanged();
+    clear();
+    examine();
+}
+
+QString StickExport::shows() const {
+    return fromStd(stickTerminals()[static_cast<std::size_t>(terminal_)]->shows);
+}
+
+void StickExport::setCurrent(int row) {
+    if (row == current_ || row < -1 || row >= count()) {
+        return;
+    }
+    current_ = row;
+    emit currentChanged();
+    clear();
+    examine();
+}
+
+int StickExport::rowCount(const QModelIndex& parent) const {
+    return parent.isValid() ? 0 : count();
+}
+
+QVariant StickExport::data(const QModelIndex& index, int role) const {
+    if (!checkIndex(index, CheckIndexOption::IndexIsValid)) {
+        return {};
+    }
+    const Stick& stick = sticks_[static_cast<std::size_t>(index.row())];
+    switch (role) {
+        case Qt::DisplayRole:
+        case NameRole: return stick.name;
+        case DetailRole: return stick.detail;
+        default: return {};
+    }
+}
+
+QHash<int, QByteArray> StickExport::roleNames() const {
+    return {{NameRole, "name"}, {DetailRole, "detail"}};
+}
+
+std::vector<StickExport::Stick> StickExport::found() const {
+    std::vector<Stick> all;
+    for (const QStorageInfo& volume : QStorageInfo::mountedVolumes()) {
+        if (isStick(volume)) {
+            const QString label = volume.displayName();
+            all.push_back({volume.rootPath(), label.startsWith(u'/') ? QDir{label}.dirName() : label, detailOf(volume)});
+        }
+    }
+    for (const QString& folder : folders_) {
+        if (QFileInfo{folder}.isDir()) {
+            all.push_back({folder, QDir{folder}.dirName(), detailOf(QStorageInfo{folder}).replace(QStorageInfo{folder}.rootPath() + u' ', folder + u' ')});
+        }
+    }
+    return all;
+}
+
+void StickExport::refresh() {
+    std::vector<Stick> now = found();
+    if (now == sticks_) {
+        return;
+    }
+    const QString chosen = current_ < 0 ? QString{} : sticks_[static_cast<std::size_t>(current_)].root;
+    const auto rootsOf = [](const std::vector<Stick>& sticks) {
+        QStringList roots;
+        for (const Stick& stick : sticks) {
+            roots << stick.root;
+        }
+        return roots;
+    };
+    if (rootsOf(now) == rootsOf(sticks_)) {
+        sticks_ = std::move(now);
+        emit dataChanged(index(0), index(count() - 1), {NameRole, DetailRole});
+        return;
+    }
+    beginResetModel();
+    sticks_ = std::move(now);
+    const auto again = std::ranges::find(sticks_, chosen, &Stick::root);
+    current_ = again != sticks_.end() ? static_cast<int>(again - sticks_.begin()) : sticks_.size() == 1 ? 0 : -1;
+    endResetModel();
+    emit countChanged();
+    emit currentChanged();
+    if (state_ != State::Writing) {
+        examine();
+    }
+}
+
+void StickExport::addFolder(const QUrl& folder) {
+    const QString path = QDir::cleanPath(folder.toLocalFile());
+    if (path.isEmpty()) {
+        return;
+    }
+    if (!folders_.contains(path)) {
+        folders_ << path;
+    }
+    refresh();
+    const auto row = std::ranges::find(sticks_, path, &Stick::root);
+    if (row != sticks_.end()) {
+        setCurrent(static_cast<int>(row - sticks_.begin()));
+    }
+}
+
+void StickExport::examine() {
+    warnings_.clear();
+    replaces_.clear();
+    emit examined();
+    if (!plan_ || current_ < 0 || state_ == State::Writing) {
+        return;
+    }
+    const std::filesystem::path root{sticks_[static_cast<std::size_t>(current_)].root.toStdU16String()};
+    const Terminal* terminal = stickTerminals()[static_cast<std::size_t>(terminal_)];
+    runner_.submit([this, plan = plan_, root, terminal](const JobContext& job) -> JobRunner::Delivery {
+        const auto stick = openStick(root);
+        QStringList warnings;
+        if (const auto info = stick->info()) {
+            for (const std::string& warning : stickWarnings(*info)) {
+                warnings << fromStd(warning);
+            }
+        }
+        const auto files = terminalFiles(*terminal, *plan, job);
+        const QString replaces = files ? joined(stickConflicts(*stick, *files)) : QString{};
+        return [this, warnings, replaces] {
+            warnings_ = warnings;
+            replaces_ = replaces;
+            emit examined();
+        };
+    });
+}
+
+void StickExport::write(bool replace) {
+    if (!plan_ || current_ < 0 || state_ == State::Writing) {
+        return;
+    }
+    const std::filesystem::path root{sticks_[static_cast<std::size_t>(current_)].root.toStdU16String()};
+    const Terminal* terminal = stickTerminals()[static_cast<std::size_t>(terminal_)];
+    setState(State::Writing, tr("Writing …"));
+    runner_.submit([this, plan = plan_, root, terminal, replace](const JobContext& job) -> JobRunner::Delivery {
+        const std::vector<FieldContent> meant{contentOf(*plan, terminal->options)};
+        const auto stick = openStick(root);
+        auto report = terminalFiles(*terminal, *plan, job).and_then([&](const FormatFiles& files) {
+            return writeToStick(*stick, files, meant, replace, job);
+        });
+        return [this, report = std::move(report)] {
+            if (!report) {
+                const Error& error = report.error();
+                setState(error.code == ErrorCode::Cancelled ? State::Idle : State::Failed, fromStd(error.what), fromStd(error.remedy));
+                examine();
+                return;
+            }
+            written_.clear();
+            notes_.clear();
+            for (const std::filesystem::path& file : report->files) {
+                written_ << QString::fromStdU16String(file.u16string());
+            }
+            for (const std::string& note : report->notes) {
+                notes_ << fromStd(note);
+            }
+            if (!report->backups.empty()) {
+                notes_ << tr("What was there before is kept as %1.").arg(joined(report->backups));
+            }
+            setState(State::Done, report->contentCompared
+                                      ? tr("Safe to unplug: every byte was read back, and the plan read from the stick is this plan.")
+                                      : tr("Safe to unplug: every byte was read back and is as written."));
+        };
+    });
+}
+
+void StickExport::cancel() {
+    if (state_ == State::Writing) {
+        runner_.cancel();
+        setState(State::Idle);
+        examine();
+    }
+}
+
+void StickExport::clear() {
+    written_.clear();
+    notes_.clear();
+    setState(State::Idle);
+}
+
+void StickExport::setState(State state, const QString& message, const QString& remedy) {
+    state_ = state;
+    message_ = message;
+    remedy_ = remedy;
+    emit stateChanged();
+}
+
+}  // namespace furrow

@@ -1,0 +1,120 @@
+#pragma once
+
+#include "planner/plan/plan.h"
+#include "ui/plan/job_runner.h"
+
+#include <QAbstractListModel>
+#include <QStringList>
+#include <QTimer>
+#include <QUrl>
+#include <QtQml/qqmlregistration.h>
+
+#include <vector>
+
+namespace furrow {
+
+/// Writes a plan for a terminal to a USB stick: the sticks that there are, what stands in the way on the chosen one,
+/// and what became of it. The sticks are looked for while `looking` is set.
+class StickExport : public QAbstractListModel {
+    Q_OBJECT
+    QML_ELEMENT
+    QML_UNCREATABLE("belongs to a session")
+    Q_PROPERTY(bool looking READ looking WRITE setLooking NOTIFY lookingChanged FINAL)
+    Q_PROPERTY(int count READ count NOTIFY countChanged FINAL)
+    Q_PROPERTY(QStringList terminalNames READ terminalNames CONSTANT FINAL)
+    Q_PROPERTY(int terminal READ terminal WRITE setTerminal NOTIFY terminalChanged FINAL)
+    Q_PROPERTY(QString shows READ shows NOTIFY terminalChanged FINAL)
+    Q_PROPERTY(int current READ current WRITE setCurrent NOTIFY currentChanged FINAL)
+    /// What terminals cannot read about the chosen stick.
+    Q_PROPERTY(QStringList warnings READ warnings NOTIFY examined FINAL)
+    /// What is on it already and would be kept as a backup; empty where nothing is in the way.
+    Q_PROPERTY(QString replaces READ replaces NOTIFY examined FINAL)
+    Q_PROPERTY(State state READ state NOTIFY stateChanged FINAL)
+    Q_PROPERTY(QString message READ message NOTIFY stateChanged FINAL)
+    Q_PROPERTY(QString remedy READ remedy NOTIFY stateChanged FINAL)
+    /// What was written, a line for each file, and what a driver should know.
+    Q_PROPERTY(QStringList written READ written NOTIFY stateChanged FINAL)
+    Q_PROPERTY(QStringList notes READ notes NOTIFY stateChanged FINAL)
+    Q_PROPERTY(double progress READ progress NOTIFY progressChanged FINAL)
+
+public:
+    enum class State { Idle, Writing, Done, Failed };
+    Q_ENUM(State)
+    enum Role { NameRole = Qt::UserRole + 1, DetailRole };
+
+    explicit StickExport(QObject* parent = nullptr);
+
+    /// What is to be written; null for nothing.
+    void setPlan(std::shared_ptr<const Plan> plan);
+
+    bool looking() const { return timer_.isActive(); }
+    void setLooking(bool looking);
+    int count() const { return static_cast<int>(sticks_.size()); }
+    QStringList terminalNames() const;
+    int terminal() const { return terminal_; }
+    void setTerminal(int index);
+    QString shows() const;
+    int current() const { return current_; }
+    void setCurrent(int row);
+    QStringList warnings() const { return warnings_; }
+    QString replaces() const { return replaces_; }
+    State state() const { return state_; }
+    QString message() const { return message_; }
+    QString remedy() const { return remedy_; }
+    QStringList written() const { return written_; }
+    QStringList notes() const { return notes_; }
+    double progress() const { return runner_.progress(); }
+
+    int rowCount(const QModelIndex& parent = {}) const override;
+    QVariant data(const QModelIndex& index, int role) const override;
+    QHash<int, QByteArray> roleNames() const override;
+
+    /// A folder in the place of a stick, from which the files are carried on by other means.
+    Q_INVOKABLE void addFolder(const QUrl& folder);
+    /// Writes, reads back and compares in the background.
+    /// @param replace  what is there may be renamed to a backup
+    Q_INVOKABLE void write(bool replace);
+    Q_INVOKABLE void cancel();
+    /// Forgets the last result.
+    Q_INVOKABLE void clear();
+
+signals:
+    void lookingChanged();
+    void countChanged();
+    void terminalChanged();
+    void currentChanged();
+    void examined();
+    void stateChanged();
+    void progressChanged();
+
+private:
+    struct Stick {
+        QString root;
+        QString name;
+        QString detail;
+
+        friend bool operator==(const Stick&, const Stick&) = default;
+    };
+    std::vector<Stick> found() const;
+    void refresh();
+    /// What stands in the way, worked out in the background.
+    void examine();
+    void setState(State state, const QString& message = {}, const QString& remedy = {});
+
+    std::shared_ptr<const Plan> plan_;
+    std::vector<Stick> sticks_;
+    QStringList folders_;
+    QTimer timer_;
+    int terminal_ = 0;
+    int current_ = -1;
+    QStringList warnings_;
+    QString replaces_;
+    State state_ = State::Idle;
+    QString message_;
+    QString remedy_;
+    QStringList written_;
+    QStringList notes_;
+    JobRunner runner_;
+};
+
+}  // namespace furrow
