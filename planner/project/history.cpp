@@ -1,6 +1,7 @@
 #include "planner/project/history.h"
 
 #include "planner/io/file_folder.h"
+#include "planner/project/project_edits.h"
 #include "planner/project/project_json.h"
 
 #include <fcntl.h>
@@ -132,6 +133,22 @@ bool apply(History& history, const OrderedJson& json) {
 }
 
 }  // namespace
+
+bool recogniseSaved(History& history, const Project& inFile, const std::string& fingerprint) {
+    if (history.savedFingerprint == fingerprint) {
+        return true;
+    }
+    // What is merely looked at is no change.
+    const Project plain = showing(inFile, 0, 0);
+    for (std::size_t steps = history.steps.size() + 1; steps-- > 0;) {
+        if (showing(*stateAt(history, steps), 0, 0) == plain) {
+            history.savedFingerprint = fingerprint;
+            history.saved = steps;
+            return true;
+        }
+    }
+    return false;
+}
 
 Result<HistoryJournal> HistoryJournal::open(const fs::path& path) {
     std::error_code ignored;

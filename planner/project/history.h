@@ -36,6 +36,10 @@ struct History {
     bool isUnsaved() const { return saved != done; }
 };
 
+/// Takes what is in the project file as saved where it is one of the history's states, the latest of them: a crash
+/// may come between saving and noting it. False where the file is another program's.
+bool recogniseSaved(History& history, const Project& inFile, const std::string& fingerprint);
+
 /// Keeps a history in a file while it is made, so that nothing is lost when the program or the computer stops.
 /// Changes are appended; what a crash cut off is dropped when it is read. While it is open nobody else can open it.
 class HistoryJournal {
