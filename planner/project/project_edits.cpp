@@ -1,6 +1,9 @@
 #include "planner/project/project_edits.h"
 
+#include "planner/plan/method_registry.h"
+
 #include <algorithm>
+#include <format>
 #include <utility>
 
 namespace furrow {
@@ -25,6 +28,20 @@ Project withSourceChanged(Project project, Change change) {
         change(field, source);
         field.source = std::make_shared<const FieldSource>(std::move(source));
     });
+}
+
+const Parameter& parameterOf(std::string_view key) {
+    return **findParameter(key);
+}
+
+bool hasSwathMethod(std::string_view id) {
+    const auto stage = std::ranges::find(stages(), "swaths", &StageInfo::id);
+    return std::ranges::contains(stage->methods, id, &MethodInfo::id);
+}
+
+/// Methods that lay swaths along a line of at least two points.
+bool followsLine(const std::string& method) {
+    return method == "ab-line" || method == "ab-curve";
 }
 
 template <class Entry>
@@ -77,6 +94,68 @@ Project withoutField(Project project) {
     erase(project.fields, project.currentField);
     const std::size_t field = project.currentField;
     return showing(std::move(project), field, 0);
+}
+
+Project withObstacle(Project project, Obstacle obstacle) {
+    return withSourceChanged(std::move(project), [&obstacle](ProjectField&, FieldSource& source) {
+        source.obstacles.push_back(std::move(obstacle));
+    });
+}
+
+Project withGate(Project project, Gate gate) {
+    return withSourceChanged(std::move(project), [&gate](ProjectField&, FieldSource& source) {
+        source.gates.push_back(std::move(gate));
+    });
+}
+
+Project withHole(Project project, std::size_t part, GeoRing hole) {
+    return withSourceChanged(std::move(project), [part, &hole](ProjectField&, FieldSource& source) {
+        if (part < source.parts.size()) {
+            source.parts[part].holes.push_back(std::move(hole));
+        }
+    });
+}
+
+Project withoutHole(Project project, std::size_t part, std::size_t hole) {
+    return withSourceChanged(std::move(project), [part, hole](ProjectField&, FieldSource& source) {
+        if (part < source.parts.size()) {
+            erase(source.parts[part].holes, hole);
+        }
+    });
+}
+
+bool canFollowCurves() {
+    return hasSwathMethod("ab-curve");
+}
+
+Project withGuide(Project project, const GeoRing& line) {
+    Settings settings = project.plan().settings;
+    const Parameter& method = parameterOf("swaths.method");
+    if (line.size() < 2) {
+        settings.clear(parameterOf("swaths.line"));
+        if (followsLine(settings.choice(method))) {
+            settings.clear(method);
+        }
+        const Machine machine = project.plan().machine;
+        return withPlan(std::move(project), machine, settings);
+    }
+    const bool curve = line.size() > 2 && canFollowCurves();
+    std::string points;
+    for (std::size_t i = 0; i < line.size(); ++i) {
+        if (curve || i == 0 || i + 1 == line.size()) {
+            points += std::format("{}{} {}", points.empty() ? "" : ", ", line[i].lonDeg, line[i].latDeg);
+        }
+    }
+    const bool set = settings.set(parameterOf("swaths.line"), std::format("LINESTRING ({})", points)) &&
+                     settings.set(method, std::string{curve ? "ab-curve" : "ab-line"});
+    const Machine machine = project.plan().machine;
+    return set ? withPlan(std::move(project), machine, settings) : project;
+}
+
+GeoRing guideOf(const Project& project) {
+    const Settings& settings = project.plan().settings;
+    return followsLine(settings.choice(parameterOf("swaths.method"))) ? settings.line(parameterOf("swaths.line"))
+                                                                      : GeoRing{};
 }
 
 Project withoutObstacle(Project project, std::size_t obstacle) {

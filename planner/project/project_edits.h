@@ -18,6 +18,18 @@ Project withPlan(Project project, const Machine& machine, const Settings& settin
 Project withFields(Project project, std::vector<FieldSource> sources);
 /// Without the current field; its neighbour is current then.
 Project withoutField(Project project);
+/// With another obstacle, gate or hole in the current field, behind the others.
+Project withObstacle(Project project, Obstacle obstacle);
+Project withGate(Project project, Gate gate);
+Project withHole(Project project, std::size_t part, GeoRing hole);
+Project withoutHole(Project project, std::size_t part, std::size_t hole);
+/// With the swaths of the current plan along this line; of three points or more, as a curve where the planner can.
+/// Without points: back to the planner's own choice.
+Project withGuide(Project project, const GeoRing& line);
+/// The line that the current plan's swaths follow; empty for none.
+GeoRing guideOf(const Project& project);
+/// Whether swaths can follow a curve.
+bool canFollowCurves();
 /// Without one obstacle or gate of the current field.
 Project withoutObstacle(Project project, std::size_t obstacle);
 Project withoutGate(Project project, std::size_t gate);

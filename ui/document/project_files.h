@@ -75,6 +75,7 @@ public:
     /// What is not saved is not wanted: the journal forgets it. Call when the window closes.
     Q_INVOKABLE void abandonChanges();
     Q_INVOKABLE void dismiss() { tell(Trouble::None); }
+    Q_INVOKABLE QUrl urlOf(const QString& path) const { return QUrl::fromLocalFile(path); }
     /// A name to save under, in the user's documents.
     Q_INVOKABLE QUrl suggestedFile() const;
 

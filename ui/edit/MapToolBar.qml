@@ -5,10 +5,9 @@ import Furrow.Controls
 Rectangle {
     id: root
 
-    required property bool drawing
+    required property FieldEditor editor
     required property bool hasField
-    signal selectRequested()
-    signal drawRequested()
+    signal toolRequested(tool: int)
     signal fitRequested()
     signal zoomRequested(levels: real)
 
@@ -20,6 +19,18 @@ Rectangle {
     border.width: Theme.hairline
     border.color: Theme.line
 
+    component Tool: ToolIconButton {
+        required property int tool
+
+        checked: root.editor.tool === tool
+        onClicked: root.toolRequested(tool)
+    }
+    component Line: Rectangle {
+        width: 38
+        height: Theme.hairline
+        color: Theme.line
+    }
+
     SoftShadow { radius: root.radius }
     Column {
         id: column
@@ -28,21 +39,47 @@ Rectangle {
         y: 4
         spacing: 2
 
-        ToolIconButton {
+        Tool {
             objectName: "selectTool"
+            tool: FieldEditor.Select
             iconName: "select"
-            hint: qsTr("Select and drag points of the boundary")
-            checked: !root.drawing
-            onClicked: root.selectRequested()
+            hint: qsTr("Select and change (V)")
         }
-        ToolIconButton {
+        Tool {
             objectName: "drawTool"
+            tool: FieldEditor.Field
             iconName: "draw"
-            hint: qsTr("Draw a new boundary (B)")
-            checked: root.drawing
-            onClicked: root.drawRequested()
+            hint: qsTr("Draw a field (B)")
         }
-        Rectangle { width: 38; height: Theme.hairline; color: Theme.line }
+        Tool {
+            objectName: "holeTool"
+            tool: FieldEditor.Hole
+            iconName: "hole"
+            hint: qsTr("Draw a hole (H)")
+            enabled: root.hasField
+        }
+        Tool {
+            objectName: "obstacleTool"
+            tool: FieldEditor.Obstacle
+            iconName: "obstacle"
+            hint: qsTr("Draw an obstacle (O)")
+            enabled: root.hasField
+        }
+        Tool {
+            objectName: "guideTool"
+            tool: FieldEditor.Guide
+            iconName: "ab-line"
+            hint: qsTr("Draw an AB line (L)")
+            enabled: root.hasField
+        }
+        Tool {
+            objectName: "gateTool"
+            tool: FieldEditor.Gate
+            iconName: "gate"
+            hint: qsTr("Add a gate (G)")
+            enabled: root.hasField
+        }
+        Line {}
         ToolIconButton {
             objectName: "fitTool"
             iconName: "fit"

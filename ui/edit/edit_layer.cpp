@@ -1,4 +1,4 @@
-#include "ui/map/edit_layer.h"
+#include "ui/edit/edit_layer.h"
 
 #include "ui/map/mesh_nodes.h"
 
@@ -9,6 +9,7 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <utility>
 
 namespace furrow {
 
@@ -25,8 +26,8 @@ constexpr double kLevelsPerNotch = 0.5;
 
 /// Lines and discs in pixels of the item, so nothing has to follow the camera.
 struct EditRoot : QSGNode {
-    std::array<LineNode*, 7> nodes{};
-    enum Slot { Casing, Line, Rubber, HandleEdge, HandleFace, ActiveEdge, ActiveFace };
+    std::array<LineNode*, 11> nodes{};
+    enum Slot { GuideCasing, Guide, Casing, Line, Rubber, Snap, HandleEdge, HandleFace, MiddleFace, ActiveEdge, ActiveFace };
 
     EditRoot() {
         for (LineNode*& node : nodes) {
@@ -51,104 +52,74 @@ void addDisc(LineMesh& mesh, QPointF pixel) {
 
 }  // namespace
 
+struct EditLayer::Marks {
+    LineMesh guide;
+    LineMesh line;
+    LineMesh rubber;
+    LineMesh snap;
+    LineMesh handles;
+    LineMesh middles;
+    LineMesh active;
+};
+
 EditLayer::EditLayer(QQuickItem* parent) : MapLayer{parent} {
     setAcceptedMouseButtons(Qt::LeftButton | Qt::MiddleButton);
     setAcceptHoverEvents(true);
     connect(this, &EditLayer::styleChanged, this, &QQuickItem::update);
 }
 
-void EditLayer::setDrawing(const PlanDrawing& drawing) {
-    if (drawing == drawing_) {
-        return;
-    }
-    drawing_ = drawing;
-    // While a vertex is held, what the user sees is the truth and the plan comes after.
-    if (!grabbed_) {
-        rings_ = drawing_.isEmpty() ? std::vector<EditableRing>{} : drawing_.geometry()->rings;
-        hovered_.reset();
-    }
-    update();
-    emit drawingChanged();
-}
-
-void EditLayer::setTool(Tool tool) {
-    if (tool == tool_) {
-        return;
-    }
-    tool_ = tool;
-    draft_.clear();
-    setHovered(std::nullopt);
-    setCursor(tool_ == Tool::Draw ? Qt::CrossCursor : Qt::ArrowCursor);
-    update();
-    emit toolChanged();
-    emit draftChanged();
-}
-
-double EditLayer::draftLengthM() const {
-    if (draft_.empty() || !pointerInside_) {
-        return 0.0;
-    }
-    return coordinate(draft_.back()).distanceTo(coordinate(camera()->toWorld(pointer_)));
-}
-
-void EditLayer::finishDraft() {
-    if (tool_ != Tool::Draw || draft_.size() < 3) {
-        return;
-    }
-    QList<QGeoCoordinate> points;
-    std::ranges::transform(draft_, std::back_inserter(points), [](WorldPoint p) { return coordinate(p); });
-    setTool(Tool::Select);
-    emit boundaryDrawn(points);
-}
-
-void EditLayer::cancelDraft() {
-    setTool(Tool::Select);
-}
-
-void EditLayer::removeLastPoint() {
-    if (!draft_.empty()) {
-        draft_.pop_back();
+void EditLayer::setEditor(FieldEditor* editor) {
+    editor_ = editor;
+    connect(editor_, &FieldEditor::changed, this, [this] {
+        convert();
+        showCursor();
         update();
-        emit draftChanged();
+    });
+    convert();
+    emit editorChanged();
+}
+
+void EditLayer::convert() {
+    world_.clear();
+    if (!editor_->shape()) {
+        return;
+    }
+    for (const Outline& outline : editor_->shape()->outlines) {
+        std::vector<WorldPoint>& points = world_.emplace_back();
+        points.reserve(outline.places.size());
+        std::ranges::transform(outline.places, std::back_inserter(points), [](GeoPoint place) { return worldPoint(place); });
     }
 }
 
-std::optional<EditLayer::Vertex> EditLayer::vertexAt(QPointF pixel) const {
-    std::optional<Vertex> nearest;
-    double reach = kReachPx;
-    for (std::size_t ring = 0; ring < rings_.size(); ++ring) {
-        for (std::size_t i = 0; i < rings_[ring].points.size(); ++i) {
-            const double away = QLineF{camera()->toItem(rings_[ring].points[i]), pixel}.length();
-            if (away <= reach) {
-                reach = away;
-                nearest = Vertex{ring, i};
-            }
-        }
-    }
-    return nearest;
+FieldEditor::Pointer EditLayer::pointerAt(QPointF pixel, Qt::KeyboardModifiers modifiers) const {
+    return {.place = geoPoint(camera()->toWorld(pixel)),
+            .reach = metres(kReachPx * camera()->metresPerPixel()),
+            .free = modifiers.testFlag(Qt::AltModifier)};
 }
 
-void EditLayer::setHovered(std::optional<Vertex> vertex) {
-    if (vertex != hovered_) {
-        hovered_ = vertex;
-        setCursor(hovered_ ? Qt::SizeAllCursor : tool_ == Tool::Draw ? Qt::CrossCursor : Qt::ArrowCursor);
-        update();
-    }
+QPointF EditLayer::pixelOf(Point place) const {
+    return camera()->toItem(worldPoint(editor_->frame()->toGeo(place)));
+}
+
+QPointF EditLayer::pixelOf(const Outline& outline, std::size_t vertex) const {
+    return camera()->toItem(worldPoint(outline.places[vertex]));
+}
+
+void EditLayer::showCursor() {
+    const auto& hovered = editor_->hovered();
+    setCursor(editor_->isDrawing()                              ? Qt::CrossCursor
+              : !hovered                                        ? Qt::ArrowCursor
+              : hovered->kind == ShapeHit::Kind::Inside         ? Qt::PointingHandCursor
+              : hovered->kind == ShapeHit::Kind::Edge           ? Qt::OpenHandCursor
+                                                                : Qt::SizeAllCursor);
 }
 
 void EditLayer::mousePressEvent(QMouseEvent* event) {
     forceActiveFocus(Qt::MouseFocusReason);
     pressed_ = pointer_ = event->position();
     moved_ = false;
-    if (tool_ == Tool::Select && event->button() == Qt::LeftButton) {
-        const std::optional<Vertex> vertex = vertexAt(pressed_);
-        setHovered(vertex);
-        if (vertex) {
-            grabbed_ = vertex;
-            setKeepMouseGrab(true);
-            emit draggingChanged();
-        }
-    }
+    grabbed_ = event->button() == Qt::LeftButton && editor_->press(pointerAt(pressed_, event->modifiers()));
+    setKeepMouseGrab(grabbed_);
     event->accept();
 }
 
@@ -161,7 +132,7 @@ void EditLayer::mouseMoveEvent(QMouseEvent* event) {
     }
     moved_ = true;
     if (grabbed_) {
-        moveGrabbed(pointer_, false);
+        editor_->drag(pointerAt(pointer_, event->modifiers()));
     } else {
         setCursor(Qt::ClosedHandCursor);
         camera()->panBy(pointer_.x() - before.x(), pointer_.y() - before.y());
@@ -169,70 +140,50 @@ void EditLayer::mouseMoveEvent(QMouseEvent* event) {
 }
 
 void EditLayer::mouseReleaseEvent(QMouseEvent* event) {
-    release(event->position());
-}
-
-void EditLayer::mouseUngrabEvent() {
-    if (grabbed_) {
-        release(pointer_);
-    }
-}
-
-void EditLayer::release(QPointF pixel) {
     setKeepMouseGrab(false);
-    if (grabbed_) {
-        if (moved_) {
-            moveGrabbed(pixel, true);
-        }
-        grabbed_.reset();
-        emit draggingChanged();
-        update();
+    const FieldEditor::Pointer pointer = pointerAt(event->position(), event->modifiers());
+    if (std::exchange(grabbed_, false)) {
+        moved_ ? editor_->release(pointer) : editor_->letGo();
         return;
     }
-    setCursor(tool_ == Tool::Draw ? Qt::CrossCursor : Qt::ArrowCursor);
+    showCursor();
     if (moved_) {
         return;
     }
-    if (tool_ == Tool::Select) {
-        emit clicked(pixel);
-        return;
+    if (!editor_->isDrawing()) {
+        emit clicked(event->position());
     }
-    if (draft_.size() >= 3 && QLineF{camera()->toItem(draft_.front()), pixel}.length() <= kReachPx) {
-        finishDraft();
-        return;
-    }
-    draft_.push_back(camera()->toWorld(pixel));
-    update();
-    emit draftChanged();
+    editor_->click(pointer);
 }
 
-void EditLayer::moveGrabbed(QPointF pixel, bool finished) {
-    EditableRing& ring = rings_[grabbed_->ring];
-    const WorldPoint place = camera()->toWorld(pixel);
-    ring.points[grabbed_->index] = place;
-    update();
-    emit vertexMoved(ring.part, ring.ring, static_cast<int>(grabbed_->index), coordinate(place), finished);
+void EditLayer::mouseDoubleClickEvent(QMouseEvent* event) {
+    if (editor_->isDrawing() && editor_->draftCount() >= editor_->draftNeeded()) {
+        editor_->finishDraft();
+        // Its release is no click of its own.
+        moved_ = true;
+    }
+    event->accept();
+}
+
+void EditLayer::mouseUngrabEvent() {
+    if (std::exchange(grabbed_, false)) {
+        editor_->letGo();
+    }
 }
 
 void EditLayer::hoverMoveEvent(QHoverEvent* event) {
     pointer_ = event->position();
     pointerInside_ = true;
-    if (tool_ == Tool::Draw) {
+    if (!grabbed_) {
+        editor_->hover(pointerAt(pointer_, event->modifiers()));
         update();
-        emit draftChanged();
-    } else if (!grabbed_) {
-        setHovered(vertexAt(pointer_));
-        if (!rings_.empty()) {
-            update();
-        }
     }
     event->ignore();
 }
 
 void EditLayer::hoverLeaveEvent(QHoverEvent*) {
     pointerInside_ = false;
-    setHovered(std::nullopt);
-    update();
+    editor_->leave();
 }
 
 void EditLayer::wheelEvent(QWheelEvent* event) {
@@ -241,68 +192,119 @@ void EditLayer::wheelEvent(QWheelEvent* event) {
     event->accept();
 }
 
+void EditLayer::addDraft(Marks& marks) const {
+    std::vector<MapPoint> pixels;
+    for (const GeoPoint place : editor_->draft()) {
+        pixels.push_back(pixelPoint(camera()->toItem(worldPoint(place))));
+    }
+    if (pixels.size() > 1) {
+        marks.line.add(pixels);
+    }
+    if (editor_->cursor()) {
+        const QPointF cursor = camera()->toItem(worldPoint(*editor_->cursor()));
+        if (!pixels.empty()) {
+            std::vector<MapPoint> open{pixels.back(), pixelPoint(cursor)};
+            if (pixels.size() > 1 && editor_->tool() != FieldEditor::Tool::Guide) {
+                open.push_back(pixels.front());
+            }
+            marks.rubber.add(open);
+        }
+        if (editor_->snap() && editor_->snap()->isSnapped()) {
+            addDisc(marks.active, cursor);
+        }
+    }
+    for (const MapPoint pixel : pixels) {
+        marks.handles.add(std::array{pixel});
+    }
+}
+
+void EditLayer::addSelection(Marks& marks) const {
+    const Selection& chosen = editor_->selection();
+    const auto& hovered = editor_->hovered();
+    const auto& outlines = editor_->shape()->outlines;
+    for (std::size_t i = 0; i < outlines.size(); ++i) {
+        const Outline& outline = outlines[i];
+        std::vector<MapPoint> pixels;
+        std::ranges::transform(world_[i], std::back_inserter(pixels), [this](WorldPoint p) { return pixelPoint(camera()->toItem(p)); });
+        if (outline.id.kind == OutlineKind::Guide) {
+            marks.guide.add(pixels);
+        }
+        const bool whole = chosen.outline == outline.id && (chosen.kind == Selection::Kind::Hole || chosen.kind == Selection::Kind::Obstacle ||
+                                                            chosen.kind == Selection::Kind::Guide);
+        if (editor_->isDragging() || whole) {
+            marks.line.add(pixels, outline.closed);
+        }
+        const auto edgeOf = [&](std::size_t edge) {
+            return std::array{pixels[edge], pixels[edge + 1 == pixels.size() ? 0 : edge + 1]};
+        };
+        if (chosen.outline == outline.id && chosen.kind == Selection::Kind::Edge && chosen.index < outline.edgeCount()) {
+            marks.snap.add(edgeOf(chosen.index));
+        } else if (hovered && hovered->outline == outline.id && hovered->kind == ShapeHit::Kind::Edge && !editor_->isDragging()) {
+            marks.snap.add(edgeOf(hovered->index));
+        }
+        for (std::size_t k = 0; k < pixels.size(); ++k) {
+            const QPointF pixel{double{pixels[k].x}, double{pixels[k].y}};
+            const bool isChosen = chosen.isOf(Selection::Kind::Vertex, outline.id, k);
+            const bool isHovered = hovered && hovered->kind == ShapeHit::Kind::Vertex && hovered->outline == outline.id && hovered->index == k;
+            if (isChosen || isHovered) {
+                addDisc(marks.active, pixel);
+                continue;
+            }
+            const MapPoint next = pixels[k + 1 == pixels.size() ? 0 : k + 1];
+            const MapPoint last = pixels[k == 0 ? pixels.size() - 1 : k - 1];
+            const bool crowded = std::max(std::hypot(next.x - pixels[k].x, next.y - pixels[k].y),
+                                          std::hypot(last.x - pixels[k].x, last.y - pixels[k].y)) < kCrowdedPx;
+            if (pointerInside_ && !crowded && QLineF{pixel, pointer_}.length() < kHandlesPx) {
+                addDisc(marks.handles, pixel);
+            }
+        }
+    }
+    if (const auto middle = editor_->midpointHandle()) {
+        addDisc(marks.middles, pixelOf(*middle));
+    }
+    if (const auto buffer = editor_->bufferHandle()) {
+        addDisc(marks.middles, pixelOf(*buffer));
+    }
+    for (std::size_t gate = 0; gate < editor_->shape()->gates.size(); ++gate) {
+        const bool active = chosen.isOf(Selection::Kind::Gate, chosen.outline, gate) ||
+                            (hovered && hovered->kind == ShapeHit::Kind::Gate && hovered->index == gate);
+        addDisc(active ? marks.active : marks.middles, pixelOf(editor_->shape()->gates[gate]));
+    }
+    if (editor_->snap() && editor_->isDragging()) {
+        for (const Point from : editor_->snap()->from) {
+            marks.rubber.add(std::array{pixelPoint(pixelOf(from)), pixelPoint(pixelOf(editor_->snap()->place))});
+        }
+    }
+}
+
+EditLayer::Marks EditLayer::marks() const {
+    Marks marks;
+    if (editor_->isDrawing()) {
+        addDraft(marks);
+    } else if (editor_->shape() && world_.size() == editor_->shape()->outlines.size()) {
+        addSelection(marks);
+    }
+    return marks;
+}
+
 QSGNode* EditLayer::updatePaintNode(QSGNode* old, UpdatePaintNodeData*) {
     auto* root = static_cast<EditRoot*>(old);
     if (root == nullptr) {
         root = new EditRoot;
     }
-    LineMesh line;
-    LineMesh rubber;
-    LineMesh handles;
-    LineMesh active;
-    const auto toPixels = [this](const std::vector<WorldPoint>& points) {
-        std::vector<MapPoint> pixels;
-        std::ranges::transform(points, std::back_inserter(pixels),
-                               [this](WorldPoint p) { return pixelPoint(camera()->toItem(p)); });
-        return pixels;
-    };
-    if (tool_ == Tool::Draw) {
-        const std::vector<MapPoint> pixels = toPixels(draft_);
-        if (pixels.size() > 1) {
-            line.add(pixels);
-        }
-        if (!pixels.empty() && pointerInside_) {
-            std::vector<MapPoint> open{pixels.back(), pixelPoint(pointer_)};
-            if (pixels.size() > 1) {
-                open.push_back(pixels.front());
-            }
-            rubber.add(open);
-        }
-        for (const MapPoint pixel : pixels) {
-            handles.add(std::array{pixel});
-        }
-        if (pixels.size() >= 3 &&
-            QLineF{QPointF{double{pixels.front().x}, double{pixels.front().y}}, pointer_}.length() <= kReachPx) {
-            active.add(std::array{pixels.front()});
-        }
-    } else {
-        for (std::size_t ring = 0; ring < rings_.size(); ++ring) {
-            const std::vector<MapPoint> pixels = toPixels(rings_[ring].points);
-            if (grabbed_ && grabbed_->ring == ring) {
-                line.add(pixels, true);
-            }
-            for (std::size_t i = 0; i < pixels.size(); ++i) {
-                const MapPoint next = pixels[i + 1 == pixels.size() ? 0 : i + 1];
-                const MapPoint last = pixels[i == 0 ? pixels.size() - 1 : i - 1];
-                const QPointF pixel{double{pixels[i].x}, double{pixels[i].y}};
-                const bool crowded = std::max(std::hypot(next.x - pixels[i].x, next.y - pixels[i].y),
-                                              std::hypot(last.x - pixels[i].x, last.y - pixels[i].y)) < kCrowdedPx;
-                if (hovered_ == Vertex{ring, i} || grabbed_ == Vertex{ring, i}) {
-                    addDisc(active, pixel);
-                } else if (pointerInside_ && !crowded && QLineF{pixel, pointer_}.length() < kHandlesPx) {
-                    addDisc(handles, pixel);
-                }
-            }
-        }
-    }
+    const Marks shown = marks();
     const double ratio = devicePixelRatio();
-    root->set(EditRoot::Casing, line, {.color = casingColor_, .widthPx = 4.6}, ratio);
-    root->set(EditRoot::Line, line, {.color = lineColor_, .widthPx = 2.4}, ratio);
-    root->set(EditRoot::Rubber, rubber, {.color = accentColor_, .widthPx = 1.6, .dashPx = 6.0, .periodPx = 10.0}, ratio);
-    root->set(EditRoot::HandleEdge, handles, {.color = casingColor_, .widthPx = 9.0}, ratio);
-    root->set(EditRoot::HandleFace, handles, {.color = handleColor_, .widthPx = 6.4}, ratio);
-    root->set(EditRoot::ActiveEdge, active, {.color = handleColor_, .widthPx = 17.0}, ratio);
-    root->set(EditRoot::ActiveFace, active, {.color = accentColor_, .widthPx = 13.0}, ratio);
+    root->set(EditRoot::GuideCasing, shown.guide, {.color = casingColor_, .widthPx = 4.4}, ratio);
+    root->set(EditRoot::Guide, shown.guide, {.color = guideColor_, .widthPx = 2.4}, ratio);
+    root->set(EditRoot::Casing, shown.line, {.color = casingColor_, .widthPx = 4.6}, ratio);
+    root->set(EditRoot::Line, shown.line, {.color = lineColor_, .widthPx = 2.4}, ratio);
+    root->set(EditRoot::Rubber, shown.rubber, {.color = accentColor_, .widthPx = 1.6, .dashPx = 6.0, .periodPx = 10.0}, ratio);
+    root->set(EditRoot::Snap, shown.snap, {.color = accentColor_, .widthPx = 4.0}, ratio);
+    root->set(EditRoot::HandleEdge, shown.handles, {.color = casingColor_, .widthPx = 9.0}, ratio);
+    root->set(EditRoot::HandleFace, shown.handles, {.color = handleColor_, .widthPx = 6.4}, ratio);
+    root->set(EditRoot::MiddleFace, shown.middles, {.color = accentColor_, .widthPx = 9.0}, ratio);
+    root->set(EditRoot::ActiveEdge, shown.active, {.color = handleColor_, .widthPx = 17.0}, ratio);
+    root->set(EditRoot::ActiveFace, shown.active, {.color = accentColor_, .widthPx = 13.0}, ratio);
     return root;
 }
 

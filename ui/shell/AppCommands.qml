@@ -1,7 +1,7 @@
 import QtQuick
 import QtQuick.Controls
 import Furrow.Controls
-import Furrow.Map
+import Furrow.Edit
 import Furrow.Plan
 
 /// Everything that can be done in the window.
@@ -39,6 +39,14 @@ QtObject {
         checkable: true
         checked: root.results.layers[layer]
         onTriggered: root.results.layers[layer] = checked
+    }
+
+    component ToolCommand: Command {
+        required property int tool
+
+        group: root.fieldGroup
+        enabled: root.session.hasField
+        onTriggered: root.page.startTool(tool)
     }
 
     readonly property list<Command> all: [
@@ -106,6 +114,22 @@ QtObject {
             onTriggered: root.session.document.redo()
         },
         Command {
+            objectName: "command.delete"
+            group: root.editGroup
+            text: qsTr("Delete what is selected")
+            keysText: qsTr("Del")
+            enabled: root.page.editor.canDelete
+            onTriggered: root.page.editor.deleteSelection()
+        },
+        Command {
+            objectName: "command.next"
+            group: root.editGroup
+            text: qsTr("Select the next point")
+            keysText: qsTr("Space")
+            enabled: root.session.hasField
+            onTriggered: root.page.editor.selectNext(1)
+        },
+        Command {
             objectName: "command.palette"
             group: root.editGroup
             text: qsTr("Find a command…")
@@ -119,6 +143,40 @@ QtObject {
             shortcut: "B"
             keywords: qsTr("boundary polygon")
             onTriggered: root.page.startDrawing()
+        },
+        ToolCommand {
+            objectName: "command.hole"
+            tool: FieldEditor.Hole
+            text: qsTr("Draw a hole")
+            shortcut: "H"
+        },
+        ToolCommand {
+            objectName: "command.obstacle"
+            tool: FieldEditor.Obstacle
+            text: qsTr("Draw an obstacle")
+            shortcut: "O"
+            keywords: qsTr("pond tree pole wet")
+        },
+        ToolCommand {
+            objectName: "command.guide"
+            tool: FieldEditor.Guide
+            text: qsTr("Draw an AB line")
+            shortcut: "L"
+            keywords: qsTr("guidance curve direction")
+        },
+        ToolCommand {
+            objectName: "command.gate"
+            tool: FieldEditor.Gate
+            text: qsTr("Add a gate")
+            shortcut: "G"
+            keywords: qsTr("entry road")
+        },
+        Command {
+            objectName: "command.select"
+            group: root.fieldGroup
+            text: qsTr("Select and change")
+            shortcut: "V"
+            onTriggered: root.page.startTool(FieldEditor.Select)
         },
         Command {
             objectName: "command.renameField"

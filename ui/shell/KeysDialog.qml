@@ -9,7 +9,10 @@ ThemedDialog {
     required property list<Command> commands
     readonly property list<var> onMap: [
         [qsTr("Drag the map, wheel"), qsTr("move, zoom")],
-        [qsTr("Arrows, + and −"), qsTr("move, zoom")],
+        [qsTr("Arrows, + and −"), qsTr("move the selection or the map, zoom")],
+        [qsTr(", and ."), qsTr("the point before, the next point")],
+        [qsTr("Enter"), qsTr("finish drawing; type into the inspector")],
+        [qsTr("Alt"), qsTr("no snapping while it is held")],
         [qsTr("Esc"), qsTr("stop what was begun")]
     ]
 

@@ -2,6 +2,7 @@ import QtQuick
 import QtQuick.Controls
 import QtPositioning
 import Furrow.Controls
+import Furrow.Edit
 import Furrow.Map
 import Furrow.Plan
 
@@ -28,7 +29,7 @@ ApplicationWindow {
         commands: appCommands
         recent: RecentList {
             recent: root.session.recent
-            onChosen: path => dialogs.openUrls([Qt.url("file://" + path)])
+            onChosen: path => root.openPath(path)
         }
     }
     color: Theme.background
@@ -135,7 +136,7 @@ ApplicationWindow {
         objectName: "mapPage"
         anchors { left: steps.right; right: results.left; top: topBar.bottom; bottom: parent.bottom }
         focus: true
-        drawing: root.session.drawing
+        session: root.session
         planStyle: ({
                 boundary: Theme.boundary,
                 casing: Theme.casing,
@@ -149,7 +150,7 @@ ApplicationWindow {
                 ground: Theme.panel,
                 ink: Theme.ink,
                 lineFactor: Theme.lineFactor,
-                showBoundary: results.layers.boundary && !page.editLayer.dragging,
+                showBoundary: results.layers.boundary && !page.editor.dragging,
                 showHeadland: results.layers.headland,
                 showSwaths: results.layers.swaths,
                 showTurns: results.layers.turns,
@@ -158,13 +159,12 @@ ApplicationWindow {
                 showFindings: results.layers.findings,
                 selectedFinding: root.currentFinding
             })
-        onBoundaryDrawn: points => root.session.setBoundary(points)
-        onVertexMoved: (part, ring, vertex, place, finished) => root.session.moveVertex(part, ring, vertex, place, finished)
         onFindingClicked: index => {
             if (index >= root.session.findings.few)
                 root.session.findings.all = true;
             root.currentFinding = index;
         }
+        onInspectRequested: results.focusInspector()
 
         StatusChip {
             anchors { right: parent.right; top: parent.top; margins: 16 }
@@ -183,10 +183,11 @@ ApplicationWindow {
         }
         EmptyState {
             anchors.centerIn: parent
-            visible: (root.session.state === PlanSession.Empty || root.session.state === PlanSession.Failed && !root.session.hasField) && !page.drawingBoundary
+            visible: (root.session.state === PlanSession.Empty || root.session.state === PlanSession.Failed && !root.session.hasField) && !page.editor.drawing
             session: root.session
             onOpenRequested: dialogs.open()
             onDrawRequested: page.startDrawing()
+            onProjectRequested: path => root.openPath(path)
         }
         FieldChooser {
             anchors.centerIn: parent
@@ -194,13 +195,10 @@ ApplicationWindow {
             visible: root.session.state === PlanSession.Choosing
             session: root.session
         }
-        DrawingHint {
+        DraftHint {
             anchors { horizontalCenter: parent.horizontalCenter; bottom: parent.bottom; bottomMargin: 20 }
-            visible: page.drawingBoundary
-            points: page.editLayer.draftCount
-            lengthM: page.editLayer.draftLengthM
-            onFinishRequested: page.editLayer.finishDraft()
-            onCancelRequested: page.editLayer.cancelDraft()
+            visible: page.editor.drawing
+            editor: page.editor
         }
         DropArea {
             id: drop
@@ -229,6 +227,7 @@ ApplicationWindow {
         width: 308
         visible: root.panelOpen
         session: root.session
+        editor: page.editor
         currentFinding: root.currentFinding
         onFindingRequested: index => {
             root.currentFinding = index;
@@ -253,6 +252,9 @@ ApplicationWindow {
         }
     }
 
+    function openPath(path: string): void {
+        dialogs.openUrls([root.session.files.urlOf(path)]);
+    }
     function askName(title: string, name: string, season: string, withSeason: bool, then: var): void {
         nameDialog.then = then;
         nameDialog.ask(title, name, season, withSeason);
