@@ -113,6 +113,13 @@ GeoRing withAllMoved(const Outline& outline, const LocalFrame& frame, Point way)
     return frame.toGeo(points);
 }
 
+GeoRing turnedRing(GeoRing places, const LocalFrame& frame, bool counterClockwise) {
+    if ((signedAreaM2(frame.toLocal(places)) > 0.0) != counterClockwise) {
+        std::ranges::reverse(places);
+    }
+    return places;
+}
+
 Angle cornerAngle(const Outline& outline, std::size_t vertex) {
     const Point here = outline.points[vertex];
     const Point before = outline.points[lastOf(outline, vertex)] - here;

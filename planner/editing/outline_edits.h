@@ -25,6 +25,9 @@ GeoRing withEdgeHeading(const Outline& outline, const LocalFrame& frame, std::si
 /// All of it moved.
 GeoRing withAllMoved(const Outline& outline, const LocalFrame& frame, Point way);
 
+/// A ring that runs counter-clockwise, or clockwise.
+GeoRing turnedRing(GeoRing places, const LocalFrame& frame, bool counterClockwise);
+
 /// Angle inside a ring at a vertex, or between the two edges of a line, in [0, 2 pi).
 Angle cornerAngle(const Outline& outline, std::size_t vertex);
 

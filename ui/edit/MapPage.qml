@@ -124,8 +124,10 @@ FocusScope {
 
             onClicked: pixel => {
                 const finding = plan.findingAt(pixel);
-                if (finding >= 0)
+                if (finding >= 0) {
+                    edit.accept();
                     root.findingClicked(finding);
+                }
             }
         }
         PinchHandler {

@@ -150,10 +150,13 @@ void EditLayer::mouseReleaseEvent(QMouseEvent* event) {
     if (moved_) {
         return;
     }
+    handled_ = false;
     if (!editor_->isDrawing()) {
         emit clicked(event->position());
     }
-    editor_->click(pointer);
+    if (!handled_) {
+        editor_->click(pointer);
+    }
 }
 
 void EditLayer::mouseDoubleClickEvent(QMouseEvent* event) {
@@ -229,9 +232,11 @@ void EditLayer::addSelection(Marks& marks) const {
         if (outline.id.kind == OutlineKind::Guide) {
             marks.guide.add(pixels);
         }
-        const bool whole = chosen.outline == outline.id && (chosen.kind == Selection::Kind::Hole || chosen.kind == Selection::Kind::Obstacle ||
-                                                            chosen.kind == Selection::Kind::Guide);
-        if (editor_->isDragging() || whole) {
+        if (chosen.outline == outline.id && chosen.kind == Selection::Kind::Guide) {
+            marks.snap.add(pixels);
+        }
+        const bool whole = chosen.outline == outline.id && (chosen.kind == Selection::Kind::Hole || chosen.kind == Selection::Kind::Obstacle);
+        if (whole || (editor_->isDragging() && outline.closed)) {
             marks.line.add(pixels, outline.closed);
         }
         const auto edgeOf = [&](std::size_t edge) {

@@ -26,11 +26,13 @@ public:
 
     FieldEditor* editor() const { return editor_; }
     void setEditor(FieldEditor* editor);
+    /// What was clicked is dealt with: the editor need not look for it.
+    Q_INVOKABLE void accept() { handled_ = true; }
 
 signals:
     void editorChanged();
     void styleChanged();
-    /// A click in the select tool that met nothing to edit.
+    /// A click in the select tool, before the editor looks what it met.
     void clicked(QPointF pixel);
 
 protected:
@@ -59,7 +61,7 @@ private:
     FieldEditor* editor_ = nullptr;
     /// Of the shape's outlines, converted once for each change.
     std::vector<std::vector<WorldPoint>> world_;
-    bool pressedOnMap_ = false;
+    bool handled_ = false;
     bool grabbed_ = false;
     /// Whether the mouse moved far enough to be a drag.
     bool moved_ = false;

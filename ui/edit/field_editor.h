@@ -132,8 +132,6 @@ signals:
     void selectionChanged();
     /// Anything that is drawn.
     void changed();
-    /// Nothing to edit was there: the plan may have something.
-    void findingAsked(const QGeoCoordinate& place);
 
 private:
     enum class Grip { None, Vertex, Edge, Inside, Gate, Buffer, Trace };

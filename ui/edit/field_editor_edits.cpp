@@ -135,10 +135,11 @@ void FieldEditor::finishTool(GeoRing points) {
     const Tool tool = tool_;
     const ProjectField* field = project().field();
     if (tool == Tool::Field) {
-        setTool(Tool::Select);
+        points = turnedRing(std::move(points), *LocalFrame::centredOn(points.front()), true);
         QList<QGeoCoordinate> places;
         std::ranges::transform(points, std::back_inserter(places),
                                [](GeoPoint point) { return QGeoCoordinate{point.latDeg, point.lonDeg}; });
+        setTool(Tool::Select);
         session_->setBoundary(places);
         return;
     }
@@ -152,13 +153,13 @@ void FieldEditor::finishTool(GeoRing points) {
         const std::size_t part = partAt(*shape_, first).value_or(0);
         const std::size_t hole = field->source->parts[part].holes.size();
         made = {.kind = Selection::Kind::Hole, .outline = {OutlineKind::Hole, part, hole}, .index = 0};
-        change(tr("Draw a hole"), withHole(project(), part, std::move(points)));
+        change(tr("Draw a hole"), withHole(project(), part, turnedRing(std::move(points), shape_->frame, false)));
     } else if (tool == Tool::Obstacle) {
         const std::size_t number = field->source->obstacles.size();
         made = {.kind = Selection::Kind::Obstacle, .outline = {OutlineKind::Obstacle, number, 0}, .index = 0};
         change(tr("Draw an obstacle"),
                withObstacle(project(), {.name = tr("Obstacle %1").arg(number + 1).toStdString(),
-                                        .outline = {.outer = std::move(points), .holes = {}},
+                                        .outline = {.outer = turnedRing(std::move(points), shape_->frame, true), .holes = {}},
                                         .passable = false,
                                         .buffer = {}}));
     } else if (tool == Tool::Gate) {

@@ -69,7 +69,9 @@ InspectorText edgeText(const Outline& outline, std::size_t edge) {
     InspectorText text;
     const Point way = outline.to(edge) - outline.from(edge);
     text.title = outline.id.kind == OutlineKind::Guide ? Words::tr("AB line") : Words::tr("Edge %1 of the %2").arg(edge + 1).arg(nameOf(outline.id));
-    text.sentence = Words::tr("Drag it to move it sideways; the dot in its middle makes another point.");
+    text.sentence = outline.id.kind == OutlineKind::Guide
+                        ? Words::tr("One swath lies on it, the others beside it. Drag it or its ends, or type its direction.")
+                        : Words::tr("Drag it to move it sideways; the dot in its middle makes another point.");
     text.isEdge = outline.id.kind != OutlineKind::Guide;
     text.rows = {numberRow(Words::tr("Length"), InspectorField::EdgeLength, norm(way), Words::tr("m"), 2, 0.01, kLongestEdgeM),
                  numberRow(Words::tr("Direction"), InspectorField::EdgeBearing, bearingDegOf(way), Words::tr("°"), 2, 0.0, 360.0)};

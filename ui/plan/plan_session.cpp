@@ -270,7 +270,7 @@ void PlanSession::setBoundary(const QList<QGeoCoordinate>& points) {
     GeoRing ring;
     std::ranges::transform(points, std::back_inserter(ring), [](const QGeoCoordinate& p) { return geoPoint(p); });
     addFields({{.id = "drawn",
-               .name = tr("Drawn field").toStdString(),
+               .name = tr("Field %1").arg(document_.project()->fields.size() + 1).toStdString(),
                .origin = tr("drawn on the map").toStdString(),
                .parts = {GeoPolygon{.outer = std::move(ring), .holes = {}}},
                .obstacles = {},

@@ -1,4 +1,5 @@
 import QtQuick
+import QtCore
 import QtQuick.Controls
 import QtPositioning
 import Furrow.Controls
@@ -48,8 +49,26 @@ ApplicationWindow {
         light: Theme.hover
         placeholderText: Theme.muted
     }
+    readonly property Settings stored: Settings {
+        category: "geometry"
+        property alias width: root.width
+        property alias height: root.height
+        property alias maximised: root.maximised
+    }
+    property bool maximised: false
+    property bool started: false
+
+    onVisibilityChanged: visibility => {
+        if (started)
+            maximised = visibility === Window.Maximized;
+    }
     onRoomForPanelChanged: panelWanted = roomForPanel
-    Component.onCompleted: panelWanted = roomForPanel
+    Component.onCompleted: {
+        panelWanted = roomForPanel;
+        if (maximised)
+            showMaximized();
+        started = true;
+    }
 
     onClosing: close => {
         if (root.settled || !root.session.document.modified)
@@ -163,6 +182,7 @@ ApplicationWindow {
             if (index >= root.session.findings.few)
                 root.session.findings.all = true;
             root.currentFinding = index;
+            page.editor.selectFinding(index);
         }
         onInspectRequested: results.focusInspector()
 

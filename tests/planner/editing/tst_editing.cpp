@@ -154,6 +154,13 @@ private slots:
                 {{0, 0}, {100 * std::sqrt(3.0) / 2.0, 50}, {100, 60}, {0, 60}});
         compare(withAllMoved(square, kFrame, {5, -5}), {{5, -5}, {105, -5}, {105, 55}, {5, 55}});
     }
+    void ringsAreTurned() {
+        const Ring square{{0, 0}, {100, 0}, {100, 60}, {0, 60}};
+        const Ring back{square.rbegin(), square.rend()};
+        compare(turnedRing(kFrame.toGeo(square), kFrame, true), square);
+        compare(turnedRing(kFrame.toGeo(square), kFrame, false), back);
+        compare(turnedRing(kFrame.toGeo(back), kFrame, true), square);
+    }
     void cornersHaveAngles_data() {
         QTest::addColumn<Ring>("points");
         QTest::addColumn<int>("vertex");

@@ -175,10 +175,11 @@ private slots:
         const QPoint a = cornerOnMap(0);
         const QPoint b = cornerOnMap(1);
         const QPoint quarter = a + (b - a) / 4;
+        const double height = std::abs(cornerOnMap(2).y() - cornerOnMap(1).y());
         const double area = session_->plan()->field().area().si();
         const QPoint out = quarter.y() < middle().y() ? QPoint{0, -40} : QPoint{0, 40};
         drag(quarter, quarter + out);
-        QTRY_VERIFY(session_->plan() && std::abs(session_->plan()->field().area().si() / area - 340.0 / 300.0) < 0.01);
+        QTRY_VERIFY(session_->plan() && std::abs(session_->plan()->field().area().si() / area - (height + 40.0) / height) < 0.005);
         QCOMPARE(editor()->selection().kind, Selection::Kind::Edge);
         QTRY_VERIFY(shows(QStringLiteral("inspector")));
         ready();
