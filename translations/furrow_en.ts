@@ -22,6 +22,16 @@
     </message>
 </context>
 <context>
+    <name>Inspector</name>
+    <message numerus="yes">
+        <source>A piece of the mainland whose %n swath(s) are driven together.</source>
+        <translation>
+            <numerusform>A piece of the mainland with %n swath.</numerusform>
+            <numerusform>A piece of the mainland whose %n swaths are driven together.</numerusform>
+        </translation>
+    </message>
+</context>
+<context>
     <name>ResultsPanel</name>
     <message numerus="yes">
         <source>%n finding(s)</source>
@@ -44,6 +54,20 @@
 <context>
     <name>furrow::PlanSession</name>
     <message numerus="yes">
+        <source>%n file(s)</source>
+        <translation>
+            <numerusform>%n file</numerusform>
+            <numerusform>%n files</numerusform>
+        </translation>
+    </message>
+    <message numerus="yes">
+        <source>Add %n field(s)</source>
+        <translation>
+            <numerusform>Add %n field</numerusform>
+            <numerusform>Add %n fields</numerusform>
+        </translation>
+    </message>
+    <message numerus="yes">
         <source>%n field(s) in this file</source>
         <translation>
             <numerusform>%n field in this file</numerusform>
@@ -55,6 +79,16 @@
         <translation>
             <numerusform>%1 · %n turn leaves the field</numerusform>
             <numerusform>%1 · %n turns leave the field</numerusform>
+        </translation>
+    </message>
+</context>
+<context>
+    <name>furrow::RecentFiles</name>
+    <message numerus="yes">
+        <source>%n field(s)</source>
+        <translation>
+            <numerusform>%n field</numerusform>
+            <numerusform>%n fields</numerusform>
         </translation>
     </message>
 </context>

@@ -7,6 +7,7 @@
 #include <QGuiApplication>
 #include <QQmlApplicationEngine>
 #include <QQuickWindow>
+#include <QStandardPaths>
 
 #include <cstdio>
 
@@ -84,8 +85,14 @@ int main(int argc, char* argv[]) {
             theme->setProperty("forced", mode);
         }
     }
+    const bool forPeople = arguments.screenshot.isEmpty() && !arguments.selfTest;
+    if (forPeople) {
+        session.keepIn(QStandardPaths::writableLocation(QStandardPaths::AppLocalDataLocation));
+    }
     if (!arguments.file.isEmpty()) {
         session.open(arguments.file, arguments.fieldId);
+    } else if (forPeople) {
+        session.files()->recover();
     }
     if (!arguments.screenshot.isEmpty()) {
         furrow::saveScreenshotWhenReady(*window, session, arguments.screenshot);

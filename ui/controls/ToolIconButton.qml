@@ -8,6 +8,8 @@ T.Button {
     required property string iconName
     /// What it does, for the hint and for screen readers.
     required property string hint
+    /// Where there is no room beside it.
+    property bool hintBelow: false
 
     implicitWidth: 38
     implicitHeight: 38
@@ -37,8 +39,9 @@ T.Button {
     T.ToolTip {
         id: tip
 
-        x: root.width + 8
-        y: (root.height - height) / 2
+        x: root.hintBelow ? (root.width - width) / 2 : root.width + 8
+        y: root.hintBelow ? root.height + 6 : (root.height - height) / 2
+        margins: 4
         visible: root.hovered
         delay: 500
         implicitWidth: tipText.implicitWidth + 16

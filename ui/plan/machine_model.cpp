@@ -60,16 +60,26 @@ void MachineModel::setLibraryIndex(int index) {
     if (index < 0 || index >= static_cast<int>(machineLibrary().size())) {
         return;
     }
-    libraryIndex_ = index;
-    setMachine(machineLibrary()[static_cast<std::size_t>(index)]);
+    emit changeRequested(machineLibrary()[static_cast<std::size_t>(index)]);
+}
+
+int MachineModel::libraryIndex() const {
+    const auto library = machineLibrary();
+    const auto same = std::ranges::find(library, machine_.id(), &Machine::id);
+    return same == library.end() ? -1 : static_cast<int>(same - library.begin());
 }
 
 bool MachineModel::isChanged() const {
-    return machine_ != machineLibrary()[static_cast<std::size_t>(libraryIndex_)];
+    const int index = libraryIndex();
+    return index >= 0 && machine_ != machineLibrary()[static_cast<std::size_t>(index)];
+}
+
+QString MachineModel::name() const {
+    return fromStd(machine_.name());
 }
 
 void MachineModel::reset() {
-    setLibraryIndex(libraryIndex_);
+    setLibraryIndex(libraryIndex());
 }
 
 int MachineModel::rowCount(const QModelIndex& parent) const {
@@ -120,14 +130,12 @@ void MachineModel::setNumber(int row, double value) {
         emit problemChanged();
     }
     if (made) {
-        setMachine(*made);
+        emit changeRequested(*made);
     }
 }
 
-void MachineModel::setMachine(const Machine& machine) {
+void MachineModel::show(const Machine& machine) {
     if (machine == machine_) {
-        // An index of the library may be new all the same.
-        emit machineChanged();
         return;
     }
     machine_ = machine;

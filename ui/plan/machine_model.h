@@ -21,6 +21,7 @@ class MachineModel : public QAbstractListModel {
     Q_PROPERTY(int libraryIndex READ libraryIndex WRITE setLibraryIndex NOTIFY machineChanged FINAL)
     /// The numbers differ from those of the library.
     Q_PROPERTY(bool changed READ isChanged NOTIFY machineChanged FINAL)
+    Q_PROPERTY(QString name READ name NOTIFY machineChanged FINAL)
     Q_PROPERTY(QString problem READ problem NOTIFY problemChanged FINAL)
 
 public:
@@ -40,10 +41,13 @@ public:
     explicit MachineModel(QObject* parent = nullptr);
 
     const Machine& machine() const { return machine_; }
+    void show(const Machine& machine);
     QStringList library() const;
-    int libraryIndex() const { return libraryIndex_; }
+    /// Of the machine that this one was made from; -1 for one that is not from the library.
+    int libraryIndex() const;
     void setLibraryIndex(int index);
     bool isChanged() const;
+    QString name() const;
     QString problem() const { return problem_; }
 
     int rowCount(const QModelIndex& parent = {}) const override;
@@ -58,12 +62,11 @@ public:
 signals:
     void machineChanged();
     void problemChanged();
+    /// The user wants this machine.
+    void changeRequested(const furrow::Machine& machine);
 
 private:
-    void setMachine(const Machine& machine);
-
     std::vector<const MachineKey*> keys_;
-    int libraryIndex_ = 0;
     Machine machine_;
     QString problem_;
 };

@@ -1,17 +1,21 @@
 #include "ui/plan/plan_session.h"
 
 #include "planner/io/boundary_import.h"
+#include "planner/io/file_folder.h"
 #include "planner/io/guide_import.h"
 #include "planner/plan/method_registry.h"
+#include "planner/project/project_edits.h"
 #include "planner/settings/operation.h"
 #include "ui/plan/unit_text.h"
 
+#include <QDir>
 #include <QFile>
 #include <QFileInfo>
 #include <QTemporaryDir>
 
 #include <algorithm>
 #include <array>
+#include <utility>
 
 namespace furrow {
 
@@ -37,14 +41,46 @@ Error noSuchField(const QString& path) {
             .remedy = "open a file of your own"};
 }
 
+/// What a file is: its extension says so where it is ours, otherwise how it begins.
+bool holdsProject(const QString& path) {
+    if (path.endsWith(QLatin1String{kProjectExtension}, Qt::CaseInsensitive)) {
+        return true;
+    }
+    const auto start = fileStart(path.toStdU16String(), 4096);
+    return start && isProject(*start);
+}
+
+/// As repaired, so that what is edited is what is planned with; as it is where that fails and the map shows why.
+FieldSource repaired(FieldSource source, const JobContext& job) {
+    const auto field = Field::create(source, job);
+    if (!field) {
+        return source;
+    }
+    FieldSource mended = field->source();
+    mended.repairs = field->repairs();
+    return mended;
+}
+
+Result<std::vector<FieldSource>> boundariesIn(const QString& path, const JobContext& job) {
+    if (!path.startsWith(QLatin1Char(':'))) {
+        return readBoundaries(path.toStdU16String(), job);
+    }
+    // The library that reads boundaries knows nothing of resources.
+    const QTemporaryDir folder;
+    const QString copy = folder.filePath(QFileInfo{path}.fileName());
+    return QFile::copy(path, copy) ? readBoundaries(copy.toStdU16String(), job) : std::unexpected(noSuchField(path));
+}
+
 }  // namespace
 
 PlanSession::PlanSession(QObject* parent) : QObject{parent}, samples_{sampleFields()} {
     connect(&steps_, &StepsModel::changeRequested, this, &PlanSession::changeSetting);
-    connect(&machine_, &MachineModel::machineChanged, this, [this] {
-        showModels();
-        requestPlan(JobRunner::Replace::Now);
+    connect(&machine_, &MachineModel::changeRequested, this, [this](const Machine& machine) {
+        document_.change(tr("Change the machine"), withPlan(*document_.project(), machine, settings()));
     });
+    connect(&document_, &Document::projectChanged, this, &PlanSession::followDocument);
+    connect(&files_, &ProjectFiles::saved, this,
+            [this](const QString& path) { recent_.add(path, *document_.project()); });
     for (JobRunner* runner : {&reader_, &planner_}) {
         connect(runner, &JobRunner::busyChanged, this, &PlanSession::updateState);
         connect(runner, &JobRunner::slowChanged, this, &PlanSession::updateState);
@@ -54,8 +90,15 @@ PlanSession::PlanSession(QObject* parent) : QObject{parent}, samples_{sampleFiel
     showModels();
 }
 
+void PlanSession::keepIn(const QString& folder) {
+    const QDir place{folder};
+    files_.keepIn(place.filePath(QStringLiteral("history")));
+    recent_.keepIn(place.filePath(QStringLiteral("recent.json")));
+}
+
 QString PlanSession::fieldName() const {
-    return source_ ? fromStd(source_->name) : QString{};
+    const ProjectField* field = document_.project()->field();
+    return field != nullptr ? fromStd(field->source->name) : QString{};
 }
 
 QStringList PlanSession::sampleNames() const {
@@ -110,39 +153,92 @@ QGeoCoordinate PlanSession::problemPlace() const {
     return error_ && error_->place ? coordinate(*error_->place) : QGeoCoordinate{};
 }
 
-void PlanSession::open(const QString& path, const QString& fieldId) {
-    readingName_ = QFileInfo{path}.fileName();
-    reader_.submit([this, path, fieldId](const JobContext& job) -> JobRunner::Delivery {
-        Result<std::vector<FieldSource>> fields = [&]() -> Result<std::vector<FieldSource>> {
-            if (!path.startsWith(QLatin1Char(':'))) {
-                return readBoundaries(path.toStdU16String(), job);
+PlanSession::Reading PlanSession::read(const QStringList& paths, const QString& fieldId, const JobContext& job) {
+    Reading reading;
+    for (const QString& path : paths) {
+        if (!path.startsWith(QLatin1Char(':')) && holdsProject(path)) {
+            auto project = readProject(path.toStdU16String());
+            if (!project) {
+                reading.error = project.error();
+                return reading;
             }
-            // The library that reads boundaries knows nothing of resources.
-            const QTemporaryDir folder;
-            const QString copy = folder.filePath(QFileInfo{path}.fileName());
-            return QFile::copy(path, copy) ? readBoundaries(copy.toStdU16String(), job)
-                                           : std::unexpected(noSuchField(path));
-        }();
+            reading.project = {path, std::move(*project)};
+            continue;
+        }
+        auto fields = boundariesIn(path, job);
         if (fields && !fieldId.isEmpty()) {
             fields = pickField(*fields, fieldId.toStdString()).transform([](FieldSource field) {
                 return std::vector{std::move(field)};
             });
         }
-        return [this, fields = std::move(fields), name = QFileInfo{path}.fileName()]() mutable {
-            if (!fields) {
-                fail(fields.error());
-                return;
-            }
-            fileName_ = name;
-            if (fields->size() == 1) {
-                setSource(std::move(fields->front()));
-                return;
-            }
-            choices_.show(std::move(*fields));
-            updateState();
+        if (!fields) {
+            reading.error = fields.error();
+            return reading;
+        }
+        for (FieldSource& field : *fields) {
+            reading.fields.push_back(repaired(std::move(field), job));
+        }
+    }
+    return reading;
+}
+
+void PlanSession::read(const QStringList& paths, const QString& fieldId) {
+    readingName_ = paths.size() == 1 ? QFileInfo{paths.front()}.fileName() : tr("%n file(s)", nullptr, static_cast<int>(paths.size()));
+    reader_.submit([this, paths, fieldId](const JobContext& job) -> JobRunner::Delivery {
+        Reading reading = read(paths, fieldId, job);
+        return [this, reading = std::move(reading), choose = paths.size() == 1]() mutable {
+            take(std::move(reading), choose);
         };
     });
     updateState();
+}
+
+void PlanSession::take(Reading reading, bool choose) {
+    if (reading.error) {
+        fail(*reading.error);
+        return;
+    }
+    if (reading.project && !files_.open(reading.project->first, std::move(reading.project->second))) {
+        updateState();
+        return;
+    }
+    if (reading.project) {
+        recent_.add(files_.path(), *document_.project());
+    }
+    if (choose && reading.fields.size() > 1) {
+        choices_.show(std::move(reading.fields));
+    } else if (!reading.fields.empty()) {
+        addFields(std::move(reading.fields));
+    }
+    updateState();
+}
+
+void PlanSession::addFields(std::vector<FieldSource> fields) {
+    const QString text = fields.size() == 1 ? tr("Add field %1").arg(fromStd(fields.front().name))
+                                            : tr("Add %n field(s)", nullptr, static_cast<int>(fields.size()));
+    choices_.show({});
+    document_.change(text, withFields(*document_.project(), std::move(fields)));
+    updateState();
+}
+
+void PlanSession::open(const QString& path, const QString& fieldId) {
+    read({path}, fieldId);
+}
+
+void PlanSession::openUrls(const QList<QUrl>& urls) {
+    QStringList paths;
+    for (const QUrl& url : urls) {
+        if (url.isLocalFile()) {
+            paths << url.toLocalFile();
+        }
+    }
+    if (!paths.isEmpty()) {
+        read(paths, {});
+    }
+}
+
+bool PlanSession::isProjectFile(const QUrl& url) const {
+    return url.isLocalFile() && holdsProject(url.toLocalFile());
 }
 
 void PlanSession::openSample(int index) {
@@ -153,7 +249,17 @@ void PlanSession::openSample(int index) {
 
 void PlanSession::chooseField(int row) {
     if (row >= 0 && row < choices_.count()) {
-        setSource(choices_.field(row));
+        addFields({choices_.field(row)});
+    }
+}
+
+void PlanSession::chooseAll() {
+    std::vector<FieldSource> fields;
+    for (int row = 0; row < choices_.count(); ++row) {
+        fields.push_back(choices_.field(row));
+    }
+    if (!fields.empty()) {
+        addFields(std::move(fields));
     }
 }
 
@@ -165,21 +271,22 @@ void PlanSession::dropChoices() {
 void PlanSession::setBoundary(const QList<QGeoCoordinate>& points) {
     GeoRing ring;
     std::ranges::transform(points, std::back_inserter(ring), [](const QGeoCoordinate& p) { return geoPoint(p); });
-    fileName_.clear();
-    setSource({.id = "drawn",
-               .name = tr("Drawn field").toStdString(),
+    addFields({{.id = "drawn",
+               .name = tr("Field %1").arg(document_.project()->fields.size() + 1).toStdString(),
                .origin = tr("drawn on the map").toStdString(),
                .parts = {GeoPolygon{.outer = std::move(ring), .holes = {}}},
                .obstacles = {},
                .gates = {},
-               .boundaryAccuracy = {}});
+               .boundaryAccuracy = {}}});
 }
 
 void PlanSession::moveVertex(int part, int ring, int vertex, const QGeoCoordinate& place, bool finished) {
-    if (!source_ || part < 0 || part >= static_cast<int>(source_->parts.size())) {
+    const ProjectField* shown = document_.project()->field();
+    if (shown == nullptr || part < 0 || part >= static_cast<int>(shown->source->parts.size())) {
         return;
     }
-    GeoPolygon& polygon = source_->parts[static_cast<std::size_t>(part)];
+    FieldSource source = *shown->source;
+    GeoPolygon& polygon = source.parts[static_cast<std::size_t>(part)];
     if (ring < 0 || ring > static_cast<int>(polygon.holes.size())) {
         return;
     }
@@ -188,15 +295,15 @@ void PlanSession::moveVertex(int part, int ring, int vertex, const QGeoCoordinat
         return;
     }
     points[static_cast<std::size_t>(vertex)] = geoPoint(place);
-    field_.reset();
-    draggingVertex_ = !finished;
-    requestPlan(finished ? JobRunner::Replace::Now : JobRunner::Replace::WhenDone);
+    document_.change(tr("Move a point"), withSource(*document_.project(), std::move(source)),
+                     QStringLiteral("vertex %1 %2 %3").arg(part).arg(ring).arg(vertex),
+                     finished ? Document::Follows::Nothing : Document::Follows::More);
 }
 
 void PlanSession::cancel() {
     reader_.cancel();
     planner_.cancel();
-    stopped_ = source_.has_value();
+    stopped_ = source_ != nullptr;
     updateState();
 }
 
@@ -205,29 +312,19 @@ void PlanSession::planAgain() {
 }
 
 void PlanSession::closeField() {
-    planner_.cancel();
-    source_.reset();
-    field_.reset();
-    plan_.reset();
-    drawing_ = {};
-    error_.reset();
-    stopped_ = false;
-    fileName_.clear();
     choices_.show({});
-    showModels();
-    emit fieldChanged();
-    emit planChanged();
-    emit drawingChanged();
+    error_.reset();
+    files_.begin();
     updateState();
 }
 
-PlanSession::Outcome PlanSession::planned(const FieldSource& source, std::shared_ptr<const Field> field,
+PlanSession::Outcome PlanSession::planned(const Source& source, std::shared_ptr<const Field> field,
                                           const Machine& machine, const Settings& settings, const JobContext& job) {
     if (!field) {
-        auto made = Field::create(source, job.part(0.0, 0.1));
+        auto made = Field::create(*source, job.part(0.0, 0.1));
         if (!made) {
-            return {.field = {}, .plan = {}, .drawing = PlanDrawing{outlineGeometry(source, made.error().place)},
-                    .error = made.error()};
+            return {.source = source, .field = {}, .plan = {},
+                    .drawing = PlanDrawing{outlineGeometry(*source, made.error().place)}, .error = made.error()};
         }
         field = std::make_shared<const Field>(std::move(*made));
     }
@@ -236,51 +333,80 @@ PlanSession::Outcome PlanSession::planned(const FieldSource& source, std::shared
                         job.part(0.1, 0.95));
     });
     if (!plan) {
-        return {.field = field, .plan = {}, .drawing = PlanDrawing{fieldGeometry(*field, plan.error().place)},
-                .error = plan.error()};
+        return {.source = source, .field = field, .plan = {},
+                .drawing = PlanDrawing{fieldGeometry(*field, plan.error().place)}, .error = plan.error()};
     }
     PlanDrawing drawing{planGeometry(**plan)};
     job.report(1.0);
-    return {.field = std::move(field), .plan = *plan, .drawing = std::move(drawing), .error = {}};
+    return {.source = source, .field = std::move(field), .plan = *plan, .drawing = std::move(drawing), .error = {}};
 }
 
-void PlanSession::setSource(FieldSource source) {
-    source_ = std::move(source);
-    field_.reset();
-    plan_.reset();
-    drawing_ = {};
-    error_.reset();
-    draggingVertex_ = false;
-    announce_ = true;
-    choices_.show({});
+void PlanSession::followDocument() {
+    const Project& project = *document_.project();
+    const ProjectField* field = project.field();
+    const FieldPlan& plan = project.plan();
+    const std::string fieldId = field == nullptr ? std::string{} : field->id;
+    const Source source = field == nullptr ? nullptr : field->source;
+    const bool otherField = fieldId != shownField_ || (source == nullptr) != (source_ == nullptr);
+    const bool otherPlan = otherField || plan.id != shownPlan_;
+    const bool stale = otherPlan || source != source_ || plan.machine != shownMachine_ || plan.settings != shownSettings_;
+    if (source != source_) {
+        field_.reset();
+    }
+    shownField_ = fieldId;
+    source_ = source;
+    shownPlan_ = plan.id;
+    shownMachine_ = plan.machine;
+    shownSettings_ = plan.settings;
+    machine_.show(plan.machine);
+    if (otherField) {
+        // What was planned before belongs to another field.
+        planner_.cancel();
+        plan_.reset();
+        drawing_ = {};
+        error_.reset();
+        stopped_ = false;
+        announce_ = source_ != nullptr;
+        exporter_.setPlan(nullptr);
+        emit planChanged();
+        emit drawingChanged();
+    }
     showModels();
     emit fieldChanged();
-    emit planChanged();
-    emit drawingChanged();
-    requestPlan(JobRunner::Replace::Now);
+    if (stale) {
+        const bool live = document_.isDragging() && !otherPlan;
+        requestPlan(live ? JobRunner::Replace::WhenDone : JobRunner::Replace::Now);
+    }
+    updateState();
 }
 
 void PlanSession::changeSetting(const Parameter* parameter, const SettingValue& value, bool live) {
-    if (settings_.value(*parameter) == value) {
+    if (settings().value(*parameter) == value) {
+        if (!live && document_.isDragging()) {
+            document_.endDrag();
+            requestPlan(JobRunner::Replace::Now);
+        }
         return;
     }
-    if (const Result<void> set = settings_.set(*parameter, value); !set) {
+    Settings changed = settings();
+    if (const Result<void> set = changed.set(*parameter, value); !set) {
         fail(set.error());
         return;
     }
     for (const auto& [given, other] : kExclusive) {
         if (parameter->key == given && !std::holds_alternative<Auto>(value)) {
-            settings_.clear(*findParameter(other).value());
+            changed.clear(*findParameter(other).value());
         }
     }
     if (parameter == &kOperationKind) {
         // Who picks an operation wants what goes with it, also where another choice was made before.
-        for (const OperationDefault& entry : settings_.operation().defaults) {
-            settings_.clear(*findParameter(entry.key).value());
+        for (const OperationDefault& entry : changed.operation().defaults) {
+            changed.clear(*findParameter(entry.key).value());
         }
     }
-    showModels();
-    requestPlan(live ? JobRunner::Replace::WhenDone : JobRunner::Replace::Now);
+    document_.change(tr("Change %1").arg(fromStd(parameter->name)),
+                     withPlan(*document_.project(), machine_.machine(), changed), fromStd(parameter->key),
+                     live ? Document::Follows::More : Document::Follows::Nothing);
 }
 
 void PlanSession::requestPlan(JobRunner::Replace replace) {
@@ -289,8 +415,8 @@ void PlanSession::requestPlan(JobRunner::Replace replace) {
     }
     stopped_ = false;
     planner_.submit(
-        [this, source = *source_, field = field_, machine = machine_.machine(),
-         settings = settings_](const JobContext& job) -> JobRunner::Delivery {
+        [this, source = source_, field = field_, machine = machine_.machine(),
+         settings = settings()](const JobContext& job) -> JobRunner::Delivery {
             Outcome outcome = planned(source, field, machine, settings, job);
             return [this, outcome = std::move(outcome)]() mutable { take(std::move(outcome)); };
         },
@@ -305,12 +431,8 @@ void PlanSession::take(Outcome outcome) {
     plan_ = std::move(outcome.plan);
     drawing_ = std::move(outcome.drawing);
     error_ = std::move(outcome.error);
-    if (!draggingVertex_) {
-        // As repaired: vertices on the map and in the source have the same numbers again.
+    if (outcome.source == source_) {
         field_ = outcome.field;
-        if (field_) {
-            source_ = field_->source();
-        }
     }
     exporter_.setPlan(plan_);
     showModels();
@@ -335,7 +457,7 @@ void PlanSession::fail(const Error& error) {
 
 void PlanSession::showModels() {
     const Field* field = field_ ? field_.get() : plan_ ? &plan_->field() : nullptr;
-    steps_.show(field, machine_.machine(), settings_, plan_.get(), error_.has_value());
+    steps_.show(field, machine_.machine(), settings(), plan_.get(), error_.has_value());
     figures_.show(plan_.get());
     findings_.show(plan_ ? plan_->findings : std::vector<Finding>{},
                    plan_ ? placesOf(drawing_) : std::vector<QGeoCoordinate>{});

@@ -1,12 +1,16 @@
 #pragma once
 
+#include "ui/document/document.h"
+#include "ui/document/project_files.h"
+#include "ui/jobs/job_runner.h"
 #include "ui/map/plan_drawing.h"
 #include "ui/plan/export_model.h"
+#include "ui/plan/farm_model.h"
 #include "ui/plan/field_choice_model.h"
 #include "ui/plan/figures_model.h"
 #include "ui/plan/findings_model.h"
-#include "ui/plan/job_runner.h"
 #include "ui/plan/machine_model.h"
+#include "ui/plan/recent_files.h"
 #include "ui/plan/sample_fields.h"
 #include "ui/plan/steps_model.h"
 
@@ -18,8 +22,8 @@
 
 namespace furrow {
 
-/// One field with its machine, settings and plan, as the window works on it. Every change plans anew in the
-/// background; the latest request wins.
+/// The current field of the document with its machine, settings and plan, as the window shows it. Every change of
+/// the document plans anew in the background; the latest request wins.
 class PlanSession : public QObject {
     Q_OBJECT
     QML_ELEMENT
@@ -28,7 +32,8 @@ class PlanSession : public QObject {
     Q_PROPERTY(bool hasField READ hasField NOTIFY fieldChanged FINAL)
     Q_PROPERTY(bool hasPlan READ hasPlan NOTIFY planChanged FINAL)
     Q_PROPERTY(QString fieldName READ fieldName NOTIFY fieldChanged FINAL)
-    Q_PROPERTY(QString fileName READ fileName NOTIFY fieldChanged FINAL)
+    Q_PROPERTY(furrow::Document* document READ document CONSTANT FINAL)
+    Q_PROPERTY(furrow::ProjectFiles* files READ files CONSTANT FINAL)
     Q_PROPERTY(furrow::PlanDrawing drawing READ drawing NOTIFY drawingChanged FINAL)
     Q_PROPERTY(bool slow READ isSlow NOTIFY progressChanged FINAL)
     Q_PROPERTY(double progress READ progress NOTIFY progressChanged FINAL)
@@ -38,6 +43,8 @@ class PlanSession : public QObject {
     Q_PROPERTY(QString problemRemedy READ problemRemedy NOTIFY stateChanged FINAL)
     Q_PROPERTY(QGeoCoordinate problemPlace READ problemPlace NOTIFY stateChanged FINAL)
     Q_PROPERTY(QStringList sampleNames READ sampleNames CONSTANT FINAL)
+    Q_PROPERTY(furrow::FarmModel* farm READ farm CONSTANT FINAL)
+    Q_PROPERTY(furrow::RecentFiles* recent READ recent CONSTANT FINAL)
     Q_PROPERTY(furrow::StepsModel* steps READ steps CONSTANT FINAL)
     Q_PROPERTY(furrow::MachineModel* machine READ machine CONSTANT FINAL)
     Q_PROPERTY(furrow::FiguresModel* figures READ figures CONSTANT FINAL)
@@ -52,10 +59,9 @@ public:
     explicit PlanSession(QObject* parent = nullptr);
 
     State state() const { return state_; }
-    bool hasField() const { return source_.has_value(); }
+    bool hasField() const { return document_.project()->field() != nullptr; }
     bool hasPlan() const { return plan_ != nullptr; }
     QString fieldName() const;
-    QString fileName() const { return fileName_; }
     const PlanDrawing& drawing() const { return drawing_; }
     bool isSlow() const { return planner_.isSlow() || reader_.isSlow(); }
     double progress() const { return reader_.isBusy() ? reader_.progress() : planner_.progress(); }
@@ -71,21 +77,35 @@ public:
     FindingsModel* findings() { return &findings_; }
     FieldChoiceModel* choices() { return &choices_; }
     ExportModel* exporter() { return &exporter_; }
+    Document* document() { return &document_; }
+    ProjectFiles* files() { return &files_; }
+    FarmModel* farm() { return &farm_; }
+    RecentFiles* recent() { return &recent_; }
+
+    /// Keeps journals of what is done, and the list of recent files, in this folder.
+    void keepIn(const QString& folder);
 
     const std::shared_ptr<const Plan>& plan() const { return plan_; }
-    const Settings& settings() const { return settings_; }
+    const Settings& settings() const { return document_.project()->plan().settings; }
 
-    /// Reads a boundary file. With several fields in it and no id, the user picks one from `choices`.
+    /// Reads a file: a project in place of the one that is open, a boundary as another field of it. With several
+    /// fields in a boundary file and no id, the user picks from `choices`.
     void open(const QString& path, const QString& fieldId = {});
-    Q_INVOKABLE void openUrl(const QUrl& url) { open(url.toLocalFile()); }
+    /// Reads several: a project among them first, then every field of the others.
+    Q_INVOKABLE void openUrls(const QList<QUrl>& urls);
     Q_INVOKABLE void openSample(int index);
+    /// Whether a file would take the place of the project that is open.
+    Q_INVOKABLE bool isProjectFile(const QUrl& url) const;
     Q_INVOKABLE void chooseField(int row);
+    Q_INVOKABLE void chooseAll();
     /// Goes back from the list of fields to what was there before.
     Q_INVOKABLE void dropChoices();
+    /// Adds a field with this boundary.
     Q_INVOKABLE void setBoundary(const QList<QGeoCoordinate>& points);
     Q_INVOKABLE void moveVertex(int part, int ring, int vertex, const QGeoCoordinate& place, bool finished);
     Q_INVOKABLE void cancel();
     Q_INVOKABLE void planAgain();
+    /// Begins with an empty project.
     Q_INVOKABLE void closeField();
 
 signals:
@@ -98,17 +118,29 @@ signals:
     void fieldOpened();
 
 private:
+    using Source = std::shared_ptr<const FieldSource>;
     /// What a planning job hands over.
     struct Outcome {
+        Source source;
         std::shared_ptr<const Field> field;
         std::shared_ptr<const Plan> plan;
         PlanDrawing drawing;
         std::optional<Error> error;
     };
-    static Outcome planned(const FieldSource& source, std::shared_ptr<const Field> field, const Machine& machine,
+    /// What a reading job hands over.
+    struct Reading {
+        std::optional<std::pair<QString, OpenedProject>> project;
+        std::vector<FieldSource> fields;
+        std::optional<Error> error;
+    };
+    static Outcome planned(const Source& source, std::shared_ptr<const Field> field, const Machine& machine,
                            const Settings& settings, const JobContext& job);
+    static Reading read(const QStringList& paths, const QString& fieldId, const JobContext& job);
 
-    void setSource(FieldSource source);
+    void read(const QStringList& paths, const QString& fieldId);
+    void take(Reading reading, bool choose);
+    void addFields(std::vector<FieldSource> fields);
+    void followDocument();
     void changeSetting(const Parameter* parameter, const SettingValue& value, bool live);
     void requestPlan(JobRunner::Replace replace);
     void take(Outcome outcome);
@@ -117,20 +149,26 @@ private:
     void updateState();
 
     State state_ = State::Empty;
-    QString fileName_;
     QString readingName_;
-    std::optional<FieldSource> source_;
+    /// Of the document as it was planned last.
+    std::string shownField_;
+    Source source_;
+    std::string shownPlan_;
+    std::optional<Machine> shownMachine_;
+    Settings shownSettings_;
     /// Of `source_`; null while it has not been checked.
     std::shared_ptr<const Field> field_;
     std::shared_ptr<const Plan> plan_;
     PlanDrawing drawing_;
-    Settings settings_;
     std::optional<Error> error_;
     bool stopped_ = false;
-    bool draggingVertex_ = false;
     bool announce_ = false;
     QList<SampleField> samples_;
 
+    Document document_;
+    ProjectFiles files_{document_};
+    FarmModel farm_{document_};
+    RecentFiles recent_;
     StepsModel steps_;
     MachineModel machine_;
     FiguresModel figures_;

@@ -11,6 +11,7 @@ Rectangle {
     required property PlanSession session
     signal openRequested()
     signal drawRequested()
+    signal projectRequested(path: string)
 
     objectName: "emptyState"
     width: 420
@@ -63,6 +64,11 @@ Rectangle {
                 text: qsTr("Draw it")
                 onClicked: root.drawRequested()
             }
+        }
+        RecentProjects {
+            width: parent.width
+            recent: root.session.recent
+            onChosen: path => root.projectRequested(path)
         }
         Column {
             width: parent.width

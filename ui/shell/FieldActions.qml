@@ -40,8 +40,8 @@ Column {
             width: parent.width
             name: qsTr("Sample field")
             model: root.session.sampleNames
-            currentIndex: root.session.sampleNames.indexOf(root.session.fieldName)
-            displayText: currentIndex < 0 ? qsTr("Choose one") : currentText
+            currentIndex: -1
+            displayText: qsTr("Add one to look at")
             onActivated: index => root.session.openSample(index)
         }
     }

@@ -35,10 +35,16 @@ Rectangle {
         hint: qsTr("Open none of them")
         onClicked: root.session.dropChoices()
     }
+    PushButton {
+        objectName: "chooser.all"
+        anchors { right: parent.right; bottom: parent.bottom; margins: 16 }
+        text: qsTr("Open all of them")
+        onClicked: root.session.chooseAll()
+    }
     ListView {
         id: list
 
-        anchors { left: parent.left; right: parent.right; top: title.bottom; bottom: parent.bottom; margins: 12; topMargin: 14 }
+        anchors { left: parent.left; right: parent.right; top: title.bottom; bottom: parent.bottom; margins: 12; topMargin: 14; bottomMargin: 62 }
         clip: true
         focus: true
         activeFocusOnTab: true

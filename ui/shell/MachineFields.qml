@@ -37,6 +37,7 @@ Column {
             name: qsTr("Machine")
             model: root.machine.library
             currentIndex: root.machine.libraryIndex
+            displayText: currentIndex < 0 ? root.machine.name : currentText
             onActivated: index => root.machine.libraryIndex = index
         }
     }

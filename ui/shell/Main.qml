@@ -1,8 +1,9 @@
 import QtQuick
+import QtCore
 import QtQuick.Controls
-import QtQuick.Dialogs
 import QtPositioning
 import Furrow.Controls
+import Furrow.Edit
 import Furrow.Map
 import Furrow.Plan
 
@@ -15,6 +16,8 @@ ApplicationWindow {
     property bool panelWanted: true
     readonly property bool panelOpen: session.hasPlan && (roomForPanel || panelWanted)
     property int currentFinding: -1
+    /// What was not saved is settled: the window may close.
+    property bool settled: false
 
     objectName: "mainWindow"
     width: 1440
@@ -22,7 +25,14 @@ ApplicationWindow {
     minimumWidth: 900
     minimumHeight: 600
     visible: true
-    title: session.hasField ? qsTr("%1 – Furrow").arg(session.fieldName) : qsTr("Furrow")
+    title: session.hasField ? qsTr("%1%2 – Furrow").arg(session.fieldName).arg(session.document.modified ? "*" : "") : qsTr("Furrow")
+    menuBar: MainMenu {
+        commands: appCommands
+        recent: RecentList {
+            recent: root.session.recent
+            onChosen: path => root.openPath(path)
+        }
+    }
     color: Theme.background
     palette {
         window: Theme.panel
@@ -39,17 +49,86 @@ ApplicationWindow {
         light: Theme.hover
         placeholderText: Theme.muted
     }
-    onRoomForPanelChanged: panelWanted = roomForPanel
-    Component.onCompleted: panelWanted = roomForPanel
+    readonly property Settings stored: Settings {
+        category: "geometry"
+        property alias width: root.width
+        property alias height: root.height
+        property alias maximised: root.maximised
+    }
+    property bool maximised: false
+    property bool started: false
 
-    Shortcut {
-        sequences: [StandardKey.Open]
-        onActivated: root.openFile()
+    onVisibilityChanged: visibility => {
+        if (started)
+            maximised = visibility === Window.Maximized;
+    }
+    onRoomForPanelChanged: panelWanted = roomForPanel
+    Component.onCompleted: {
+        panelWanted = roomForPanel;
+        if (maximised)
+            showMaximized();
+        started = true;
+    }
+
+    onClosing: close => {
+        if (root.settled || !root.session.document.modified)
+            return;
+        close.accepted = false;
+        dialogs.settleThen(() => {
+            root.settled = true;
+            root.close();
+        });
+    }
+
+    AppCommands {
+        id: appCommands
+
+        session: root.session
+        page: page
+        results: results
+        onNewRequested: dialogs.startNew()
+        onOpenRequested: dialogs.open()
+        onSaveRequested: dialogs.save()
+        onSaveAsRequested: dialogs.saveAs()
+        onExportRequested: exportDialog.open()
+        onRenameFieldRequested: root.askName(qsTr("Rename the field"), root.session.farm.fieldName, "", false, name => root.session.farm.renameField(name))
+        onAddPlanRequested: root.askName(qsTr("Add a plan"), "", "", false, name => root.session.farm.addPlan(name))
+        onRenamePlanRequested: root.askName(qsTr("Rename the plan"), root.session.farm.planName, root.session.farm.season, true, (name, season) => root.session.farm.renamePlan(name, season))
+        onPaletteRequested: palette.open()
+        onKeysRequested: keysDialog.open()
+        onQuitRequested: root.close()
+        onPanelRequested: root.panelWanted = !root.panelWanted
     }
     Shortcut {
-        sequence: "Ctrl+E"
-        enabled: root.session.hasPlan
-        onActivated: exportDialog.open()
+        sequences: ["Ctrl+Y"]
+        onActivated: appCommands.named("redo").trigger()
+    }
+    CommandPalette {
+        id: palette
+
+        x: (root.width - width) / 2
+        y: 72
+        parent: Overlay.overlay
+        commands: appCommands.all
+    }
+    KeysDialog {
+        id: keysDialog
+
+        anchors.centerIn: Overlay.overlay
+        commands: appCommands.all
+    }
+    NameDialog {
+        id: nameDialog
+
+        property var then: null
+
+        anchors.centerIn: Overlay.overlay
+        onNamed: (name, season) => then(name, season)
+    }
+    ProjectDialogs {
+        id: dialogs
+
+        session: root.session
     }
 
     TopBar {
@@ -57,11 +136,9 @@ ApplicationWindow {
 
         anchors { left: parent.left; right: parent.right; top: parent.top }
         session: root.session
+        commands: appCommands
         panelOffered: !root.roomForPanel && root.session.hasPlan
         panelOpen: root.panelOpen
-        onOpenRequested: root.openFile()
-        onExportRequested: exportDialog.open()
-        onPanelToggled: root.panelWanted = !root.panelWanted
     }
     StepsPanel {
         id: steps
@@ -69,7 +146,7 @@ ApplicationWindow {
         anchors { left: parent.left; top: topBar.bottom; bottom: parent.bottom }
         width: 348
         session: root.session
-        onOpenRequested: root.openFile()
+        onOpenRequested: dialogs.open()
         onDrawRequested: page.startDrawing()
     }
     MapPage {
@@ -78,7 +155,7 @@ ApplicationWindow {
         objectName: "mapPage"
         anchors { left: steps.right; right: results.left; top: topBar.bottom; bottom: parent.bottom }
         focus: true
-        drawing: root.session.drawing
+        session: root.session
         planStyle: ({
                 boundary: Theme.boundary,
                 casing: Theme.casing,
@@ -92,7 +169,7 @@ ApplicationWindow {
                 ground: Theme.panel,
                 ink: Theme.ink,
                 lineFactor: Theme.lineFactor,
-                showBoundary: results.layers.boundary && !page.editLayer.dragging,
+                showBoundary: results.layers.boundary && !page.editor.dragging,
                 showHeadland: results.layers.headland,
                 showSwaths: results.layers.swaths,
                 showTurns: results.layers.turns,
@@ -101,44 +178,47 @@ ApplicationWindow {
                 showFindings: results.layers.findings,
                 selectedFinding: root.currentFinding
             })
-        onBoundaryDrawn: points => root.session.setBoundary(points)
-        onVertexMoved: (part, ring, vertex, place, finished) => root.session.moveVertex(part, ring, vertex, place, finished)
         onFindingClicked: index => {
             if (index >= root.session.findings.few)
                 root.session.findings.all = true;
             root.currentFinding = index;
+            page.editor.selectFinding(index);
         }
+        onInspectRequested: results.focusInspector()
 
         StatusChip {
             anchors { right: parent.right; top: parent.top; margins: 16 }
             session: root.session
         }
+        FilesNotice {
+            anchors { left: parent.left; top: parent.top; leftMargin: 78; topMargin: 16 }
+            files: root.session.files
+            onSaveAsRequested: dialogs.saveAs()
+        }
         ProblemCard {
             anchors { right: parent.right; top: parent.top; rightMargin: 16; topMargin: 62 }
             session: root.session
             onPlaceRequested: page.camera.centreOn(root.session.problemPlace, 16, true)
-            onOpenRequested: root.openFile()
+            onOpenRequested: dialogs.open()
         }
         EmptyState {
             anchors.centerIn: parent
-            visible: (root.session.state === PlanSession.Empty || root.session.state === PlanSession.Failed && !root.session.hasField) && !page.drawingBoundary
+            visible: (root.session.state === PlanSession.Empty || root.session.state === PlanSession.Failed && !root.session.hasField) && !page.editor.drawing
             session: root.session
-            onOpenRequested: root.openFile()
+            onOpenRequested: dialogs.open()
             onDrawRequested: page.startDrawing()
+            onProjectRequested: path => root.openPath(path)
         }
         FieldChooser {
             anchors.centerIn: parent
-            height: Math.min(parent.height - 80, 84 + 52 * root.session.choices.count)
+            height: Math.min(parent.height - 80, 134 + 52 * root.session.choices.count)
             visible: root.session.state === PlanSession.Choosing
             session: root.session
         }
-        DrawingHint {
+        DraftHint {
             anchors { horizontalCenter: parent.horizontalCenter; bottom: parent.bottom; bottomMargin: 20 }
-            visible: page.drawingBoundary
-            points: page.editLayer.draftCount
-            lengthM: page.editLayer.draftLengthM
-            onFinishRequested: page.editLayer.finishDraft()
-            onCancelRequested: page.editLayer.cancelDraft()
+            visible: page.editor.drawing
+            editor: page.editor
         }
         DropArea {
             id: drop
@@ -147,7 +227,7 @@ ApplicationWindow {
             keys: ["text/uri-list"]
             onDropped: event => {
                 if (event.hasUrls)
-                    root.session.openUrl(event.urls[0]);
+                    dialogs.openUrls(event.urls);
             }
 
             Rectangle {
@@ -167,6 +247,7 @@ ApplicationWindow {
         width: 308
         visible: root.panelOpen
         session: root.session
+        editor: page.editor
         currentFinding: root.currentFinding
         onFindingRequested: index => {
             root.currentFinding = index;
@@ -178,13 +259,6 @@ ApplicationWindow {
 
         anchors.centerIn: Overlay.overlay
         session: root.session
-    }
-    FileDialog {
-        id: fileDialog
-
-        title: qsTr("Open a field boundary")
-        nameFilters: [qsTr("Field boundaries (%1)").arg("*.geojson *.json *.shp *.zip *.kml *.kmz *.gpkg *.gml *.fgb *.wkt *.csv"), qsTr("All files (*)")]
-        onAccepted: root.session.openUrl(selectedFile)
     }
     Connections {
         target: root.session
@@ -198,7 +272,11 @@ ApplicationWindow {
         }
     }
 
-    function openFile(): void {
-        fileDialog.open();
+    function openPath(path: string): void {
+        dialogs.openUrls([root.session.files.urlOf(path)]);
+    }
+    function askName(title: string, name: string, season: string, withSeason: bool, then: var): void {
+        nameDialog.then = then;
+        nameDialog.ask(title, name, season, withSeason);
     }
 }

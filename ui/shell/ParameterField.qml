@@ -99,7 +99,17 @@ Column {
             to: root.sliderTo
             stepSize: root.step
             value: root.value
-            onMoved: root.parameters.setNumber(root.index, value, pressed)
+            property bool dragged: false
+
+            onMoved: {
+                dragged = pressed;
+                root.parameters.setNumber(root.index, value, pressed);
+            }
+            onPressedChanged: {
+                if (!pressed && dragged)
+                    root.parameters.setNumber(root.index, value, false);
+                dragged = false;
+            }
         }
     }
     Component {

@@ -2,6 +2,7 @@ pragma ComponentBehavior: Bound
 import QtQuick
 import QtQuick.Templates as T
 import Furrow.Controls
+import Furrow.Edit
 import Furrow.Plan
 
 /// The figures of the plan, what was found in it, and the layers of the map.
@@ -9,6 +10,7 @@ Rectangle {
     id: root
 
     required property PlanSession session
+    required property FieldEditor editor
     property int currentFinding: -1
     readonly property alias layers: layers
     signal findingRequested(index: int)
@@ -55,6 +57,12 @@ Rectangle {
             y: 20
             width: flick.width - 36
 
+            InspectorPanel {
+                id: inspectorPanel
+
+                width: parent.width
+                inspector: Inspector { editor: root.editor }
+            }
             Title { text: qsTr("Plan") }
             Repeater {
                 model: root.session.figures
@@ -127,5 +135,9 @@ Rectangle {
                 width: parent.width
             }
         }
+    }
+
+    function focusInspector(): void {
+        inspectorPanel.focusFirst();
     }
 }

@@ -3,15 +3,14 @@ import QtQuick.Layouts
 import Furrow.Controls
 import Furrow.Plan
 
+/// Where the user is, and what is needed everywhere.
 Rectangle {
     id: root
 
     required property PlanSession session
+    required property AppCommands commands
     property bool panelOffered: false
     property bool panelOpen: true
-    signal openRequested()
-    signal exportRequested()
-    signal panelToggled()
 
     objectName: "topBar"
     implicitHeight: 52
@@ -24,7 +23,7 @@ Rectangle {
     }
     RowLayout {
         anchors { fill: parent; leftMargin: 16; rightMargin: 12 }
-        spacing: 8
+        spacing: 4
 
         BodyText {
             text: "Furrow"
@@ -33,46 +32,101 @@ Rectangle {
             font.weight: Font.Bold
         }
         BodyText {
-            Layout.leftMargin: 6
-            Layout.maximumWidth: root.width * 0.25
-            visible: text.length > 0
-            text: root.session.fileName
+            Layout.leftMargin: 10
+            Layout.maximumWidth: root.width * 0.16
+            objectName: "projectName"
+            visible: root.session.hasField
+            text: root.session.files.name.length > 0 ? root.session.files.name : qsTr("Not saved yet")
             color: Theme.muted
             elide: Text.ElideMiddle
         }
+        Rectangle {
+            objectName: "modifiedMark"
+            visible: root.session.hasField && root.session.document.modified
+            Layout.preferredWidth: 7
+            Layout.preferredHeight: 7
+            radius: 3.5
+            color: Theme.accent
+            Accessible.role: Accessible.StaticText
+            Accessible.name: qsTr("There are changes that are not saved")
+        }
         BodyText {
-            visible: root.session.fileName.length > 0 && root.session.hasField
+            visible: root.session.hasField
             text: "/"
             color: Theme.muted
         }
-        BodyText {
-            Layout.fillWidth: true
-            objectName: "fieldName"
+        Crumb {
+            objectName: "fieldCrumb"
+            Layout.maximumWidth: Math.min(implicitWidth, root.width * 0.2)
+            visible: root.session.hasField
+            strong: true
             text: root.session.fieldName
-            font.weight: Font.DemiBold
-            elide: Text.ElideRight
+            choices: root.session.farm.fields
+            current: root.session.farm.currentField
+            commands: [root.commands.named("renameField"), root.commands.named("removeField")]
+            onChosen: index => root.session.farm.currentField = index
         }
-        ThemeSwitch {}
+        BodyText {
+            visible: root.session.hasField
+            text: "/"
+            color: Theme.muted
+        }
+        Crumb {
+            objectName: "planCrumb"
+            Layout.maximumWidth: Math.min(implicitWidth, root.width * 0.2)
+            visible: root.session.hasField
+            text: root.session.farm.plans[root.session.farm.currentPlan] ?? ""
+            choices: root.session.farm.plans
+            current: root.session.farm.currentPlan
+            commands: [root.commands.named("addPlan"), root.commands.named("renamePlan"), root.commands.named("removePlan")]
+            onChosen: index => root.session.farm.currentPlan = index
+        }
+        Item { Layout.fillWidth: true }
+        ToolIconButton {
+            objectName: "undoButton"
+            iconName: "undo"
+            hint: root.commands.named("undo").text
+            hintBelow: true
+            enabled: root.session.document.canUndo
+            onClicked: root.commands.named("undo").trigger()
+        }
+        ToolIconButton {
+            objectName: "redoButton"
+            iconName: "redo"
+            hint: root.commands.named("redo").text
+            hintBelow: true
+            enabled: root.session.document.canRedo
+            onClicked: root.commands.named("redo").trigger()
+        }
+        SearchButton {
+            objectName: "searchButton"
+            visible: root.width > 1100
+            onClicked: root.commands.paletteRequested()
+        }
+        ThemeSwitch { hintBelow: true }
         ToolIconButton {
             objectName: "panelSwitch"
             visible: root.panelOffered
             iconName: "panel"
             hint: root.panelOpen ? qsTr("Hide the results") : qsTr("Show the results")
+            hintBelow: true
             checked: root.panelOpen
-            onClicked: root.panelToggled()
+            onClicked: root.commands.panelRequested()
         }
         PushButton {
             objectName: "openButton"
+            Layout.leftMargin: 4
             text: qsTr("Open")
             iconName: "open"
-            onClicked: root.openRequested()
+            onClicked: root.commands.openRequested()
         }
         PushButton {
             objectName: "exportButton"
+            Layout.leftMargin: 4
             text: qsTr("Export")
             primary: true
             enabled: root.session.hasPlan
-            onClicked: root.exportRequested()
+            onClicked: root.commands.exportRequested()
         }
     }
 }

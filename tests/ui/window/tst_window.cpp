@@ -1,98 +1,23 @@
 #include "planner/machine/machine_library.h"
-#include "ui/map/edit_layer.h"
-#include "ui/map/map_camera.h"
-#include "ui/plan/plan_session.h"
-#include "ui/shell/window_tools.h"
+#include "tests/ui/window/window_test.h"
 
-#include <QDir>
 #include <QElapsedTimer>
 #include <QFile>
 #include <QJsonDocument>
 #include <QJsonObject>
-#include <QQmlApplicationEngine>
-#include <QQuickItem>
-#include <QQuickWindow>
 #include <QSignalSpy>
-#include <QStandardPaths>
 #include <QTemporaryDir>
-#include <QTest>
 
 #include <algorithm>
 #include <ctime>
-#include <memory>
-#include <utility>
 
 using namespace furrow;
+using namespace furrow::test;
 
-/// The whole window, with real mouse and keys.
-class TestWindow : public QObject {
+class TestWindow : public WindowTest {
     Q_OBJECT
 
-private:
-    std::unique_ptr<PlanSession> session_;
-    std::unique_ptr<QQmlApplicationEngine> engine_;
-    QQuickWindow* window_ = nullptr;
-
-    static QQuickItem* below(QQuickItem* parent, const QString& name) {
-        if (parent->objectName() == name) {
-            return parent;
-        }
-        for (QQuickItem* child : parent->childItems()) {
-            if (QQuickItem* found = below(child, name)) {
-                return found;
-            }
-        }
-        return nullptr;
-    }
-    /// Items made by views are children in the scene only.
-    QQuickItem* item(const QString& name) const { return below(window_->contentItem(), name); }
-    QPoint middleOf(const QQuickItem& of) const { return of.mapToScene({of.width() / 2.0, of.height() / 2.0}).toPoint(); }
-    /// Steps open and close in motion: a click must not go where the item was.
-    void waitForRest(const QQuickItem& moving) const {
-        QPoint last{-1, -1};
-        int still = 0;
-        QTRY_VERIFY((still = std::exchange(last, middleOf(moving)) == middleOf(moving) ? still + 1 : 0) >= 4);
-    }
-    void click(const QString& name) {
-        QTRY_VERIFY2(item(name) != nullptr && item(name)->isVisible(), qPrintable(name));
-        waitForRest(*item(name));
-        QTest::mouseClick(window_, Qt::LeftButton, {}, middleOf(*item(name)));
-    }
-    QQuickItem* map() const { return item(QStringLiteral("editLayer")); }
-    MapCamera* camera() const { return qobject_cast<EditLayer*>(map())->camera(); }
-    QPoint onMap(const QGeoCoordinate& place) const { return map()->mapToScene(camera()->position(place)).toPoint(); }
-    void openSample(const QString& name) {
-        const auto index = static_cast<int>(session_->sampleNames().indexOf(name));
-        QVERIFY2(index >= 0, qPrintable(name));
-        click(QStringLiteral("empty.sample.%1").arg(index));
-        QTRY_COMPARE_WITH_TIMEOUT(session_->state(), PlanSession::State::Ready, 20000);
-    }
-    void picture(const QString& name) {
-        QDir{}.mkpath(QStringLiteral(FURROW_SCREENSHOT_DIR));
-        QVERIFY(window_->grabWindow().save(QStringLiteral(FURROW_SCREENSHOT_DIR "/%1.png").arg(name)));
-    }
-
 private slots:
-    void initTestCase() {
-        QStandardPaths::setTestModeEnabled(true);
-        prepareWindow();
-    }
-    void init() {
-        session_ = std::make_unique<PlanSession>();
-        engine_ = std::make_unique<QQmlApplicationEngine>();
-        engine_->setInitialProperties({{QStringLiteral("session"), QVariant::fromValue(session_.get())}});
-        engine_->loadFromModule("Furrow.Shell", "Main");
-        QVERIFY(!engine_->rootObjects().isEmpty());
-        window_ = qobject_cast<QQuickWindow*>(engine_->rootObjects().first());
-        window_->resize(1280, 800);
-        QVERIFY(QTest::qWaitForWindowExposed(window_));
-        QTRY_COMPARE(map()->width(), 1280.0 - 348.0);
-    }
-    void cleanup() {
-        engine_.reset();
-        session_.reset();
-    }
-
     void aNumberInThePanelChangesThePlan() {
         openSample(QStringLiteral("Home Field"));
         click(QStringLiteral("step.headland"));
@@ -129,7 +54,7 @@ private slots:
     void escapeGivesDrawingUp() {
         click(QStringLiteral("drawTool"));
         QTest::mouseClick(window_, Qt::LeftButton, {}, middleOf(*map()) + QPoint{-300, 250});
-        QTRY_COMPARE(map()->property("draftCount").toInt(), 1);
+        QTRY_COMPARE(editor()->draftCount(), 1);
         QTest::keyClick(window_, Qt::Key_Escape);
         QTRY_VERIFY(!item(QStringLiteral("drawingHint"))->isVisible());
         QVERIFY(!session_->hasField());
@@ -145,7 +70,7 @@ private slots:
         const QGeoCoordinate centre = camera()->center();
         for (int i = 1; i <= 10; ++i) {
             QTest::mouseMove(window_, from + outwards * i / 60);
-            QTRY_VERIFY(map()->property("dragging").toBool());
+            QTRY_VERIFY(editor()->isDragging());
         }
         QTest::mouseRelease(window_, Qt::LeftButton, {}, from + outwards / 6);
         QTRY_VERIFY(session_->plan() && session_->plan()->field().area().si() > before * 1.01);

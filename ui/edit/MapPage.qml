@@ -2,51 +2,63 @@ import QtQuick
 import QtLocation
 import QtPositioning
 import Furrow.Controls
+import Furrow.Map
+import Furrow.Plan
 
-/// The map with the plan on it, and the tools to draw and change a boundary.
+/// The map with the plan on it, and the tools to draw and change a field.
 FocusScope {
     id: root
 
-    required property planDrawing drawing
+    required property PlanSession session
+    readonly property planDrawing drawing: session.drawing
     required property planStyle planStyle
     readonly property alias camera: camera
-    readonly property alias drawingBoundary: edit.drafting
-    readonly property alias editLayer: edit
+    readonly property alias editor: editor
     readonly property alias planLayer: plan
 
-    signal boundaryDrawn(points: list<geoCoordinate>)
-    signal vertexMoved(part: int, ring: int, vertex: int, place: geoCoordinate, finished: bool)
     signal findingClicked(index: int)
+    signal inspectRequested()
 
     clip: true
     Keys.onPressed: event => {
         event.accepted = true;
-        if (event.key === Qt.Key_Escape && edit.drafting)
-            edit.cancelDraft();
-        else if ((event.key === Qt.Key_Return || event.key === Qt.Key_Enter) && edit.drafting)
-            edit.finishDraft();
-        else if (event.key === Qt.Key_Backspace && edit.drafting)
-            edit.removeLastPoint();
+        const drawing = editor.drawing;
+        const step = camera.metresPerPixel * (event.modifiers & Qt.ShiftModifier ? 10 : 1);
+        const ways = { [Qt.Key_Left]: [-1, 0], [Qt.Key_Right]: [1, 0], [Qt.Key_Up]: [0, 1], [Qt.Key_Down]: [0, -1] };
+        const way = ways[event.key];
+        if (event.key === Qt.Key_Escape)
+            event.accepted = editor.escape();
+        else if ((event.key === Qt.Key_Return || event.key === Qt.Key_Enter) && drawing)
+            editor.finishDraft();
+        else if ((event.key === Qt.Key_Return || event.key === Qt.Key_Enter) && editor.hasSelection)
+            root.inspectRequested();
+        else if (event.key === Qt.Key_Backspace && drawing)
+            editor.removeLastPoint();
+        else if (event.key === Qt.Key_Delete || event.key === Qt.Key_Backspace)
+            editor.deleteSelection();
+        else if (event.key === Qt.Key_Space && drawing)
+            editor.addPointAt(camera.center);
+        else if (event.key === Qt.Key_Space || event.key === Qt.Key_Period)
+            editor.selectNext(1);
+        else if (event.key === Qt.Key_Comma)
+            editor.selectNext(-1);
         else if (event.key === Qt.Key_Plus)
             camera.zoomBy(1);
         else if (event.key === Qt.Key_Minus)
             camera.zoomBy(-1);
-        else if (event.key === Qt.Key_F)
-            root.fitField(true);
-        else if (event.key === Qt.Key_B)
-            root.startDrawing();
-        else if (event.key === Qt.Key_Left)
-            camera.panBy(60, 0);
-        else if (event.key === Qt.Key_Right)
-            camera.panBy(-60, 0);
-        else if (event.key === Qt.Key_Up)
-            camera.panBy(0, 60);
-        else if (event.key === Qt.Key_Down)
-            camera.panBy(0, -60);
+        else if (way && editor.hasSelection && !drawing)
+            editor.nudge(way[0] * step, way[1] * step);
+        else if (way)
+            camera.panBy(-60 * way[0], 60 * way[1]);
         else
             event.accepted = false;
     }
 
+    FieldEditor {
+        id: editor
+
+        session: root.session
+    }
     MapCamera {
         id: camera
 
@@ -97,26 +109,25 @@ FocusScope {
         EditLayer {
             id: edit
 
-            readonly property bool drafting: tool === EditLayer.Draw
-
             objectName: "editLayer"
             anchors.fill: parent
             z: 2
             focus: true
             camera: camera
-            drawing: root.drawing
+            editor: editor
             lineColor: Theme.boundary
             casingColor: Theme.casing
             handleColor: Theme.dark ? "#E8EFEA" : "#FFFFFF"
             accentColor: Theme.accent
+            guideColor: Theme.startMark
             Accessible.name: qsTr("Map")
 
-            onBoundaryDrawn: points => root.boundaryDrawn(points)
-            onVertexMoved: (part, ring, vertex, place, finished) => root.vertexMoved(part, ring, vertex, place, finished)
             onClicked: pixel => {
                 const finding = plan.findingAt(pixel);
-                if (finding >= 0)
+                if (finding >= 0) {
+                    edit.accept();
                     root.findingClicked(finding);
+                }
             }
         }
         PinchHandler {
@@ -133,13 +144,9 @@ FocusScope {
     MapToolBar {
         x: 16
         y: 16
-        drawing: edit.drafting
-        hasField: !root.drawing.empty
-        onSelectRequested: {
-            edit.cancelDraft();
-            edit.forceActiveFocus();
-        }
-        onDrawRequested: root.startDrawing()
+        editor: editor
+        hasField: root.session.hasField
+        onToolRequested: tool => root.startTool(tool)
         onFitRequested: root.fitField(true)
         onZoomRequested: levels => camera.zoomBy(levels)
     }
@@ -148,9 +155,12 @@ FocusScope {
         camera: camera
     }
 
-    function startDrawing(): void {
-        edit.tool = EditLayer.Draw;
+    function startTool(tool: int): void {
+        editor.tool = tool;
         edit.forceActiveFocus();
+    }
+    function startDrawing(): void {
+        root.startTool(FieldEditor.Field);
     }
     function fitField(animated: bool): void {
         if (!root.drawing.empty)

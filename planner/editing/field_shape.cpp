@@ -1,0 +1,82 @@
+#include "planner/editing/field_shape.h"
+
+#include <algorithm>
+#include <utility>
+
+namespace furrow {
+
+namespace {
+
+Outline outlineOf(OutlineId id, bool closed, const GeoRing& places, const LocalFrame& frame, const FieldShape* before) {
+    Outline outline{.id = id, .closed = closed, .places = places, .points = {}};
+    const Outline* old = before == nullptr ? nullptr : before->find(id);
+    if (old == nullptr || old->places.size() != places.size()) {
+        outline.points = frame.toLocal(places);
+        return outline;
+    }
+    outline.points = old->points;
+    for (std::size_t i = 0; i < places.size(); ++i) {
+        if (places[i] != old->places[i]) {
+            outline.points[i] = frame.toLocal(places[i]);
+        }
+    }
+    return outline;
+}
+
+}  // namespace
+
+Result<FieldShape> FieldShape::of(const FieldSource& source, const GeoRing& guide, const FieldShape* before) {
+    Result<LocalFrame> frame = before != nullptr ? before->frame : LocalFrame::centredOn(middleOf(source.parts));
+    if (!frame) {
+        return std::unexpected(frame.error());
+    }
+    FieldShape shape{.frame = *frame, .outlines = {}, .gates = {}};
+    const auto add = [&](OutlineId id, bool closed, const GeoRing& places) {
+        shape.outlines.push_back(outlineOf(id, closed, places, *frame, before));
+    };
+    for (std::size_t part = 0; part < source.parts.size(); ++part) {
+        add({OutlineKind::Boundary, part, 0}, true, source.parts[part].outer);
+        for (std::size_t hole = 0; hole < source.parts[part].holes.size(); ++hole) {
+            add({OutlineKind::Hole, part, hole}, true, source.parts[part].holes[hole]);
+        }
+    }
+    for (std::size_t i = 0; i < source.obstacles.size(); ++i) {
+        add({OutlineKind::Obstacle, i, 0}, true, source.obstacles[i].outline.outer);
+    }
+    if (!guide.empty()) {
+        add({OutlineKind::Guide, 0, 0}, false, guide);
+    }
+    for (const Gate& gate : source.gates) {
+        shape.gates.push_back(frame->toLocal(gate.position));
+    }
+    return shape;
+}
+
+const Outline* FieldShape::find(const OutlineId& id) const {
+    const auto found = std::ranges::find(outlines, id, &Outline::id);
+    return found == outlines.end() ? nullptr : &*found;
+}
+
+FieldSource withOutline(FieldSource source, const OutlineId& id, GeoRing places) {
+    switch (id.kind) {
+        case OutlineKind::Boundary:
+            if (id.item < source.parts.size()) {
+                source.parts[id.item].outer = std::move(places);
+            }
+            break;
+        case OutlineKind::Hole:
+            if (id.item < source.parts.size() && id.hole < source.parts[id.item].holes.size()) {
+                source.parts[id.item].holes[id.hole] = std::move(places);
+            }
+            break;
+        case OutlineKind::Obstacle:
+            if (id.item < source.obstacles.size()) {
+                source.obstacles[id.item].outline.outer = std::move(places);
+            }
+            break;
+        case OutlineKind::Guide: break;
+    }
+    return source;
+}
+
+}  // namespace furrow

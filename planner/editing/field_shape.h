@@ -1,0 +1,56 @@
+#pragma once
+
+#include "planner/core/result.h"
+#include "planner/field/field.h"
+
+#include <compare>
+#include <optional>
+#include <vector>
+
+namespace furrow {
+
+/// What a line that can be taken hold of belongs to.
+enum class OutlineKind {
+    Boundary,  ///< outer ring of a part
+    Hole,
+    Obstacle,
+    Guide,  ///< the guidance line of the swaths: open
+};
+
+struct OutlineId {
+    OutlineKind kind = OutlineKind::Boundary;
+    std::size_t item = 0;  ///< part or obstacle
+    std::size_t hole = 0;  ///< of the part
+
+    friend auto operator<=>(const OutlineId&, const OutlineId&) = default;
+};
+
+/// A ring or a line as it is edited: in WGS84 as it is kept, and in metres.
+struct Outline {
+    OutlineId id;
+    bool closed = true;
+    GeoRing places;
+    std::vector<Point> points;  ///< the same in the shape's frame
+
+    std::size_t edgeCount() const { return closed || points.empty() ? points.size() : points.size() - 1; }
+    Point from(std::size_t edge) const { return points[edge]; }
+    Point to(std::size_t edge) const { return points[edge + 1 == points.size() ? 0 : edge + 1]; }
+};
+
+/// Everything of a field that can be edited on a map, in one plane in metres. Nothing of it has to be valid.
+struct FieldShape {
+    LocalFrame frame;
+    std::vector<Outline> outlines;
+    std::vector<Point> gates;
+
+    /// @param before  the shape before a change: its frame is kept and points that did not move are not converted
+    /// @return InputRefused: no point to put the frame's centre at. Cost: O(n) for n points.
+    static Result<FieldShape> of(const FieldSource& source, const GeoRing& guide, const FieldShape* before = nullptr);
+
+    const Outline* find(const OutlineId& id) const;
+};
+
+/// The source with other points in one outline; a guide is no part of it and leaves it as it is.
+FieldSource withOutline(FieldSource source, const OutlineId& id, GeoRing places);
+
+}  // namespace furrow

@@ -1,0 +1,216 @@
+#include "planner/project/project_edits.h"
+
+#include "planner/plan/method_registry.h"
+
+#include <algorithm>
+#include <format>
+#include <utility>
+
+namespace furrow {
+
+namespace {
+
+/// Lets `change` work on a copy of the current field.
+template <class Change>
+Project withField(Project project, Change change) {
+    if (const ProjectField* shown = project.field()) {
+        ProjectField field = *shown;
+        change(field);
+        project.fields[project.currentField] = std::make_shared<const ProjectField>(std::move(field));
+    }
+    return project;
+}
+
+template <class Change>
+Project withSourceChanged(Project project, Change change) {
+    return withField(std::move(project), [&change](ProjectField& field) {
+        FieldSource source = *field.source;
+        change(field, source);
+        field.source = std::make_shared<const FieldSource>(std::move(source));
+    });
+}
+
+const Parameter& parameterOf(std::string_view key) {
+    return **findParameter(key);
+}
+
+bool hasSwathMethod(std::string_view id) {
+    const auto stage = std::ranges::find(stages(), "swaths", &StageInfo::id);
+    return std::ranges::contains(stage->methods, id, &MethodInfo::id);
+}
+
+/// Methods that lay swaths along a line of at least two points.
+bool followsLine(const std::string& method) {
+    return method == "ab-line" || method == "ab-curve";
+}
+
+template <class Entry>
+void erase(std::vector<Entry>& list, std::size_t index) {
+    if (index < list.size()) {
+        list.erase(list.begin() + static_cast<std::ptrdiff_t>(index));
+    }
+}
+
+}  // namespace
+
+Project withSource(Project project, FieldSource source) {
+    return withField(std::move(project), [&source](ProjectField& field) {
+        field.source = std::make_shared<const FieldSource>(std::move(source));
+    });
+}
+
+Project withPlan(Project project, const Machine& machine, const Settings& settings) {
+    const auto change = [&](FieldPlan& plan) {
+        plan.machine = machine;
+        plan.settings = settings;
+    };
+    if (project.field() == nullptr) {
+        change(project.standard);
+        return project;
+    }
+    const std::size_t current = project.currentPlan;
+    return withField(std::move(project), [&](ProjectField& field) {
+        change(field.plans[std::min(current, field.plans.size() - 1)]);
+    });
+}
+
+Project withFields(Project project, std::vector<FieldSource> sources) {
+    const FieldPlan plan = planForAnotherField(project.plan());
+    const std::size_t first = project.fields.size();
+    for (FieldSource& source : sources) {
+        ProjectField field{.id = freeFieldId(project),
+                           .source = std::make_shared<const FieldSource>(std::move(source)),
+                           .plans = {plan},
+                           .others = {},
+                           .obstacleOthers = {},
+                           .gateOthers = {}};
+        field.plans.front().id = freePlanId(project);
+        project.fields.push_back(std::make_shared<const ProjectField>(std::move(field)));
+    }
+    return showing(std::move(project), first, 0);
+}
+
+Project withoutField(Project project) {
+    erase(project.fields, project.currentField);
+    const std::size_t field = project.currentField;
+    return showing(std::move(project), field, 0);
+}
+
+Project withObstacle(Project project, Obstacle obstacle) {
+    return withSourceChanged(std::move(project), [&obstacle](ProjectField&, FieldSource& source) {
+        source.obstacles.push_back(std::move(obstacle));
+    });
+}
+
+Project withGate(Project project, Gate gate) {
+    return withSourceChanged(std::move(project), [&gate](ProjectField&, FieldSource& source) {
+        source.gates.push_back(std::move(gate));
+    });
+}
+
+Project withHole(Project project, std::size_t part, GeoRing hole) {
+    return withSourceChanged(std::move(project), [part, &hole](ProjectField&, FieldSource& source) {
+        if (part < source.parts.size()) {
+            source.parts[part].holes.push_back(std::move(hole));
+        }
+    });
+}
+
+Project withoutHole(Project project, std::size_t part, std::size_t hole) {
+    return withSourceChanged(std::move(project), [part, hole](ProjectField&, FieldSource& source) {
+        if (part < source.parts.size()) {
+            erase(source.parts[part].holes, hole);
+        }
+    });
+}
+
+bool canFollowCurves() {
+    return hasSwathMethod("ab-curve");
+}
+
+Project withGuide(Project project, const GeoRing& line) {
+    Settings settings = project.plan().settings;
+    const Parameter& method = parameterOf("swaths.method");
+    if (line.size() < 2) {
+        settings.clear(parameterOf("swaths.line"));
+        if (followsLine(settings.choice(method))) {
+            settings.clear(method);
+        }
+        const Machine machine = project.plan().machine;
+        return withPlan(std::move(project), machine, settings);
+    }
+    const bool curve = line.size() > 2 && canFollowCurves();
+    std::string points;
+    for (std::size_t i = 0; i < line.size(); ++i) {
+        if (curve || i == 0 || i + 1 == line.size()) {
+            points += std::format("{}{} {}", points.empty() ? "" : ", ", line[i].lonDeg, line[i].latDeg);
+        }
+    }
+    const bool set = settings.set(parameterOf("swaths.line"), std::format("LINESTRING ({})", points)) &&
+                     settings.set(method, std::string{curve ? "ab-curve" : "ab-line"});
+    const Machine machine = project.plan().machine;
+    return set ? withPlan(std::move(project), machine, settings) : project;
+}
+
+GeoRing guideOf(const Project& project) {
+    const Settings& settings = project.plan().settings;
+    return followsLine(settings.choice(parameterOf("swaths.method"))) ? settings.line(parameterOf("swaths.line"))
+                                                                      : GeoRing{};
+}
+
+Project withoutObstacle(Project project, std::size_t obstacle) {
+    return withSourceChanged(std::move(project), [obstacle](ProjectField& field, FieldSource& source) {
+        erase(source.obstacles, obstacle);
+        erase(field.obstacleOthers, obstacle);
+    });
+}
+
+Project withoutGate(Project project, std::size_t gate) {
+    return withSourceChanged(std::move(project), [gate](ProjectField& field, FieldSource& source) {
+        erase(source.gates, gate);
+        erase(field.gateOthers, gate);
+    });
+}
+
+Project withPlanCopy(Project project, const std::string& name) {
+    FieldPlan copy = project.plan();
+    copy.id = freePlanId(project);
+    copy.name = name;
+    project = withField(std::move(project), [&copy](ProjectField& field) { field.plans.push_back(copy); });
+    const std::size_t field = project.currentField;
+    const std::size_t last = project.field() != nullptr ? project.field()->plans.size() - 1 : 0;
+    return showing(std::move(project), field, last);
+}
+
+Project withoutPlan(Project project) {
+    const std::size_t current = project.currentPlan;
+    project = withField(std::move(project), [current](ProjectField& field) {
+        if (field.plans.size() > 1) {
+            erase(field.plans, current);
+        }
+    });
+    const std::size_t field = project.currentField;
+    return showing(std::move(project), field, current);
+}
+
+Project withFieldName(Project project, const std::string& name) {
+    return withSourceChanged(std::move(project), [&name](ProjectField&, FieldSource& source) { source.name = name; });
+}
+
+Project withPlanName(Project project, const std::string& name, const std::string& season) {
+    const std::size_t current = project.currentPlan;
+    return withField(std::move(project), [&](ProjectField& field) {
+        FieldPlan& plan = field.plans[std::min(current, field.plans.size() - 1)];
+        plan.name = name;
+        plan.season = season;
+    });
+}
+
+Project showing(Project project, std::size_t field, std::size_t plan) {
+    project.currentField = project.fields.empty() ? 0 : std::min(field, project.fields.size() - 1);
+    project.currentPlan =
+        project.fields.empty() ? 0 : std::min(plan, project.fields[project.currentField]->plans.size() - 1);
+    return project;
+}
+
+}  // namespace furrow

@@ -1,0 +1,47 @@
+#pragma once
+
+#include "planner/project/project.h"
+
+#include <string>
+#include <vector>
+
+namespace furrow {
+
+// Projects with one thing changed. What is not touched is shared with the project they were made from.
+
+/// The current field with another source; obstacles and gates keep their order. Nothing to do without a field.
+Project withSource(Project project, FieldSource source);
+/// The current plan, or the standard one where there is no field, with this machine and these settings.
+Project withPlan(Project project, const Machine& machine, const Settings& settings);
+
+/// With new fields behind the others, each with a plan after the current one; the first of them is current.
+Project withFields(Project project, std::vector<FieldSource> sources);
+/// Without the current field; its neighbour is current then.
+Project withoutField(Project project);
+/// With another obstacle, gate or hole in the current field, behind the others.
+Project withObstacle(Project project, Obstacle obstacle);
+Project withGate(Project project, Gate gate);
+Project withHole(Project project, std::size_t part, GeoRing hole);
+Project withoutHole(Project project, std::size_t part, std::size_t hole);
+/// With the swaths of the current plan along this line; of three points or more, as a curve where the planner can.
+/// Without points: back to the planner's own choice.
+Project withGuide(Project project, const GeoRing& line);
+/// The line that the current plan's swaths follow; empty for none.
+GeoRing guideOf(const Project& project);
+/// Whether swaths can follow a curve.
+bool canFollowCurves();
+/// Without one obstacle or gate of the current field.
+Project withoutObstacle(Project project, std::size_t obstacle);
+Project withoutGate(Project project, std::size_t gate);
+
+/// With a copy of the current plan under this name, which is current.
+Project withPlanCopy(Project project, const std::string& name);
+/// Without the current plan; the last one stays.
+Project withoutPlan(Project project);
+Project withFieldName(Project project, const std::string& name);
+Project withPlanName(Project project, const std::string& name, const std::string& season);
+
+/// With another field or plan to work on; what is out of range becomes the last one.
+Project showing(Project project, std::size_t field, std::size_t plan);
+
+}  // namespace furrow

@@ -1,0 +1,187 @@
+#include "planner/project/project_file.h"
+
+#include "planner/core/text_file.h"
+#include "planner/io/atomic_files.h"
+#include "planner/io/file_error.h"
+#include "planner/io/file_folder.h"
+#include "planner/project/migrations.h"
+#include "planner/project/project_json.h"
+#include "planner/version.h"
+
+#include <algorithm>
+#include <cstdint>
+#include <format>
+#include <map>
+#include <system_error>
+
+namespace furrow {
+
+namespace {
+
+constexpr const char* kMember = "furrow_project";
+
+std::string textProperty(const OrderedJson& feature, const char* key) {
+    const OrderedJson* properties = feature.contains("properties") ? &feature["properties"] : nullptr;
+    return properties != nullptr && properties->is_object() && properties->contains(key) &&
+                   (*properties)[key].is_string()
+               ? (*properties)[key].get<std::string>()
+               : std::string{};
+}
+
+/// Features and plans of one field, as far as they were found.
+struct FieldParts {
+    std::string id;
+    OrderedJson features = OrderedJson::array();
+    OrderedJson plans = OrderedJson::array();
+};
+
+/// Sorts features into fields; those that are no part of any go to the project.
+std::vector<FieldParts> sorted(const OrderedJson& document, Project& project) {
+    std::vector<FieldParts> fields;
+    const auto find = [&fields](const std::string& id) { return std::ranges::find(fields, id, &FieldParts::id); };
+    for (OrderedJson feature : document.at("features")) {
+        if (textProperty(feature, "kind") != "field") {
+            continue;
+        }
+        // Another program may have added a field, or copied one.
+        std::string id = textProperty(feature, "field");
+        for (std::size_t number = fields.size() + 1; id.empty() || find(id) != fields.end(); ++number) {
+            id = std::format("field-{}", number);
+        }
+        feature["properties"]["field"] = id;
+        fields.push_back({.id = id});
+        fields.back().features.push_back(std::move(feature));
+    }
+    for (const OrderedJson& feature : document.at("features")) {
+        const std::string kind = textProperty(feature, "kind");
+        const auto owner = find(textProperty(feature, "field"));
+        if ((kind == "obstacle" || kind == "gate") && owner != fields.end()) {
+            owner->features.push_back(feature);
+        } else if (kind != "field") {
+            project.otherFeatures.push_back(textOf(feature));
+        }
+    }
+    if (const OrderedJson& head = document.at(kMember); head.contains("plans")) {
+        for (const OrderedJson& plan : head.at("plans")) {
+            if (const auto owner = find(plan.value("field", "")); owner != fields.end()) {
+                owner->plans.push_back(plan);
+            }
+        }
+    }
+    return fields;
+}
+
+Result<OpenedProject> projectFrom(const OrderedJson& document) {
+    OpenedProject opened{.project = Project::empty(), .fingerprint = {}, .notes = {}};
+    Project& project = opened.project;
+    const std::vector<FieldParts> fields = sorted(document, project);
+    readHead(document.at(kMember), project, opened.notes);
+    for (const FieldParts& parts : fields) {
+        project.fields.push_back(std::make_shared<const ProjectField>(
+            fieldOf(parts.features, parts.plans, project.standard, freePlanId(project), opened.notes)));
+    }
+    Notes ignored;
+    // Which field is current can only be told when they are there.
+    readHead(document.at(kMember), project, ignored);
+    OrderedJson others = OrderedJson::object();
+    addMembers(others, project.others);
+    if (const std::string members = otherMembers(document, {"type", "features", kMember}); !members.empty()) {
+        others["document"] = OrderedJson::parse(members);
+    }
+    project.others = others.empty() ? std::string{} : textOf(others);
+    return opened;
+}
+
+}  // namespace
+
+std::string fingerprint(std::string_view bytes) {
+    // FNV-1a: tells an edited file from the one that was saved; nobody is to be kept out by it.
+    std::uint64_t hash = 14695981039346656037U;
+    for (const char byte : bytes) {
+        hash = (hash ^ static_cast<unsigned char>(byte)) * 1099511628211U;
+    }
+    return std::format("{:016x}-{}", hash, bytes.size());
+}
+
+std::optional<std::string> fileFingerprint(const std::filesystem::path& path) {
+    const auto bytes = fileBytes(path);
+    return bytes ? std::optional{fingerprint(*bytes)} : std::nullopt;
+}
+
+bool isProject(std::string_view text) {
+    return text.substr(0, 4096).contains(std::format("\"{}\"", kMember));
+}
+
+Result<OpenedProject> parseProject(std::string_view text, const std::string& origin) {
+    const auto damaged = [&origin](const std::string& what) {
+        return std::unexpected(
+            inputRefused(origin, "this project file is damaged: " + what, "restore a copy of the file"));
+    };
+    try {
+        OrderedJson document = OrderedJson::parse(withoutByteOrderMark(text));
+        if (!document.is_object() || !document.contains(kMember) || !document.at(kMember).is_object()) {
+            return std::unexpected(inputRefused(origin, "this is not a project of Furrow",
+                                                "open it as a field boundary, or choose another file"));
+        }
+        const int version = document.at(kMember).value("format_version", 0);
+        auto current = migrated(std::move(document), version, projectMigrations(), origin);
+        if (!current) {
+            return std::unexpected(current.error());
+        }
+        auto opened = projectFrom(*current);
+        if (opened) {
+            opened->fingerprint = fingerprint(text);
+        }
+        return opened;
+    } catch (const OrderedJson::parse_error& error) {
+        return damaged("it is not JSON at " + lineAndColumn(text, error.byte == 0 ? 0 : error.byte - 1));
+    } catch (const OrderedJson::exception& error) {
+        return damaged(error.what());
+    }
+}
+
+Result<OpenedProject> readProject(const std::filesystem::path& path) {
+    const auto bytes = fileBytes(path);
+    return bytes ? parseProject(*bytes, path.string()) : std::unexpected(bytes.error());
+}
+
+std::string projectText(const Project& project) {
+    OrderedJson head{{"format_version", kProjectVersion}, {"written_by", "Furrow " FURROW_VERSION}};
+    head.update(headOf(project));
+    OrderedJson document = OrderedJson::object();
+    if (head.contains("document")) {
+        document = head["document"];
+        head.erase("document");
+    }
+    std::string text = "{\"type\": \"FeatureCollection\",\n";
+    for (const auto& [key, value] : document.items()) {
+        text += std::format("{}: {},\n", OrderedJson(key).dump(), textOf(value));
+    }
+    OrderedJson plans = OrderedJson::array();
+    std::string features;
+    for (const auto& field : project.fields) {
+        for (OrderedJson& plan : plansOf(*field)) {
+            plans.push_back(std::move(plan));
+        }
+        for (const OrderedJson& feature : featuresOf(*field)) {
+            features += (features.empty() ? "" : ",\n") + textOf(feature);
+        }
+    }
+    for (const std::string& feature : project.otherFeatures) {
+        features += (features.empty() ? "" : ",\n") + feature;
+    }
+    head["plans"] = std::move(plans);
+    return text + std::format("\"{}\": {},\n\"features\": [\n{}\n]}}\n", kMember, textOf(head), features);
+}
+
+Result<std::string> writeProject(const Project& project, const std::filesystem::path& path) {
+    std::error_code ignored;
+    const std::filesystem::path target = std::filesystem::weakly_canonical(path, ignored);
+    const std::string text = projectText(project);
+    const std::filesystem::path& place = target.empty() ? path : target;
+    const FileToWrite file{.path = place.filename(), .text = [&text] { return text; }};
+    const auto written = writeTogether(place.parent_path(), std::span{&file, 1});
+    return written ? Result<std::string>{fingerprint(text)} : std::unexpected(written.error());
+}
+
+}  // namespace furrow

@@ -1,0 +1,208 @@
+#include "planner/io/boundary_import.h"
+#include "planner/project/migrations.h"
+#include "planner/project/project_file.h"
+#include "tests/planner/project/project_samples.h"
+#include "tests/support/furrow_cli.h"
+#include "tests/support/result_check.h"
+
+#include <QProcess>
+#include <QTemporaryDir>
+#include <QTest>
+
+#include <sys/resource.h>
+
+#include <csignal>
+
+using namespace furrow;
+using namespace furrow::test;
+
+namespace {
+
+/// Writes beyond this many bytes of a file fail, as on a full disk.
+class FullDisk {
+public:
+    explicit FullDisk(rlim_t bytes) {
+        ::getrlimit(RLIMIT_FSIZE, &before_);
+        const rlimit limit{bytes, before_.rlim_max};
+        std::signal(SIGXFSZ, SIG_IGN);
+        ::setrlimit(RLIMIT_FSIZE, &limit);
+    }
+    ~FullDisk() { ::setrlimit(RLIMIT_FSIZE, &before_); }
+    FullDisk(const FullDisk&) = delete;
+    FullDisk& operator=(const FullDisk&) = delete;
+
+private:
+    rlimit before_{};
+};
+
+std::filesystem::path pathIn(const QTemporaryDir& folder, const char* name) {
+    return folder.filePath(QLatin1String{name}).toStdU16String();
+}
+
+}  // namespace
+
+class TestProjectFile : public QObject {
+    Q_OBJECT
+
+private slots:
+    void whatIsWrittenIsReadBack() {
+        const Project project = sampleProject();
+        const auto read = parseProject(projectText(project), "farm.furrow");
+        VERIFY_RESULT(read);
+        QVERIFY(read->notes.empty());
+        QVERIFY(read->project == project);
+        QCOMPARE(projectText(read->project), projectText(project));
+        QVERIFY(isProject(projectText(project)));
+    }
+    void anEmptyProjectToo() {
+        const auto read = parseProject(projectText(Project::empty()), "farm.furrow");
+        VERIFY_RESULT(read);
+        QVERIFY(read->project == Project::empty());
+    }
+    /// Another program says what is in it.
+    void gisProgramsOpenIt() {
+        const QTemporaryDir folder;
+        const auto path = pathIn(folder, "farm.furrow");
+        VERIFY_RESULT(writeProject(sampleProject(), path));
+        QProcess ogrinfo;
+        ogrinfo.start(QStringLiteral("ogrinfo"), {QStringLiteral("-al"), QString::fromStdString(path.string())});
+        QVERIFY(ogrinfo.waitForFinished());
+        const QByteArray told = ogrinfo.readAllStandardOutput();
+        QCOMPARE(ogrinfo.exitCode(), 0);
+        QVERIFY(told.contains("using driver `GeoJSON' successful"));
+        QVERIFY(told.contains("Feature Count: 6"));
+        QVERIFY(told.contains("name (String) = Große Wiese"));
+        QVERIFY(told.contains("buffer_m (Real) = 2.5"));
+        QVERIFY(told.contains("POINT (22.5 58.251)"));
+    }
+    /// So the command line plans it as it is.
+    void itIsABoundaryFileToo() {
+        const QTemporaryDir folder;
+        const auto path = pathIn(folder, "farm.furrow");
+        VERIFY_RESULT(writeProject(sampleProject(), path));
+        const auto fields = readBoundaries(path);
+        VERIFY_RESULT(fields);
+        QCOMPARE(fields->size(), std::size_t{2});
+        QVERIFY(fields->front().parts == sampleSource().parts);
+    }
+    void whatIsNotKnownIsKept() {
+        const std::string text = R"({"type": "FeatureCollection", "crs_note": [1, 2],
+          "furrow_project": {"format_version": 1, "name": "Farm", "crop_rotation": {"2027": "oats"},
+            "standard": {"id": "standard", "machine": {"operating_width_m": 4, "min_turning_radius_m": 5}},
+            "plans": [{"id": "p", "field": "f", "name": "Drilling", "yield_t": 7.5,
+              "machine": {"operating_width_m": 3, "min_turning_radius_m": 5, "flux_m": 4},
+              "settings": {"headland.width_m": 20, "swaths.magic": 3, "route.method": "telepathy"}}]},
+          "features": [
+            {"type": "Feature", "id": 5, "properties": {"kind": "field", "field": "f", "name": "A", "soil": "clay"},
+             "geometry": {"type": "Polygon", "coordinates": [[[22.5, 58.25], [22.507, 58.25], [22.507, 58.2535], [22.5, 58.25]]]}},
+            {"type": "Feature", "properties": {"kind": "gate", "field": "f", "locked": true},
+             "geometry": {"type": "Point", "coordinates": [22.5, 58.25]}},
+            {"type": "Feature", "properties": {"kind": "drain"},
+             "geometry": {"type": "LineString", "coordinates": [[22.5, 58.25], [22.507, 58.25]]}}]})";
+        const auto read = parseProject(text, "farm.furrow");
+        VERIFY_RESULT(read);
+        QCOMPARE(read->notes.size(), std::size_t{2});
+        QCOMPARE(read->project.plan().machine.operatingWidth().si(), 3.0);
+        const std::string written = projectText(read->project);
+        for (const char* kept : {R"("crs_note":)", R"("crop_rotation":{"2027":"oats"})", R"("yield_t":7.5)", R"("flux_m":4)",
+                                 R"("swaths.magic":3)", R"("route.method":"telepathy")", R"("soil":"clay")", R"("id":5)",
+                                 R"("locked":true)", R"("kind":"drain")"}) {
+            QVERIFY2(QByteArray::fromStdString(written).contains(kept) ||
+                         QByteArray::fromStdString(written).contains(QByteArray{kept}.replace(":", ": ")),
+                     kept);
+        }
+        const auto again = parseProject(written, "farm.furrow");
+        VERIFY_RESULT(again);
+        QVERIFY(again->project == read->project);
+    }
+    /// As QGIS leaves them when somebody copies a field or draws one.
+    void fieldsOfOtherProgramsGetIds() {
+        std::string text = projectText(sampleProject());
+        const std::string copy = R"({"type": "Feature", "properties": {"kind": "field", "field": "field-1", "name": "Copy"},
+            "geometry": {"type": "Polygon", "coordinates": [[[22.5, 58.25], [22.507, 58.25], [22.507, 58.2535], [22.5, 58.25]]]}},)";
+        text.insert(text.find('\n', text.find("\"features\"")) + 1, copy);
+        const auto read = parseProject(text, "farm.furrow");
+        VERIFY_RESULT(read);
+        QCOMPARE(read->project.fields.size(), std::size_t{3});
+        QVERIFY(read->project.fields[0]->id != read->project.fields[1]->id);
+        QCOMPARE(read->project.fields[1]->plans.size(), std::size_t{1});
+    }
+    void badFilesAreRefused_data() {
+        QTest::addColumn<QByteArray>("text");
+        QTest::addColumn<QByteArray>("what");
+        QTest::newRow("no JSON") << QByteArray{"{\"type\": \"FeatureColl"} << QByteArray{"damaged"};
+        QTest::newRow("a boundary") << QByteArray{R"({"type": "FeatureCollection", "features": []})"} << QByteArray{"not a project"};
+        QTest::newRow("newer") << QByteArray{R"({"type": "FeatureCollection", "furrow_project": {"format_version": 2}, "features": []})"}
+                               << QByteArray{"saved by a newer Furrow (format 2, this one knows 1)"};
+        QTest::newRow("no version") << QByteArray{R"({"type": "FeatureCollection", "furrow_project": {}, "features": []})"}
+                                    << QByteArray{"no project format 0"};
+        QTest::newRow("features missing") << QByteArray{R"({"furrow_project": {"format_version": 1}})"} << QByteArray{"damaged"};
+        QTest::newRow("a coordinate that is text")
+            << QByteArray{R"({"furrow_project": {"format_version": 1}, "features": [{"type": "Feature", "properties": {"kind": "field"},
+                 "geometry": {"type": "Polygon", "coordinates": [[["a", 1]]]}}]})"}
+            << QByteArray{"damaged"};
+    }
+    void badFilesAreRefused() {
+        QFETCH(QByteArray, text);
+        QFETCH(QByteArray, what);
+        const auto read = parseProject(text.toStdString(), "farm.furrow");
+        QVERIFY(!read.has_value());
+        QVERIFY2(read.error().line().contains(what.toStdString()), read.error().line().c_str());
+        QVERIFY(!read.error().remedy.empty());
+    }
+    void olderVersionsAreBroughtUp() {
+        const Migration steps[] = {[](OrderedJson& json) { json["b"] = json["a"]; json.erase("a"); },
+                                   [](OrderedJson& json) { json["b"] = json["b"].get<int>() * 10; }};
+        const OrderedJson first{{"a", 4}};
+        QCOMPARE(textOf(*migrated(first, 1, steps, "x")), std::string{R"({"b":40})"});
+        QCOMPARE(textOf(*migrated({{"b", 4}}, 2, steps, "x")), std::string{R"({"b":40})"});
+        QCOMPARE(textOf(*migrated({{"b", 40}}, 3, steps, "x")), std::string{R"({"b":40})"});
+        QVERIFY(!migrated({}, 4, steps, "x"));
+    }
+    /// Files that were saved by earlier versions, one folder for each format.
+    void storedProjectsAreRead() {
+        const auto read = readProject(FURROW_TEST_DATA_DIR "/projects/v1/farm.furrow");
+        VERIFY_RESULT(read);
+        QVERIFY(read->notes.empty());
+        QCOMPARE(read->project.name, std::string{"Kuressaare farm"});
+        QCOMPARE(read->project.fields.size(), std::size_t{2});
+        QCOMPARE(read->project.field()->id, std::string{"field-2"});
+        const ProjectField& field = *read->project.fields.front();
+        QVERIFY(*field.source == sampleSource());
+        QCOMPARE(field.plans.size(), std::size_t{2});
+        QCOMPARE(field.plans.front().name, std::string{"Spring drilling"});
+        QVERIFY(field.plans.front().settings == sampleSettings());
+        QCOMPARE(field.plans.front().machine.operatingWidth().si(), 2.5);
+    }
+    void aFullDiskLeavesWhatWasThere() {
+        const QTemporaryDir folder;
+        const auto path = pathIn(folder, "farm.furrow");
+        VERIFY_RESULT(writeProject(Project::empty(), path));
+        const auto before = fileFingerprint(path);
+        {
+            const FullDisk disk{1000};
+            const auto written = writeProject(sampleProject(), path);
+            QVERIFY(!written.has_value());
+            QCOMPARE(written.error().code, ErrorCode::WriteFailed);
+            QVERIFY(!written.error().what.empty());
+        }
+        QCOMPARE(fileFingerprint(path), before);
+        QCOMPARE(QDir{folder.path()}.entryList(QDir::Files), QStringList{QStringLiteral("farm.furrow")});
+        VERIFY_RESULT(writeProject(sampleProject(), path));
+        QVERIFY(fileFingerprint(path) != before);
+    }
+    void aLinkIsFollowed() {
+        const QTemporaryDir folder;
+        QVERIFY(QDir{folder.path()}.mkdir(QStringLiteral("server")));
+        const auto real = pathIn(folder, "server/farm.furrow");
+        VERIFY_RESULT(writeProject(Project::empty(), real));
+        const auto link = pathIn(folder, "farm.furrow");
+        std::filesystem::create_symlink(real, link);
+        VERIFY_RESULT(writeProject(sampleProject(), link));
+        QVERIFY(std::filesystem::is_symlink(link));
+        QVERIFY(readProject(real)->project == sampleProject());
+    }
+};
+
+QTEST_GUILESS_MAIN(TestProjectFile)
+#include "tst_project_file.moc"

@@ -1,0 +1,317 @@
+#include "planner/project/project_file.h"
+#include "tests/ui/window/window_test.h"
+#include "ui/edit/inspector.h"
+
+#include <QSignalSpy>
+#include <QTemporaryDir>
+
+#include <cmath>
+
+using namespace furrow;
+using namespace furrow::test;
+
+/// Editing and keeping a field, as a new user does it.
+class TestEditorWindow : public WindowTest {
+    Q_OBJECT
+
+    const FieldSource& source() const { return *session_->document()->project()->field()->source; }
+    void ready() const {
+        // What was asked for may not have begun yet.
+        QTRY_COMPARE_WITH_TIMEOUT(session_->state(), PlanSession::State::Ready, 30000);
+    }
+    QPoint middle() const { return middleOf(*map()); }
+    /// 400 by 300 pixels around the middle of the map, at zoom 16.
+    void drawField() {
+        camera()->centreOn(QGeoCoordinate{58.2515, 22.5035}, 16.0, false);
+        key(Qt::Key_B);
+        QTRY_VERIFY(item(QStringLiteral("drawingHint"))->isVisible());
+        for (const QPoint corner : {QPoint{-200, -150}, QPoint{200, -150}, QPoint{200, 150}, QPoint{-200, 150}}) {
+            clickAt(middle() + corner);
+        }
+        key(Qt::Key_Return);
+        QTRY_VERIFY(session_->hasField());
+        ready();
+        QTRY_VERIFY(session_->hasPlan());
+    }
+    /// Goes on only with a field: what follows looks at it.
+#define DRAW_FIELD() \
+    drawField();     \
+    if (QTest::currentTestFailed() || !session_->hasPlan()) { \
+        return;      \
+    }
+    QPoint cornerOnMap(std::size_t vertex) const {
+        const GeoPoint place = source().parts.front().outer[vertex];
+        return onMap(QGeoCoordinate{place.latDeg, place.lonDeg});
+    }
+    bool shows(const QString& name) const { return item(name) != nullptr && item(name)->isVisible(); }
+
+private slots:
+    void theWalk() {
+        DRAW_FIELD();
+        picture(QStringLiteral("walk1_drawn"));
+        const QPoint centre = middle();
+
+        click(QStringLiteral("obstacleTool"));
+        for (const QPoint corner : {QPoint{-60, -40}, QPoint{10, -50}, QPoint{20, 30}, QPoint{-50, 40}}) {
+            clickAt(centre + corner);
+        }
+        QTest::mouseMove(window_, centre + QPoint{-120, 10});
+        picture(QStringLiteral("walk2_obstacle_drawing"));
+        key(Qt::Key_Return);
+        QTRY_COMPARE(source().obstacles.size(), std::size_t{1});
+        QTRY_VERIFY(shows(QStringLiteral("inspector")));
+        ready();
+        click(QStringLiteral("inspector.number.1"));
+        QTRY_VERIFY(item(QStringLiteral("inspector.number.1"))->hasActiveFocus());
+        type(QStringLiteral("4"));
+        key(Qt::Key_Return);
+        QTRY_COMPARE(source().obstacles.front().buffer.si(), 4.0);
+        click(QStringLiteral("inspector.passable"));
+        QTRY_VERIFY(source().obstacles.front().passable);
+        click(QStringLiteral("inspector.passable"));
+        QTRY_VERIFY(!source().obstacles.front().passable);
+        ready();
+        picture(QStringLiteral("walk3_obstacle"));
+
+        click(QStringLiteral("gateTool"));
+        clickAt(centre + QPoint{0, 148});
+        QTRY_COMPARE(source().gates.size(), std::size_t{1});
+        ready();
+        picture(QStringLiteral("walk4_gate"));
+
+        click(QStringLiteral("guideTool"));
+        clickAt(centre + QPoint{-150, 100});
+        clickAt(centre + QPoint{-150, -100});
+        if (editor()->isDrawing()) {
+            key(Qt::Key_Return);
+        }
+        QTRY_VERIFY(session_->plan() && std::abs(std::cos(session_->plan()->swaths.heading.si())) < 0.01);
+        ready();
+        picture(QStringLiteral("walk5_ab_line"));
+
+        // A corner is dragged, then everything is taken back and brought again.
+        drag(cornerOnMap(1), cornerOnMap(1) + QPoint{60, -30});
+        const auto changed = session_->document()->project();
+        ready();
+        int undone = 0;
+        while (session_->document()->canUndo()) {
+            key(Qt::Key_Z, Qt::ControlModifier);
+            ++undone;
+        }
+        QVERIFY2(undone >= 7, qPrintable(QString::number(undone)));
+        QVERIFY(!session_->hasField());
+        for (int i = 0; i < undone; ++i) {
+            key(Qt::Key_Z, Qt::ControlModifier | Qt::ShiftModifier);
+        }
+        QCOMPARE(session_->document()->project(), changed);
+        ready();
+
+        const QTemporaryDir folder;
+        session_->files()->saveAs(QUrl::fromLocalFile(folder.filePath(QStringLiteral("Home farm.furrow"))));
+        QTRY_VERIFY(!session_->document()->isModified());
+        QTRY_COMPARE(item(QStringLiteral("projectName"))->property("text").toString(), QStringLiteral("Home farm"));
+        QVERIFY(!shows(QStringLiteral("modifiedMark")));
+        picture(QStringLiteral("walk6_saved"));
+        session_->closeField();
+        QVERIFY(!session_->hasField());
+        session_->open(folder.filePath(QStringLiteral("Home farm.furrow")));
+        QTRY_VERIFY(session_->hasField());
+        QVERIFY(*session_->document()->project() == *changed);
+        ready();
+    }
+    /// The same without a mouse: points by typing, settings by Tab and arrows.
+    void byKeyboardAlone() {
+        camera()->centreOn(QGeoCoordinate{58.2515, 22.5035}, 16.0, false);
+        map()->forceActiveFocus();
+        key(Qt::Key_B);
+        QTRY_VERIFY(shows(QStringLiteral("drawingHint")));
+        editor()->leave();
+        key(Qt::Key_Space);
+        QTRY_COMPARE(editor()->draftCount(), 1);
+        const auto typed = [this](const QString& length, const QString& bearing) {
+            item(QStringLiteral("draft.length"))->forceActiveFocus(Qt::TabFocusReason);
+            key(Qt::Key_A, Qt::ControlModifier);
+            type(length);
+            key(Qt::Key_Tab);
+            QTRY_VERIFY(item(QStringLiteral("draft.bearing"))->hasActiveFocus());
+            key(Qt::Key_A, Qt::ControlModifier);
+            type(bearing);
+            key(Qt::Key_Return);
+        };
+        typed(QStringLiteral("300"), QStringLiteral("90"));
+        QTRY_COMPARE(editor()->draftCount(), 2);
+        typed(QStringLiteral("200,5"), QStringLiteral("180"));
+        typed(QStringLiteral("300"), QStringLiteral("270"));
+        QTRY_COMPARE(editor()->draftCount(), 4);
+        picture(QStringLiteral("keyboard_typed"));
+        map()->forceActiveFocus();
+        key(Qt::Key_Return);
+        QTRY_VERIFY(session_->hasField());
+        ready();
+        // 300 by 200.5 m.
+        QTRY_VERIFY(session_->plan() && std::abs(session_->plan()->field().area().si() - 60150.0) < 5.0);
+        // The first point is chosen and moved, then a number of it is typed.
+        map()->forceActiveFocus();
+        key(Qt::Key_Space);
+        QTRY_VERIFY(shows(QStringLiteral("inspector")));
+        const GeoPoint before = source().parts.front().outer.front();
+        key(Qt::Key_Left, Qt::ShiftModifier);
+        QTRY_VERIFY(source().parts.front().outer.front().lonDeg < before.lonDeg);
+        key(Qt::Key_Return);
+        QTRY_VERIFY(item(QStringLiteral("inspector.number.0"))->hasActiveFocus());
+        picture(QStringLiteral("keyboard_inspector"));
+        map()->forceActiveFocus();
+        key(Qt::Key_Period);
+        key(Qt::Key_Delete);
+        QTRY_COMPARE(source().parts.front().outer.size(), std::size_t{3});
+        key(Qt::Key_Z, Qt::ControlModifier);
+        key(Qt::Key_Z, Qt::ControlModifier);
+        QTRY_VERIFY(source().parts.front().outer.front() == before);
+        key(Qt::Key_Escape);
+        QTRY_VERIFY(!editor()->hasSelection());
+    }
+    void anEdgeIsDraggedAndItsMiddleBends() {
+        DRAW_FIELD();
+        const QPoint a = cornerOnMap(0);
+        const QPoint b = cornerOnMap(1);
+        const QPoint quarter = a + (b - a) / 4;
+        const double height = std::abs(cornerOnMap(2).y() - cornerOnMap(1).y());
+        const double area = session_->plan()->field().area().si();
+        const QPoint out = quarter.y() < middle().y() ? QPoint{0, -40} : QPoint{0, 40};
+        drag(quarter, quarter + out);
+        QTRY_VERIFY(session_->plan() && std::abs(session_->plan()->field().area().si() / area - (height + 40.0) / height) < 0.005);
+        QCOMPARE(editor()->selection().kind, Selection::Kind::Edge);
+        QTRY_VERIFY(shows(QStringLiteral("inspector")));
+        ready();
+        picture(QStringLiteral("edge"));
+        const QPoint half = (cornerOnMap(0) + cornerOnMap(1)) / 2;
+        drag(half, half + out);
+        QTRY_COMPARE(source().parts.front().outer.size(), std::size_t{5});
+        ready();
+        picture(QStringLiteral("vertex"));
+        key(Qt::Key_Delete);
+        QTRY_COMPARE(source().parts.front().outer.size(), std::size_t{4});
+    }
+    void theMapStillMovesBesideTheField() {
+        DRAW_FIELD();
+        const QGeoCoordinate centre = camera()->center();
+        drag(middle() + QPoint{5, 5}, middle() + QPoint{60, 40});
+        QVERIFY(camera()->center().distanceTo(centre) > 10.0);
+        QVERIFY(!session_->document()->isDragging());
+        QCOMPARE(session_->document()->history().steps.size(), std::size_t{1});
+    }
+    void aSwathIsInspected() {
+        DRAW_FIELD();
+        const Swath& swath = session_->plan()->swaths.swaths[session_->plan()->swaths.swaths.size() / 2];
+        clickAt(onMap(coordinate(session_->plan()->field().frame().toGeo(0.5 * (swath.start + swath.end)))));
+        QTRY_VERIFY(shows(QStringLiteral("inspector")));
+        QVERIFY(item(QStringLiteral("inspector.title"))->property("text").toString().startsWith(QStringLiteral("Swath")));
+        picture(QStringLiteral("swath"));
+    }
+    void theMenuUndoes() {
+        DRAW_FIELD();
+        click(QStringLiteral("bar.Edit"));
+        QTRY_VERIFY(shows(QStringLiteral("command.undo.item")));
+        QTRY_VERIFY(item(QStringLiteral("command.undo.item"))->property("text").toString().contains(QStringLiteral("Add field")));
+        picture(QStringLiteral("menu"));
+        click(QStringLiteral("command.undo.item"));
+        QTRY_VERIFY(!session_->hasField());
+    }
+    void theUndoButtonsFollow() {
+        QVERIFY(!item(QStringLiteral("undoButton"))->isEnabled());
+        DRAW_FIELD();
+        QTRY_VERIFY(item(QStringLiteral("undoButton"))->isEnabled());
+        click(QStringLiteral("undoButton"));
+        QTRY_VERIFY(!session_->hasField());
+        click(QStringLiteral("redoButton"));
+        QTRY_VERIFY(session_->hasField());
+        ready();
+    }
+    void commandsAreFoundByName() {
+        DRAW_FIELD();
+        key(Qt::Key_K, Qt::ControlModifier);
+        QTRY_VERIFY(shows(QStringLiteral("palette.field")));
+        QTRY_VERIFY(item(QStringLiteral("palette.field"))->hasActiveFocus());
+        type(QStringLiteral("draw"));
+        QTRY_VERIFY(shows(QStringLiteral("palette.row.3")));
+        picture(QStringLiteral("palette"));
+        type(QStringLiteral(" obst"));
+        key(Qt::Key_Return);
+        QTRY_COMPARE(editor()->tool(), FieldEditor::Tool::Obstacle);
+        key(Qt::Key_Escape);
+        QTRY_COMPARE(editor()->tool(), FieldEditor::Tool::Select);
+        key(Qt::Key_F1);
+        QTRY_VERIFY(engine_->rootObjects().first()->findChild<QObject*>(QStringLiteral("keysDialog"))->property("opened").toBool());
+        picture(QStringLiteral("keys"));
+        key(Qt::Key_Escape);
+    }
+    void aFieldHasSeveralPlans() {
+        DRAW_FIELD();
+        key(Qt::Key_K, Qt::ControlModifier);
+        QTRY_VERIFY(shows(QStringLiteral("palette.field")));
+        type(QStringLiteral("add a plan"));
+        key(Qt::Key_Return);
+        QTRY_VERIFY(shows(QStringLiteral("nameDialog.name")));
+        QTRY_VERIFY(item(QStringLiteral("nameDialog.name"))->hasActiveFocus());
+        type(QStringLiteral("Harvest"));
+        picture(QStringLiteral("name"));
+        key(Qt::Key_Return);
+        QTRY_COMPARE(session_->farm()->plans().size(), 2);
+        session_->machine()->setLibraryIndex(3);
+        ready();
+        click(QStringLiteral("planCrumb"));
+        QTRY_VERIFY(shows(QStringLiteral("planCrumb.0")));
+        picture(QStringLiteral("plans"));
+        click(QStringLiteral("planCrumb.0"));
+        QTRY_COMPARE(session_->machine()->libraryIndex(), 0);
+        ready();
+    }
+    void closingAsks() {
+        DRAW_FIELD();
+        QVERIFY(!window_->close());
+        QTRY_VERIFY(shows(QStringLiteral("unsaved.save")));
+        picture(QStringLiteral("unsaved"));
+        click(QStringLiteral("unsaved.cancel"));
+        QTRY_VERIFY(!shows(QStringLiteral("unsaved.save")));
+        QVERIFY(window_->isVisible());
+        window_->close();
+        QTRY_VERIFY(shows(QStringLiteral("unsaved.discard")));
+        click(QStringLiteral("unsaved.discard"));
+        QTRY_VERIFY(!window_->isVisible());
+    }
+    void whatACrashLeftIsShown() {
+        const QTemporaryDir folder;
+        {
+            // What the program leaves behind when it is killed.
+            PlanSession other;
+            other.keepIn(folder.path());
+            other.setBoundary({{58.25, 22.5}, {58.25, 22.507}, {58.2535, 22.507}, {58.2535, 22.5}});
+        }
+        session_->keepIn(folder.path());
+        QVERIFY(session_->files()->recover());
+        QTRY_VERIFY(shows(QStringLiteral("filesNotice")));
+        ready();
+        picture(QStringLiteral("restored"));
+        click(QStringLiteral("filesNotice.keep"));
+        QTRY_VERIFY(!shows(QStringLiteral("filesNotice")));
+        QVERIFY(session_->hasField());
+        session_->files()->abandonChanges();
+    }
+    void recentProjectsAreOffered() {
+        const QTemporaryDir folder;
+        DRAW_FIELD();
+        session_->files()->saveAs(QUrl::fromLocalFile(folder.filePath(QStringLiteral("Home farm.furrow"))));
+        QTRY_VERIFY(!session_->document()->isModified());
+        QTRY_COMPARE(session_->recent()->count(), 1);
+        key(Qt::Key_N, Qt::ControlModifier);
+        QTRY_VERIFY(!session_->hasField());
+        QTRY_VERIFY(shows(QStringLiteral("empty.recent.0")));
+        picture(QStringLiteral("recent"));
+        click(QStringLiteral("empty.recent.0"));
+        QTRY_VERIFY(session_->hasField());
+        ready();
+    }
+};
+
+QTEST_MAIN(TestEditorWindow)
+#include "tst_editor_window.moc"

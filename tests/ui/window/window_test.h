@@ -1,0 +1,114 @@
+#pragma once
+
+#include "ui/edit/edit_layer.h"
+#include "ui/map/map_camera.h"
+#include "ui/plan/plan_session.h"
+#include "ui/shell/window_tools.h"
+
+#include <QDir>
+#include <QImage>
+#include <QQmlApplicationEngine>
+#include <QQuickItem>
+#include <QQuickWindow>
+#include <QStandardPaths>
+#include <QTest>
+
+#include <memory>
+#include <utility>
+
+// What Qt's waiting macros expand to narrows a duration.
+#pragma GCC diagnostic ignored "-Wconversion"
+
+namespace furrow::test {
+
+/// The whole window, with real mouse and keys. A test of it begins with an empty project.
+class WindowTest : public QObject {
+    Q_OBJECT
+
+protected:
+    std::unique_ptr<PlanSession> session_;
+    std::unique_ptr<QQmlApplicationEngine> engine_;
+    QQuickWindow* window_ = nullptr;
+
+    static QQuickItem* below(QQuickItem* parent, const QString& name) {
+        if (parent->objectName() == name) {
+            return parent;
+        }
+        for (QQuickItem* child : parent->childItems()) {
+            if (QQuickItem* found = below(child, name)) {
+                return found;
+            }
+        }
+        return nullptr;
+    }
+    /// Items made by views are children in the scene only.
+    QQuickItem* item(const QString& name) const { return below(window_->contentItem(), name); }
+    QPoint middleOf(const QQuickItem& of) const { return of.mapToScene({of.width() / 2.0, of.height() / 2.0}).toPoint(); }
+    /// Steps open and close in motion: a click must not go where the item was.
+    void waitForRest(const QQuickItem& moving) const {
+        QPoint last{-1, -1};
+        int still = 0;
+        QTRY_VERIFY((still = std::exchange(last, middleOf(moving)) == middleOf(moving) ? still + 1 : 0) >= 4);
+    }
+    void click(const QString& name) {
+        QTRY_VERIFY2(item(name) != nullptr && item(name)->isVisible(), qPrintable(name));
+        waitForRest(*item(name));
+        QTest::mouseClick(window_, Qt::LeftButton, {}, middleOf(*item(name)));
+    }
+    QQuickItem* map() const { return item(QStringLiteral("editLayer")); }
+    FieldEditor* editor() const { return qobject_cast<EditLayer*>(map())->editor(); }
+    MapCamera* camera() const { return qobject_cast<EditLayer*>(map())->camera(); }
+    QPoint onMap(const QGeoCoordinate& place) const { return map()->mapToScene(camera()->position(place)).toPoint(); }
+    void openSample(const QString& name) {
+        const auto index = static_cast<int>(session_->sampleNames().indexOf(name));
+        QVERIFY2(index >= 0, qPrintable(name));
+        click(QStringLiteral("empty.sample.%1").arg(index));
+        QTRY_COMPARE_WITH_TIMEOUT(session_->state(), PlanSession::State::Ready, 20000);
+    }
+    void picture(const QString& name) {
+        QDir{}.mkpath(QStringLiteral(FURROW_SCREENSHOT_DIR));
+        QVERIFY(window_->grabWindow().save(QStringLiteral(FURROW_SCREENSHOT_DIR "/%1.png").arg(name)));
+    }
+    void key(int key, Qt::KeyboardModifiers modifiers = {}) const { QTest::keyClick(window_, static_cast<Qt::Key>(key), modifiers); }
+    void type(const QString& text) const {
+        for (const QChar letter : text) {
+            QTest::keyClick(window_, letter.toLatin1());
+        }
+    }
+    void clickAt(QPoint at, Qt::KeyboardModifiers modifiers = {}) const {
+        QTest::mouseMove(window_, at);
+        QTest::mouseClick(window_, Qt::LeftButton, modifiers, at);
+    }
+    void drag(QPoint from, QPoint to, Qt::KeyboardModifiers modifiers = {}) const {
+        QTest::mouseMove(window_, from);
+        QTest::mousePress(window_, Qt::LeftButton, modifiers, from);
+        for (int i = 1; i <= 8; ++i) {
+            QTest::mouseEvent(QTest::MouseMove, window_, Qt::NoButton, modifiers, from + (to - from) * i / 8);
+        }
+        QTest::mouseRelease(window_, Qt::LeftButton, modifiers, to);
+    }
+
+private slots:
+    void initTestCase() {
+        QStandardPaths::setTestModeEnabled(true);
+        prepareWindow();
+    }
+    void init() {
+        session_ = std::make_unique<PlanSession>();
+        engine_ = std::make_unique<QQmlApplicationEngine>();
+        engine_->setInitialProperties({{QStringLiteral("session"), QVariant::fromValue(session_.get())}});
+        engine_->loadFromModule("Furrow.Shell", "Main");
+        QVERIFY(!engine_->rootObjects().isEmpty());
+        window_ = qobject_cast<QQuickWindow*>(engine_->rootObjects().first());
+        window_->resize(1280, 800);
+        window_->requestActivate();
+        QVERIFY(QTest::qWaitForWindowActive(window_));
+        QTRY_COMPARE(map()->width(), 1280.0 - 348.0);
+    }
+    void cleanup() {
+        engine_.reset();
+        session_.reset();
+    }
+};
+
+}  // namespace furrow::test

@@ -1,0 +1,11 @@
+import QtQuick.Templates as T
+
+/// Something that can be done, once for menus, keys, buttons and the command palette.
+T.Action {
+    /// The menu that it stands in, in words.
+    required property string group
+    /// Found by these words, too.
+    property string keywords: ""
+    /// As people read the keys.
+    property string keysText: shortcut ? shortcut.toString() : ""
+}

@@ -1,0 +1,49 @@
+import QtQuick
+import QtQuick.Templates as T
+
+/// A card over the window that asks something; Esc closes it.
+T.Popup {
+    id: root
+
+    property string title: ""
+    default property alias body: column.data
+
+    modal: true
+    focus: true
+    width: 440
+    implicitHeight: contentItem.implicitHeight + 2 * padding
+    padding: 24
+    closePolicy: T.Popup.CloseOnEscape
+
+    T.Overlay.modal: Rectangle { color: "#66000000" }
+    enter: Transition {
+        NumberAnimation { property: "opacity"; from: 0; to: 1; duration: Theme.motion }
+    }
+    background: Rectangle {
+        radius: 14
+        color: Theme.panel
+        border.width: Theme.hairline
+        border.color: Theme.line
+    }
+    contentItem: FocusScope {
+        implicitHeight: column.implicitHeight
+        focus: true
+        Accessible.role: Accessible.Dialog
+        Accessible.name: root.title
+
+        Column {
+            id: column
+
+            width: parent.width
+            spacing: 14
+
+            BodyText {
+                width: parent.width
+                text: root.title
+                font.pixelSize: 18
+                font.weight: Font.DemiBold
+                wrapMode: Text.WordWrap
+            }
+        }
+    }
+}

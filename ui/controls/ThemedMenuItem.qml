@@ -1,0 +1,54 @@
+import QtQuick
+import QtQuick.Templates as T
+
+/// A line of a menu: a mark where it is on, its text, its keys.
+T.MenuItem {
+    id: root
+
+    readonly property string keysText: action?.keysText ?? ""
+
+    implicitWidth: 272
+    implicitHeight: 32
+    Accessible.name: root.text
+
+    background: Rectangle {
+        radius: 6
+        color: root.highlighted ? Theme.softAccent : "transparent"
+        border.width: root.highlighted && Theme.sunlight ? 2 : 0
+        border.color: Theme.accent
+    }
+    contentItem: Item {
+        opacity: root.enabled ? 1 : 0.45
+
+        Icon {
+            x: 6
+            anchors.verticalCenter: parent.verticalCenter
+            width: 16
+            height: 16
+            name: "check"
+            color: Theme.accent
+            visible: root.checkable && root.checked
+        }
+        BodyText {
+            anchors { left: parent.left; leftMargin: 28; right: keys.left; rightMargin: 12; verticalCenter: parent.verticalCenter }
+            text: root.text
+            elide: Text.ElideRight
+        }
+        BodyText {
+            id: keys
+
+            anchors { right: parent.right; rightMargin: root.subMenu ? 24 : 10; verticalCenter: parent.verticalCenter }
+            text: root.keysText
+            color: Theme.muted
+            font.pixelSize: Theme.labelSize
+        }
+        Icon {
+            anchors { right: parent.right; rightMargin: 4; verticalCenter: parent.verticalCenter }
+            width: 16
+            height: 16
+            name: "chevron-right"
+            color: Theme.muted
+            visible: root.subMenu !== null
+        }
+    }
+}

@@ -1,0 +1,99 @@
+import QtQuick
+import QtPositioning
+import Furrow.Controls
+
+/// What to do while something is drawn, and fields to type the next edge into.
+Rectangle {
+    id: root
+
+    required property FieldEditor editor
+    readonly property int needed: editor.draftNeeded
+    readonly property string firstText: editor.tool === FieldEditor.Field ? qsTr("Click the first corner of the field") : editor.tool === FieldEditor.Hole ? qsTr("Click the first corner of the hole") : editor.tool === FieldEditor.Obstacle ? qsTr("Click the first corner of the obstacle") : editor.tool === FieldEditor.Gate ? qsTr("Click on the boundary where the gate is") : qsTr("Click where the AB line begins")
+
+    objectName: "drawingHint"
+    width: row.width + 28
+    height: 52
+    radius: Theme.cardRadius
+    color: Theme.panel
+    border.width: Theme.hairline
+    border.color: Theme.line
+
+    SoftShadow { radius: root.radius }
+    Row {
+        id: row
+
+        anchors { left: parent.left; leftMargin: 16; verticalCenter: parent.verticalCenter }
+        spacing: 10
+
+        BodyText {
+            anchors.verticalCenter: parent.verticalCenter
+            visible: root.editor.draftCount === 0
+            text: root.editor.freehand && root.editor.tool !== FieldEditor.Gate ? qsTr("Press and trace it with the pointer") : root.firstText
+        }
+        NumberField {
+            id: length
+
+            objectName: "draft.length"
+            visible: root.editor.draftCount > 0
+            width: 108
+            name: qsTr("Length of the next edge")
+            unitText: qsTr("m")
+            from: 0
+            to: 100000
+            decimals: 2
+            value: activeFocus ? value : root.editor.draftLengthM
+            onCommitted: newValue => value = newValue
+            Keys.onReturnPressed: root.addTyped()
+        }
+        NumberField {
+            id: bearing
+
+            objectName: "draft.bearing"
+            visible: root.editor.draftCount > 0
+            width: 100
+            name: qsTr("Direction of the next edge")
+            unitText: qsTr("°")
+            from: 0
+            to: 360
+            decimals: 1
+            value: activeFocus ? value : root.editor.draftBearingDeg
+            Keys.onReturnPressed: root.addTyped()
+        }
+        SmallButton {
+            objectName: "draft.add"
+            anchors.verticalCenter: parent.verticalCenter
+            visible: root.editor.draftCount > 0
+            text: qsTr("Add")
+            onClicked: root.addTyped()
+        }
+        CheckRow {
+            objectName: "draft.freehand"
+            anchors.verticalCenter: parent.verticalCenter
+            visible: root.editor.draftCount === 0 && root.editor.tool !== FieldEditor.Gate
+            implicitWidth: 92
+            text: qsTr("By hand")
+            checked: root.editor.freehand
+            onToggled: root.editor.freehand = checked
+        }
+        PushButton {
+            objectName: "cancelDrawing"
+            text: qsTr("Cancel")
+            onClicked: root.editor.cancelDraft()
+        }
+        PushButton {
+            objectName: "finishDrawing"
+            visible: root.editor.tool !== FieldEditor.Gate
+            text: root.editor.tool === FieldEditor.Guide ? qsTr("Finish") : qsTr("Close boundary")
+            primary: true
+            enabled: root.editor.draftCount >= root.needed
+            onClicked: root.editor.finishDraft()
+        }
+    }
+
+    function addTyped(): void {
+        const typedLength = NumberText.number(length.text);
+        const typedBearing = NumberText.number(bearing.text);
+        if (NumberText.isNumber(length.text) && NumberText.isNumber(bearing.text))
+            root.editor.addPointBy(typedLength, typedBearing);
+    }
+}

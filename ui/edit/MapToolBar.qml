@@ -1,0 +1,103 @@
+import QtQuick
+import Furrow.Controls
+
+/// The tools that float on the map.
+Rectangle {
+    id: root
+
+    required property FieldEditor editor
+    required property bool hasField
+    signal toolRequested(tool: int)
+    signal fitRequested()
+    signal zoomRequested(levels: real)
+
+    objectName: "mapToolBar"
+    width: 46
+    height: column.height + 8
+    radius: Theme.cardRadius
+    color: Theme.panel
+    border.width: Theme.hairline
+    border.color: Theme.line
+
+    component Tool: ToolIconButton {
+        required property int tool
+
+        checked: root.editor.tool === tool
+        onClicked: root.toolRequested(tool)
+    }
+    component Line: Rectangle {
+        width: 38
+        height: Theme.hairline
+        color: Theme.line
+    }
+
+    SoftShadow { radius: root.radius }
+    Column {
+        id: column
+
+        x: 4
+        y: 4
+        spacing: 2
+
+        Tool {
+            objectName: "selectTool"
+            tool: FieldEditor.Select
+            iconName: "select"
+            hint: qsTr("Select and change (V)")
+        }
+        Tool {
+            objectName: "drawTool"
+            tool: FieldEditor.Field
+            iconName: "draw"
+            hint: qsTr("Draw a field (B)")
+        }
+        Tool {
+            objectName: "holeTool"
+            tool: FieldEditor.Hole
+            iconName: "hole"
+            hint: qsTr("Draw a hole (H)")
+            enabled: root.hasField
+        }
+        Tool {
+            objectName: "obstacleTool"
+            tool: FieldEditor.Obstacle
+            iconName: "obstacle"
+            hint: qsTr("Draw an obstacle (O)")
+            enabled: root.hasField
+        }
+        Tool {
+            objectName: "guideTool"
+            tool: FieldEditor.Guide
+            iconName: "ab-line"
+            hint: qsTr("Draw an AB line (L)")
+            enabled: root.hasField
+        }
+        Tool {
+            objectName: "gateTool"
+            tool: FieldEditor.Gate
+            iconName: "gate"
+            hint: qsTr("Add a gate (G)")
+            enabled: root.hasField
+        }
+        Line {}
+        ToolIconButton {
+            objectName: "fitTool"
+            iconName: "fit"
+            hint: qsTr("Show the whole field (F)")
+            enabled: root.hasField
+            onClicked: root.fitRequested()
+        }
+        ToolIconButton {
+            objectName: "zoomInTool"
+            iconName: "zoom-in"
+            hint: qsTr("Closer (+)")
+            onClicked: root.zoomRequested(1)
+        }
+        ToolIconButton {
+            objectName: "zoomOutTool"
+            iconName: "zoom-out"
+            hint: qsTr("Further away (−)")
+            onClicked: root.zoomRequested(-1)
+        }
+    }
+}

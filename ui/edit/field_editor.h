@@ -1,0 +1,175 @@
+#pragma once
+
+#include "planner/editing/field_shape.h"
+#include "planner/editing/shape_hit.h"
+#include "planner/editing/snapping.h"
+#include "planner/project/project.h"
+#include "ui/document/document.h"
+#include "ui/edit/selection.h"
+
+#include <QGeoCoordinate>
+#include <QObject>
+#include <QtQml/qqmlregistration.h>
+
+Q_MOC_INCLUDE("ui/plan/plan_session.h")
+
+namespace furrow {
+
+class PlanSession;
+
+/// What the tools on the map do to the field: picks, drags, draws, deletes. It knows places on the earth and how far
+/// a pointer reaches there; pixels are the layer's. Geometry is the planner's, changes are the document's.
+class FieldEditor : public QObject {
+    Q_OBJECT
+    QML_ELEMENT
+    Q_PROPERTY(furrow::PlanSession* session READ session WRITE setSession NOTIFY sessionChanged REQUIRED FINAL)
+    Q_PROPERTY(Tool tool READ tool WRITE setTool NOTIFY toolChanged FINAL)
+    Q_PROPERTY(bool drawing READ isDrawing NOTIFY toolChanged FINAL)
+    /// Drawing tools trace the pointer while it is pressed.
+    Q_PROPERTY(bool freehand READ isFreehand WRITE setFreehand NOTIFY freehandChanged FINAL)
+    Q_PROPERTY(int draftCount READ draftCount NOTIFY draftChanged FINAL)
+    Q_PROPERTY(int draftNeeded READ draftNeeded NOTIFY toolChanged FINAL)
+    /// From the last point of the draft to the pointer; 0 without either.
+    Q_PROPERTY(double draftLengthM READ draftLengthM NOTIFY draftChanged FINAL)
+    Q_PROPERTY(double draftBearingDeg READ draftBearingDeg NOTIFY draftChanged FINAL)
+    Q_PROPERTY(bool dragging READ isDragging NOTIFY draggingChanged FINAL)
+    Q_PROPERTY(bool canDelete READ canDelete NOTIFY selectionChanged FINAL)
+    Q_PROPERTY(bool hasSelection READ hasSelection NOTIFY selectionChanged FINAL)
+
+public:
+    enum class Tool { Select, Field, Hole, Obstacle, Guide, Gate };
+    Q_ENUM(Tool)
+
+    /// Where the pointer is, how far it reaches, and whether it is to be drawn to nothing.
+    struct Pointer {
+        GeoPoint place;
+        Length reach;
+        bool free = false;
+    };
+
+    explicit FieldEditor(QObject* parent = nullptr) : QObject{parent} {}
+
+    PlanSession* session() const { return session_; }
+    void setSession(PlanSession* session);
+    Tool tool() const { return tool_; }
+    void setTool(Tool tool);
+    bool isDrawing() const { return tool_ != Tool::Select; }
+    bool isFreehand() const { return freehand_; }
+    void setFreehand(bool freehand);
+    int draftCount() const { return static_cast<int>(draft_.size()); }
+    /// Points that what is drawn has at least.
+    int draftNeeded() const;
+    double draftLengthM() const;
+    double draftBearingDeg() const;
+    bool isDragging() const { return grip_ != Grip::None; }
+    bool hasSelection() const { return !selection_.isNone(); }
+    bool canDelete() const;
+
+    // What is shown.
+    const std::optional<FieldShape>& shape() const { return shape_; }
+    const GeoRing& draft() const { return draft_; }
+    const std::optional<ShapeHit>& hovered() const { return hovered_; }
+    const Selection& selection() const { return selection_; }
+    const std::optional<Snap>& snap() const { return snap_; }
+    /// Of the shape, or of the draft where there is none.
+    const std::optional<LocalFrame>& frame() const { return frame_; }
+    /// Where the pointer is drawn to; nothing while it is not on the map.
+    const std::optional<GeoPoint>& cursor() const { return cursor_; }
+    /// Where a drag makes a new vertex: the middle of the edge that is hovered or selected.
+    std::optional<Point> midpointHandle() const;
+    /// Where the buffer of the selected obstacle is dragged.
+    std::optional<Point> bufferHandle() const;
+
+    // The pointer.
+    void hover(const Pointer& pointer);
+    void leave();
+    /// True where something was taken hold of: otherwise a drag moves the map.
+    bool press(const Pointer& pointer);
+    void drag(const Pointer& pointer);
+    void release(const Pointer& pointer);
+    /// Ends a press that did not become a drag.
+    void letGo() { endGrip(); }
+    /// Pressed and let go at the same place.
+    void click(const Pointer& pointer);
+
+    void select(const Selection& selection);
+    Q_INVOKABLE void selectFinding(int index);
+    Q_INVOKABLE void clearSelection() { select({}); }
+    /// Around the outline of what is selected, or the first one: `step` vertices further.
+    Q_INVOKABLE void selectNext(int step);
+    Q_INVOKABLE void deleteSelection();
+    /// Moves what is selected this many metres to the east and north.
+    Q_INVOKABLE void nudge(double eastM, double northM);
+
+    /// Adds a point where the pointer is, or at this place where it is not on the map.
+    Q_INVOKABLE void addPointAt(const QGeoCoordinate& place);
+    /// Adds a point this far from the last one, in this direction clockwise from north.
+    Q_INVOKABLE void addPointBy(double lengthM, double bearingDeg);
+    /// Ends drawing: with enough points what was drawn is made, otherwise nothing happens.
+    Q_INVOKABLE void finishDraft();
+    Q_INVOKABLE void cancelDraft();
+    Q_INVOKABLE void removeLastPoint();
+    /// Stops the innermost of what was begun: drag, drawing, selection. False where nothing was.
+    Q_INVOKABLE bool escape();
+
+    // What is typed in the inspector.
+    void setVertex(GeoPoint place);
+    void setEdgeLength(Length length);
+    void setEdgeHeading(Angle heading);
+    void setBuffer(Length buffer);
+    void setPassable(bool passable);
+    void setGateWidth(Length width);
+    void setName(const QString& name);
+    /// Lets the swaths follow the selected edge.
+    Q_INVOKABLE void guideAlongEdge();
+
+signals:
+    void sessionChanged();
+    void toolChanged();
+    void freehandChanged();
+    void draftChanged();
+    void draggingChanged();
+    void selectionChanged();
+    /// Anything that is drawn.
+    void changed();
+
+private:
+    enum class Grip { None, Vertex, Edge, Inside, Gate, Buffer, Trace };
+
+    const Project& project() const;
+    const Outline* selectedOutline() const;
+    Point local(GeoPoint place) const { return frame_->toLocal(place); }
+    void follow();
+    void pickFromPlan(const Pointer& pointer);
+    /// Where the pointer is drawn to: `beside` are the vertices that angles are taken at.
+    Point snappedTo(const Pointer& pointer, std::span<const SnapLine> lines,
+                    std::optional<std::pair<OutlineId, std::size_t>> except = std::nullopt);
+    std::vector<SnapLine> linesAt(const Outline& outline, std::size_t vertex) const;
+    std::vector<SnapLine> draftLines() const;
+    void moveGrip(const Pointer& pointer, Document::Follows follows);
+    void endGrip();
+    void setOutline(const QString& text, const OutlineId& id, GeoRing places, Document::Follows follows);
+    void changeSource(const QString& text, FieldSource source, Document::Follows follows);
+    void change(const QString& text, Project after, Document::Follows follows = Document::Follows::Nothing);
+    void addPoint(GeoPoint place);
+    void finishTool(GeoRing points);
+
+    PlanSession* session_ = nullptr;
+    Tool tool_ = Tool::Select;
+    bool freehand_ = false;
+    std::string fieldId_;
+    std::optional<LocalFrame> frame_;
+    std::optional<FieldShape> shape_;
+    GeoRing draft_;
+    std::optional<GeoPoint> cursor_;
+    std::optional<ShapeHit> hovered_;
+    std::optional<Snap> snap_;
+    Selection selection_;
+    Grip grip_ = Grip::None;
+    /// When it was taken hold of.
+    Point pressed_;
+    std::optional<FieldShape> before_;
+    std::optional<FieldSource> sourceBefore_;
+};
+
+}  // namespace furrow

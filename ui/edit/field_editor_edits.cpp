@@ -1,0 +1,328 @@
+#include "planner/editing/outline_edits.h"
+#include "planner/project/project_edits.h"
+#include "planner/units/angle.h"
+#include "ui/edit/field_editor.h"
+#include "ui/plan/plan_session.h"
+
+#include <algorithm>
+#include <cmath>
+#include <numbers>
+
+namespace furrow {
+
+namespace {
+
+constexpr Length kGateWidth = metres(6.0);
+
+GeoPoint geoPoint(const QGeoCoordinate& place) {
+    return {.lonDeg = place.longitude(), .latDeg = place.latitude()};
+}
+
+}  // namespace
+
+// --- Drawing ------------------------------------------------------------------------------------------
+
+int FieldEditor::draftNeeded() const {
+    return tool_ == Tool::Gate ? 1 : tool_ == Tool::Guide ? 2 : 3;
+}
+
+void FieldEditor::setTool(Tool tool) {
+    if (tool != Tool::Select && tool != Tool::Field && !shape_) {
+        return;
+    }
+    if (tool == tool_) {
+        return;
+    }
+    tool_ = tool;
+    draft_.clear();
+    snap_.reset();
+    hovered_.reset();
+    frame_ = shape_ ? std::optional{shape_->frame} : std::nullopt;
+    if (tool_ != Tool::Select) {
+        select({});
+    }
+    emit toolChanged();
+    emit draftChanged();
+    emit changed();
+}
+
+void FieldEditor::setFreehand(bool freehand) {
+    if (freehand != freehand_) {
+        freehand_ = freehand;
+        emit freehandChanged();
+    }
+}
+
+double FieldEditor::draftLengthM() const {
+    return draft_.empty() || !cursor_ || !frame_ ? 0.0 : distance(local(draft_.back()), local(*cursor_));
+}
+
+double FieldEditor::draftBearingDeg() const {
+    if (draft_.empty() || !cursor_ || !frame_) {
+        return 0.0;
+    }
+    const Point way = local(*cursor_) - local(draft_.back());
+    const double bearing = std::atan2(way.x, way.y) * 180.0 / std::numbers::pi;
+    return bearing < 0.0 ? bearing + 360.0 : bearing;
+}
+
+std::vector<SnapLine> FieldEditor::draftLines() const {
+    std::vector<SnapLine> lines;
+    if (draft_.size() >= 2 && frame_) {
+        lines = angleLines(local(draft_.back()), local(draft_[draft_.size() - 2]));
+        if (tool_ != Tool::Guide) {
+            // Where the closing edge meets the first one.
+            std::ranges::move(angleLines(local(draft_[0]), local(draft_[1])), std::back_inserter(lines));
+        }
+    }
+    return lines;
+}
+
+void FieldEditor::addPointAt(const QGeoCoordinate& place) {
+    if (isDrawing() && (cursor_ || place.isValid())) {
+        addPoint(cursor_ ? *cursor_ : geoPoint(place));
+    }
+}
+
+void FieldEditor::addPointBy(double lengthM, double bearingDeg) {
+    if (!isDrawing() || draft_.empty() || !(lengthM > 0.0)) {
+        return;
+    }
+    const double bearing = bearingDeg * std::numbers::pi / 180.0;
+    addPoint(frame_->toGeo(local(draft_.back()) + lengthM * Point{std::sin(bearing), std::cos(bearing)}));
+}
+
+void FieldEditor::addPoint(GeoPoint place) {
+    if (!frame_) {
+        const auto frame = LocalFrame::centredOn(place);
+        if (!frame) {
+            return;
+        }
+        frame_ = *frame;
+    }
+    if (!draft_.empty() && distance(local(draft_.back()), local(place)) < 1e-3) {
+        return;
+    }
+    draft_.push_back(place);
+    emit draftChanged();
+    emit changed();
+    const bool straightGuide = tool_ == Tool::Guide && draft_.size() == 2 && !canFollowCurves();
+    if (grip_ != Grip::Trace && (tool_ == Tool::Gate || straightGuide)) {
+        finishDraft();
+    }
+}
+
+void FieldEditor::removeLastPoint() {
+    if (!draft_.empty()) {
+        draft_.pop_back();
+        emit draftChanged();
+        emit changed();
+    }
+}
+
+void FieldEditor::cancelDraft() {
+    setTool(Tool::Select);
+}
+
+void FieldEditor::finishDraft() {
+    if (draftCount() < draftNeeded()) {
+        return;
+    }
+    finishTool(std::exchange(draft_, {}));
+}
+
+void FieldEditor::finishTool(GeoRing points) {
+    const Tool tool = tool_;
+    const ProjectField* field = project().field();
+    if (tool == Tool::Field) {
+        points = turnedRing(std::move(points), *LocalFrame::centredOn(points.front()), true);
+        QList<QGeoCoordinate> places;
+        std::ranges::transform(points, std::back_inserter(places),
+                               [](GeoPoint point) { return QGeoCoordinate{point.latDeg, point.lonDeg}; });
+        setTool(Tool::Select);
+        session_->setBoundary(places);
+        return;
+    }
+    if (field == nullptr || !shape_) {
+        setTool(Tool::Select);
+        return;
+    }
+    const Point first = shape_->frame.toLocal(points.front());
+    Selection made;
+    if (tool == Tool::Hole) {
+        const std::size_t part = partAt(*shape_, first).value_or(0);
+        const std::size_t hole = field->source->parts[part].holes.size();
+        made = {.kind = Selection::Kind::Hole, .outline = {OutlineKind::Hole, part, hole}, .index = 0};
+        change(tr("Draw a hole"), withHole(project(), part, turnedRing(std::move(points), shape_->frame, false)));
+    } else if (tool == Tool::Obstacle) {
+        const std::size_t number = field->source->obstacles.size();
+        made = {.kind = Selection::Kind::Obstacle, .outline = {OutlineKind::Obstacle, number, 0}, .index = 0};
+        change(tr("Draw an obstacle"),
+               withObstacle(project(), {.name = tr("Obstacle %1").arg(number + 1).toStdString(),
+                                        .outline = {.outer = turnedRing(std::move(points), shape_->frame, true), .holes = {}},
+                                        .passable = false,
+                                        .buffer = {}}));
+    } else if (tool == Tool::Gate) {
+        const std::size_t number = field->source->gates.size();
+        const Point at = nearestOnBoundary(*shape_, first).value_or(first);
+        made = {.kind = Selection::Kind::Gate, .outline = {}, .index = number};
+        change(tr("Add a gate"), withGate(project(), {.name = tr("Gate %1").arg(number + 1).toStdString(),
+                                                      .position = shape_->frame.toGeo(at),
+                                                      .width = kGateWidth}));
+    } else {
+        made = {.kind = Selection::Kind::Guide, .outline = {OutlineKind::Guide, 0, 0}, .index = 0};
+        change(points.size() > 2 ? tr("Draw a guidance curve") : tr("Draw an AB line"), withGuide(project(), points));
+    }
+    setTool(Tool::Select);
+    select(made);
+}
+
+// --- What is selected ---------------------------------------------------------------------------------
+
+bool FieldEditor::canDelete() const {
+    switch (selection_.kind) {
+        case Selection::Kind::Vertex: {
+            const Outline* outline = selectedOutline();
+            return outline != nullptr && withoutVertex(*outline, selection_.index).has_value();
+        }
+        case Selection::Kind::Hole:
+        case Selection::Kind::Obstacle:
+        case Selection::Kind::Gate:
+        case Selection::Kind::Guide: return true;
+        case Selection::Kind::Edge: return selection_.outline.kind == OutlineKind::Guide;
+        case Selection::Kind::None:
+        case Selection::Kind::Segment:
+        case Selection::Kind::Cell:
+        case Selection::Kind::Finding: break;
+    }
+    return false;
+}
+
+void FieldEditor::deleteSelection() {
+    if (!canDelete()) {
+        return;
+    }
+    const Selection chosen = selection_;
+    if (chosen.kind == Selection::Kind::Vertex) {
+        setOutline(tr("Delete a point"), chosen.outline, *withoutVertex(*selectedOutline(), chosen.index), Document::Follows::Nothing);
+        return;
+    }
+    select({});
+    if (chosen.kind == Selection::Kind::Hole) {
+        change(tr("Delete a hole"), withoutHole(project(), chosen.outline.item, chosen.outline.hole));
+    } else if (chosen.kind == Selection::Kind::Obstacle) {
+        change(tr("Delete an obstacle"), withoutObstacle(project(), chosen.outline.item));
+    } else if (chosen.kind == Selection::Kind::Gate) {
+        change(tr("Delete a gate"), withoutGate(project(), chosen.index));
+    } else {
+        change(tr("Delete the guidance line"), withGuide(project(), {}));
+    }
+}
+
+void FieldEditor::nudge(double eastM, double northM) {
+    const Point way{eastM, northM};
+    const Outline* outline = selectedOutline();
+    const ProjectField* field = project().field();
+    if (selection_.kind == Selection::Kind::Gate && field != nullptr) {
+        FieldSource source = *field->source;
+        source.gates[selection_.index].position = frame_->toGeo(shape_->gates[selection_.index] + way);
+        changeSource(tr("Move a gate"), std::move(source), Document::Follows::Nothing);
+    } else if (outline == nullptr) {
+        return;
+    } else if (selection_.kind == Selection::Kind::Vertex) {
+        setOutline(tr("Move a point"), outline->id,
+                   withVertexAt(*outline, *frame_, selection_.index, outline->points[selection_.index] + way), Document::Follows::Nothing);
+    } else if (selection_.kind == Selection::Kind::Edge) {
+        const Point along = outline->to(selection_.index) - outline->from(selection_.index);
+        setOutline(tr("Move an edge"), outline->id,
+                   withEdgeMoved(*outline, *frame_, selection_.index, metres(cross(along, way) / std::max(norm(along), 1e-9))),
+                   Document::Follows::Nothing);
+    } else {
+        setOutline(tr("Move"), outline->id, withAllMoved(*outline, *frame_, way), Document::Follows::Nothing);
+    }
+}
+
+void FieldEditor::selectNext(int step) {
+    if (!shape_ || shape_->outlines.empty()) {
+        return;
+    }
+    const Outline* outline = selectedOutline();
+    if (outline == nullptr) {
+        select({.kind = Selection::Kind::Vertex, .outline = shape_->outlines.front().id, .index = 0});
+        return;
+    }
+    const auto count = static_cast<int>(outline->points.size());
+    const bool isVertex = selection_.kind == Selection::Kind::Vertex;
+    const int next = isVertex ? (static_cast<int>(selection_.index) + step % count + count) % count : static_cast<int>(selection_.index);
+    select({.kind = Selection::Kind::Vertex, .outline = outline->id, .index = static_cast<std::size_t>(next)});
+}
+
+void FieldEditor::setVertex(GeoPoint place) {
+    if (const Outline* outline = selectedOutline(); outline != nullptr && selection_.kind == Selection::Kind::Vertex) {
+        GeoRing places = outline->places;
+        places[selection_.index] = place;
+        setOutline(tr("Move a point"), outline->id, std::move(places), Document::Follows::Nothing);
+    }
+}
+
+void FieldEditor::setEdgeLength(Length length) {
+    if (const Outline* outline = selectedOutline(); outline != nullptr && length > metres(0.0)) {
+        setOutline(tr("Change a length"), outline->id, withEdgeLength(*outline, *frame_, selection_.index, length), Document::Follows::Nothing);
+    }
+}
+
+void FieldEditor::setEdgeHeading(Angle heading) {
+    if (const Outline* outline = selectedOutline()) {
+        setOutline(tr("Change a direction"), outline->id, withEdgeHeading(*outline, *frame_, selection_.index, heading), Document::Follows::Nothing);
+    }
+}
+
+void FieldEditor::setBuffer(Length buffer) {
+    if (const ProjectField* field = project().field(); field != nullptr && selection_.kind == Selection::Kind::Obstacle) {
+        FieldSource source = *field->source;
+        source.obstacles[selection_.outline.item].buffer = buffer;
+        changeSource(tr("Change the buffer"), std::move(source), Document::Follows::Nothing);
+    }
+}
+
+void FieldEditor::setPassable(bool passable) {
+    if (const ProjectField* field = project().field(); field != nullptr && selection_.kind == Selection::Kind::Obstacle) {
+        FieldSource source = *field->source;
+        source.obstacles[selection_.outline.item].passable = passable;
+        changeSource(passable ? tr("Let the obstacle be driven on") : tr("Keep off the obstacle"), std::move(source), Document::Follows::Nothing);
+    }
+}
+
+void FieldEditor::setGateWidth(Length width) {
+    if (const ProjectField* field = project().field(); field != nullptr && selection_.kind == Selection::Kind::Gate) {
+        FieldSource source = *field->source;
+        source.gates[selection_.index].width = width;
+        changeSource(tr("Change the gate"), std::move(source), Document::Follows::Nothing);
+    }
+}
+
+void FieldEditor::setName(const QString& name) {
+    const ProjectField* field = project().field();
+    if (field == nullptr) {
+        return;
+    }
+    FieldSource source = *field->source;
+    if (selection_.kind == Selection::Kind::Obstacle) {
+        source.obstacles[selection_.outline.item].name = name.trimmed().toStdString();
+    } else if (selection_.kind == Selection::Kind::Gate) {
+        source.gates[selection_.index].name = name.trimmed().toStdString();
+    } else {
+        return;
+    }
+    changeSource(tr("Rename"), std::move(source), Document::Follows::Nothing);
+}
+
+void FieldEditor::guideAlongEdge() {
+    const Outline* outline = selectedOutline();
+    if (outline != nullptr && selection_.kind == Selection::Kind::Edge) {
+        const std::size_t next = selection_.index + 1 == outline->places.size() ? 0 : selection_.index + 1;
+        change(tr("AB line along an edge"), withGuide(project(), {outline->places[selection_.index], outline->places[next]}));
+    }
+}
+
+}  // namespace furrow

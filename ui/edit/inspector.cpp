@@ -1,0 +1,108 @@
+#include "ui/edit/inspector.h"
+
+#include "planner/units/angle.h"
+#include "ui/plan/plan_session.h"
+
+#include <algorithm>
+
+namespace furrow {
+
+void Inspector::setEditor(FieldEditor* editor) {
+    editor_ = editor;
+    connect(editor_, &FieldEditor::selectionChanged, this, &Inspector::follow);
+    follow();
+    emit editorChanged();
+}
+
+void Inspector::follow() {
+    const PlanSession* session = editor_->session();
+    const ProjectField* field = session == nullptr ? nullptr : const_cast<PlanSession*>(session)->document()->project()->field();
+    std::optional<InspectorText> text =
+        session == nullptr ? std::nullopt
+                           : inspectorText(editor_->selection(), editor_->shape() ? &*editor_->shape() : nullptr,
+                                           field == nullptr ? nullptr : field->source.get(), session->plan().get());
+    if (text == text_) {
+        return;
+    }
+    // The same lines with other figures, as while something is dragged, keep what has the keyboard.
+    const bool sameRows = text && text_ && std::ranges::equal(text->rows, text_->rows, [](const auto& a, const auto& b) {
+        return a.label == b.label && a.field == b.field;
+    });
+    if (!sameRows) {
+        beginResetModel();
+    }
+    text_ = std::move(text);
+    if (!sameRows) {
+        endResetModel();
+    } else if (rowCount() > 0) {
+        emit dataChanged(index(0), index(rowCount() - 1));
+    }
+    emit changed();
+}
+
+int Inspector::rowCount(const QModelIndex& parent) const {
+    return parent.isValid() || !text_ ? 0 : static_cast<int>(text_->rows.size());
+}
+
+QVariant Inspector::data(const QModelIndex& index, int role) const {
+    if (!checkIndex(index, CheckIndexOption::IndexIsValid)) {
+        return {};
+    }
+    const InspectorRow& row = at(index.row());
+    switch (role) {
+        case Qt::DisplayRole:
+        case LabelRole: return row.label;
+        case TextRole: return row.text;
+        case KindRole:
+            return static_cast<int>(row.field == InspectorField::None   ? Kind::Figure
+                                    : row.field == InspectorField::Name ? Kind::Text
+                                                                        : Kind::Number);
+        case NumberRole: return row.number;
+        case UnitRole: return row.unit;
+        case DecimalsRole: return row.decimals;
+        case FromRole: return row.from;
+        case ToRole: return row.to;
+        default: return {};
+    }
+}
+
+QHash<int, QByteArray> Inspector::roleNames() const {
+    return {{LabelRole, "label"}, {TextRole, "text"}, {KindRole, "kind"}, {NumberRole, "number"},
+            {UnitRole, "unit"}, {DecimalsRole, "decimals"}, {FromRole, "from"}, {ToRole, "to"}};
+}
+
+void Inspector::setNumber(int row, double number) {
+    if (row < 0 || row >= rowCount()) {
+        return;
+    }
+    const Selection& selection = editor_->selection();
+    switch (at(row).field) {
+        case InspectorField::Latitude:
+        case InspectorField::Longitude: {
+            GeoPoint place = editor_->shape()->find(selection.outline)->places[selection.index];
+            (at(row).field == InspectorField::Latitude ? place.latDeg : place.lonDeg) = number;
+            editor_->setVertex(place);
+            break;
+        }
+        case InspectorField::EdgeLength: editor_->setEdgeLength(metres(number)); break;
+        case InspectorField::EdgeBearing: editor_->setEdgeHeading(degrees(90.0 - number)); break;
+        case InspectorField::Buffer: editor_->setBuffer(metres(number)); break;
+        case InspectorField::GateWidth: editor_->setGateWidth(metres(number)); break;
+        case InspectorField::Name:
+        case InspectorField::None: break;
+    }
+}
+
+void Inspector::setText(int row, const QString& text) {
+    if (row >= 0 && row < rowCount() && at(row).field == InspectorField::Name) {
+        editor_->setName(text);
+    }
+}
+
+void Inspector::setPassable(bool passable) {
+    if (hasPassable() && passable != isPassable()) {
+        editor_->setPassable(passable);
+    }
+}
+
+}  // namespace furrow

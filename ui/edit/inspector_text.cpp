@@ -1,0 +1,219 @@
+#include "ui/edit/inspector_text.h"
+
+#include "planner/editing/outline_edits.h"
+#include "planner/units/angle.h"
+#include "ui/plan/unit_text.h"
+
+#include <QCoreApplication>
+
+#include <algorithm>
+#include <cmath>
+#include <numbers>
+
+namespace furrow {
+
+namespace {
+
+struct Words {
+    Q_DECLARE_TR_FUNCTIONS(Inspector)
+};
+
+constexpr double kLongestEdgeM = 100000.0;
+
+InspectorRow figure(const QString& label, const QString& text) {
+    return {.label = label, .text = text, .unit = {}};
+}
+
+InspectorRow numberRow(const QString& label, InspectorField field, double number, const QString& unit, int decimals,
+                       double from, double to) {
+    return {.label = label, .text = {}, .field = field, .number = number, .unit = unit, .decimals = decimals, .from = from, .to = to};
+}
+
+InspectorRow nameRow(const std::string& name) {
+    return {.label = Words::tr("Name"), .text = fromStd(name), .field = InspectorField::Name, .unit = {}};
+}
+
+QString nameOf(const OutlineId& id) {
+    switch (id.kind) {
+        case OutlineKind::Boundary: return Words::tr("boundary");
+        case OutlineKind::Hole: return Words::tr("hole");
+        case OutlineKind::Obstacle: return Words::tr("obstacle");
+        case OutlineKind::Guide: break;
+    }
+    return Words::tr("guidance line");
+}
+
+double bearingDegOf(Point way) {
+    const double bearing = std::atan2(way.x, way.y) * 180.0 / std::numbers::pi;
+    return bearing < 0.0 ? bearing + 360.0 : bearing;
+}
+
+Area areaOf(const Outline& outline) {
+    return Area::fromSi(std::abs(signedAreaM2(outline.points)));
+}
+
+InspectorText vertexText(const Outline& outline, std::size_t vertex) {
+    InspectorText text;
+    text.title = Words::tr("Point %1 of the %2").arg(vertex + 1).arg(nameOf(outline.id));
+    const bool end = !outline.closed && (vertex == 0 || vertex + 1 == outline.points.size());
+    text.sentence = Words::tr("Drag it on the map, move it by arrow keys, or type where it is.");
+    text.rows = {numberRow(Words::tr("Latitude"), InspectorField::Latitude, outline.places[vertex].latDeg, Words::tr("°"), 8, -90.0, 90.0),
+                 numberRow(Words::tr("Longitude"), InspectorField::Longitude, outline.places[vertex].lonDeg, Words::tr("°"), 8, -180.0, 180.0)};
+    if (!end) {
+        text.rows.push_back(figure(Words::tr("Angle"), Words::tr("%1°").arg(numberText(inDegrees(cornerAngle(outline, vertex)), 1))));
+    }
+    return text;
+}
+
+InspectorText edgeText(const Outline& outline, std::size_t edge) {
+    InspectorText text;
+    const Point way = outline.to(edge) - outline.from(edge);
+    text.title = outline.id.kind == OutlineKind::Guide ? Words::tr("AB line") : Words::tr("Edge %1 of the %2").arg(edge + 1).arg(nameOf(outline.id));
+    text.sentence = outline.id.kind == OutlineKind::Guide
+                        ? Words::tr("One swath lies on it, the others beside it. Drag it or its ends, or type its direction.")
+                        : Words::tr("Drag it to move it sideways; the dot in its middle makes another point.");
+    text.isEdge = outline.id.kind != OutlineKind::Guide;
+    text.rows = {numberRow(Words::tr("Length"), InspectorField::EdgeLength, norm(way), Words::tr("m"), 2, 0.01, kLongestEdgeM),
+                 numberRow(Words::tr("Direction"), InspectorField::EdgeBearing, bearingDegOf(way), Words::tr("°"), 2, 0.0, 360.0)};
+    return text;
+}
+
+InspectorText obstacleText(const Outline& outline, const Obstacle& obstacle) {
+    InspectorText text;
+    text.title = obstacle.name.empty() ? Words::tr("Obstacle") : fromStd(obstacle.name);
+    text.sentence = obstacle.passable ? Words::tr("It is not worked, but may be driven on.")
+                                      : Words::tr("It is not worked, and nothing drives nearer than its buffer.");
+    text.rows = {nameRow(obstacle.name),
+                 numberRow(Words::tr("Buffer"), InspectorField::Buffer, obstacle.buffer.si(), Words::tr("m"), 2, 0.0, 1000.0),
+                 figure(Words::tr("Area"), areaText(areaOf(outline)))};
+    text.passable = obstacle.passable;
+    return text;
+}
+
+InspectorText segmentText(const Plan& plan, std::size_t index) {
+    const PathSegment& segment = plan.path.segments[index];
+    const PathSegment* before = plan.path.workBefore(index);
+    const PathSegment* after = plan.path.workAfter(index);
+    const auto called = [](const PathSegment* work) {
+        return work == nullptr                          ? Words::tr("the end")
+               : work->kind == SegmentKind::Swath ? Words::tr("swath %1").arg(work->number)
+                                                        : Words::tr("pass %1").arg(work->number);
+    };
+    const QString length = metresText(segment.length(), 1);
+    const QString time = durationText(segment.duration());
+    InspectorText text;
+    text.rows = {figure(Words::tr("Length"), length), figure(Words::tr("Time"), time)};
+    switch (segment.kind) {
+        case SegmentKind::Swath: {
+            text.title = Words::tr("Swath %1").arg(segment.number);
+            const auto order = std::ranges::count_if(plan.path.segments.begin(), plan.path.segments.begin() + static_cast<std::ptrdiff_t>(index) + 1,
+                                                     [](const PathSegment& each) { return each.kind == SegmentKind::Swath; });
+            text.sentence = Words::tr("It is worked as number %1 of %2, %3 long, in %4.")
+                                .arg(order).arg(plan.route.steps.size()).arg(length, time);
+            const Point way = segment.samples.back().position - segment.samples.front().position;
+            text.rows.push_back(figure(Words::tr("Direction"), Words::tr("%1°").arg(numberText(bearingDegOf(way), 1))));
+            text.rows.push_back(figure(Words::tr("Width"), metresText(plan.request.machine.operatingWidth(), 2)));
+            break;
+        }
+        case SegmentKind::HeadlandPass:
+            text.title = Words::tr("Headland pass %1").arg(segment.number);
+            text.sentence = Words::tr("Counted from the outside; %1 are worked here in %2.").arg(length, time);
+            break;
+        case SegmentKind::Turn:
+            text.title = Words::tr("Turn from %1 to %2").arg(called(before), called(after));
+            text.sentence = segment.gear == Gear::Reverse ? Words::tr("%1 in reverse, in %2.").arg(length, time)
+                                                          : Words::tr("%1 with the implement up, in %2.").arg(length, time);
+            text.rows.push_back(figure(Words::tr("Kind"), fromStd(segment.turnType)));
+            break;
+        case SegmentKind::Transfer:
+        case SegmentKind::Refill:
+        case SegmentKind::Wait:
+            text.title = Words::tr("Way from %1 to %2").arg(called(before), called(after));
+            text.sentence = Words::tr("%1 without working, in %2.").arg(length, time);
+            break;
+    }
+    if (!segment.drivable) {
+        text.sentence = Words::tr("It cannot be driven like this: %1.").arg(fromStd(segment.reason));
+    }
+    return text;
+}
+
+InspectorText cellText(const Plan& plan, std::size_t index) {
+    const Cell& cell = plan.cells.cells[index];
+    InspectorText text;
+    text.title = Words::tr("Cell %1").arg(index + 1);
+    text.sentence = Words::tr("A piece of the mainland whose %n swath(s) are driven together.", nullptr, static_cast<int>(cell.swaths.size()));
+    text.rows = {figure(Words::tr("Area"), areaText(area(cell.outline))),
+                 figure(Words::tr("Swaths"), QString::number(cell.swaths.size()))};
+    return text;
+}
+
+InspectorText gateText(const Gate& gate) {
+    InspectorText text;
+    text.title = gate.name.empty() ? Words::tr("Gate") : fromStd(gate.name);
+    text.sentence = Words::tr("Here the machine may enter and leave the field. Drag it along the boundary.");
+    text.rows = {nameRow(gate.name),
+                 numberRow(Words::tr("Width"), InspectorField::GateWidth, gate.width.si(), Words::tr("m"), 2, 0.0, 100.0)};
+    return text;
+}
+
+InspectorText guideText(const Outline& outline) {
+    if (outline.points.size() == 2) {
+        return edgeText(outline, 0);
+    }
+    InspectorText text;
+    text.title = Words::tr("Guidance curve");
+    text.sentence = Words::tr("The swaths lie beside it. Drag its points, or delete it.");
+    text.rows = {figure(Words::tr("Length"), lengthText(metres(lengthM(outline.points)))),
+                 figure(Words::tr("Points"), QString::number(outline.points.size()))};
+    return text;
+}
+
+}  // namespace
+
+std::optional<InspectorText> inspectorText(const Selection& selection, const FieldShape* shape, const FieldSource* source,
+                                           const Plan* plan) {
+    const Outline* outline = shape == nullptr ? nullptr : shape->find(selection.outline);
+    const std::size_t index = selection.index;
+    switch (selection.kind) {
+        case Selection::Kind::None: break;
+        case Selection::Kind::Vertex:
+            return outline != nullptr && index < outline->points.size() ? std::optional{vertexText(*outline, index)} : std::nullopt;
+        case Selection::Kind::Edge:
+            return outline != nullptr && index < outline->edgeCount() ? std::optional{edgeText(*outline, index)} : std::nullopt;
+        case Selection::Kind::Hole:
+            if (outline != nullptr) {
+                InspectorText text;
+                text.title = Words::tr("Hole");
+                text.sentence = Words::tr("It is no part of the field. Drag it, or its points and edges.");
+                text.rows = {figure(Words::tr("Area"), areaText(areaOf(*outline)))};
+                return text;
+            }
+            break;
+        case Selection::Kind::Obstacle:
+            return outline != nullptr && source != nullptr && outline->id.item < source->obstacles.size()
+                       ? std::optional{obstacleText(*outline, source->obstacles[outline->id.item])}
+                       : std::nullopt;
+        case Selection::Kind::Gate:
+            return source != nullptr && index < source->gates.size() ? std::optional{gateText(source->gates[index])} : std::nullopt;
+        case Selection::Kind::Guide: return outline != nullptr ? std::optional{guideText(*outline)} : std::nullopt;
+        case Selection::Kind::Segment:
+            return plan != nullptr && index < plan->path.segments.size() ? std::optional{segmentText(*plan, index)} : std::nullopt;
+        case Selection::Kind::Cell:
+            return plan != nullptr && index < plan->cells.cells.size() ? std::optional{cellText(*plan, index)} : std::nullopt;
+        case Selection::Kind::Finding:
+            if (plan != nullptr && index < plan->findings.size()) {
+                InspectorText text;
+                text.title = Words::tr("Finding %1").arg(index + 1);
+                text.sentence = fromStd(plan->findings[index].text);
+                if (!plan->findings[index].suggestion.empty()) {
+                    text.sentence += QLatin1Char('\n') + fromStd(plan->findings[index].suggestion);
+                }
+                return text;
+            }
+            break;
+    }
+    return std::nullopt;
+}
+
+}  // namespace furrow

@@ -1,0 +1,28 @@
+#pragma once
+
+#include "planner/editing/field_shape.h"
+
+#include <QObject>
+#include <QtQml/qqmlregistration.h>
+
+namespace furrow {
+
+/// What is selected on the map.
+struct Selection {
+    Q_GADGET
+    QML_ANONYMOUS
+
+public:
+    enum class Kind { None, Vertex, Edge, Hole, Obstacle, Gate, Guide, Segment, Cell, Finding };
+    Q_ENUM(Kind)
+
+    Kind kind = Kind::None;
+    OutlineId outline;      ///< of a vertex, an edge, a hole, an obstacle, a guide
+    std::size_t index = 0;  ///< vertex, edge, gate, segment of the path, cell, finding
+
+    bool isNone() const { return kind == Kind::None; }
+    bool isOf(Kind of, const OutlineId& id, std::size_t at) const { return kind == of && outline == id && index == at; }
+    friend bool operator==(const Selection&, const Selection&) = default;
+};
+
+}  // namespace furrow

@@ -1,0 +1,315 @@
+import QtQuick
+import QtQuick.Controls
+import Furrow.Controls
+import Furrow.Edit
+import Furrow.Plan
+
+/// Everything that can be done in the window.
+QtObject {
+    id: root
+
+    required property PlanSession session
+    required property MapPage page
+    required property Item results
+    signal newRequested()
+    signal openRequested()
+    signal saveRequested()
+    signal saveAsRequested()
+    signal exportRequested()
+    signal renameFieldRequested()
+    signal addPlanRequested()
+    signal renamePlanRequested()
+    signal paletteRequested()
+    signal keysRequested()
+    signal quitRequested()
+    signal panelRequested()
+
+    readonly property string fileGroup: qsTr("File")
+    readonly property string editGroup: qsTr("Edit")
+    readonly property string fieldGroup: qsTr("Field")
+    readonly property string planGroup: qsTr("Plan")
+    readonly property string viewGroup: qsTr("View")
+    readonly property string helpGroup: qsTr("Help")
+
+    component LayerCommand: Command {
+        required property string layer
+
+        objectName: "command.layer." + layer
+        group: root.viewGroup
+        checkable: true
+        checked: root.results.layers[layer]
+        onTriggered: root.results.layers[layer] = checked
+    }
+
+    component ToolCommand: Command {
+        required property int tool
+
+        group: root.fieldGroup
+        enabled: root.session.hasField
+        onTriggered: root.page.startTool(tool)
+    }
+
+    readonly property list<Command> all: [
+        Command {
+            objectName: "command.new"
+            group: root.fileGroup
+            text: qsTr("New project")
+            shortcut: "Ctrl+N"
+            keywords: qsTr("farm")
+            onTriggered: root.newRequested()
+        },
+        Command {
+            objectName: "command.open"
+            group: root.fileGroup
+            text: qsTr("Open…")
+            shortcut: "Ctrl+O"
+            keywords: qsTr("boundary import project")
+            onTriggered: root.openRequested()
+        },
+        Command {
+            objectName: "command.save"
+            group: root.fileGroup
+            text: qsTr("Save")
+            shortcut: "Ctrl+S"
+            enabled: root.session.document.modified || root.session.files.path.length === 0
+            onTriggered: root.saveRequested()
+        },
+        Command {
+            objectName: "command.saveAs"
+            group: root.fileGroup
+            text: qsTr("Save as…")
+            shortcut: "Ctrl+Shift+S"
+            onTriggered: root.saveAsRequested()
+        },
+        Command {
+            objectName: "command.export"
+            group: root.fileGroup
+            text: qsTr("Export the plan…")
+            shortcut: "Ctrl+E"
+            keywords: qsTr("ISOXML USB terminal")
+            enabled: root.session.hasPlan
+            onTriggered: root.exportRequested()
+        },
+        Command {
+            objectName: "command.quit"
+            group: root.fileGroup
+            text: qsTr("Quit")
+            shortcut: "Ctrl+Q"
+            onTriggered: root.quitRequested()
+        },
+        Command {
+            objectName: "command.undo"
+            group: root.editGroup
+            text: root.session.document.canUndo ? qsTr("Undo: %1").arg(root.session.document.undoText) : qsTr("Undo")
+            shortcut: "Ctrl+Z"
+            enabled: root.session.document.canUndo
+            onTriggered: root.session.document.undo()
+        },
+        Command {
+            objectName: "command.redo"
+            group: root.editGroup
+            text: root.session.document.canRedo ? qsTr("Redo: %1").arg(root.session.document.redoText) : qsTr("Redo")
+            shortcut: "Ctrl+Shift+Z"
+            enabled: root.session.document.canRedo
+            onTriggered: root.session.document.redo()
+        },
+        Command {
+            objectName: "command.delete"
+            group: root.editGroup
+            text: qsTr("Delete what is selected")
+            keysText: qsTr("Del")
+            enabled: root.page.editor.canDelete
+            onTriggered: root.page.editor.deleteSelection()
+        },
+        Command {
+            objectName: "command.next"
+            group: root.editGroup
+            text: qsTr("Select the next point")
+            keysText: qsTr("Space")
+            enabled: root.session.hasField
+            onTriggered: root.page.editor.selectNext(1)
+        },
+        Command {
+            objectName: "command.palette"
+            group: root.editGroup
+            text: qsTr("Find a command…")
+            shortcut: "Ctrl+K"
+            onTriggered: root.paletteRequested()
+        },
+        Command {
+            objectName: "command.draw"
+            group: root.fieldGroup
+            text: qsTr("Draw a field")
+            shortcut: "B"
+            keywords: qsTr("boundary polygon")
+            onTriggered: root.page.startDrawing()
+        },
+        ToolCommand {
+            objectName: "command.hole"
+            tool: FieldEditor.Hole
+            text: qsTr("Draw a hole")
+            shortcut: "H"
+        },
+        ToolCommand {
+            objectName: "command.obstacle"
+            tool: FieldEditor.Obstacle
+            text: qsTr("Draw an obstacle")
+            shortcut: "O"
+            keywords: qsTr("pond tree pole wet")
+        },
+        ToolCommand {
+            objectName: "command.guide"
+            tool: FieldEditor.Guide
+            text: qsTr("Draw an AB line")
+            shortcut: "L"
+            keywords: qsTr("guidance curve direction")
+        },
+        ToolCommand {
+            objectName: "command.gate"
+            tool: FieldEditor.Gate
+            text: qsTr("Add a gate")
+            shortcut: "G"
+            keywords: qsTr("entry road")
+        },
+        Command {
+            objectName: "command.select"
+            group: root.fieldGroup
+            text: qsTr("Select and change")
+            shortcut: "V"
+            onTriggered: root.page.startTool(FieldEditor.Select)
+        },
+        Command {
+            objectName: "command.renameField"
+            group: root.fieldGroup
+            text: qsTr("Rename the field…")
+            enabled: root.session.hasField
+            onTriggered: root.renameFieldRequested()
+        },
+        Command {
+            objectName: "command.removeField"
+            group: root.fieldGroup
+            text: qsTr("Remove the field")
+            keywords: qsTr("delete")
+            enabled: root.session.hasField
+            onTriggered: root.session.farm.removeField()
+        },
+        Command {
+            objectName: "command.nextField"
+            group: root.fieldGroup
+            text: qsTr("Next field")
+            shortcut: "Ctrl+PgDown"
+            enabled: root.session.farm.fields.length > 1
+            onTriggered: root.session.farm.currentField = (root.session.farm.currentField + 1) % root.session.farm.fields.length
+        },
+        Command {
+            objectName: "command.addPlan"
+            group: root.planGroup
+            text: qsTr("Add a plan…")
+            keywords: qsTr("season operation copy")
+            enabled: root.session.hasField
+            onTriggered: root.addPlanRequested()
+        },
+        Command {
+            objectName: "command.renamePlan"
+            group: root.planGroup
+            text: qsTr("Rename the plan…")
+            enabled: root.session.hasField
+            onTriggered: root.renamePlanRequested()
+        },
+        Command {
+            objectName: "command.removePlan"
+            group: root.planGroup
+            text: qsTr("Remove the plan")
+            keywords: qsTr("delete")
+            enabled: root.session.farm.plans.length > 1
+            onTriggered: root.session.farm.removePlan()
+        },
+        Command {
+            objectName: "command.planAgain"
+            group: root.planGroup
+            text: qsTr("Plan again")
+            shortcut: "F5"
+            enabled: root.session.hasField
+            onTriggered: root.session.planAgain()
+        },
+        Command {
+            objectName: "command.fit"
+            group: root.viewGroup
+            text: qsTr("Show the whole field")
+            shortcut: "F"
+            enabled: root.session.hasField
+            onTriggered: root.page.fitField(true)
+        },
+        Command {
+            objectName: "command.zoomIn"
+            group: root.viewGroup
+            text: qsTr("Closer")
+            shortcut: "Ctrl++"
+            keywords: qsTr("zoom in")
+            onTriggered: root.page.camera.zoomBy(1)
+        },
+        Command {
+            objectName: "command.zoomOut"
+            group: root.viewGroup
+            text: qsTr("Further away")
+            shortcut: "Ctrl+-"
+            keywords: qsTr("zoom out")
+            onTriggered: root.page.camera.zoomBy(-1)
+        },
+        Command {
+            objectName: "command.panel"
+            group: root.viewGroup
+            text: qsTr("Results panel")
+            shortcut: "F9"
+            enabled: root.session.hasPlan
+            onTriggered: root.panelRequested()
+        },
+        LayerCommand { layer: "boundary"; text: qsTr("Layer: boundary") },
+        LayerCommand { layer: "headland"; text: qsTr("Layer: headland") },
+        LayerCommand { layer: "swaths"; text: qsTr("Layer: swaths") },
+        LayerCommand { layer: "turns"; text: qsTr("Layer: turns") },
+        LayerCommand { layer: "directions"; text: qsTr("Layer: driving direction") },
+        LayerCommand { layer: "numbers"; text: qsTr("Layer: order numbers") },
+        LayerCommand { layer: "findings"; text: qsTr("Layer: findings") },
+        Command {
+            objectName: "command.light"
+            group: root.viewGroup
+            text: qsTr("Light colours")
+            keywords: qsTr("theme")
+            onTriggered: root.setTheme(Theme.Light)
+        },
+        Command {
+            objectName: "command.dark"
+            group: root.viewGroup
+            text: qsTr("Dark colours")
+            keywords: qsTr("theme night")
+            onTriggered: root.setTheme(Theme.Dark)
+        },
+        Command {
+            objectName: "command.sunlight"
+            group: root.viewGroup
+            text: qsTr("Sunlight colours")
+            keywords: qsTr("theme contrast")
+            onTriggered: root.setTheme(Theme.Sunlight)
+        },
+        Command {
+            objectName: "command.keys"
+            group: root.helpGroup
+            text: qsTr("Keys and mouse")
+            shortcut: "F1"
+            keywords: qsTr("shortcuts help")
+            onTriggered: root.keysRequested()
+        }
+    ]
+
+    function inGroup(group: string): var {
+        return root.all.filter(command => command.group === group);
+    }
+    function named(name: string): Command {
+        return root.all.find(command => command.objectName === "command." + name);
+    }
+    function setTheme(mode: int): void {
+        Theme.forced = Theme.System;
+        Theme.mode = mode;
+    }
+}

@@ -1,0 +1,84 @@
+pragma ComponentBehavior: Bound
+import QtQuick
+import Furrow.Controls
+
+/// What the mouse and the keys do.
+ThemedDialog {
+    id: root
+
+    required property list<Command> commands
+    readonly property list<var> onMap: [
+        [qsTr("Drag the map, wheel"), qsTr("move, zoom")],
+        [qsTr("Arrows, + and −"), qsTr("move the selection or the map, zoom")],
+        [qsTr(", and ."), qsTr("the point before, the next point")],
+        [qsTr("Enter"), qsTr("finish drawing; type into the inspector")],
+        [qsTr("Alt"), qsTr("no snapping while it is held")],
+        [qsTr("Esc"), qsTr("stop what was begun")]
+    ]
+
+    objectName: "keysDialog"
+    title: qsTr("Keys and mouse")
+    width: 560
+    closePolicy: ThemedDialog.CloseOnEscape | ThemedDialog.CloseOnPressOutside
+
+    Grid {
+        width: parent.width
+        columns: 2
+        columnSpacing: 24
+        rowSpacing: 6
+        flow: Grid.TopToBottom
+        rows: Math.ceil((keyed.count + root.onMap.length) / 2)
+
+        component Line: Item {
+            property string keys
+            property string what
+
+            width: (parent.width - 24) / 2
+            height: 20
+            Accessible.role: Accessible.StaticText
+            Accessible.name: qsTr("%1: %2").arg(keys).arg(what)
+
+            BodyText {
+                width: 110
+                text: parent.keys
+                color: Theme.muted
+                elide: Text.ElideRight
+            }
+            BodyText {
+                x: 116
+                width: parent.width - 116
+                text: parent.what
+                elide: Text.ElideRight
+            }
+        }
+        Repeater {
+            id: keyed
+
+            model: root.commands.filter(command => command.keysText.length > 0)
+
+            Line {
+                required property Command modelData
+
+                keys: modelData.keysText
+                what: modelData.text
+            }
+        }
+        Repeater {
+            model: root.onMap
+
+            Line {
+                required property var modelData
+
+                keys: modelData[0]
+                what: modelData[1]
+            }
+        }
+    }
+    PushButton {
+        anchors.right: parent.right
+        text: qsTr("Close")
+        primary: true
+        focus: true
+        onClicked: root.close()
+    }
+}
