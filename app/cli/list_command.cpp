@@ -61,6 +61,7 @@ std::string_view kindName(ParameterKind kind) {
         case ParameterKind::Line:
         case ParameterKind::Lines: return "wkt";
         case ParameterKind::File: return "file";
+        case ParameterKind::Place: return "place";
         case ParameterKind::Numbers: return "numbers";
     }
     return "";
@@ -102,6 +103,7 @@ std::string rangeText(const Parameter& parameter) {
         case ParameterKind::Line: return "WKT in WGS84, default none";
         case ParameterKind::Lines: return "WKT of lines in WGS84, default none";
         case ParameterKind::File: return "a file, default none";
+        case ParameterKind::Place: return "a gate or a WKT point in WGS84, default the first gate";
         case ParameterKind::Numbers: return "numbers divided by commas, default none";
     }
     return standard;

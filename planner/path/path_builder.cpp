@@ -56,7 +56,8 @@ Result<Path> buildPath(std::span<const Leg> legs, const Machine& machine, const 
                 return std::nullopt;
             }
             Turn turn = way(leaving, arriving, job);
-            const bool isTransfer = turn.type == kCombinedTurn && turn.length() > longest;
+            const bool isTransfer = (turn.type == kCombinedTurn && turn.length() > longest) ||
+                                    legs[i].kind == SegmentKind::Transfer || legs[i + 1].kind == SegmentKind::Transfer;
             return Leg{.kind = isTransfer ? SegmentKind::Transfer : SegmentKind::Turn,
                        .number = 0,
                        .line = std::move(turn),

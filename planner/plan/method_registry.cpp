@@ -2,6 +2,7 @@
 
 #include "planner/headland/methods.h"
 #include "planner/plan/general_parameters.h"
+#include "planner/path/gate_ways.h"
 #include "planner/route/methods.h"
 #include "planner/settings/operation.h"
 #include "planner/settings/traversal.h"
@@ -77,7 +78,7 @@ constexpr std::array kTurnMethods{
 constexpr std::array<const Parameter*, 5> kSwathParameters{&kEnds, &kOverlap, &kLastPass, &kTramlineEvery,
                                                            &kTramlineStart};
 constexpr std::array<const Parameter*, 2> kCellParameters{&kSplit, &kCellHeading};
-constexpr std::array<const Parameter*, 1> kRouteParameters{&kTraversal};
+constexpr std::array<const Parameter*, 3> kRouteParameters{&kTraversal, &kRouteStart, &kRouteEnd};
 constexpr std::array<const Parameter*, 1> kPathParameters{&kStayInside};
 constexpr std::array<const Parameter*, 2> kGeneralParameters{&kOperationKind, &kMargin};
 

@@ -6,9 +6,11 @@
 #include "planner/headland/finishing_passes.h"
 #include "planner/headland/headland_passes.h"
 #include "planner/path/drivable_check.h"
+#include "planner/path/gate_ways.h"
 #include "planner/path/headland_order.h"
 #include "planner/path/path_builder.h"
 #include "planner/path/remembered_ways.h"
+#include "planner/path/travel_rule.h"
 #include "planner/plan/general_parameters.h"
 #include "planner/plan/method_registry.h"
 #include "planner/plan/swath_stage.h"
@@ -19,6 +21,7 @@
 #include "planner/turns/turn_sampling.h"
 
 #include <algorithm>
+#include <array>
 #include <cctype>
 #include <chrono>
 #include <format>
@@ -195,6 +198,32 @@ Polyline lineOf(const Turn& turn) {
         line.push_back(sample.pose.position);
     }
     return line;
+}
+
+/// The ways in and out, and what is to be said where there is none.
+std::vector<Finding> addGateWays(std::vector<Leg>& legs, const std::array<std::optional<RoutePlace>, 2>& places,
+                                 const Field& field, const Rig& rig) {
+    std::vector<Finding> findings;
+    if (legs.empty()) {
+        return findings;
+    }
+    const auto tell = [&](const RoutePlace& place, std::string_view way) {
+        const std::string name = place.gate && !place.gate->name.empty() ? place.gate->name : "this place";
+        findings.push_back({.severity = Severity::Blocking,
+                            .kind = "gate",
+                            .place = place.position,
+                            .text = std::format("The machine does not get {} at {}.", way, name),
+                            .suggestion = place.gate ? "Make the gate wider, or take another." : "Choose another place."});
+    };
+    if (const auto& start = places[0]) {
+        const auto in = wayIn(*start, field, rig, legs.front().line.start.position);
+        in ? static_cast<void>(legs.insert(legs.begin(), *in)) : tell(*start, "in");
+    }
+    if (const auto& end = places[1]) {
+        const auto out = wayOut(*end, field, rig, legs.back().line.end().position);
+        out ? legs.push_back(*out) : tell(*end, "out");
+    }
+    return findings;
 }
 
 /// Marks what leaves the field and tells it, a way in several gears once, at its worst place.
@@ -402,17 +431,38 @@ Result<std::shared_ptr<const Plan>> makePlan(const PlanRequest& request, const J
     }
     plan->route = std::move(*route);
 
-    const auto rig = std::make_shared<Rig>(*drivable, machine);
-    RememberedWays ways{[rig](const Pose& leaving, const Pose& arriving, const JobContext& part) {
-        return fittingConnection(*rig, leaving, arriving, {}, part);
+    const auto start = routePlace(field, settings, kRouteStart);
+    const auto end = routePlace(field, settings, kRouteEnd);
+    if (!start || !end) {
+        return std::unexpected(start ? end.error() : start.error());
+    }
+    const std::array places{*start, *end};
+    const auto open = withOpenGates(*drivable, field, places, job);
+    if (!open) {
+        return std::unexpected(open.error());
+    }
+    const auto travel = travelRule(traversalOf(settings),
+                                   {.workable = field.workable(),
+                                    .mainland = plan->headland.mainland,
+                                    .machine = machine,
+                                    .margin = plan->margin},
+                                   job);
+    if (!travel) {
+        return std::unexpected(travel.error());
+    }
+    const auto rig = std::make_shared<Rig>(*open, machine);
+    RememberedWays ways{[rig, travel = *travel](const Pose& leaving, const Pose& arriving, const JobContext& part) {
+        return fittingConnection(*rig, leaving, arriving, travel, part);
     }};
-    const std::vector<Leg> legs = layOut(*plan, *drivable);
-    if (auto driven = drive(*plan, legs, ways, *drivable, job.part(0.85, 0.97)); !driven) {
+    std::vector<Leg> legs = layOut(*plan, *drivable);
+    const std::vector<Finding> gateFindings = addGateWays(legs, places, field, *rig);
+    if (auto driven = drive(*plan, legs, ways, *open, job.part(0.85, 0.97)); !driven) {
         return std::unexpected(driven.error());
     }
-    if (auto finished = finish(*plan, legs, ways, *drivable, job.part(0.97, 1.0)); !finished) {
+    if (auto finished = finish(*plan, legs, ways, *open, job.part(0.97, 1.0)); !finished) {
         return std::unexpected(finished.error());
     }
+    plan->findings.insert(plan->findings.end(), gateFindings.begin(), gateFindings.end());
     const Point middle = field.frame().toLocal(middleOf(field.source().parts));
     for (const auto& notes : {plan->headland.notes, plan->swaths.notes}) {
         for (const Note& note : notes) {

@@ -3,7 +3,7 @@
 namespace furrow {
 
 bool isText(ParameterKind kind) {
-    return kind == ParameterKind::Line || kind == ParameterKind::Lines || kind == ParameterKind::File ||
+    return kind == ParameterKind::Line || kind == ParameterKind::Lines || kind == ParameterKind::File || kind == ParameterKind::Place ||
            kind == ParameterKind::Numbers;
 }
 

@@ -18,6 +18,7 @@ enum class ParameterKind {
     Line,     ///< points in WGS84 as WKT: "LINESTRING (4.1 52.0, 4.2 52.0)"; empty where there are none
     Lines,    ///< several of them: "MULTILINESTRING (...)", "GEOMETRYCOLLECTION (...)" or one LINESTRING
     File,     ///< the path of a file; empty where there is none
+    Place,    ///< the name of a gate, or a point as WKT; empty where there is none
     Numbers,  ///< whole numbers divided by commas: "3,-1,2"; empty where there are none
 };
 

@@ -163,6 +163,10 @@ Result<void> Settings::set(const Parameter& parameter, const SettingValue& value
         if (!std::holds_alternative<std::string>(value)) {
             return wrongKind("the path of a file");
         }
+    } else if (parameter.kind == ParameterKind::Place) {
+        if (!std::holds_alternative<std::string>(value)) {
+            return wrongKind("the name of a gate or a point in WGS84 such as POINT (4.1 52.0)");
+        }
     } else if (parameter.kind == ParameterKind::Numbers) {
         const auto* text = std::get_if<std::string>(&value);
         if (text == nullptr || !parsedNumbers(*text)) {
@@ -197,6 +201,7 @@ Result<void> Settings::setText(const Parameter& parameter, std::string_view text
         case ParameterKind::Line:
         case ParameterKind::Lines:
         case ParameterKind::File:
+        case ParameterKind::Place:
         case ParameterKind::Numbers: return set(parameter, std::string{text});
         case ParameterKind::Flag:
             if (text == "true" || text == "false") {
@@ -273,6 +278,10 @@ std::vector<std::vector<GeoPoint>> Settings::lines(const Parameter& parameter) c
 }
 
 std::string Settings::file(const Parameter& parameter) const {
+    return settingText(value(parameter));
+}
+
+std::string Settings::place(const Parameter& parameter) const {
     return settingText(value(parameter));
 }
 

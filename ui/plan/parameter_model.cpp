@@ -29,6 +29,7 @@ ParameterModel::Kind kindOf(const Parameter& parameter) {
         case ParameterKind::Line:
         case ParameterKind::Lines:
         case ParameterKind::File:
+        case ParameterKind::Place:
         case ParameterKind::Numbers: return ParameterModel::Kind::Text;
         case ParameterKind::Length:
         case ParameterKind::Angle:
@@ -57,6 +58,7 @@ QString unitOf(const Parameter& parameter) {
         case ParameterKind::Line:
         case ParameterKind::Lines:
         case ParameterKind::File:
+        case ParameterKind::Place:
         case ParameterKind::Numbers: break;
     }
     return {};

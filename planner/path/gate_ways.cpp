@@ -1,0 +1,167 @@
+#include "planner/path/gate_ways.h"
+
+#include "planner/geometry/boundary_distance.h"
+#include "planner/geometry/geos_bridge.h"
+
+#include <algorithm>
+#include <cmath>
+#include <format>
+#include <limits>
+#include <numbers>
+
+namespace furrow {
+
+namespace {
+
+constexpr double kTouchingM = 1e-3;
+constexpr int kDiscCorners = 64;
+// How far the machine drives straight in.
+constexpr Length kStraightIn = metres(2.0);
+constexpr double kStepM = 0.1;
+// Headings that are tried, to both sides of straight in.
+constexpr double kAsideDeg[] = {0.0, 15.0, -15.0, 30.0, -30.0, 45.0, -45.0, 60.0, -60.0, 90.0, -90.0, 135.0, -135.0, 180.0};
+// From a gate no farther in than so many lengths of the machine.
+constexpr double kLengthsIn = 2.0;
+
+/// From a place on the boundary into the field.
+Point inwardFrom(Point place, const Field& field) {
+    double nearest = std::numeric_limits<double>::infinity();
+    Point inward{1.0, 0.0};
+    forEachEdge(field.drivable(), [&](Point a, Point b) {
+        const Point way = b - a;
+        const double share = std::clamp(dot(place - a, way) / std::max(dot(way, way), 1e-12), 0.0, 1.0);
+        // Rings have the field on their left.
+        if (const double away = distance(place, a + share * way); away < nearest && norm(way) > 0.0) {
+            nearest = away;
+            inward = (1.0 / norm(way)) * Point{-way.y, way.x};
+        }
+    });
+    return inward;
+}
+
+Ring disc(Point centre, double radiusM) {
+    Ring ring;
+    for (int i = 0; i < kDiscCorners; ++i) {
+        ring.push_back(centre + radiusM * direction(2.0 * std::numbers::pi * i / kDiscCorners));
+    }
+    return ring;
+}
+
+std::optional<Leg> straightFrom(const RoutePlace& place, const Rig& rig, Point inward) {
+    const double mostM = place.gate ? kLengthsIn * rig.machine().spec().tractor.length.si() : 0.0;
+    const double headingRad = std::atan2(inward.y, inward.x);
+    const TurnPiece in{.length = kStraightIn, .curvature = {}};
+    for (double m = 0.0; m <= mostM; m += kStepM) {
+        for (const double aside : kAsideDeg) {
+            const Angle heading = radians(headingRad) + degrees(aside);
+            const Pose pose{.position = place.position + m * inward, .heading = heading};
+            if (rig.outsideM(Rig::inLine(pose)) <= kTouchingM && rig.driven(Rig::inLine(pose), in)) {
+                return Leg{.kind = SegmentKind::Transfer,
+                           .number = 0,
+                           .line = {.type = {}, .start = pose, .pieces = {in}},
+                           .implementDown = false};
+            }
+        }
+    }
+    return std::nullopt;
+}
+
+}  // namespace
+
+Result<std::optional<RoutePlace>> routePlace(const Field& field, const Settings& settings, const Parameter& parameter) {
+    const std::string given = settings.place(parameter);
+    const std::vector<Gate>& gates = field.source().gates;
+    const auto at = [&](const Gate& gate) { return RoutePlace{field.frame().toLocal(gate.position), gate}; };
+    if (given.empty()) {
+        return gates.empty() ? std::nullopt : std::optional{at(gates.front())};
+    }
+    if (const auto gate = std::ranges::find(gates, given, &Gate::name); gate != gates.end()) {
+        return at(*gate);
+    }
+    const auto points = pointsOfWkt(given);
+    if (!points || points->size() != 1) {
+        std::string names;
+        for (const Gate& gate : gates) {
+            names += (names.empty() ? "" : ", ") + gate.name;
+        }
+        return std::unexpected(Error{.code = ErrorCode::Usage,
+                                     .what = std::format("there is no gate '{}'", given),
+                                     .where = std::string{parameter.key},
+                                     .remedy = names.empty() ? "give a point such as POINT (4.1 52.0)"
+                                                             : "give one of " + names + " or a point such as POINT (4.1 52.0)"});
+    }
+    const RoutePlace place{field.frame().toLocal({points->front().x, points->front().y}), std::nullopt};
+    const PreparedArea inside{field.drivable()};
+    if (!inside.covers({{place.position, place.position}})) {
+        return std::unexpected(Error{.code = ErrorCode::Usage,
+                                     .what = "the place lies outside of the field",
+                                     .where = std::string{parameter.key},
+                                     .remedy = "give a gate, or a point in the field"});
+    }
+    return place;
+}
+
+Result<MultiPolygon> withOpenGates(const MultiPolygon& drivable, const Field& field,
+                                   std::span<const std::optional<RoutePlace>> places, const JobContext& job) {
+    MultiPolygon open = drivable;
+    for (const auto& place : places) {
+        if (place && place->gate && place->gate->width > metres(0.0)) {
+            // The margin that the area keeps from the boundary opens with the gate.
+            const auto near = intersection(field.drivable(), {{.outer = disc(place->position, 0.5 * place->gate->width.si()), .holes = {}}}, job);
+            if (!near) {
+                return near;
+            }
+            open.insert(open.end(), near->begin(), near->end());
+            open.push_back({.outer = disc(place->position, 0.5 * place->gate->width.si()), .holes = {}});
+        }
+    }
+    return open.size() == drivable.size() ? Result<MultiPolygon>{drivable} : unionOf(open, job);
+}
+
+std::optional<Leg> wayIn(const RoutePlace& place, const Field& field, const Rig& rig, Point next) {
+    const Point way = next - place.position;
+    const Point inward = place.gate                ? inwardFrom(place.position, field)
+                         : norm(way) > kTouchingM ? (1.0 / norm(way)) * way
+                                                   : Point{1.0, 0.0};
+    return straightFrom(place, rig, inward);
+}
+
+std::optional<Leg> wayOut(const RoutePlace& place, const Field& field, const Rig& rig, Point before) {
+    // The way in, driven forwards out: the nose is where the tail was, so that it is asked for turned round.
+    const Point way = before - place.position;
+    const Point inward = place.gate                ? inwardFrom(place.position, field)
+                         : norm(way) > kTouchingM ? (1.0 / norm(way)) * way
+                                                   : Point{1.0, 0.0};
+    const double mostM = place.gate ? kLengthsIn * rig.machine().spec().tractor.length.si() : 0.0;
+    const TurnPiece out{.length = kStraightIn, .curvature = {}};
+    for (double m = 0.0; m <= mostM; m += kStepM) {
+        for (const double aside : kAsideDeg) {
+            const Angle heading = radians(std::atan2(-inward.y, -inward.x)) + degrees(aside);
+            const Pose start{.position = place.position + m * inward - kStraightIn.si() * direction(heading.si()),
+                             .heading = heading};
+            if (rig.outsideM(Rig::inLine(start)) <= kTouchingM && rig.driven(Rig::inLine(start), out)) {
+                return Leg{.kind = SegmentKind::Transfer,
+                           .number = 0,
+                           .line = {.type = {}, .start = start, .pieces = {out}},
+                           .implementDown = false};
+            }
+        }
+    }
+    return std::nullopt;
+}
+
+const Parameter kRouteStart{.key = "route.start",
+                            .name = "Start",
+                            .description = "A gate's name or a point; the first gate where nothing is given.",
+                            .kind = ParameterKind::Place,
+                            .standard = {},
+                            .choices = {}};
+
+const Parameter kRouteEnd{.key = "route.end",
+                          .name = "End",
+                          .description = "A gate's name or a point; the first gate where nothing is given.",
+                          .kind = ParameterKind::Place,
+                          .standard = {},
+                          .choices = {}};
+
+}  // namespace furrow
