@@ -39,7 +39,7 @@ bool isBent(const Swath& swath) {
 std::vector<const Swath*> straightGuides(const SwathSet& set) {
     std::vector<const Swath*> chosen;
     for (const Swath& swath : set.swaths) {
-        if (isBent(swath)) {
+        if (swath.isCurved()) {
             continue;
         }
         const double direction = directionRad(swath);
@@ -92,17 +92,21 @@ bool isBeside(const Polyline& line, const Polyline& guide) {
     return distances.empty() || distances[distances.size() - 1 - rounded] - distances.front() < kBesideM;
 }
 
-/// Of curves that lie beside each other the one that was given, or the longest; rings are one pivot, which the outermost stands for.
+/// Of lines of their own that lie beside each other the one that was given, or the longest; rings are one pivot, which the outermost stands for.
 std::vector<const Swath*> curvedGuides(const SwathSet& set) {
     std::vector<const Swath*> longest;
     for (const Swath& swath : set.swaths) {
-        if (isBent(swath)) {
+        if (swath.isCurved()) {
             longest.push_back(&swath);
         }
     }
     // The line that was given before its parallels, which may have lost a bend that it has.
     std::ranges::stable_sort(longest, [](const Swath* a, const Swath* b) {
         const auto stepsOf = [](const Swath& swath) { return swath.lane ? std::abs(*swath.lane) : std::numeric_limits<int>::max(); };
+        // A straight end of a curve's parallel is no guide of its own.
+        if (isBent(*a) != isBent(*b)) {
+            return isBent(*a);
+        }
         return stepsOf(*a) != stepsOf(*b) ? stepsOf(*a) < stepsOf(*b) : a->length() > b->length();
     });
     std::vector<const Swath*> chosen;

@@ -276,8 +276,14 @@ private slots:
             VERIFY_RESULT(applySetting(settings, "route.order", order));
         }
         VERIFY_RESULT(applySetting(settings, key.toStdString(), id.toStdString()));
-        const auto plan = makePlan({.field = rectangleField(), .machine = machineLibrary().front(), .settings = settings, .guides = guides()});
+        const PlanRequest request{.field = rectangleField(), .machine = machineLibrary().front(), .settings = settings, .guides = guides()};
+        const auto plan = makePlan(request, {.threads = 1});
         VERIFY_RESULT(plan);
+        // The same on any number of threads.
+        const auto again = makePlan(request, {.threads = 8});
+        VERIFY_RESULT(again);
+        QVERIFY((*again)->swaths.swaths == (*plan)->swaths.swaths);
+        QVERIFY((*again)->path == (*plan)->path);
         QVERIFY(!(*plan)->swaths.swaths.empty());
         QCOMPARE((*plan)->route.steps.size(), (*plan)->swaths.swaths.size());
         QVERIFY((*plan)->path.length() > metres(0.0));

@@ -1,4 +1,5 @@
 #include "planner/machine/machine_library.h"
+#include "planner/plan/method_registry.h"
 #include "ui/map/plan_drawing.h"
 #include "ui/map/plan_scene.h"
 
@@ -11,7 +12,12 @@ using namespace furrow;
 namespace {
 
 /// A rectangle of this size with its south-west corner at 22.5 E, 58.25 N.
-std::shared_ptr<const Plan> planOf(double widthDeg, double heightDeg) {
+std::shared_ptr<const Plan> planOf(double widthDeg, double heightDeg,
+                                   std::initializer_list<std::pair<const char*, const char*>> given = {}) {
+    Settings settings;
+    for (const auto& [key, value] : given) {
+        applySetting(settings, key, value).value();
+    }
     const GeoRing ring{{22.5, 58.25}, {22.5 + widthDeg, 58.25}, {22.5 + widthDeg, 58.25 + heightDeg}, {22.5, 58.25 + heightDeg}};
     const auto field = Field::create({.id = "f",
                                       .name = "F",
@@ -20,7 +26,7 @@ std::shared_ptr<const Plan> planOf(double widthDeg, double heightDeg) {
                                       .obstacles = {},
                                       .gates = {},
                                       .boundaryAccuracy = {}});
-    return makePlan({.field = std::make_shared<const Field>(field.value()), .machine = machineLibrary().front(), .settings = {}})
+    return makePlan({.field = std::make_shared<const Field>(field.value()), .machine = machineLibrary().front(), .settings = settings})
         .value();
 }
 
@@ -51,6 +57,23 @@ private slots:
         if (x == 1000.0) {
             QVERIFY(std::abs(double{point.x} / frame.unitsPerMetre() - 1000.0) < 4.0);
         }
+    }
+    // Four corners for each chord: curves have many, and tramlines are drawn once more.
+    void curvesAndTramlines() {
+        const auto plan = planOf(0.01, 0.004, {{"swaths.method", "ab-curve"},
+                                               {"swaths.line", "LINESTRING (22.501 58.251, 22.505 58.252, 22.509 58.251)"},
+                                               {"swaths.tramline_every", "8"}});
+        const PlanGeometry geometry = planGeometry(*plan);
+        std::size_t chords = 0;
+        std::size_t tramlineChords = 0;
+        for (const Swath& swath : plan->swaths.swaths) {
+            chords += middleLine(swath).size() - 1;
+            tramlineChords += swath.tramline ? middleLine(swath).size() - 1 : 0;
+        }
+        QVERIFY(chords > 2 * plan->swaths.swaths.size());
+        QVERIFY(tramlineChords > 0);
+        QCOMPARE(geometry.swaths.vertices().size(), 4 * chords);
+        QCOMPARE(geometry.tramlines.vertices().size(), 4 * tramlineChords);
     }
     void hasEverythingOfThePlan() {
         const auto plan = planOf(0.01, 0.004);
