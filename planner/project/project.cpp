@@ -70,20 +70,21 @@ std::string freePlanId(const Project& project) {
 FieldPlan planForAnotherField(const FieldPlan& plan) {
     FieldPlan next = plan;
     next.others.clear();
-    const auto clear = [&next](std::string_view key) {
-        if (const auto parameter = findParameter(key)) {
-            next.settings.clear(**parameter);
-        }
-    };
     for (const Parameter* parameter : allParameters()) {
-        const bool namesPlaces = parameter->kind == ParameterKind::Line || parameter->kind == ParameterKind::Numbers;
-        if (namesPlaces && next.settings.isSet(*parameter)) {
-            next.settings.clear(*parameter);
-            // A method that was chosen for such a place cannot go on without it.
-            clear(std::string{parameter->key.substr(0, parameter->key.find('.'))} + ".method");
+        const bool namesPlaces = parameter->kind == ParameterKind::Line || parameter->kind == ParameterKind::Numbers ||
+                                 parameter->key == "swaths.edge";
+        if (!namesPlaces || !next.settings.isSet(*parameter)) {
+            continue;
+        }
+        next.settings.clear(*parameter);
+        // A method that was chosen for such a place cannot go on without it.
+        for (const StageInfo& stage : stages()) {
+            const auto method = std::ranges::find(stage.methods, next.settings.choice(*stage.method), &MethodInfo::id);
+            if (method != stage.methods.end() && std::ranges::contains(method->parameters, parameter)) {
+                next.settings.clear(*stage.method);
+            }
         }
     }
-    clear("swaths.edge");
     return next;
 }
 

@@ -216,14 +216,19 @@ void ProjectFiles::take(const QString& path, const std::shared_ptr<const Project
              tr("Save over it, or save yours under another name."));
         return;
     }
+    bool kept = true;
     if (path != path_) {
-        useJournal(journalOf(path));
+        auto journal = journalOf(path);
+        kept = journal || folder_.isEmpty();
+        useJournal(std::move(journal));
     }
     setPath(path, *written);
     if (document_.project() == project) {
         document_.markSaved();
     }
-    tell(Trouble::None);
+    if (kept) {
+        tell(Trouble::None);
+    }
     flush();
     emit saved(path);
 }

@@ -2,6 +2,7 @@
 #include "planner/project/project_edits.h"
 #include "planner/units/angle.h"
 #include "ui/edit/field_editor.h"
+#include "ui/map/map_frame.h"
 #include "ui/plan/plan_session.h"
 
 #include <algorithm>
@@ -13,10 +14,6 @@ namespace furrow {
 namespace {
 
 constexpr Length kGateWidth = metres(6.0);
-
-GeoPoint geoPoint(const QGeoCoordinate& place) {
-    return {.lonDeg = place.longitude(), .latDeg = place.latitude()};
-}
 
 }  // namespace
 
@@ -138,7 +135,7 @@ void FieldEditor::finishTool(GeoRing points) {
         points = turnedRing(std::move(points), *LocalFrame::centredOn(points.front()), true);
         QList<QGeoCoordinate> places;
         std::ranges::transform(points, std::back_inserter(places),
-                               [](GeoPoint point) { return QGeoCoordinate{point.latDeg, point.lonDeg}; });
+                               [](GeoPoint point) { return coordinate(point); });
         setTool(Tool::Select);
         session_->setBoundary(places);
         return;

@@ -19,13 +19,17 @@ WorldPoint worldPoint(GeoPoint place) {
 }
 
 WorldPoint worldPoint(const QGeoCoordinate& place) {
-    return worldPoint(GeoPoint{.lonDeg = place.longitude(), .latDeg = place.latitude()});
+    return worldPoint(geoPoint(place));
 }
 
 GeoPoint geoPoint(WorldPoint place) {
     const double turns = place.x - std::floor(place.x);
     return {.lonDeg = turns * 360.0 - 180.0,
             .latDeg = std::atan(std::sinh((0.5 - place.y) * 2.0 * kPi)) * 180.0 / kPi};
+}
+
+GeoPoint geoPoint(const QGeoCoordinate& place) {
+    return {.lonDeg = place.longitude(), .latDeg = place.latitude()};
 }
 
 QGeoCoordinate coordinate(WorldPoint place) {

@@ -18,6 +18,7 @@ struct WorldPoint {
 WorldPoint worldPoint(GeoPoint place);
 WorldPoint worldPoint(const QGeoCoordinate& place);
 GeoPoint geoPoint(WorldPoint place);
+GeoPoint geoPoint(const QGeoCoordinate& place);
 QGeoCoordinate coordinate(WorldPoint place);
 QGeoCoordinate coordinate(GeoPoint place);
 

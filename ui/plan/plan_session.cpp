@@ -30,10 +30,6 @@ std::vector<QGeoCoordinate> placesOf(const PlanDrawing& drawing) {
     return drawing.isEmpty() ? std::vector<QGeoCoordinate>{} : drawing.geometry()->findingPlaces;
 }
 
-GeoPoint geoPoint(const QGeoCoordinate& place) {
-    return {.lonDeg = place.longitude(), .latDeg = place.latitude()};
-}
-
 Error noSuchField(const QString& path) {
     return {.code = ErrorCode::ReadFailed,
             .what = "the sample field cannot be read",
@@ -278,26 +274,6 @@ void PlanSession::setBoundary(const QList<QGeoCoordinate>& points) {
                .obstacles = {},
                .gates = {},
                .boundaryAccuracy = {}}});
-}
-
-void PlanSession::moveVertex(int part, int ring, int vertex, const QGeoCoordinate& place, bool finished) {
-    const ProjectField* shown = document_.project()->field();
-    if (shown == nullptr || part < 0 || part >= static_cast<int>(shown->source->parts.size())) {
-        return;
-    }
-    FieldSource source = *shown->source;
-    GeoPolygon& polygon = source.parts[static_cast<std::size_t>(part)];
-    if (ring < 0 || ring > static_cast<int>(polygon.holes.size())) {
-        return;
-    }
-    GeoRing& points = ring == 0 ? polygon.outer : polygon.holes[static_cast<std::size_t>(ring - 1)];
-    if (vertex < 0 || vertex >= static_cast<int>(points.size())) {
-        return;
-    }
-    points[static_cast<std::size_t>(vertex)] = geoPoint(place);
-    document_.change(tr("Move a point"), withSource(*document_.project(), std::move(source)),
-                     QStringLiteral("vertex %1 %2 %3").arg(part).arg(ring).arg(vertex),
-                     finished ? Document::Follows::Nothing : Document::Follows::More);
 }
 
 void PlanSession::cancel() {

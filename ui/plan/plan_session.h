@@ -102,7 +102,6 @@ public:
     Q_INVOKABLE void dropChoices();
     /// Adds a field with this boundary.
     Q_INVOKABLE void setBoundary(const QList<QGeoCoordinate>& points);
-    Q_INVOKABLE void moveVertex(int part, int ring, int vertex, const QGeoCoordinate& place, bool finished);
     Q_INVOKABLE void cancel();
     Q_INVOKABLE void planAgain();
     /// Begins with an empty project.

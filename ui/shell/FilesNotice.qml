@@ -50,14 +50,14 @@ Rectangle {
 
             PushButton {
                 objectName: "filesNotice.keep"
-                text: root.files.trouble === ProjectFiles.Restored ? qsTr("Keep them") : qsTr("OK")
+                text: root.files.trouble === ProjectFiles.Restored ? qsTr("Keep") : qsTr("OK")
                 primary: root.files.trouble === ProjectFiles.Restored
                 visible: root.files.trouble !== ProjectFiles.ChangedOnDisk
                 onClicked: root.files.dismiss()
             }
             PushButton {
                 objectName: "filesNotice.discard"
-                text: qsTr("Throw them away")
+                text: qsTr("Throw away")
                 visible: root.files.trouble === ProjectFiles.Restored
                 onClicked: root.files.discardChanges()
             }

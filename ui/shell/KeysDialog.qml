@@ -18,7 +18,7 @@ ThemedDialog {
 
     objectName: "keysDialog"
     title: qsTr("Keys and mouse")
-    width: 560
+    width: 780
     closePolicy: ThemedDialog.CloseOnEscape | ThemedDialog.CloseOnPressOutside
 
     Grid {
@@ -33,20 +33,20 @@ ThemedDialog {
             property string keys
             property string what
 
-            width: (parent.width - 24) / 2
+            width: (780 - 48 - 24) / 2
             height: 20
             Accessible.role: Accessible.StaticText
             Accessible.name: qsTr("%1: %2").arg(keys).arg(what)
 
             BodyText {
-                width: 110
+                width: 128
                 text: parent.keys
                 color: Theme.muted
                 elide: Text.ElideRight
             }
             BodyText {
-                x: 116
-                width: parent.width - 116
+                x: 136
+                width: parent.width - 136
                 text: parent.what
                 elide: Text.ElideRight
             }

@@ -191,7 +191,7 @@ ApplicationWindow {
             session: root.session
         }
         FilesNotice {
-            anchors { left: parent.left; top: parent.top; leftMargin: 78; topMargin: 16 }
+            anchors { left: parent.left; top: parent.top; leftMargin: 78; topMargin: 62 }
             files: root.session.files
             onSaveAsRequested: dialogs.saveAs()
         }

@@ -205,8 +205,10 @@ private slots:
         bench.editor.finishDraft();
         const Outline* made = bench.editor.shape()->find({OutlineKind::Obstacle, 0, 0});
         QVERIFY(made != nullptr);
+        // Drawn clockwise, kept the other way round.
+        QVERIFY(distance(made->points[0], {40, -30}) < 1e-3);
         QVERIFY(distance(made->points[1], {40, 0}) < 1e-3);
-        QVERIFY(distance(made->points[2], {40, -30}) < 1e-3);
+        QVERIFY(distance(made->points[2], {0, 0}) < 1e-3);
     }
     void theInspectorTypes() {
         Bench bench;

@@ -1,4 +1,5 @@
 #include "planner/plan/method_registry.h"
+#include "planner/project/project_edits.h"
 #include "ui/plan/plan_session.h"
 
 #include <QAbstractItemModelTester>
@@ -36,6 +37,15 @@ QVariant roleOf(const ParameterModel& model, const QString& key, int role) {
 
 QString figure(PlanSession& session, int row) {
     return session.figures()->data(session.figures()->index(row), FiguresModel::ValueRole).toString();
+}
+
+/// One point of the first ring, as it is dragged.
+void moveVertex(PlanSession& session, std::size_t vertex, const QGeoCoordinate& place, bool finished) {
+    const Project& project = *session.document()->project();
+    FieldSource source = *project.field()->source;
+    source.parts.front().outer[vertex] = geoPoint(place);
+    session.document()->change(QStringLiteral("Move"), withSource(project, std::move(source)), QStringLiteral("vertex"),
+                               finished ? Document::Follows::Nothing : Document::Follows::More);
 }
 
 QString twoFields() {
@@ -172,11 +182,11 @@ private slots:
         QTRY_COMPARE(session.state(), PlanSession::State::Ready);
         const double before = session.plan()->field().area().si();
         for (int i = 1; i <= 30; ++i) {
-            session.moveVertex(0, 0, 1, QGeoCoordinate{58.25, 22.507 + i * 1e-4}, false);
+            moveVertex(session, 1, QGeoCoordinate{58.25, 22.507 + i * 1e-4}, false);
             QCoreApplication::processEvents();
         }
         const QGeoCoordinate last{58.25, 22.511};
-        session.moveVertex(0, 0, 1, last, true);
+        moveVertex(session, 1, last, true);
         QTRY_VERIFY(session.plan()->field().area().si() > before * 1.2);
         const std::vector<WorldPoint>& ring = session.drawing().geometry()->rings.front().points;
         QVERIFY(std::ranges::any_of(ring, [&](WorldPoint p) { return coordinate(p).distanceTo(last) < 0.01; }));
@@ -190,8 +200,8 @@ private slots:
         QVERIFY(!session.hasPlan());
         QVERIFY2(!session.drawing().isEmpty(), "the boundary is still drawn");
         // Put right by dragging a vertex.
-        session.moveVertex(0, 0, 1, {58.25, 22.5075}, false);
-        session.moveVertex(0, 0, 2, {58.2535, 22.507}, true);
+        moveVertex(session, 1, {58.25, 22.5075}, false);
+        moveVertex(session, 2, {58.2535, 22.507}, true);
         QTRY_COMPARE(session.state(), PlanSession::State::Ready);
     }
     void aFileWithSeveralFieldsAsks() {
@@ -205,6 +215,76 @@ private slots:
         QCOMPARE(session.fieldName(), QStringLiteral("South"));
         session.open(written(folder, QStringLiteral("two.geojson"), twoFields()), QStringLiteral("a"));
         QTRY_COMPARE(session.fieldName(), QStringLiteral("North"));
+    }
+    void allOfThemCanBeOpened() {
+        const QTemporaryDir folder;
+        PlanSession session;
+        session.open(written(folder, QStringLiteral("two.geojson"), twoFields()));
+        QTRY_COMPARE(session.state(), PlanSession::State::Choosing);
+        session.chooseAll();
+        QTRY_COMPARE(session.state(), PlanSession::State::Ready);
+        QCOMPARE(session.farm()->fields().size(), 2);
+        QCOMPARE(session.fieldName(), QStringLiteral("North"));
+        QSignalSpy opened{&session, &PlanSession::fieldOpened};
+        session.farm()->setCurrentField(1);
+        QCOMPARE(session.fieldName(), QStringLiteral("South"));
+        QTRY_COMPARE(opened.count(), 1);
+        session.document()->undo();
+        QVERIFY(!session.hasField());
+    }
+    void severalFilesAreOpenedAtOnce() {
+        const QTemporaryDir folder;
+        PlanSession session;
+        Project farm = withFields(Project::empty(), {FieldSource{.id = "1", .name = "Barn", .origin = {},
+            .parts = {{.outer = {{22.5, 58.25}, {22.507, 58.25}, {22.507, 58.2535}}, .holes = {}}},
+            .obstacles = {}, .gates = {}, .boundaryAccuracy = {}, .repairs = {}}});
+        const QString project = folder.filePath(QStringLiteral("farm.furrow"));
+        QVERIFY(writeProject(farm, project.toStdU16String()).has_value());
+        const QUrl boundaries = QUrl::fromLocalFile(written(folder, QStringLiteral("two.geojson"), twoFields()));
+        QVERIFY(session.isProjectFile(QUrl::fromLocalFile(project)));
+        QVERIFY(!session.isProjectFile(boundaries));
+        session.openUrls({boundaries, QUrl::fromLocalFile(project)});
+        QTRY_COMPARE(session.farm()->fields().size(), 3);
+        QTRY_COMPARE(session.state(), PlanSession::State::Ready);
+        QCOMPARE(session.files()->name(), QStringLiteral("farm"));
+        QCOMPARE(session.recent()->count(), 1);
+        QVERIFY2(session.document()->isModified(), "the boundaries are not in the file yet");
+        QVERIFY(session.farm()->fields().front().startsWith(QStringLiteral("Barn")));
+    }
+    void eachPlanHasItsMachine() {
+        PlanSession session;
+        session.setBoundary(rectangle());
+        QTRY_COMPARE(session.state(), PlanSession::State::Ready);
+        session.farm()->addPlan(QStringLiteral("Harvest"));
+        session.machine()->setLibraryIndex(4);
+        QTRY_COMPARE(session.plan()->request.machine.name(), session.machine()->library().at(4).toStdString());
+        session.farm()->renamePlan(QStringLiteral("Oats"), QStringLiteral("2027"));
+        QCOMPARE(session.farm()->plans().at(1), QStringLiteral("Oats · 2027"));
+        session.farm()->setCurrentPlan(0);
+        QCOMPARE(session.machine()->libraryIndex(), 0);
+        QTRY_COMPARE(session.plan()->request.machine.name(), session.machine()->library().at(0).toStdString());
+        session.farm()->removePlan();
+        QCOMPARE(session.farm()->plans().size(), 1);
+        QCOMPARE(session.machine()->libraryIndex(), 4);
+    }
+    void recentFilesAreKept() {
+        const QTemporaryDir folder;
+        const QString list = folder.filePath(QStringLiteral("recent.json"));
+        {
+            RecentFiles recent;
+            QAbstractItemModelTester tester{&recent};
+            recent.keepIn(list);
+            for (int i = 0; i < 12; ++i) {
+                recent.add(written(folder, QStringLiteral("%1.furrow").arg(i), QStringLiteral("x")), Project::empty());
+            }
+            recent.add(folder.filePath(QStringLiteral("5.furrow")), Project::empty());
+            QCOMPARE(recent.count(), 10);
+        }
+        QVERIFY(QFile::remove(folder.filePath(QStringLiteral("11.furrow"))));
+        RecentFiles recent;
+        recent.keepIn(list);
+        QCOMPARE(recent.count(), 9);
+        QCOMPARE(recent.data(recent.index(0), RecentFiles::NameRole).toString(), QStringLiteral("5"));
     }
     void anUnreadableFileIsTold() {
         PlanSession session;

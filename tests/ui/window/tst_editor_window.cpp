@@ -2,10 +2,13 @@
 #include "tests/ui/window/window_test.h"
 #include "ui/edit/inspector.h"
 
+#include <QElapsedTimer>
 #include <QSignalSpy>
 #include <QTemporaryDir>
 
+#include <algorithm>
 #include <cmath>
+#include <vector>
 
 using namespace furrow;
 using namespace furrow::test;
@@ -200,6 +203,36 @@ private slots:
         QVERIFY(!session_->document()->isDragging());
         QCOMPARE(session_->document()->history().steps.size(), std::size_t{1});
     }
+    /// Prints how evenly frames come while a corner of a 64 ha field is dragged; how fast is not for a test.
+    void draggingACornerKeepsDrawing() {
+        session_->machine()->setNumber(0, 12.0);
+        session_->setBoundary({{58.25, 22.5}, {58.25, 22.5136}, {58.2572, 22.5136}, {58.2572, 22.5}});
+        QTRY_COMPARE_WITH_TIMEOUT(session_->state(), PlanSession::State::Ready, 30000);
+        QTRY_VERIFY(session_->hasPlan());
+        const QPoint from = cornerOnMap(1);
+        QSignalSpy plans{session_.get(), &PlanSession::planChanged};
+        QTest::mouseMove(window_, from);
+        QTest::mousePress(window_, Qt::LeftButton, {}, from);
+        QElapsedTimer clock;
+        clock.start();
+        std::vector<double> handled;
+        for (int i = 0; i < 60; ++i) {
+            QElapsedTimer turn;
+            turn.start();
+            QTest::mouseMove(window_, from + QPoint{-i, -i / 2});
+            handled.push_back(static_cast<double>(turn.nsecsElapsed()) / 1e6);
+            // The first few are within what is no drag yet, and draw nothing.
+            QSignalSpy frame{window_, &QQuickWindow::frameSwapped};
+            frame.wait(50);
+        }
+        const double elapsed = static_cast<double>(clock.elapsed());
+        QTest::mouseRelease(window_, Qt::LeftButton, {}, from + QPoint{-59, -29});
+        std::ranges::sort(handled);
+        qInfo("60 moves in %.0f ms, %lld plans; a move took the window %.1f ms, at most %.1f ms", elapsed,
+              static_cast<long long>(plans.count()), handled[handled.size() / 2], handled.back());
+        QTRY_COMPARE_WITH_TIMEOUT(session_->plan()->field().source().parts == source().parts, true, 30000);
+        QCOMPARE(session_->document()->history().steps.size(), std::size_t{3});
+    }
     void aSwathIsInspected() {
         DRAW_FIELD();
         const Swath& swath = session_->plan()->swaths.swaths[session_->plan()->swaths.swaths.size() / 2];
@@ -213,6 +246,7 @@ private slots:
         click(QStringLiteral("bar.Edit"));
         QTRY_VERIFY(shows(QStringLiteral("command.undo.item")));
         QTRY_VERIFY(item(QStringLiteral("command.undo.item"))->property("text").toString().contains(QStringLiteral("Add field")));
+        QTRY_COMPARE(item(QStringLiteral("command.undo.item"))->parentItem()->parentItem()->parentItem()->opacity(), 1.0);
         picture(QStringLiteral("menu"));
         click(QStringLiteral("command.undo.item"));
         QTRY_VERIFY(!session_->hasField());
