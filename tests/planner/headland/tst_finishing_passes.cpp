@@ -3,6 +3,7 @@
 #include "planner/geometry/geos_bridge.h"
 #include "planner/headland/finishing_passes.h"
 #include "planner/machine/machine_library.h"
+#include "planner/turns/turn_sampling.h"
 #include "tests/planner/turns/turn_check.h"
 #include "tests/support/field_generator.h"
 #include "tests/support/result_check.h"

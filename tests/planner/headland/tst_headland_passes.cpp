@@ -247,7 +247,8 @@ private slots:
             const PreparedArea inside{field};
             for (int pass = 0; pass < 2; ++pass) {
                 const auto tracks = passTracks(
-                    field, 0.5 * driven.workingFootprintWidth() + pass * driven.operatingWidth(), field, driven, {}, {});
+                    field, 0.5 * driven.workingFootprintWidth() + pass * driven.operatingWidth(), field, driven,
+                    RoundTheField::CounterClockwise, {}, {});
                 VERIFY_RESULT(tracks);
                 for (const Turn& line : tracks->lines) {
                     const QString said = QStringLiteral("seed %1, field %2, pass %3").arg(kSeed).arg(i).arg(pass);
