@@ -59,14 +59,22 @@ private:
     void setTheme(int mode) { engine_->singletonInstance<QObject*>("Furrow.Controls", "Theme")->setProperty("forced", mode); }
     StickExport& stick() const { return *session_->exporter()->stick(); }
     void openOn(const QTemporaryDir& folder) {
+        plugIn(folder.path());
         click("empty.sample.0");
         QTRY_COMPARE_WITH_TIMEOUT(session_->state(), PlanSession::State::Ready, 20000);
         click("exportButton");
         click("export.onStick");
         QTRY_VERIFY(shown("stick.terminal"));
-        // In the place of the system's own dialog.
-        stick().addFolder(QUrl::fromLocalFile(folder.path()));
         QTRY_VERIFY(shown("stick.row.0"));
+    }
+    /// A folder that is listed like a stick, as long as it is there.
+    void plugIn(const QString& path) const {
+        stick().setLister([path]() -> std::vector<StickExport::Stick> {
+            if (!QFile::exists(path)) {
+                return {};
+            }
+            return {{path, QStringLiteral("FIELDS"), QStringLiteral("%1 · FAT32 · 14.9 GB free of 15.6 GB").arg(path)}};
+        });
     }
     static QByteArray contentsOf(const QString& path) {
         QFile file{path};
@@ -116,6 +124,24 @@ private slots:
         QVERIFY(contentsOf(folder.filePath(QStringLiteral("TASKDATA/TASKDATA.XML"))).contains("<PFD"));
         click("export.close");
         QTRY_VERIFY(!shown("stick.message"));
+    }
+
+    void aFolderTakesThePlaceOfAStick() {
+        const QTemporaryDir stickFolder;
+        const QTemporaryDir folder;
+        openOn(stickFolder);
+        // In the place of the system's own dialog.
+        stick().addFolder(QUrl::fromLocalFile(folder.path()));
+        QTRY_VERIFY(shown("stick.row.1"));
+        click("stick.row.0");
+        QTRY_COMPARE(stick().current(), 0);
+        click("stick.row.1");
+        QTRY_COMPARE(stick().current(), 1);
+        QTRY_VERIFY(stick().warnings().isEmpty());
+        click("export.write");
+        QTRY_COMPARE(stick().state(), StickExport::State::Done);
+        QVERIFY(item("stick.message")->property("text").toString().startsWith(QStringLiteral("Written")));
+        QVERIFY(!QDir{folder.path()}.isEmpty() && QDir{stickFolder.path()}.isEmpty());
     }
 
     void theTerminalDecidesTheFiles() {
