@@ -65,6 +65,19 @@ private slots:
         QCOMPARE(answer.error.count('\n'), 1);
     }
 
+    void headlandPassesAsLines() {
+        const QTemporaryDir folder;
+        const auto linesWith = [&folder](const QStringList& options) {
+            const Answer answer = furrowCli(
+                QStringList{"plan", sampleField("bend"), "--out", folder.path(), "--format", "isoxml", "--quiet"} + options);
+            return answer.status > 1 ? -1 : contentsOf(folder.filePath("TASKDATA/TASKDATA.XML")).count("<GPN ");
+        };
+        const auto plain = linesWith({});
+        QVERIFY(plain >= 1);
+        QVERIFY(linesWith({"--headland-lines"}) > plain);
+        QVERIFY(contentsOf(folder.filePath("TASKDATA/TASKDATA.XML")).contains("B=\"Headland 1\""));
+    }
+
     void formatsAreOneList() {
         const QJsonArray formats = furrowCli({"list", "formats", "--json"}).json()["formats"].toArray();
         QSet<QString> ids;
@@ -95,7 +108,7 @@ private slots:
         const Answer answer = furrowCli({"plan", sampleField("bend"), "--out", folder.path(), "--terminal", "trimble"});
         QVERIFY2(answer.status == 0 || answer.status == 1, answer.all().constData());
         QVERIFY(answer.out.contains("Shows the boundary and the guidance lines"));
-        QVERIFY(QFile::exists(folder.filePath("AgGPS/Data/Furrow/Farm/Bend/Swaths.shp")));
+        QVERIFY(QFile::exists(folder.filePath("AgGPS/Data/Furrow/Farm/The Bend/Swaths.shp")));
         QVERIFY(!QFile::exists(folder.filePath("path.csv")));
         const Answer unknown = furrowCli({"plan", sampleField("bend"), "--out", folder.path(), "--terminal", "trimbel"});
         QCOMPARE(unknown.status, 2);

@@ -314,9 +314,11 @@ void StickExport::clear() {
 }
 
 void StickExport::setState(State state, const QString& message, const QString& remedy) {
+    // The planner's errors are sentences without their beginning and end.
+    const auto begun = [](const QString& text) { return text.isEmpty() ? text : text.front().toUpper() + text.sliced(1); };
     state_ = state;
-    message_ = message;
-    remedy_ = remedy;
+    message_ = begun(message);
+    remedy_ = begun(remedy);
     emit stateChanged();
 }
 

@@ -86,7 +86,8 @@ T.Popup {
             clip: true
             contentHeight: page.implicitHeight
             boundsBehavior: Flickable.StopAtBounds
-            interactive: contentHeight > height
+            // Fractions of a pixel are nothing to scroll for.
+            interactive: contentHeight > height + 1
 
             T.ScrollBar.vertical: T.ScrollBar {
                 id: bar

@@ -7,6 +7,7 @@
 #include <QQmlApplicationEngine>
 #include <QQuickItem>
 #include <QQuickWindow>
+#include <QSettings>
 #include <QStandardPaths>
 #include <QTemporaryDir>
 #include <QTest>
@@ -88,6 +89,8 @@ private slots:
         prepareWindow();
     }
     void init() {
+        // The terminal of an earlier run would be remembered.
+        QSettings{}.remove(QStringLiteral("export/terminal"));
         session_ = std::make_unique<PlanSession>();
         engine_ = std::make_unique<QQmlApplicationEngine>();
         engine_->setInitialProperties({{QStringLiteral("session"), QVariant::fromValue(session_.get())}});
