@@ -1,7 +1,7 @@
 #pragma once
 
 #include "planner/plan/plan.h"
-#include "ui/plan/job_runner.h"
+#include "ui/jobs/job_runner.h"
 
 #include <QAbstractListModel>
 #include <QStringList>
