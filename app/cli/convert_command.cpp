@@ -1,6 +1,7 @@
 #include "app/cli/convert_command.h"
 
 #include "app/cli/exit_status.h"
+#include "app/cli/export_arguments.h"
 #include "app/cli/terminal.h"
 #include "planner/io/boundary_import.h"
 #include "planner/io/field_files.h"
@@ -27,8 +28,7 @@ struct ConvertArguments {
     std::string out;
     std::optional<std::string> format;
     std::optional<std::string> fieldId;
-    bool holesAsObstacles = false;
-    bool asciiNames = false;
+    ExportOptions options;
     bool json = false;
 };
 
@@ -96,9 +96,7 @@ int runConvert(const ConvertArguments& arguments) {
     if (!fields) {
         return failWith(fields.error());
     }
-    const auto written = writeFields(
-        *fields, arguments.out, arguments.format,
-        {.holesAsObstacles = arguments.holesAsObstacles, .asciiNames = arguments.asciiNames}, job);
+    const auto written = writeFields(*fields, arguments.out, arguments.format, arguments.options, job);
     if (!written) {
         return failWith(written.error());
     }
@@ -143,9 +141,7 @@ void addConvertCommand(CLI::App& app, std::function<int()>& run) {
     convert->add_option("OUT", arguments->out, "A file whose name says the format, or a folder")->required();
     convert->add_option("--format", arguments->format, "The format, where the name of OUT does not say it");
     convert->add_option("--field-id", arguments->fieldId, "One field: its id, its name, or its number from 1");
-    convert->add_flag("--holes-as-obstacles", arguments->holesAsObstacles,
-                      "ISOXML: holes as areas of their own, for terminals that overlook inner rings");
-    convert->add_flag("--ascii-names", arguments->asciiNames, "ISOXML and AgOpenGPS: names in plain letters");
+    addExportOptions(*convert, arguments->options, false);
     convert->add_flag("--json", arguments->json, "Print one JSON object and nothing else");
     convert->footer(
         "Examples:\n"

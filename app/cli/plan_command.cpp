@@ -1,6 +1,7 @@
 #include "app/cli/plan_command.h"
 
 #include "app/cli/exit_status.h"
+#include "app/cli/export_arguments.h"
 #include "app/cli/planning_arguments.h"
 #include "app/cli/terminal.h"
 #include "planner/io/boundary_import.h"
@@ -28,6 +29,7 @@ struct PlanArguments {
     std::string field;
     std::optional<std::string> fieldId;
     std::optional<std::string> terminal;
+    ExportOptions options;
     PlanningArguments planning;
 };
 
@@ -143,7 +145,7 @@ int runPlan(const PlanArguments& arguments) {
         return failWith(plan.error());
     }
     const auto written = terminal != nullptr ? writeForTerminal(**plan, planning.out, *terminal, job)
-                                             : writePlanFolder(**plan, planning.out, choices->formats, job);
+                                             : writePlanFolder(**plan, planning.out, choices->formats, job, arguments.options);
     if (!written) {
         return failWith(written.error());
     }
@@ -168,6 +170,7 @@ void addPlanCommand(CLI::App& app, std::function<int()>& run) {
     plan->add_option("--terminal", arguments->terminal,
                      "Write what this terminal takes, as it lies on its stick (see furrow-cli list terminals)")
         ->excludes("--format");
+    addExportOptions(*plan, arguments->options, true);
     plan->footer(
         "Examples:\n"
         "  furrow-cli plan field.geojson --out plan\n"

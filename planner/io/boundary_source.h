@@ -11,7 +11,7 @@ namespace furrow {
 
 /// What a remedy says where a file holds no boundary.
 inline constexpr std::string_view kBoundaryFormats =
-    "give GeoJSON, a shapefile (.shp or .zip), KML, KMZ, GeoPackage, GML, FlatGeobuf, WKT or CSV";
+    "give GeoJSON, a shapefile (.shp or .zip), TASKDATA.XML, KML, KMZ, GeoPackage, GML, FlatGeobuf, DXF, WKT or CSV";
 
 /// One file to read boundaries from: loose, or inside a zip.
 struct BoundarySource {

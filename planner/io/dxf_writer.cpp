@@ -118,8 +118,7 @@ Result<void> draw(Drawing& drawing, const ExportJob& job) {
         return good;
     }
     for (const RouteStep& step : job.plan->route.steps) {
-        const Point ends[] = {startPose(step, job.plan->swaths).position, endPose(step, job.plan->swaths).position};
-        line("SWATH", job.plan->field().frame().toGeo(ends), false);
+        line("SWATH", swathLine(*job.plan, step), false);
     }
     for (std::size_t i = 0; i < job.plan->path.segments.size(); ++i) {
         line("PATH", pathLine(*job.plan, i), false);

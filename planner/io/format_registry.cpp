@@ -18,7 +18,7 @@ constexpr FormatInfo kFormats[] = {
     {"geojson", "GeoJSON", "geojson json", true,
      "Boundary, obstacles, gates, headland, swaths, path and findings; for maps and programs.", writeGeoJson, true},
     {"csv", "CSV table", "csv", true,
-     "Every sample of the path; of fields alone, and in reading, boundaries as WKT or as points.", writeCsv, true},
+     "Every sample of the path; without a plan boundaries as WKT, or as points.", writeCsv, true},
     {"isoxml", "ISOXML 4.3", "xml zip", true,
      "Boundary, holes, obstacles, gates, headland and guidance lines for terminals; no driving order.", writeIsoxml4,
      true},

@@ -36,12 +36,9 @@ void addRoute(pugi::xml_node gpx, const Plan& plan) {
     pugi::xml_node route = gpx.append_child("rte");
     addName(route, "Swaths");
     for (std::size_t order = 0; order < plan.route.steps.size(); ++order) {
-        const RouteStep& step = plan.route.steps[order];
-        const LocalFrame& frame = plan.field().frame();
-        addName(addPoint(route, "rtept", frame.toGeo(startPose(step, plan.swaths).position)),
-                std::format("{} A", order + 1));
-        addName(addPoint(route, "rtept", frame.toGeo(endPose(step, plan.swaths).position)),
-                std::format("{} B", order + 1));
+        const GeoRing line = swathLine(plan, plan.route.steps[order]);
+        addName(addPoint(route, "rtept", line.front()), std::format("{} A", order + 1));
+        addName(addPoint(route, "rtept", line.back()), std::format("{} B", order + 1));
     }
 }
 

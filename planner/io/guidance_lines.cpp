@@ -162,7 +162,8 @@ GuidanceLine lineFor(const Swath& swath, const Plan& plan, std::size_t number) {
 
 std::vector<GuidanceLine> guidanceLines(const Plan& plan) {
     std::vector<GuidanceLine> lines;
-    for (const auto& guides : {straightGuides(plan.swaths), curvedGuides(plan.swaths)}) {
+    // Curves before what has become straight beside them.
+    for (const auto& guides : {curvedGuides(plan.swaths), straightGuides(plan.swaths)}) {
         for (std::size_t i = 0; i < guides.size(); ++i) {
             lines.push_back(lineFor(*guides[i], plan, i + 1));
         }

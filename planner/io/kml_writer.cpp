@@ -175,11 +175,10 @@ void addPlan(KmlText& kml, const Plan& plan) {
     kml.folder("Swaths");
     for (std::size_t order = 0; order < plan.route.steps.size(); ++order) {
         const RouteStep& step = plan.route.steps[order];
-        const Point line[] = {startPose(step, plan.swaths).position, endPose(step, plan.swaths).position};
         pugi::xml_node mark = kml.placemark(std::format("Swath {}", order + 1), "line", "swath");
         kml.data("number", std::format("{}", plan.swaths.swaths[step.swath].number));
         kml.data("width_m", std::format("{}", plan.swaths.swaths[step.swath].width.si()));
-        KmlText::line(mark, plan.field().frame().toGeo(line));
+        KmlText::line(mark, swathLine(plan, step));
     }
     kml.folder("Path");
     for (std::size_t i = 0; i < plan.path.segments.size(); ++i) {

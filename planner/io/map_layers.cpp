@@ -85,8 +85,7 @@ VectorLayer swathLayer(const Plan& plan) {
     for (std::size_t order = 0; order < plan.route.steps.size(); ++order) {
         const RouteStep& step = plan.route.steps[order];
         const Swath& swath = plan.swaths.swaths[step.swath];
-        const Point line[] = {startPose(step, plan.swaths).position, endPose(step, plan.swaths).position};
-        layer.features.push_back({.line = plan.field().frame().toGeo(line),
+        layer.features.push_back({.line = swathLine(plan, step),
                                   .values = {"swath", std::int64_t{swath.number},
                                              static_cast<std::int64_t>(order), swath.width.si()}});
     }
@@ -116,6 +115,10 @@ VectorLayer pathLayer(const Plan& plan) {
 }
 
 }  // namespace
+
+GeoRing swathLine(const Plan& plan, const RouteStep& step) {
+    return plan.field().frame().toGeo(drivenMiddle(step, plan.swaths));
+}
 
 GeoRing pathLine(const Plan& plan, std::size_t segment) {
     Polyline line;

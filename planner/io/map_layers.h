@@ -2,6 +2,7 @@
 
 #include "planner/io/export_job.h"
 #include "planner/io/gdal_writer.h"
+#include "planner/route/route.h"
 
 #include <vector>
 
@@ -11,6 +12,9 @@ namespace furrow {
 /// guidance (without), and path. Each row says in the column `kind` what it is, in the words of plan.geojson, so
 /// that it is read back as that. Layers without rows are left out.
 std::vector<VectorLayer> mapLayers(const ExportJob& job);
+
+/// A swath in WGS84 as it is driven.
+GeoRing swathLine(const Plan& plan, const RouteStep& step);
 
 /// Of a plan's path: the points of a segment in WGS84.
 GeoRing pathLine(const Plan& plan, std::size_t segment);

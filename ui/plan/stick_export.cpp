@@ -35,11 +35,14 @@ const std::vector<const Terminal*>& stickTerminals() {
     return all;
 }
 
+/// Where desktops mount what is plugged in; folders of the system's own disk that are mounted there are none.
 bool isStick(const QStorageInfo& volume) {
     static const QStringList places{QStringLiteral("/media/"), QStringLiteral("/run/media/"), QStringLiteral("/mnt/"),
                                     QStringLiteral("/Volumes/")};
-    return volume.isValid() && volume.isReady() && !volume.isRoot() && std::ranges::any_of(places, [&volume](const QString& place) {
-               return (volume.rootPath() + u'/').startsWith(place);
+    const bool ready = volume.isValid() && volume.isReady() && !volume.isRoot();
+    const bool disk = volume.device().startsWith("/dev/") && volume.device() != QStorageInfo::root().device();
+    return ready && disk && std::ranges::any_of(places, [&volume](const QString& place) {
+               return volume.rootPath().startsWith(place);
            });
 }
 
@@ -53,12 +56,24 @@ QString fileSystemName(const QByteArray& type) {
                                                         : QString::fromLatin1(type);
 }
 
-QString detailOf(const QStorageInfo& volume) {
+QString detailOf(const QString& place, const QStorageInfo& volume) {
     const QLocale locale;
     return QStringLiteral("%1 · %2 · %3").arg(
-        volume.rootPath(), fileSystemName(volume.fileSystemType()),
+        place, fileSystemName(volume.fileSystemType()),
         StickExport::tr("%1 free of %2").arg(locale.formattedDataSize(volume.bytesAvailable(), 1, QLocale::DataSizeSIFormat),
                                              locale.formattedDataSize(volume.bytesTotal(), 1, QLocale::DataSizeSIFormat)));
+}
+
+std::vector<StickExport::Stick> pluggedIn() {
+    std::vector<StickExport::Stick> all;
+    for (const QStorageInfo& volume : QStorageInfo::mountedVolumes()) {
+        if (isStick(volume)) {
+            const QString label = volume.displayName();
+            all.push_back({volume.rootPath(), label.startsWith(u'/') ? QDir{label}.dirName() : label,
+                           detailOf(volume.rootPath(), volume)});
+        }
+    }
+    return all;
 }
 
 QString joined(const std::vector<std::filesystem::path>& paths) {
@@ -71,7 +86,7 @@ QString joined(const std::vector<std::filesystem::path>& paths) {
 
 }  // namespace
 
-StickExport::StickExport(QObject* parent) : QAbstractListModel{parent} {
+StickExport::StickExport(QObject* parent) : QAbstractListModel{parent}, lister_{pluggedIn} {
     timer_.setInterval(kLookEveryMs);
     connect(&timer_, &QTimer::timeout, this, &StickExport::refresh);
     connect(&runner_, &JobRunner::progressChanged, this, &StickExport::progressChanged);
@@ -162,16 +177,10 @@ QHash<int, QByteArray> StickExport::roleNames() const {
 }
 
 std::vector<StickExport::Stick> StickExport::found() const {
-    std::vector<Stick> all;
-    for (const QStorageInfo& volume : QStorageInfo::mountedVolumes()) {
-        if (isStick(volume)) {
-            const QString label = volume.displayName();
-            all.push_back({volume.rootPath(), label.startsWith(u'/') ? QDir{label}.dirName() : label, detailOf(volume)});
-        }
-    }
+    std::vector<Stick> all = lister_();
     for (const QString& folder : folders_) {
         if (QFileInfo{folder}.isDir()) {
-            all.push_back({folder, QDir{folder}.dirName(), detailOf(QStorageInfo{folder}).replace(QStorageInfo{folder}.rootPath() + u' ', folder + u' ')});
+            all.push_back({folder, QDir{folder}.dirName(), detailOf(folder, QStorageInfo{folder}), true});
         }
     }
     return all;
@@ -182,7 +191,7 @@ void StickExport::refresh() {
     if (now == sticks_) {
         return;
     }
-    const QString chosen = current_ < 0 ? QString{} : sticks_[static_cast<std::size_t>(current_)].root;
+    const QString before = current_ < 0 ? QString{} : chosen().root;
     const auto rootsOf = [](const std::vector<Stick>& sticks) {
         QStringList roots;
         for (const Stick& stick : sticks) {
@@ -197,7 +206,7 @@ void StickExport::refresh() {
     }
     beginResetModel();
     sticks_ = std::move(now);
-    const auto again = std::ranges::find(sticks_, chosen, &Stick::root);
+    const auto again = std::ranges::find(sticks_, before, &Stick::root);
     current_ = again != sticks_.end() ? static_cast<int>(again - sticks_.begin()) : sticks_.size() == 1 ? 0 : -1;
     endResetModel();
     emit countChanged();
@@ -229,12 +238,14 @@ void StickExport::examine() {
     if (!plan_ || current_ < 0 || state_ == State::Writing) {
         return;
     }
-    const std::filesystem::path root{sticks_[static_cast<std::size_t>(current_)].root.toStdU16String()};
+    const std::filesystem::path root{chosen().root.toStdU16String()};
     const Terminal* terminal = stickTerminals()[static_cast<std::size_t>(terminal_)];
-    runner_.submit([this, plan = plan_, root, terminal](const JobContext& job) -> JobRunner::Delivery {
+    // A folder is not what the terminal will read.
+    const bool isFolder = chosen().isFolder;
+    runner_.submit([this, plan = plan_, root, terminal, isFolder](const JobContext& job) -> JobRunner::Delivery {
         const auto stick = openStick(root);
         QStringList warnings;
-        if (const auto info = stick->info()) {
+        if (const auto info = stick->info(); info && !isFolder) {
             for (const std::string& warning : stickWarnings(*info)) {
                 warnings << fromStd(warning);
             }
@@ -253,16 +264,17 @@ void StickExport::write(bool replace) {
     if (!plan_ || current_ < 0 || state_ == State::Writing) {
         return;
     }
-    const std::filesystem::path root{sticks_[static_cast<std::size_t>(current_)].root.toStdU16String()};
+    const std::filesystem::path root{chosen().root.toStdU16String()};
+    const bool isFolder = chosen().isFolder;
     const Terminal* terminal = stickTerminals()[static_cast<std::size_t>(terminal_)];
     setState(State::Writing, tr("Writing …"));
-    runner_.submit([this, plan = plan_, root, terminal, replace](const JobContext& job) -> JobRunner::Delivery {
+    runner_.submit([this, plan = plan_, root, terminal, isFolder, replace](const JobContext& job) -> JobRunner::Delivery {
         const std::vector<FieldContent> meant{contentOf(*plan, terminal->options)};
         const auto stick = openStick(root);
         auto report = terminalFiles(*terminal, *plan, job).and_then([&](const FormatFiles& files) {
             return writeToStick(*stick, files, meant, replace, job);
         });
-        return [this, report = std::move(report)] {
+        return [this, isFolder, report = std::move(report)] {
             if (!report) {
                 const Error& error = report.error();
                 setState(error.code == ErrorCode::Cancelled ? State::Idle : State::Failed, fromStd(error.what), fromStd(error.remedy));
@@ -280,9 +292,9 @@ void StickExport::write(bool replace) {
             if (!report->backups.empty()) {
                 notes_ << tr("What was there before is kept as %1.").arg(joined(report->backups));
             }
-            setState(State::Done, report->contentCompared
-                                      ? tr("Safe to unplug: every byte was read back, and the plan read from the stick is this plan.")
-                                      : tr("Safe to unplug: every byte was read back and is as written."));
+            const QString checked = report->contentCompared ? tr("every byte was read back, and the plan read from there is this plan.")
+                                                            : tr("every byte was read back and is as written.");
+            setState(State::Done, (isFolder ? tr("Written: %1") : tr("Safe to unplug: %1")).arg(checked));
         };
     });
 }
@@ -302,9 +314,11 @@ void StickExport::clear() {
 }
 
 void StickExport::setState(State state, const QString& message, const QString& remedy) {
+    // The planner's errors are sentences without their beginning and end.
+    const auto begun = [](const QString& text) { return text.isEmpty() ? text : text.front().toUpper() + text.sliced(1); };
     state_ = state;
-    message_ = message;
-    remedy_ = remedy;
+    message_ = begun(message);
+    remedy_ = begun(remedy);
     emit stateChanged();
 }
 

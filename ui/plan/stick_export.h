@@ -9,6 +9,7 @@
 #include <QUrl>
 #include <QtQml/qqmlregistration.h>
 
+#include <functional>
 #include <vector>
 
 namespace furrow {
@@ -42,8 +43,21 @@ public:
     Q_ENUM(State)
     enum Role { NameRole = Qt::UserRole + 1, DetailRole };
 
+    struct Stick {
+        QString root;
+        QString name;
+        QString detail;          ///< place, file system, room
+        bool isFolder = false;  ///< chosen in the place of a stick
+
+        friend bool operator==(const Stick&, const Stick&) = default;
+    };
+    /// Which sticks are plugged in.
+    using Lister = std::function<std::vector<Stick>()>;
+
     explicit StickExport(QObject* parent = nullptr);
 
+    /// In the place of what the system has mounted.
+    void setLister(Lister lister) { lister_ = std::move(lister); }
     /// What is to be written; null for nothing.
     void setPlan(std::shared_ptr<const Plan> plan);
 
@@ -88,14 +102,8 @@ signals:
     void progressChanged();
 
 private:
-    struct Stick {
-        QString root;
-        QString name;
-        QString detail;
-
-        friend bool operator==(const Stick&, const Stick&) = default;
-    };
     std::vector<Stick> found() const;
+    const Stick& chosen() const { return sticks_[static_cast<std::size_t>(current_)]; }
     void refresh();
     /// What stands in the way, worked out in the background.
     void examine();
@@ -104,6 +112,7 @@ private:
     std::shared_ptr<const Plan> plan_;
     std::vector<Stick> sticks_;
     QStringList folders_;
+    Lister lister_;
     QTimer timer_;
     int terminal_ = 0;
     int current_ = -1;

@@ -18,7 +18,7 @@ T.Popup {
     modal: true
     focus: true
     width: 520
-    height: Math.min(content.implicitHeight + 2 * padding, parent ? parent.height - 32 : 800)
+    height: Math.min(head.implicitHeight + page.implicitHeight + buttons.implicitHeight + 28 + 2 * padding, parent ? parent.height - 32 : 800)
     padding: 24
     closePolicy: writing ? T.Popup.NoAutoClose : T.Popup.CloseOnEscape | T.Popup.CloseOnPressOutside
     onAboutToShow: {
@@ -40,14 +40,9 @@ T.Popup {
         border.width: Theme.hairline
         border.color: Theme.line
     }
-    contentItem: Flickable {
-        clip: true
-        contentHeight: content.implicitHeight
-        boundsBehavior: Flickable.StopAtBounds
-        interactive: contentHeight > height
-
+    contentItem: Item {
         Column {
-            id: content
+            id: head
 
             width: parent.width
             spacing: 14
@@ -81,42 +76,76 @@ T.Popup {
                 visible: root.session.findings.blockingCount > 0
                 text: qsTr("%n place(s) in this plan cannot be driven as drawn. The files say so too.", "", root.session.findings.blockingCount)
             }
-            ExportStickPage {
-                id: stickPage
+        }
+        // What does not fit a small window scrolls; the buttons stay.
+        Flickable {
+            id: scroller
 
-                width: parent.width
-                visible: onStick.checked
-                stick: root.stick
-            }
-            ExportFolderPage {
-                id: folderPage
+            // The bar has its place in the padding, so that the page keeps its width.
+            anchors { left: parent.left; right: parent.right; rightMargin: -16; top: head.bottom; bottom: buttons.top; topMargin: 14; bottomMargin: 14 }
+            clip: true
+            contentHeight: page.implicitHeight
+            boundsBehavior: Flickable.StopAtBounds
+            // Fractions of a pixel are nothing to scroll for.
+            interactive: contentHeight > height + 1
 
-                width: parent.width
-                visible: inFolder.checked
-                exporter: root.exporter
-                roomForFormats: Math.max(160, (root.parent ? root.parent.height : 800) - 430)
-            }
-            Row {
-                anchors.right: parent.right
-                spacing: 8
+            T.ScrollBar.vertical: T.ScrollBar {
+                id: bar
 
-                PushButton {
-                    objectName: "export.close"
-                    text: root.done ? qsTr("Close") : qsTr("Cancel")
-                    onClicked: {
-                        if (root.stick.state === StickExport.Writing)
-                            root.stick.cancel();
-                        else
-                            root.close();
-                    }
+                policy: scroller.interactive ? T.ScrollBar.AlwaysOn : T.ScrollBar.AlwaysOff
+                implicitWidth: 8
+                contentItem: Rectangle {
+                    radius: 4
+                    color: bar.pressed ? Theme.muted : Theme.line
                 }
-                PushButton {
-                    objectName: "export.write"
-                    primary: true
-                    enabled: onStick.checked ? stickPage.canWrite : folderPage.canWrite
-                    text: root.writing ? qsTr("Writing …") : onStick.checked ? qsTr("Write to the stick") : qsTr("Write files")
-                    onClicked: onStick.checked ? stickPage.write() : folderPage.write()
+            }
+
+            Column {
+                id: page
+
+                width: head.width
+
+                ExportStickPage {
+                    id: stickPage
+
+                    width: parent.width
+                    visible: onStick.checked
+                    stick: root.stick
+                    // What came of it is at the end.
+                    onFinished: scroller.contentY = Math.max(0, scroller.contentHeight - scroller.height)
                 }
+                ExportFolderPage {
+                    id: folderPage
+
+                    width: parent.width
+                    visible: inFolder.checked
+                    exporter: root.exporter
+                    roomForFormats: Math.max(160, (root.parent ? root.parent.height : 800) - 430)
+                }
+            }
+        }
+        Row {
+            id: buttons
+
+            anchors { right: parent.right; bottom: parent.bottom }
+            spacing: 8
+
+            PushButton {
+                objectName: "export.close"
+                text: root.done ? qsTr("Close") : qsTr("Cancel")
+                onClicked: {
+                    if (root.stick.state === StickExport.Writing)
+                        root.stick.cancel();
+                    else
+                        root.close();
+                }
+            }
+            PushButton {
+                objectName: "export.write"
+                primary: true
+                enabled: onStick.checked ? stickPage.canWrite : folderPage.canWrite
+                text: root.writing ? qsTr("Writing …") : onStick.checked ? qsTr("Write to the stick") : qsTr("Write files")
+                onClicked: onStick.checked ? stickPage.write() : folderPage.write()
             }
         }
     }

@@ -13,6 +13,8 @@ Column {
     readonly property bool writing: stick.state === StickExport.Writing
     readonly property bool canWrite: !writing && stick.current >= 0 && (stick.replaces.length === 0 || replace.checked)
 
+    signal finished()
+
     function write(): void {
         if (canWrite)
             stick.write(replace.checked);
@@ -20,6 +22,13 @@ Column {
 
     spacing: 14
 
+    Connections {
+        target: root.stick
+        function onStateChanged(): void {
+            if (root.stick.state === StickExport.Done || root.stick.state === StickExport.Failed)
+                Qt.callLater(root.finished);
+        }
+    }
     Column {
         width: parent.width
         spacing: 5
@@ -198,7 +207,7 @@ Column {
             objectName: "stick.written"
             x: 28
             width: parent.width - 28
-            text: root.stick.written.slice(0, 8).join("\n") + (root.stick.written.length > 8 ? "\n" + qsTr("and %n more", "", root.stick.written.length - 8) : "")
+            text: root.stick.written.slice(0, 4).join("\n") + (root.stick.written.length > 4 ? "\n" + qsTr("and %n more", "", root.stick.written.length - 4) : "")
             wrapMode: Text.WrapAnywhere
         }
         NoticeBar {

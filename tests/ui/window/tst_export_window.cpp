@@ -1,72 +1,41 @@
 #include "planner/io/terminals.h"
-#include "ui/plan/plan_session.h"
-#include "ui/shell/window_tools.h"
+#include "tests/ui/window/window_test.h"
 
-#include <QDir>
 #include <QFile>
-#include <QQmlApplicationEngine>
-#include <QQuickItem>
-#include <QQuickWindow>
-#include <QStandardPaths>
 #include <QTemporaryDir>
-#include <QTest>
 #include <QUrl>
 
 #include <memory>
-#include <utility>
 
 using namespace furrow;
 
 /// The export dialog in the whole window, with real mouse and keys.
-class TestExportWindow : public QObject {
+class TestExportWindow : public test::WindowTest {
     Q_OBJECT
 
 private:
-    std::unique_ptr<PlanSession> session_;
-    std::unique_ptr<QQmlApplicationEngine> engine_;
-    QQuickWindow* window_ = nullptr;
-
-    static QQuickItem* below(QQuickItem* parent, const QString& name) {
-        if (parent->objectName() == name) {
-            return parent;
-        }
-        for (QQuickItem* child : parent->childItems()) {
-            if (QQuickItem* found = below(child, name)) {
-                return found;
-            }
-        }
-        return nullptr;
-    }
-    QQuickItem* item(const char* name) const { return below(window_->contentItem(), QString::fromLatin1(name)); }
     bool shown(const char* name) const { return item(name) != nullptr && item(name)->isVisible(); }
-    QPoint middleOf(const QQuickItem& of) const { return of.mapToScene({of.width() / 2.0, of.height() / 2.0}).toPoint(); }
-    void waitForRest(const QQuickItem& moving) const {
-        QPoint last{-1, -1};
-        int still = 0;
-        QTRY_VERIFY((still = std::exchange(last, middleOf(moving)) == middleOf(moving) ? still + 1 : 0) >= 4);
-    }
-    void click(const char* name) {
-        QTRY_VERIFY2(shown(name), name);
-        waitForRest(*item(name));
-        const QPoint at = middleOf(*item(name));
-        QVERIFY2(QRect(QPoint{}, window_->size()).contains(at), name);
-        QTest::mouseClick(window_, Qt::LeftButton, {}, at);
-    }
-    void picture(const QString& name) {
-        QDir{}.mkpath(QStringLiteral(FURROW_SCREENSHOT_DIR));
-        QVERIFY(window_->grabWindow().save(QStringLiteral(FURROW_SCREENSHOT_DIR "/%1.png").arg(name)));
-    }
     void setTheme(int mode) { engine_->singletonInstance<QObject*>("Furrow.Controls", "Theme")->setProperty("forced", mode); }
     StickExport& stick() const { return *session_->exporter()->stick(); }
     void openOn(const QTemporaryDir& folder) {
+        plugIn(folder.path());
         click("empty.sample.0");
         QTRY_COMPARE_WITH_TIMEOUT(session_->state(), PlanSession::State::Ready, 20000);
         click("exportButton");
         click("export.onStick");
         QTRY_VERIFY(shown("stick.terminal"));
-        // In the place of the system's own dialog.
-        stick().addFolder(QUrl::fromLocalFile(folder.path()));
+        // Not the one of an earlier run.
+        stick().setTerminal(static_cast<int>(stick().terminalNames().indexOf(QStringLiteral("Another ISOBUS terminal"))));
         QTRY_VERIFY(shown("stick.row.0"));
+    }
+    /// A folder that is listed like a stick, as long as it is there.
+    void plugIn(const QString& path) const {
+        stick().setLister([path]() -> std::vector<StickExport::Stick> {
+            if (!QFile::exists(path)) {
+                return {};
+            }
+            return {{path, QStringLiteral("FIELDS"), QStringLiteral("%1 · FAT32 · 14.9 GB free of 15.6 GB").arg(path)}};
+        });
     }
     static QByteArray contentsOf(const QString& path) {
         QFile file{path};
@@ -74,27 +43,6 @@ private:
     }
 
 private slots:
-    void initTestCase() {
-        QStandardPaths::setTestModeEnabled(true);
-        QCoreApplication::setOrganizationName(QStringLiteral("furrow-tests"));
-        prepareWindow();
-    }
-    void init() {
-        session_ = std::make_unique<PlanSession>();
-        engine_ = std::make_unique<QQmlApplicationEngine>();
-        engine_->setInitialProperties({{QStringLiteral("session"), QVariant::fromValue(session_.get())}});
-        engine_->loadFromModule("Furrow.Shell", "Main");
-        QVERIFY(!engine_->rootObjects().isEmpty());
-        window_ = qobject_cast<QQuickWindow*>(engine_->rootObjects().first());
-        window_->resize(1280, 800);
-        QVERIFY(QTest::qWaitForWindowExposed(window_));
-        QTRY_COMPARE(window_->width(), 1280);
-    }
-    void cleanup() {
-        engine_.reset();
-        session_.reset();
-    }
-
     void aStickIsWrittenAndWhatWasThereIsKept() {
         const QTemporaryDir folder;
         QVERIFY(QDir{folder.path()}.mkdir(QStringLiteral("TASKDATA")));
@@ -116,6 +64,24 @@ private slots:
         QVERIFY(contentsOf(folder.filePath(QStringLiteral("TASKDATA/TASKDATA.XML"))).contains("<PFD"));
         click("export.close");
         QTRY_VERIFY(!shown("stick.message"));
+    }
+
+    void aFolderTakesThePlaceOfAStick() {
+        const QTemporaryDir stickFolder;
+        const QTemporaryDir folder;
+        openOn(stickFolder);
+        // In the place of the system's own dialog.
+        stick().addFolder(QUrl::fromLocalFile(folder.path()));
+        QTRY_VERIFY(shown("stick.row.1"));
+        click("stick.row.0");
+        QTRY_COMPARE(stick().current(), 0);
+        click("stick.row.1");
+        QTRY_COMPARE(stick().current(), 1);
+        QTRY_VERIFY(stick().warnings().isEmpty());
+        click("export.write");
+        QTRY_COMPARE(stick().state(), StickExport::State::Done);
+        QVERIFY(item("stick.message")->property("text").toString().startsWith(QStringLiteral("Written")));
+        QVERIFY(!QDir{folder.path()}.isEmpty() && QDir{stickFolder.path()}.isEmpty());
     }
 
     void theTerminalDecidesTheFiles() {

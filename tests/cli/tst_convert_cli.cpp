@@ -1,0 +1,122 @@
+#include "tests/support/furrow_cli.h"
+
+#include <QDir>
+#include <QJsonArray>
+#include <QSet>
+#include <QTemporaryDir>
+#include <QTest>
+
+using namespace furrow::test;
+
+class ConvertCliTest : public QObject {
+    Q_OBJECT
+
+private slots:
+    void convertsByName_data() {
+        QTest::addColumn<QString>("out");
+        QTest::addColumn<QStringList>("options");
+        QTest::addColumn<QString>("file");
+        QTest::newRow("KML") << "field.kml" << QStringList{} << "field.kml";
+        QTest::newRow("KMZ in capitals") << "FIELD.KMZ" << QStringList{} << "FIELD.KMZ";
+        QTest::newRow("GeoPackage") << "f.gpkg" << QStringList{} << "f.gpkg";
+        QTest::newRow("shapefile") << "mine.shp" << QStringList{} << "mine.dbf";
+        QTest::newRow("task data by its folder") << "TASKDATA" << QStringList{} << "TASKDATA/TASKDATA.XML";
+        QTest::newRow("task data by its file") << "deep/TASKDATA.XML" << QStringList{} << "deep/TASKDATA.XML";
+        QTest::newRow("older task data in a zip") << "t.zip" << QStringList{"--format", "isoxml-v3"} << "t.zip";
+        QTest::newRow("zipped boundary") << "b.zip" << QStringList{} << "b.zip";
+        QTest::newRow("AgOpenGPS") << "fields" << QStringList{"--format", "agopengps"} << "fields/Three Ponds/Boundary.txt";
+        QTest::newRow("drawing") << "f.dxf" << QStringList{} << "f_EPSG32632.dxf";
+    }
+    void convertsByName() {
+        QFETCH(QString, out);
+        QFETCH(QStringList, options);
+        QFETCH(QString, file);
+        const QTemporaryDir folder;
+        const Answer answer = furrowCli(QStringList{"convert", sampleField("three_ponds"), folder.filePath(out), "--json"} + options);
+        QVERIFY2(answer.status == 0, answer.all().constData());
+        QVERIFY2(QFile::exists(folder.filePath(file)), answer.out.constData());
+        const QJsonObject told = answer.json();
+        QCOMPARE(told["fields"].toArray().size(), 1);
+        // And back, with the same area.
+        const QString written = told["files"].toArray().first().toString();
+        const Answer back = furrowCli({"convert", written, folder.filePath("back.geojson"), "--json"});
+        QVERIFY2(back.status == 0, back.all().constData());
+        const double area = told["fields"][0]["area_m2"].toDouble();
+        const double again = back.json()["fields"][0]["area_m2"].toDouble();
+        QVERIFY2(std::abs(again - area) < 1e-4 * area, qPrintable(QStringLiteral("%1 and %2").arg(area).arg(again)));
+    }
+
+    void refuses_data() {
+        QTest::addColumn<QStringList>("arguments");
+        QTest::addColumn<int>("status");
+        QTest::addColumn<QString>("why");
+        QTest::newRow("no ending") << QStringList{sampleField("bend"), "somewhere"} << 2 << "does not say which format";
+        QTest::newRow("a format of plans") << QStringList{sampleField("bend"), "x", "--format", "rosbag2"} << 2 << "cannot be written as 'rosbag2'";
+        QTest::newRow("no such file") << QStringList{"/no/such.kml", "x.kml"} << 4 << "there is no such file";
+        QTest::newRow("no such field") << QStringList{sampleField("bend"), "x.kml", "--field-id", "nobody"} << 2 << "no field 'nobody'";
+    }
+    void refuses() {
+        QFETCH(QStringList, arguments);
+        QFETCH(int, status);
+        QFETCH(QString, why);
+        const Answer answer = furrowCli(QStringList{"convert"} + arguments);
+        QCOMPARE(answer.status, status);
+        QVERIFY2(answer.error.contains(why.toUtf8()), answer.error.constData());
+        QCOMPARE(answer.error.count('\n'), 1);
+    }
+
+    void headlandPassesAsLines() {
+        const QTemporaryDir folder;
+        const auto linesWith = [&folder](const QStringList& options) {
+            const Answer answer = furrowCli(
+                QStringList{"plan", sampleField("bend"), "--out", folder.path(), "--format", "isoxml", "--quiet"} + options);
+            return answer.status > 1 ? -1 : contentsOf(folder.filePath("TASKDATA/TASKDATA.XML")).count("<GPN ");
+        };
+        const auto plain = linesWith({});
+        QVERIFY(plain >= 1);
+        QVERIFY(linesWith({"--headland-lines"}) > plain);
+        QVERIFY(contentsOf(folder.filePath("TASKDATA/TASKDATA.XML")).contains("B=\"Headland 1\""));
+    }
+
+    void formatsAreOneList() {
+        const QJsonArray formats = furrowCli({"list", "formats", "--json"}).json()["formats"].toArray();
+        QSet<QString> ids;
+        QStringList written;
+        for (const QJsonValue& format : formats) {
+            ids.insert(format["id"].toString());
+            QVERIFY(!format["carries"].toString().isEmpty());
+            if (format["write"].toBool()) {
+                written << format["id"].toString();
+            }
+        }
+        QCOMPARE(ids.size(), formats.size());
+        const QTemporaryDir folder;
+        const Answer answer =
+            furrowCli({"plan", sampleField("bend"), "--out", folder.path(), "--format", written.join(','), "--quiet"});
+        QVERIFY2(answer.status == 0 || answer.status == 1, answer.all().constData());
+        for (const char* file : {"plan.geojson", "path.csv", "TASKDATA/TASKDATA.XML", "isoxml-v3/TASKDATA/TASKDATA.XML", "plan.kml",
+                                 "plan.kmz", "plan.gpkg", "path.gpx", "boundary.zip", "plan.waypoints", "plan.plan", "path.pb",
+                                 "ros/nav_msgs_path.yaml", "shapefile/boundary.shp"}) {
+            QVERIFY2(QFile::exists(folder.filePath(file)), file);
+        }
+    }
+
+    void aTerminalGetsItsFiles() {
+        const QJsonArray terminals = furrowCli({"list", "terminals", "--json"}).json()["terminals"].toArray();
+        QVERIFY(terminals.size() > 20);
+        const QTemporaryDir folder;
+        const Answer answer = furrowCli({"plan", sampleField("bend"), "--out", folder.path(), "--terminal", "trimble"});
+        QVERIFY2(answer.status == 0 || answer.status == 1, answer.all().constData());
+        QVERIFY(answer.out.contains("Shows the boundary and the guidance lines"));
+        QVERIFY(QFile::exists(folder.filePath("AgGPS/Data/Furrow/Farm/The Bend/Swaths.shp")));
+        QVERIFY(!QFile::exists(folder.filePath("path.csv")));
+        const Answer unknown = furrowCli({"plan", sampleField("bend"), "--out", folder.path(), "--terminal", "trimbel"});
+        QCOMPARE(unknown.status, 2);
+        QVERIFY(unknown.error.contains("did you mean 'trimble'"));
+        const Answer both = furrowCli({"plan", sampleField("bend"), "--out", folder.path(), "--terminal", "fendt", "--format", "csv"});
+        QCOMPARE(both.status, 2);
+    }
+};
+
+QTEST_GUILESS_MAIN(ConvertCliTest)
+#include "tst_convert_cli.moc"
