@@ -2,7 +2,8 @@
 
 namespace furrow {
 
-std::optional<Turn> RememberedWays::operator()(const Pose& leaving, const Pose& arriving, const JobContext& job) {
+std::optional<Turn> RememberedWays::operator()(const Pose& leaving, const Pose& arriving, const JobContext& job,
+                                               SearchEffort effort) {
     const std::array key{leaving.position.x,  leaving.position.y,  leaving.heading.si(),
                          arriving.position.x, arriving.position.y, arriving.heading.si()};
     {
@@ -11,8 +12,9 @@ std::optional<Turn> RememberedWays::operator()(const Pose& leaving, const Pose& 
             return known->second;
         }
     }
-    std::optional<Turn> way = finder_(leaving, arriving, job);
-    if (!job.stopRequested()) {
+    std::optional<Turn> way = finder_(leaving, arriving, job, effort);
+    // What was not found quickly may be there all the same.
+    if (!job.stopRequested() && (way || effort == SearchEffort::Thorough)) {
         const std::lock_guard lock{mutex_};
         found_.emplace(key, way);
     }

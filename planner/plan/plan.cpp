@@ -321,7 +321,12 @@ Result<void> finish(Plan& plan, const std::vector<Leg>& legs, RememberedWays& wa
         return std::unexpected(passes.error());
     }
     Plan finished = plan;
-    const std::vector<Leg> more = withFinishingPasses(legs, *passes, std::ref(ways), finished.headland.rings, job);
+    const std::vector<Leg> more = withFinishingPasses(
+        legs, *passes,
+        [&ways](const Pose& leaving, const Pose& arriving, const JobContext& part) {
+            return ways(leaving, arriving, part, SearchEffort::Quick);
+        },
+        finished.headland.rings, job);
     finished.timings.path += seconds(std::chrono::duration<double>(Clock::now() - begin).count());
     if (more.size() == legs.size()) {
         return {};
@@ -451,8 +456,9 @@ Result<std::shared_ptr<const Plan>> makePlan(const PlanRequest& request, const J
         return std::unexpected(travel.error());
     }
     const auto rig = std::make_shared<Rig>(*open, machine);
-    RememberedWays ways{[rig, travel = *travel](const Pose& leaving, const Pose& arriving, const JobContext& part) {
-        return fittingConnection(*rig, leaving, arriving, travel, part);
+    RememberedWays ways{[rig, travel = *travel](const Pose& leaving, const Pose& arriving, const JobContext& part,
+                                                     SearchEffort effort) {
+        return fittingConnection(*rig, leaving, arriving, travel, part, effort);
     }};
     std::vector<Leg> legs = layOut(*plan, *drivable);
     const std::vector<Finding> gateFindings = addGateWays(legs, places, field, *rig);

@@ -79,14 +79,14 @@ double costS(const Turn& turn, const Machine& machine, const TravelCost& travel)
 
 /// With the straight that the implement needs before it is lowered, where that fits.
 std::optional<Turn> searched(const Rig& rig, const Pose& leaving, const Pose& arriving, const TravelCost& travel,
-                             const JobContext& job) {
+                             const JobContext& job, SearchEffort effort) {
     const Length runIn = rig.machine().runIn();
     const Pose before{.position = arriving.position - runIn.si() * direction(arriving.heading.si()),
                       .heading = arriving.heading};
     if (rig.outsideM(Rig::inLine(leaving)) > kTouchingM || rig.outsideM(Rig::inLine(before)) > kTouchingM) {
         return std::nullopt;
     }
-    auto way = searchManoeuvre(rig, leaving, before, travel, job);
+    auto way = searchManoeuvre(rig, leaving, before, travel, job, effort);
     if (way && runIn > metres(0.0)) {
         way->pieces.push_back({.length = runIn, .curvature = {}});
     }
@@ -96,7 +96,7 @@ std::optional<Turn> searched(const Rig& rig, const Pose& leaving, const Pose& ar
 }  // namespace
 
 std::optional<Turn> fittingConnection(const Rig& rig, const Pose& leaving, const Pose& arriving,
-                                      const TravelCost& travel, const JobContext& job) {
+                                      const TravelCost& travel, const JobContext& job, SearchEffort effort) {
     const Machine& machine = rig.machine();
     std::vector<Candidate> turns = candidates(leaving, arriving, machine);
     const auto fits = std::ranges::find_if(turns, [&](const Candidate& candidate) {
@@ -106,7 +106,7 @@ std::optional<Turn> fittingConnection(const Rig& rig, const Pose& leaving, const
     if (found && (!travel || costS(fits->turn, machine, travel) < kDearWay * fits->time.si())) {
         return std::move(fits->turn);
     }
-    auto way = searched(rig, leaving, arriving, travel, job);
+    auto way = searched(rig, leaving, arriving, travel, job, effort);
     const bool better = found && (!way || costS(fits->turn, machine, travel) <= costS(*way, machine, travel));
     return better ? std::optional{std::move(fits->turn)} : way;
 }

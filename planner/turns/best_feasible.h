@@ -20,6 +20,6 @@ Turn feasibleConnection(const Rig& rig, const Pose& leaving, const Pose& arrivin
                         const JobContext& job);
 /// The same; nothing where nothing fits.
 std::optional<Turn> fittingConnection(const Rig& rig, const Pose& leaving, const Pose& arriving, const TravelCost& travel,
-                                      const JobContext& job);
+                                      const JobContext& job, SearchEffort effort = SearchEffort::Thorough);
 
 }  // namespace furrow

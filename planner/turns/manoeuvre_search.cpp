@@ -27,6 +27,7 @@ constexpr double kLongMove = 4.0;
 constexpr std::size_t kMostMoves = 3000;
 // A trailed implement takes ten times as long to be followed.
 constexpr std::size_t kMostMovesTrailed = 800;
+constexpr std::size_t kMostMovesQuick = 200;
 // Moves that are looked at for a quicker way when one was found.
 constexpr std::size_t kMovesAfterFirst = 150;
 // The way to the goal is taken for longer than it is known to be: fewer moves for a slightly longer way. From afar
@@ -176,7 +177,7 @@ public:
         ends_.push_back({.pieces = {}, .end = to});
     }
 
-    std::optional<Turn> run() {
+    std::optional<Turn> run(SearchEffort effort) {
         mostWayM_ = 200.0 + 60.0 * radiusM_ + 8.0 * distance(from().position, to_.position);
         greed_ = grid_.from(from().position, mostWayM_) > kNearRadii * radiusM_ ? kGreedAfar : kGreed;
         auto out = escapes(from());
@@ -199,7 +200,9 @@ public:
             ends_.push_back({.pieces = backInTime(std::move(escape.pieces)), .end = escape.end});
         }
         std::size_t movesLeft = kMovesAfterFirst;
-        const std::size_t most = rig_.hasTrailer() ? kMostMovesTrailed : kMostMoves;
+        const std::size_t most = effort == SearchEffort::Quick ? kMostMovesQuick
+                                 : rig_.hasTrailer()           ? kMostMovesTrailed
+                                                               : kMostMoves;
         for (std::size_t moves = 0; !open_.empty() && moves < most; ++moves) {
             const auto [priority, index] = open_.top();
             if (best_ && (priority >= bestS_ || --movesLeft == 0)) {
@@ -442,8 +445,8 @@ private:
 }  // namespace
 
 std::optional<Turn> searchManoeuvre(const Rig& rig, const Pose& from, const Pose& to, const TravelCost& travel,
-                                    const JobContext& job) {
-    return Search{rig, from, to, travel, job}.run();
+                                    const JobContext& job, SearchEffort effort) {
+    return Search{rig, from, to, travel, job}.run(effort);
 }
 
 }  // namespace furrow

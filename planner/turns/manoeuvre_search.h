@@ -15,6 +15,9 @@ inline constexpr std::string_view kCombinedTurn = "combined";
 /// How much dearer than elsewhere a metre is at a place; at least 1.
 using TravelCost = std::function<double(Point)>;
 
+/// How long is looked for a way that may not exist: most are found within a few hundred moves.
+enum class SearchEffort { Thorough, Quick };
+
 /// A drivable way between two poses where no single turn fits: round obstacles and corners, in several moves.
 ///
 /// Hybrid A* (Dolgov, Thrun, Montemerlo & Diebel 2010, doi 10.1177/0278364909359210): arcs of the smallest radius
@@ -27,6 +30,6 @@ using TravelCost = std::function<double(Point)>;
 ///         thousand moves, or the job was stopped.
 /// Cost: a tenth of a millisecond for each move that is looked at; from milliseconds to half a second.
 std::optional<Turn> searchManoeuvre(const Rig& rig, const Pose& from, const Pose& to, const TravelCost& travel,
-                                    const JobContext& job);
+                                    const JobContext& job, SearchEffort effort = SearchEffort::Thorough);
 
 }  // namespace furrow

@@ -70,7 +70,7 @@ Item {
         objectName: "openDialog"
         title: qsTr("Open projects or field boundaries")
         fileMode: FileDialog.OpenFiles
-        nameFilters: [qsTr("Projects and field boundaries (%1)").arg("*.furrow *.geojson *.json *.shp *.zip *.kml *.kmz *.gpkg *.gml *.fgb *.wkt *.csv"), qsTr("Projects (%1)").arg("*.furrow"), qsTr("All files (*)")]
+        nameFilters: [qsTr("Projects and field boundaries (%1)").arg("*.furrow *.geojson *.json *.shp *.zip *.kml *.kmz *.gpkg *.gml *.fgb *.wkt *.csv *.xml *.dxf *.gpx *.tif *.tiff *.png"), qsTr("Projects (%1)").arg("*.furrow"), qsTr("All files (*)")]
         onAccepted: root.openUrls(selectedFiles)
     }
     FileDialog {
