@@ -99,4 +99,26 @@ std::optional<double> BoundaryDistance::insideM(Point point) const {
     return side < 0.0 ? -nearest : nearest;
 }
 
+double BoundaryDistance::cutOffM(Point around, Point from, Point to) const {
+    const auto cell = cells_.find(cellOf(around.x, around.y));
+    if (cell == cells_.end()) {
+        return 0.0;
+    }
+    const Point line = to - from;
+    double farthest = 0.0;
+    for (const std::uint32_t e : cell->second) {
+        const Point way = edges_[e].to - edges_[e].from;
+        const double turn = cross(line, way);
+        if (turn == 0.0) {
+            continue;
+        }
+        const double onLine = cross(edges_[e].from - from, way) / turn;
+        const double onEdge = cross(edges_[e].from - from, line) / turn;
+        if (onLine > 0.0 && onLine < 1.0 && onEdge >= 0.0 && onEdge <= 1.0) {
+            farthest = std::max(farthest, std::min(onLine, 1.0 - onLine) * std::abs(turn) / norm(way));
+        }
+    }
+    return farthest;
+}
+
 }  // namespace furrow

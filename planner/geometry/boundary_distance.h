@@ -21,6 +21,9 @@ public:
     /// Cost: the edges in the cells around the point.
     std::optional<double> insideM(Point point) const;
     double reachM() const { return reachM_; }
+    /// How far the nearer end of a line lies beyond an edge that crosses it, at most; 0 where none does. Asked around a
+    /// place that is no farther than the reach from both ends. Cost: the edges in its cell.
+    double cutOffM(Point around, Point from, Point to) const;
 
     /// Corners that point inwards, where a shape can be poked between its own corners; those with x from low to
     /// high.

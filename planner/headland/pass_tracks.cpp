@@ -245,15 +245,17 @@ std::vector<Excess> excessesAlong(const Turn& line, const Rig& rig, double apart
         }
     };
     for (const TurnPiece& piece : line.pieces) {
-        const Point from = state.tractor.position;
+        Point last = state.tractor.position;
+        double goneM = 0.0;
         int looked = 0;
         const auto next = rig.follow(state, piece, metres(kLookShare * apartM), [&](const RigState& at) {
-            const double gone = distance(at.tractor.position, from);
+            goneM += distance(at.tractor.position, last);
+            last = at.tractor.position;
             // In the middle of a straight nothing swings: now and then is often enough.
             const bool inLine = std::abs((at.implement - at.tractor.heading).si()) < kInLineRad;
-            const bool nearEnd = std::min(gone, piece.length.si() - gone) <= 2.0 * apartM;
+            const bool nearEnd = std::min(goneM, piece.length.si() - goneM) <= 2.0 * apartM;
             if (piece.curvature != Curvature{} || nearEnd || !inLine || looked % 10 == 0) {
-                look(at, wayM + (piece.curvature == Curvature{} ? gone : 0.0));
+                look(at, wayM + goneM);
             }
             ++looked;
             return !job.stopRequested();
@@ -348,10 +350,13 @@ Result<PassTracks> passTracks(const MultiPolygon& workable, Length inset, const 
             return std::unexpected(lines.error());
         }
         tracks = std::move(*lines);
-        if (way == RoundTheField::Clockwise) {
-            std::ranges::transform(tracks.lines, tracks.lines.begin(), reversedLine);
-        }
+        const auto turnRound = [&] {
+            if (way == RoundTheField::Clockwise) {
+                std::ranges::transform(tracks.lines, tracks.lines.begin(), reversedLine);
+            }
+        };
         if (rig.hasTrailer()) {
+            turnRound();
             std::ranges::transform(tracks.lines, tracks.lines.begin(),
                                    [&rig](const Turn& line) { return swungOut(line, rig); });
         }
@@ -371,6 +376,10 @@ Result<PassTracks> passTracks(const MultiPolygon& workable, Length inset, const 
             return std::unexpected(cancelled());
         }
         if (excesses.empty() || round == kMostMoves) {
+            // What does not trail takes the same room both ways round.
+            if (!rig.hasTrailer()) {
+                turnRound();
+            }
             break;
         }
         displacement.add(std::move(excesses));

@@ -111,10 +111,14 @@ Turn swungOut(const Turn& line, const Rig& rig) {
     const Length afterwards = kLengthsAfter * (implement.hitchOffset - implement.offset);
     Turn swung = line;
     std::vector<TurnPiece>& pieces = swung.pieces;
-    if (!pieces.empty() && isStraight(pieces.front())) {
-        // From the middle of a straight, so that no corner lies across the ends.
-        const Length half = 0.5 * pieces.front().length;
-        swung.start = advanced(line.start, pieces.front(), half);
+    // From the middle of a straight, so that no corner lies across the ends.
+    if (const auto straight = std::ranges::find_if(pieces, isStraight); straight != pieces.end()) {
+        for (auto piece = pieces.begin(); piece != straight; ++piece) {
+            swung.start = advanced(swung.start, *piece, piece->length);
+        }
+        const Length half = 0.5 * straight->length;
+        swung.start = advanced(swung.start, *straight, half);
+        std::ranges::rotate(pieces, straight);
         pieces.push_back({.length = half, .curvature = {}});
         pieces.front().length = half;
     }

@@ -72,8 +72,26 @@ FootprintRoom Rig::roomAround(const RigState& state) const {
     return {std::min(tractor.edgesM, trailed.edgesM), std::min(tractor.cornersM, trailed.cornersM)};
 }
 
+double Rig::straddledM(const Part& part, const Pose& pose) const {
+    if (edges_.insideM(pose.position).value_or(edges_.reachM()) > part.radiusM) {
+        return 0.0;
+    }
+    // What is long and thin crosses the sides without a corner of either in the other.
+    double farthest = 0.0;
+    const Ring outline = placed(part.shape, pose);
+    for (std::size_t i = 0; i < outline.size(); ++i) {
+        farthest = std::max(farthest, edges_.cutOffM(pose.position, outline[i], outline[(i + 1) % outline.size()]));
+    }
+    return farthest;
+}
+
 double Rig::outsideM(const RigState& state) const {
-    return std::max(0.0, -roomAround(state).least());
+    const double outside = -roomAround(state).least();
+    if (outside > 0.0) {
+        return outside;
+    }
+    const double tractor = straddledM(tractor_, state.tractor);
+    return trailer_ ? std::max(tractor, straddledM(trailed_, trailer_->poseOf(state.tractor, state.implement))) : tractor;
 }
 
 std::optional<RigState> Rig::follow(const RigState& from, const TurnPiece& piece, Length step,

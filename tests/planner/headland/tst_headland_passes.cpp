@@ -487,7 +487,7 @@ private slots:
         VERIFY_RESULT(rounded);
         QCOMPARE(rounded->rings.front().stretches.size(), std::size_t{1});
         const double besideM = agbot().minTurningRadius().si() + 0.5 * agbot().operatingWidth().si();
-        QVERIFY(rounded->uncutCorners.si() >= 4.0 * (1.0 - kPi / 4.0) * besideM * besideM - 1e-6);
+        QCOMPARE_GE(rounded->uncutCorners.si(), 4.0 * (1.0 - kPi / 4.0) * besideM * besideM - 1e-6);
     }
 
     // Half-way round a corner is no place to begin: all four are found from there too.

