@@ -1,6 +1,7 @@
 #include "planner/decomposition/decomposition.h"
 
 #include "planner/geometry/geos_bridge.h"
+#include "planner/geometry/segment.h"
 
 #include <algorithm>
 #include <cmath>
@@ -158,14 +159,9 @@ bool isIn(const Polygon& polygon, Point point) {
 }
 
 double distanceTo(const Polygon& polygon, Point point) {
-    double square = std::numeric_limits<double>::infinity();
-    forEachEdge({polygon}, [&](Point a, Point b) {
-        const Point way = b - a;
-        const double share = std::clamp(dot(point - a, way) / std::max(dot(way, way), 1e-12), 0.0, 1.0);
-        const Point off = point - (a + share * way);
-        square = std::min(square, dot(off, off));
-    });
-    return std::sqrt(square);
+    double nearest = std::numeric_limits<double>::infinity();
+    forEachEdge({polygon}, [&](Point a, Point b) { nearest = std::min(nearest, distanceToSegment(point, a, b)); });
+    return nearest;
 }
 
 /// Level cells, lowest first.

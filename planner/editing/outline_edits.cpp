@@ -1,6 +1,7 @@
 #include "planner/editing/outline_edits.h"
 
 #include "planner/editing/shape_hit.h"
+#include "planner/geometry/segment.h"
 
 #include <algorithm>
 #include <cmath>
@@ -37,7 +38,7 @@ void thin(const Polyline& line, std::size_t first, std::size_t last, double tole
     double farthest = toleranceM;
     std::size_t split = 0;
     for (std::size_t i = first + 1; i < last; ++i) {
-        const double away = distance(line[i], nearestOnSegment(line[first], line[last], line[i]));
+        const double away = distanceToSegment(line[i], line[first], line[last]);
         if (away > farthest) {
             farthest = away;
             split = i;

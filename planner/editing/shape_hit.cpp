@@ -1,5 +1,6 @@
 #include "planner/editing/shape_hit.h"
 
+#include "planner/geometry/segment.h"
 #include <algorithm>
 #include <limits>
 
@@ -21,13 +22,6 @@ bool isInside(const std::vector<Point>& ring, Point place) {
 }
 
 }  // namespace
-
-Point nearestOnSegment(Point from, Point to, Point place) {
-    const Point way = to - from;
-    const double length2 = dot(way, way);
-    const double share = length2 > 0.0 ? std::clamp(dot(place - from, way) / length2, 0.0, 1.0) : 0.0;
-    return from + share * way;
-}
 
 std::optional<ShapeHit> hitAt(const FieldShape& shape, Point place, Length reach) {
     std::optional<ShapeHit> best;
@@ -55,7 +49,7 @@ std::optional<ShapeHit> hitAt(const FieldShape& shape, Point place, Length reach
     }
     for (const Outline& outline : shape.outlines) {
         for (std::size_t i = 0; i < outline.edgeCount(); ++i) {
-            offer(ShapeHit::Kind::Edge, outline.id, i, nearestOnSegment(outline.from(i), outline.to(i), place));
+            offer(ShapeHit::Kind::Edge, outline.id, i, nearestOnSegment(place, outline.from(i), outline.to(i)));
         }
     }
     if (best) {
@@ -86,7 +80,7 @@ std::optional<Point> nearestOnBoundary(const FieldShape& shape, Point place) {
             continue;
         }
         for (std::size_t i = 0; i < outline.edgeCount(); ++i) {
-            const Point at = nearestOnSegment(outline.from(i), outline.to(i), place);
+            const Point at = nearestOnSegment(place, outline.from(i), outline.to(i));
             if (!best || distance(at, place) < distance(*best, place)) {
                 best = at;
             }

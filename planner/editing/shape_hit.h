@@ -27,8 +27,6 @@ std::optional<ShapeHit> hitAt(const FieldShape& shape, Point place, Length reach
 /// The part of the field around a place; nothing outside.
 std::optional<std::size_t> partAt(const FieldShape& shape, Point place);
 
-/// The place on the segment that is nearest.
-Point nearestOnSegment(Point from, Point to, Point place);
 
 /// The place on any boundary or hole that is nearest; nothing without one.
 std::optional<Point> nearestOnBoundary(const FieldShape& shape, Point place);

@@ -1,6 +1,7 @@
 #include "planner/editing/snapping.h"
 
 #include "planner/editing/shape_hit.h"
+#include "planner/geometry/segment.h"
 
 #include <cmath>
 
@@ -65,7 +66,7 @@ Snap snapped(const FieldShape& shape, Point place, Length reach, std::span<const
             if (own && (except->second == edge || except->second == next)) {
                 continue;
             }
-            const Point at = nearestOnSegment(outline.from(edge), outline.to(edge), place);
+            const Point at = nearestOnSegment(place, outline.from(edge), outline.to(edge));
             if (const double away = distance(at, place); away <= reach.si()) {
                 candidates.push_back({at, away, nullptr, outline.from(edge), outline.to(edge)});
             }

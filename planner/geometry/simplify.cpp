@@ -1,20 +1,11 @@
 #include "planner/geometry/simplify.h"
 
+#include "planner/geometry/segment.h"
+
 #include <algorithm>
 #include <utility>
 
 namespace furrow {
-
-namespace {
-
-double distanceToSegmentM(Point p, Point a, Point b) {
-    const Point along = b - a;
-    const double squared = dot(along, along);
-    const double share = squared > 0.0 ? std::clamp(dot(p - a, along) / squared, 0.0, 1.0) : 0.0;
-    return distance(p, a + share * along);
-}
-
-}  // namespace
 
 Polyline simplified(const Polyline& line, Length tolerance) {
     if (line.size() < 3) {
@@ -30,7 +21,7 @@ Polyline simplified(const Polyline& line, Length tolerance) {
         double farthest = tolerance.si();
         std::size_t at = first;
         for (std::size_t i = first + 1; i < last; ++i) {
-            if (const double beside = distanceToSegmentM(line[i], line[first], line[last]); beside > farthest) {
+            if (const double beside = distanceToSegment(line[i], line[first], line[last]); beside > farthest) {
                 farthest = beside;
                 at = i;
             }

@@ -1,5 +1,6 @@
 #include "planner/headland/corner_manoeuvres.h"
 
+#include "planner/geometry/segment.h"
 #include "planner/turns/best_feasible.h"
 #include "planner/turns/connection.h"
 #include "planner/turns/dubins.h"
@@ -63,8 +64,7 @@ std::optional<Manoeuvre> manoeuvre(const Turn& line, const RoundedCorner& corner
     const Point in = direction(entry.heading.si());
     const Point out = direction(exit.heading.si());
     // From the start of the rounding to where the sides meet, and from there to its end.
-    const double toCorner = cross(exit.position - entry.position, out) / cross(in, out);
-    const double fromCorner = cross(in, exit.position - entry.position) / cross(in, out);
+    const auto [toCorner, fromCorner] = toMeeting(entry.position, in, exit.position, out);
     // The outer edges of both sides meet so far beyond their middles.
     const double width = machine.operatingWidth().si();
     const double beyond =

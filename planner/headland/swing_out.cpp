@@ -1,10 +1,13 @@
 #include "planner/headland/swing_out.h"
 
+#include "planner/geometry/segment.h"
+
 #include <algorithm>
 #include <array>
 #include <cmath>
 #include <optional>
 #include <span>
+#include <tuple>
 #include <vector>
 
 namespace furrow {
@@ -75,11 +78,8 @@ std::optional<Corner> cornerAfter(const std::vector<TurnPiece>& pieces, std::siz
     for (std::size_t k = straight + 1; k <= corner.last; ++k) {
         ends = advanced(ends, pieces[k], pieces[k].length);
     }
-    const Point in = direction(begins.heading.si());
-    const Point out = direction(ends.heading.si());
-    const Point way = ends.position - begins.position;
-    corner.entryM = cross(way, out) / cross(in, out);
-    corner.exitM = cross(in, way) / cross(in, out);
+    std::tie(corner.entryM, corner.exitM) = toMeeting(begins.position, direction(begins.heading.si()), ends.position,
+                                                      direction(ends.heading.si()));
     return corner;
 }
 

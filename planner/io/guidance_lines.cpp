@@ -1,5 +1,6 @@
 #include "planner/io/guidance_lines.h"
 
+#include "planner/geometry/segment.h"
 #include "planner/plan/plan.h"
 #include "planner/swaths/curve_parts.h"
 #include "planner/units/angle.h"
@@ -59,9 +60,7 @@ std::vector<const Swath*> straightGuides(const SwathSet& set) {
 double toLineM(Point point, const Polyline& line) {
     double nearest = std::numeric_limits<double>::infinity();
     for (std::size_t i = 0; i + 1 < line.size(); ++i) {
-        const Point way = line[i + 1] - line[i];
-        const double share = std::clamp(dot(point - line[i], way) / std::max(dot(way, way), 1e-12), 0.0, 1.0);
-        nearest = std::min(nearest, distance(point, line[i] + share * way));
+        nearest = std::min(nearest, distanceToSegment(point, line[i], line[i + 1]));
     }
     return nearest;
 }

@@ -192,29 +192,31 @@ Result<std::vector<BlockedConnection>> blockedConnections(const Path& path, cons
     const BoundaryDistance drivableEdges{drivableArea, reach};
     const BoundaryDistance landEdges{landArea, reach};
     const Shapes shapes{machine};
-    std::vector<std::size_t> connections;
-    std::vector<Angle> implements;  // as each segment begins
+    struct Connection {
+        std::size_t segment;
+        std::vector<RigState> states;
+    };
+    std::vector<Connection> connections;
     Angle implement = path.segments.empty() ? Angle{} : radians(path.segments.front().samples.front().headingRad);
     for (std::size_t i = 0; i < path.segments.size(); ++i) {
-        implements.push_back(implement);
-        if (path.segments[i].kind != SegmentKind::Swath) {
-            connections.push_back(i);
-        }
-        if (shapes.trailer) {
-            statesAlong(path.segments[i], shapes, kAnyStep, implement);
+        const PathSegment& segment = path.segments[i];
+        // Along swaths as well: the implement trails on from one segment to the next.
+        std::vector<RigState> states =
+            statesAlong(segment, shapes, segment.kind == SegmentKind::HeadlandPass ? kPassStep : kAnyStep, implement);
+        if (segment.kind != SegmentKind::Swath) {
+            connections.push_back({i, std::move(states)});
         }
     }
     const auto checked = parallelMap<std::optional<BlockedConnection>>(
         connections.size(),
         [&](std::size_t i) -> std::optional<BlockedConnection> {
-            const PathSegment& segment = path.segments[connections[i]];
-            const bool isPass = segment.kind == SegmentKind::HeadlandPass;
-            Angle begins = implements[connections[i]];
-            const std::vector<RigState> states = statesAlong(segment, shapes, isPass ? kPassStep : kAnyStep, begins);
-            auto found = isPass ? farthestAlong(states, shapes, drivableEdges, landEdges, job)
-                                : farthestOnWay(states, shapes, segment.implementDown, drivable, land);
+            const auto& [index, states] = connections[i];
+            const PathSegment& segment = path.segments[index];
+            auto found = segment.kind == SegmentKind::HeadlandPass
+                             ? farthestAlong(states, shapes, drivableEdges, landEdges, job)
+                             : farthestOnWay(states, shapes, segment.implementDown, drivable, land);
             if (found) {
-                found->segment = connections[i];
+                found->segment = index;
             }
             return found;
         },

@@ -2,6 +2,7 @@
 
 #include "planner/geometry/boundary_distance.h"
 #include "planner/geometry/geos_bridge.h"
+#include "planner/geometry/segment.h"
 
 #include <algorithm>
 #include <cmath>
@@ -15,10 +16,10 @@ namespace {
 
 constexpr double kTouchingM = 1e-3;
 constexpr int kDiscCorners = 64;
-// How far the machine drives straight in.
-constexpr Length kStraightIn = metres(2.0);
+// How far the machine drives straight in or out.
+constexpr Length kStraight = metres(2.0);
 constexpr double kStepM = 0.1;
-// Headings that are tried, to both sides of straight in.
+// Headings that are tried, to both sides of straight.
 constexpr double kAsideDeg[] = {0.0, 15.0, -15.0, 30.0, -30.0, 45.0, -45.0, 60.0, -60.0, 90.0, -90.0, 135.0, -135.0, 180.0};
 // From a gate no farther in than so many lengths of the machine.
 constexpr double kLengthsIn = 2.0;
@@ -29,9 +30,8 @@ Point inwardFrom(Point place, const Field& field) {
     Point inward{1.0, 0.0};
     forEachEdge(field.drivable(), [&](Point a, Point b) {
         const Point way = b - a;
-        const double share = std::clamp(dot(place - a, way) / std::max(dot(way, way), 1e-12), 0.0, 1.0);
         // Rings have the field on their left.
-        if (const double away = distance(place, a + share * way); away < nearest && norm(way) > 0.0) {
+        if (const double away = distanceToSegment(place, a, b); away < nearest && norm(way) > 0.0) {
             nearest = away;
             inward = (1.0 / norm(way)) * Point{-way.y, way.x};
         }
@@ -47,18 +47,25 @@ Ring disc(Point centre, double radiusM) {
     return ring;
 }
 
-std::optional<Leg> straightFrom(const RoutePlace& place, const Rig& rig, Point inward) {
+/// A straight between the place and the field, driven in or out: as near to the place and as straight as fits.
+/// @param other  what is driven next, or before
+std::optional<Leg> straightAt(const RoutePlace& place, const Field& field, const Rig& rig, Point other, bool drivenIn) {
+    const Point way = other - place.position;
+    const Point inward = place.gate               ? inwardFrom(place.position, field)
+                         : norm(way) > kTouchingM ? (1.0 / norm(way)) * way
+                                                  : Point{1.0, 0.0};
     const double mostM = place.gate ? kLengthsIn * rig.machine().spec().tractor.length.si() : 0.0;
-    const double headingRad = std::atan2(inward.y, inward.x);
-    const TurnPiece in{.length = kStraightIn, .curvature = {}};
+    const Point onward = drivenIn ? inward : Point{-inward.x, -inward.y};
+    const TurnPiece straight{.length = kStraight, .curvature = {}};
     for (double m = 0.0; m <= mostM; m += kStepM) {
         for (const double aside : kAsideDeg) {
-            const Angle heading = radians(headingRad) + degrees(aside);
-            const Pose pose{.position = place.position + m * inward, .heading = heading};
-            if (rig.outsideM(Rig::inLine(pose)) <= kTouchingM && rig.driven(Rig::inLine(pose), in)) {
+            const Angle heading = radians(std::atan2(onward.y, onward.x)) + degrees(aside);
+            const Point near = place.position + m * inward;
+            const Pose start{.position = drivenIn ? near : near - kStraight.si() * direction(heading.si()), .heading = heading};
+            if (rig.outsideM(Rig::inLine(start)) <= kTouchingM && rig.driven(Rig::inLine(start), straight)) {
                 return Leg{.kind = SegmentKind::Transfer,
                            .number = 0,
-                           .line = {.type = {}, .start = pose, .pieces = {in}},
+                           .line = {.type = {}, .start = start, .pieces = {straight}},
                            .implementDown = false};
             }
         }
@@ -119,35 +126,11 @@ Result<MultiPolygon> withOpenGates(const MultiPolygon& drivable, const Field& fi
 }
 
 std::optional<Leg> wayIn(const RoutePlace& place, const Field& field, const Rig& rig, Point next) {
-    const Point way = next - place.position;
-    const Point inward = place.gate                ? inwardFrom(place.position, field)
-                         : norm(way) > kTouchingM ? (1.0 / norm(way)) * way
-                                                   : Point{1.0, 0.0};
-    return straightFrom(place, rig, inward);
+    return straightAt(place, field, rig, next, true);
 }
 
 std::optional<Leg> wayOut(const RoutePlace& place, const Field& field, const Rig& rig, Point before) {
-    // The way in, driven forwards out: the nose is where the tail was, so that it is asked for turned round.
-    const Point way = before - place.position;
-    const Point inward = place.gate                ? inwardFrom(place.position, field)
-                         : norm(way) > kTouchingM ? (1.0 / norm(way)) * way
-                                                   : Point{1.0, 0.0};
-    const double mostM = place.gate ? kLengthsIn * rig.machine().spec().tractor.length.si() : 0.0;
-    const TurnPiece out{.length = kStraightIn, .curvature = {}};
-    for (double m = 0.0; m <= mostM; m += kStepM) {
-        for (const double aside : kAsideDeg) {
-            const Angle heading = radians(std::atan2(-inward.y, -inward.x)) + degrees(aside);
-            const Pose start{.position = place.position + m * inward - kStraightIn.si() * direction(heading.si()),
-                             .heading = heading};
-            if (rig.outsideM(Rig::inLine(start)) <= kTouchingM && rig.driven(Rig::inLine(start), out)) {
-                return Leg{.kind = SegmentKind::Transfer,
-                           .number = 0,
-                           .line = {.type = {}, .start = start, .pieces = {out}},
-                           .implementDown = false};
-            }
-        }
-    }
-    return std::nullopt;
+    return straightAt(place, field, rig, before, false);
 }
 
 const Parameter kRouteStart{.key = "route.start",

@@ -261,7 +261,7 @@ std::vector<Leg> headlandLegs(const std::vector<HeadlandPass>& passes, const Hea
 }
 
 std::vector<Leg> withFinishingPasses(std::vector<Leg> legs, const std::vector<HeadlandPass>& passes,
-                                     const FittingWayFinder& way, std::vector<HeadlandPass>& put, const JobContext& job) {
+                                     RememberedWays& ways, std::vector<HeadlandPass>& put, const JobContext& job) {
     for (const HeadlandPass& pass : passes) {
         const Leg leg = legOf(pass, pass.stretches.front());
         const Pose start = leg.line.start;
@@ -282,8 +282,10 @@ std::vector<Leg> withFinishingPasses(std::vector<Leg> legs, const std::vector<He
             if (job.stopRequested()) {
                 return legs;
             }
-            if ((i == 0 || way(legs[i - 1].line.end(), start, job)) &&
-                (i == legs.size() || way(end, legs[i].line.start, job))) {
+            const auto leads = [&](const Pose& leaving, const Pose& arriving) {
+                return ways(leaving, arriving, job, SearchEffort::Quick).has_value();
+            };
+            if ((i == 0 || leads(legs[i - 1].line.end(), start)) && (i == legs.size() || leads(end, legs[i].line.start))) {
                 legs.insert(legs.begin() + static_cast<std::ptrdiff_t>(i), leg);
                 put.push_back(pass);
                 break;

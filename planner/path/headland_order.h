@@ -2,13 +2,11 @@
 
 #include "planner/headland/headland.h"
 #include "planner/path/path_builder.h"
+#include "planner/path/remembered_ways.h"
 
 #include <optional>
 
 namespace furrow {
-
-/// Finds a way that fits, or none.
-using FittingWayFinder = std::function<std::optional<Turn>(const Pose& leaving, const Pose& arriving, const JobContext& job)>;
 
 /// In which order, from where and to where the passes of a headland are driven.
 struct HeadlandDrive {
@@ -26,10 +24,10 @@ struct HeadlandDrive {
 std::vector<Leg> headlandLegs(const std::vector<HeadlandPass>& passes, const HeadlandDrive& drive,
                               const Machine& machine, TurnPlanner* turn);
 
-/// The same legs with short passes driven in between, each where the way there and on is short and fits; a pass
-/// without such a place is left out.
+/// The same legs with short passes driven in between, each where the way there and on is short and quickly found; a
+/// pass without such a place is left out.
 /// @param put  gets the passes that found a place
-std::vector<Leg> withFinishingPasses(std::vector<Leg> legs, const std::vector<HeadlandPass>& passes, const FittingWayFinder& way,
+std::vector<Leg> withFinishingPasses(std::vector<Leg> legs, const std::vector<HeadlandPass>& passes, RememberedWays& ways,
                                      std::vector<HeadlandPass>& put, const JobContext& job);
 
 }  // namespace furrow

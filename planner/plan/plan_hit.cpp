@@ -1,7 +1,7 @@
 #include "planner/plan/plan_hit.h"
 
-#include "planner/editing/shape_hit.h"
 #include "planner/geometry/geos_bridge.h"
+#include "planner/geometry/segment.h"
 
 namespace furrow {
 
@@ -11,7 +11,7 @@ std::optional<std::size_t> segmentAt(const Plan& plan, Point place, Length reach
     for (std::size_t i = 0; i < plan.path.segments.size(); ++i) {
         const auto& samples = plan.path.segments[i].samples;
         for (std::size_t k = 1; k < samples.size(); ++k) {
-            const double away = distance(nearestOnSegment(samples[k - 1].position, samples[k].position, place), place);
+            const double away = distanceToSegment(place, samples[k - 1].position, samples[k].position);
             if (away <= nearest) {
                 nearest = away;
                 best = i;

@@ -1,3 +1,4 @@
+#include "planner/geometry/segment.h"
 #include "planner/swaths/curved_swaths.h"
 #include "planner/swaths/heading_search.h"
 #include "planner/swaths/methods.h"
@@ -19,9 +20,7 @@ std::pair<double, double> reachOf(const MultiPolygon& mainland, Point centre) {
     double nearestM = std::numeric_limits<double>::infinity();
     double farthestM = 0.0;
     forEachEdge(mainland, [&](Point from, Point to) {
-        const Point way = to - from;
-        const double share = std::clamp(dot(centre - from, way) / std::max(dot(way, way), 1e-12), 0.0, 1.0);
-        nearestM = std::min(nearestM, distance(centre, from + share * way));
+        nearestM = std::min(nearestM, distanceToSegment(centre, from, to));
         farthestM = std::max(farthestM, distance(centre, from));
     });
     return {MainlandEdges{mainland}.contains(centre) ? 0.0 : nearestM, farthestM};

@@ -1,5 +1,6 @@
 #include "planner/turns/footprint_check.h"
 
+#include "planner/geometry/segment.h"
 #include "planner/turns/turn_sampling.h"
 
 #include <algorithm>
@@ -24,9 +25,7 @@ double awayFrom(const Ring& shape, Point point) {
             point.x < a.x + (b.x - a.x) * (point.y - a.y) / (b.y - a.y)) {
             inside = !inside;
         }
-        const Point way = b - a;
-        const double share = std::clamp(dot(point - a, way) / std::max(dot(way, way), 1e-12), 0.0, 1.0);
-        nearest = std::min(nearest, distance(point, a + share * way));
+        nearest = std::min(nearest, distanceToSegment(point, a, b));
     }
     return inside ? -nearest : nearest;
 }

@@ -1,4 +1,5 @@
 #include "planner/editing/outline_edits.h"
+#include "planner/geometry/segment.h"
 #include "tests/support/result_check.h"
 #include "ui/edit/field_editor.h"
 #include "ui/edit/inspector.h"
@@ -106,7 +107,7 @@ private slots:
         bench.drag(middle, middle + out);
         const Point moved = bench.corner(1) - bench.corner(0);
         QVERIFY2(std::abs(cross(moved, b - a)) / norm(moved) / norm(b - a) < 1e-6, "it is parallel to what it was");
-        COMPARE_WITHIN(distance(nearestOnSegment(bench.corner(0), bench.corner(1), middle), middle), 25.0, 1e-3);
+        COMPARE_WITHIN(distanceToSegment(middle, bench.corner(0), bench.corner(1)), 25.0, 1e-3);
         QCOMPARE(bench.editor.selection().kind, Selection::Kind::Edge);
     }
     void theMiddleOfAnEdgeMakesAVertex() {
@@ -151,7 +152,7 @@ private slots:
         bench.editor.setTool(FieldEditor::Tool::Gate);
         bench.editor.click(bench.at(0.5 * (bench.corner(0) + bench.corner(1)) + Point{0, 3}));
         QCOMPARE(bench.source().gates.size(), std::size_t{1});
-        QVERIFY2(distance(bench.editor.shape()->gates.front(), nearestOnSegment(bench.corner(0), bench.corner(1), bench.editor.shape()->gates.front())) < 1e-3,
+        QVERIFY2(distanceToSegment(bench.editor.shape()->gates.front(), bench.corner(0), bench.corner(1)) < 1e-3,
                  "a gate lies on the boundary");
         bench.draw(FieldEditor::Tool::Guide, {{-100, -50}, {100, 50}});
         QTRY_VERIFY(bench.session.plan() && bench.session.plan()->field().source().gates.size() == 1);

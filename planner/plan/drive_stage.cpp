@@ -1,0 +1,304 @@
+#include "planner/plan/drive_stage.h"
+
+#include "planner/headland/finishing_passes.h"
+#include "planner/headland/headland_passes.h"
+#include "planner/path/drivable_check.h"
+#include "planner/path/gate_ways.h"
+#include "planner/path/headland_order.h"
+#include "planner/path/path_builder.h"
+#include "planner/path/remembered_ways.h"
+#include "planner/path/travel_rule.h"
+#include "planner/plan/general_parameters.h"
+#include "planner/plan/method_registry.h"
+#include "planner/turns/best_feasible.h"
+#include "planner/turns/connection.h"
+#include "planner/turns/straight_turn.h"
+
+#include <algorithm>
+#include <array>
+#include <cctype>
+#include <chrono>
+#include <format>
+#include <iterator>
+#include <optional>
+#include <span>
+
+namespace furrow {
+
+namespace {
+
+using Clock = std::chrono::steady_clock;
+
+// Short passes are added until so little is left: below what the audit blocks a plan for.
+constexpr double kMayStayShare = 0.009;
+constexpr Area kMayStayInOnePiece = squareMetres(95.0);
+
+/// "The way from swath 3 to swath 4", "Headland pass 1".
+std::string nameOfWay(const Path& path, std::size_t segment) {
+    if (path.segments[segment].implementDown) {
+        std::string name = nameOf(path.segments[segment]);
+        name.front() = static_cast<char>(std::toupper(name.front()));
+        return name;
+    }
+    const PathSegment* const before = path.workBefore(segment);
+    const PathSegment* const after = path.workAfter(segment);
+    return std::format("The way from {} to {}", before == nullptr ? "the start" : nameOf(*before),
+                       after == nullptr ? "the end" : nameOf(*after));
+}
+
+Finding blockedFinding(const Path& path, const BlockedConnection& blocked, const Headland& headland,
+                       const Machine& machine) {
+    const std::string way = nameOfWay(path, blocked.segment);
+    if (blocked.obstacle) {
+        return {
+            .severity = Severity::Blocking,
+            .kind = "obstacle",
+            .place = blocked.place,
+            .text = way + " crosses an obstacle.",
+            .suggestion = "Try another direction of the swaths, or plan the sides of the obstacle apart."};
+    }
+    const double needed = (headland.width + blocked.outside).si();
+    // A turn that is a few metres short fits with more headland; one that cuts a corner of the field does
+    // not.
+    const bool widerHeadlandHelps =
+        blocked.outside < 3.0 * machine.minTurningRadius() + machine.operatingWidth();
+    std::string suggestion = "The field bends inwards here: try another direction of the swaths.";
+    if (!headland.notes.empty()) {
+        suggestion =
+            "The field is too narrow for this machine to turn in: turn outside, or take a smaller machine.";
+    } else if (widerHeadlandHelps) {
+        suggestion = std::format("A headland of {:.0f} m may make room ({:.1f} m now).", std::ceil(needed),
+                                 headland.width.si());
+    }
+    return {.severity = Severity::Blocking,
+            .kind = "outside",
+            .place = blocked.place,
+            .text = std::format("{} leaves the field by {:.1f} m.", way, blocked.outside.si()),
+            .suggestion = std::move(suggestion)};
+}
+
+/// Headland passes before or after the swaths.
+std::vector<Leg> layOut(const Plan& plan, const MultiPolygon& drivable) {
+    const Settings& settings = plan.request.settings;
+    const Machine& machine = plan.request.machine;
+    std::vector<Leg> legs = swathLegs(plan.swaths, plan.route, machine);
+    if (!plan.headland.rings.empty()) {
+        const bool first = settings.choice(kHeadlandWhen) == "before";
+        HeadlandDrive drive{.insideOut = settings.choice(kHeadlandOrder) == "inside-out",
+                            .before = {},
+                            .after = {},
+                            .drivable = drivable};
+        if (first && !legs.empty()) {
+            drive.after = legs.front().line.start;
+        } else if (!legs.empty()) {
+            drive.before = legs.back().line.end();
+        }
+        const std::vector<Leg> passes = headlandLegs(plan.headland.rings, drive, machine, turnMethod(settings));
+        legs.insert(first ? legs.begin() : legs.end(), passes.begin(), passes.end());
+    }
+    return legs;
+}
+
+std::string blockedReason(const BlockedConnection& blocked) {
+    return blocked.obstacle ? "crosses an obstacle"
+                            : std::format("leaves the field by {:.2f} m", blocked.outside.si());
+}
+
+/// The planner's own words come first: they know what was tried. The audit adds what they leave out.
+void addAuditFindings(Plan& plan) {
+    const auto saidAlready = [&plan](const AuditFinding& found) {
+        if (found.segment && !plan.path.segments[*found.segment].drivable &&
+            (found.finding.kind == "outside" || found.finding.kind == "obstacle" ||
+             found.finding.kind == "undrivable")) {
+            return true;
+        }
+        return found.finding.kind == "heading-jump" &&
+               std::ranges::contains(plan.findings, found.finding.kind, &Finding::kind);
+    };
+    std::vector<Finding> added;
+    for (const AuditFinding& found : plan.audit.findings) {
+        if (!saidAlready(found)) {
+            added.push_back(found.finding);
+        }
+    }
+    std::ranges::move(added, std::back_inserter(plan.findings));
+}
+
+/// The ways in and out, and what is to be said where there is none.
+std::vector<Finding> addGateWays(std::vector<Leg>& legs, const std::array<std::optional<RoutePlace>, 2>& places,
+                                 const Field& field, const Rig& rig) {
+    std::vector<Finding> findings;
+    if (legs.empty()) {
+        return findings;
+    }
+    const auto tell = [&](const RoutePlace& place, std::string_view way) {
+        const std::string name = place.gate && !place.gate->name.empty() ? place.gate->name : "this place";
+        findings.push_back({.severity = Severity::Blocking,
+                            .kind = "gate",
+                            .place = place.position,
+                            .text = std::format("The machine does not get {} at {}.", way, name),
+                            .suggestion = place.gate ? "Make the gate wider, or take another." : "Choose another place."});
+    };
+    if (const auto& start = places[0]) {
+        const auto in = wayIn(*start, field, rig, legs.front().line.start.position);
+        in ? static_cast<void>(legs.insert(legs.begin(), *in)) : tell(*start, "in");
+    }
+    if (const auto& end = places[1]) {
+        const auto out = wayOut(*end, field, rig, legs.back().line.end().position);
+        out ? legs.push_back(*out) : tell(*end, "out");
+    }
+    return findings;
+}
+
+/// Marks what leaves the field and tells it, a way in several gears once, at its worst place.
+Result<void> checkWays(Plan& plan, const MultiPolygon& drivable, const JobContext& job) {
+    const auto blocked = blockedConnections(plan.path, drivable, plan.request.machine, job);
+    if (!blocked) {
+        return std::unexpected(blocked.error());
+    }
+    std::optional<BlockedConnection> worst;
+    for (const BlockedConnection& connection : *blocked) {
+        PathSegment& segment = plan.path.segments[connection.segment];
+        segment.drivable = false;
+        segment.reason = blockedReason(connection);
+        const bool sameWay = worst && !segment.implementDown &&
+                             plan.path.workBefore(worst->segment) == plan.path.workBefore(connection.segment);
+        if (sameWay && connection.outside <= worst->outside) {
+            continue;
+        }
+        if (sameWay) {
+            plan.findings.pop_back();
+        }
+        worst = connection;
+        plan.findings.push_back(blockedFinding(plan.path, connection, plan.headland, plan.request.machine));
+    }
+    return {};
+}
+
+/// The path over these legs, checked and audited, with what both find.
+Result<void> drive(Plan& plan, std::span<const Leg> legs, RememberedWays& ways, const MultiPolygon& drivable,
+                   const JobContext& job) {
+    const Settings& settings = plan.request.settings;
+    const Machine& machine = plan.request.machine;
+    TurnPlanner* const turn = turnMethod(settings);
+    const bool fits = turn == kBestFeasibleMethod.run && settings.flag(kStayInside);
+    const Clock::time_point begin = Clock::now();
+    auto path = buildPath(
+        legs, machine,
+        [&](const Pose& leaving, const Pose& arriving, const JobContext& part) {
+            auto way = fits ? ways(leaving, arriving, part) : std::nullopt;
+            return way ? std::move(*way) : connection(leaving, arriving, machine, turn);
+        },
+        job.part(0.0, 0.4));
+    if (!path) {
+        return std::unexpected(path.error());
+    }
+    plan.path = std::move(*path);
+    plan.findings.clear();
+    if (settings.flag(kStayInside)) {
+        if (auto checked = checkWays(plan, drivable, job.part(0.4, 0.6)); !checked) {
+            return checked;
+        }
+    }
+    if (turn == kStraightMethod.run && !machine.spec().tractor.canTurnInPlace && plan.path.turnCount() > 0) {
+        plan.findings.push_back(
+            {.severity = Severity::Blocking,
+             .kind = "heading-jump",
+             .place = std::ranges::find(plan.path.segments, SegmentKind::Turn, &PathSegment::kind)->samples.front().position,
+             .text = "This machine cannot turn on the spot.",
+             .suggestion = "Choose forward curves, or a machine that can."});
+    }
+    const Clock::time_point driven = Clock::now();
+    plan.timings.path += seconds(std::chrono::duration<double>(driven - begin).count());
+    auto report = audit(auditInput(plan), job.part(0.6, 1.0));
+    if (!report) {
+        return std::unexpected(report.error());
+    }
+    plan.audit = std::move(*report);
+    addAuditFindings(plan);
+    plan.timings.audit += seconds(std::chrono::duration<double>(Clock::now() - driven).count());
+    return {};
+}
+
+std::ptrdiff_t blockingCount(const Plan& plan) {
+    return std::ranges::count(plan.findings, Severity::Blocking, &Finding::severity);
+}
+
+/// Where more is left than may stay, short passes over it, if the plan gets better by them.
+Result<void> finish(Plan& plan, const std::vector<Leg>& legs, RememberedWays& ways, const MultiPolygon& drivable,
+                    const JobContext& job) {
+    const Settings& settings = plan.request.settings;
+    const bool applies = !plan.headland.rings.empty() && settings.flag(kHeadlandFinish) && settings.flag(kStayInside) &&
+                         turnMethod(settings) == kBestFeasibleMethod.run;
+    if (!applies || std::ranges::none_of(plan.findings, [](const Finding& finding) { return finding.kind == "missed"; })) {
+        return {};
+    }
+    const Clock::time_point begin = Clock::now();
+    const Rig lowered{drivable, plan.request.machine, ImplementAt::Lowered};
+    const auto passes = finishingPasses({.workable = plan.field().workable(),
+                                         .left = plan.audit.leftAreas,
+                                         .mayStay = kMayStayShare * plan.audit.workable,
+                                         .mayStayInOnePiece = kMayStayInOnePiece,
+                                         .lowered = lowered},
+                                        job.part(0.0, 0.2));
+    if (!passes) {
+        return std::unexpected(passes.error());
+    }
+    Plan finished = plan;
+    const std::vector<Leg> more = withFinishingPasses(legs, *passes, ways, finished.headland.rings, job);
+    finished.timings.path += seconds(std::chrono::duration<double>(Clock::now() - begin).count());
+    if (more.size() == legs.size()) {
+        return {};
+    }
+    if (auto driven = drive(finished, more, ways, drivable, job.part(0.2, 1.0)); !driven) {
+        return driven;
+    }
+    if (blockingCount(finished) <= blockingCount(plan)) {
+        plan = std::move(finished);
+    }
+    return {};
+}
+
+}  // namespace
+
+Result<void> driveStage(Plan& plan, const MultiPolygon& drivable, const JobContext& job) {
+    const Field& field = plan.field();
+    const Machine& machine = plan.request.machine;
+    const Settings& settings = plan.request.settings;
+    const auto start = routePlace(field, settings, kRouteStart);
+    const auto end = routePlace(field, settings, kRouteEnd);
+    if (!start || !end) {
+        return std::unexpected(start ? end.error() : start.error());
+    }
+    const std::array places{*start, *end};
+    const auto open = withOpenGates(drivable, field, places, job);
+    if (!open) {
+        return std::unexpected(open.error());
+    }
+    const auto travel = travelRule(traversalOf(settings),
+                                   {.workable = field.workable(),
+                                    .mainland = plan.headland.mainland,
+                                    .machine = machine,
+                                    .margin = plan.margin},
+                                   job);
+    if (!travel) {
+        return std::unexpected(travel.error());
+    }
+    const auto rig = std::make_shared<Rig>(*open, machine);
+    RememberedWays ways{[rig, travel = *travel](const Pose& leaving, const Pose& arriving, const JobContext& part,
+                                                     SearchEffort effort) {
+        return fittingConnection(*rig, leaving, arriving, travel, part, effort);
+    }};
+    std::vector<Leg> legs = layOut(plan, drivable);
+    const std::vector<Finding> gateFindings = addGateWays(legs, places, field, *rig);
+    if (auto driven = drive(plan, legs, ways, *open, job.part(0.0, 0.8)); !driven) {
+        return std::unexpected(driven.error());
+    }
+    if (auto finished = finish(plan, legs, ways, *open, job.part(0.8, 1.0)); !finished) {
+        return std::unexpected(finished.error());
+    }
+    plan.findings.insert(plan.findings.end(), gateFindings.begin(), gateFindings.end());
+    return {};
+}
+
+}  // namespace furrow
