@@ -17,19 +17,21 @@ namespace {
 
 constexpr std::size_t kMostPasses = 32;
 // A pass that gains less, as a share of the square of its width, is not worth lowering the implement for.
-constexpr double kLeastGainShare = 0.08;
+constexpr double kLeastGainShare = 0.05;
 constexpr double kLookM = 0.15;
 constexpr double kTouchingM = 1e-3;
 // Beside an edge it keeps a finger's breadth, to get away from there again.
 constexpr double kBesideEdgeM = 0.02;
 // Edges that are shorter, as a share of the width, say nothing about where a pass could run.
 constexpr double kShortestEdgeShare = 0.3;
-constexpr std::size_t kMostGuides = 60;
+constexpr std::size_t kMostGuides = 240;
 // Lines as close to each other as this, the distance as a share of the width, are one.
 constexpr double kSameDirectionRad = 0.03;
 constexpr double kSameLineShare = 0.02;
 // Edges no farther from a piece than this lie beside it.
 constexpr double kNearM = 0.5;
+// Passes that begin and end closer to each other than this share of the width are one.
+constexpr double kSamePassShare = 0.15;
 // How much farther in than flush with an edge a pass may lie, as shares of the width.
 constexpr std::array kAside{0.0, 0.04, 0.1, 0.2, 0.4};
 
@@ -44,6 +46,14 @@ Ring stripOf(const Candidate& candidate, double widthM) {
     const Point way = candidate.to - candidate.from;
     const Point side = (0.5 * widthM / norm(way)) * Point{-way.y, way.x};
     return {candidate.from - side, candidate.to - side, candidate.to + side, candidate.from + side};
+}
+
+/// Of the vehicle's reference point.
+Turn lineOf(const Candidate& candidate, const Machine& machine) {
+    const Point way = candidate.to - candidate.from;
+    return {.type = {},
+            .start = vehicleAt({.position = candidate.from, .heading = radians(std::atan2(way.y, way.x))}, machine),
+            .pieces = {{.length = metres(norm(way)), .curvature = {}}}};
 }
 
 /// What of a ring lies on the left of a line (Sutherland & Hodgman 1974, doi 10.1145/360767.360802). Parts that come
@@ -144,6 +154,16 @@ public:
     }
 
 private:
+    bool isRefused(const Candidate& candidate) const {
+        const Turn line = lineOf(candidate, task_.lowered.machine());
+        const auto isClose = [&](const Pose& a, const Pose& b) {
+            return distance(a.position, b.position) < kSamePassShare * widthM_;
+        };
+        return std::ranges::any_of(task_.refused, [&](const PassStretch& stretch) {
+            return isClose(stretch.line.start, line.start) && isClose(stretch.line.end(), line.end());
+        });
+    }
+
     double gainM2(const Polygon& piece, const Candidate& candidate) const {
         const Ring strip = stripOf(candidate, widthM_);
         const auto inStrip = [&](Ring ring) {
@@ -194,7 +214,7 @@ private:
                 if (end - start > 2.0 * kLookM) {
                     Candidate candidate{.from = on + start * along, .to = on + end * along};
                     candidate.gainM2 = gainM2(piece, candidate);
-                    if (candidate.gainM2 > (best ? best->gainM2 : leastM2)) {
+                    if (candidate.gainM2 > (best ? best->gainM2 : leastM2) && !isRefused(candidate)) {
                         best = candidate;
                     }
                 }
@@ -210,15 +230,6 @@ private:
     double flushM_;  ///< from an edge to the middle of a pass along it
     double runInM_;
 };
-
-HeadlandPass passOf(const Candidate& candidate, int ring, const Machine& machine) {
-    const Point way = candidate.to - candidate.from;
-    const Pose start = vehicleAt({.position = candidate.from, .heading = radians(std::atan2(way.y, way.x))}, machine);
-    return {.ring = ring,
-            .width = machine.operatingWidth(),
-            .closed = false,
-            .stretches = {{.line = {.type = {}, .start = start, .pieces = {{.length = metres(norm(way)), .curvature = {}}}}}}};
-}
 
 }  // namespace
 
@@ -245,7 +256,10 @@ Result<std::vector<HeadlandPass>> finishingPasses(const FinishingTask& task, con
             continue;
         }
         const double fromEdgeM = edges.insideM(0.5 * (found->from + found->to)).value_or(0.0);
-        passes.push_back(passOf(*found, static_cast<int>(fromEdgeM / widthM), task.lowered.machine()));
+        passes.push_back({.ring = static_cast<int>(fromEdgeM / widthM),
+                          .width = task.lowered.machine().operatingWidth(),
+                          .closed = false,
+                          .stretches = {{.line = lineOf(*found, task.lowered.machine())}}});
         auto rest = difference(open, {{.outer = stripOf(*found, widthM), .holes = {}}}, job);
         if (!rest) {
             return std::unexpected(rest.error());

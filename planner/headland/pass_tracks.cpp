@@ -1,6 +1,7 @@
 #include "planner/headland/pass_tracks.h"
 
 #include "planner/geometry/geos_bridge.h"
+#include "planner/headland/edge_following.h"
 #include "planner/headland/smooth_ring.h"
 #include "planner/headland/swing_out.h"
 #include "planner/turns/rig.h"
@@ -315,6 +316,22 @@ Result<PassTracks> linesOf(const MultiPolygon& region, Length radius, Length gen
     return tracks;
 }
 
+/// The region that these lines enclose once they follow the edges.
+Result<MultiPolygon> alongEdges(const std::vector<Turn>& lines, const MultiPolygon& drivable, const Machine& machine,
+                                const FollowingRules& following, const JobContext& job) {
+    const BoundaryDistance edges{drivable, machine.workingFootprintWidth() + machine.spec().tractor.length};
+    MultiPolygon region;
+    MultiPolygon holes;
+    for (const Turn& line : lines) {
+        const Ring ring = simplified(followingTheEdge(line, edges, machine, following));
+        (signedAreaM2(ring) > 0.0 ? region : holes).push_back({.outer = ring, .holes = {}});
+    }
+    for (Polygon& hole : holes) {
+        std::ranges::reverse(hole.outer);
+    }
+    return madeValid(region, job).and_then([&](const MultiPolygon& outer) { return difference(outer, holes, job); });
+}
+
 /// How far tail or nose reach from the axle: the scale on which a swing-out has to be prepared.
 double overhangM(const Machine& machine) {
     double farthest = 0.0;
@@ -327,7 +344,7 @@ double overhangM(const Machine& machine) {
 }  // namespace
 
 Result<PassTracks> passTracks(const MultiPolygon& workable, Length inset, const MultiPolygon& drivable,
-                              const Machine& machine, RoundTheField way, std::span<const Point> driven, const JobContext& job) {
+                              const Machine& machine, const TrackRules& rules, const JobContext& job) {
     const Length radius = machine.minTurningRadius();
     const double reachM = overhangM(machine);
     auto base = eroded(workable, inset, kRoundTolerance, job);
@@ -340,6 +357,9 @@ Result<PassTracks> passTracks(const MultiPolygon& workable, Length inset, const 
     const double swingM = std::hypot(besideM, reachM) - besideM;
     const bool touches = !Trailer::of(machine) && inset.si() < 0.5 * machine.workingFootprintWidth().si() + swingM;
     const Rig rig{drivable, machine, ImplementAt::Lowered};
+    const FollowingRules following{.beside = rules.beside, .leftOut = rules.driven, .aroundM = besideM + reachM};
+    // A line that follows the edges is looked at in the next round.
+    const int first = rules.followsEdges && !rig.hasTrailer() ? 1 : 0;
     Displacement displacement{reachM};
     PassTracks tracks;
     for (int round = 0;; ++round) {
@@ -351,7 +371,7 @@ Result<PassTracks> passTracks(const MultiPolygon& workable, Length inset, const 
         }
         tracks = std::move(*lines);
         const auto turnRound = [&] {
-            if (way == RoundTheField::Clockwise) {
+            if (rules.way == RoundTheField::Clockwise) {
                 std::ranges::transform(tracks.lines, tracks.lines.begin(), reversedLine);
             }
         };
@@ -360,15 +380,21 @@ Result<PassTracks> passTracks(const MultiPolygon& workable, Length inset, const 
             std::ranges::transform(tracks.lines, tracks.lines.begin(),
                                    [&rig](const Turn& line) { return swungOut(line, rig); });
         }
+        if (round < first) {
+            auto along = alongEdges(tracks.lines, drivable, machine, following, job);
+            if (!along) {
+                return std::unexpected(along.error());
+            }
+            base = std::move(*along);
+            continue;
+        }
         std::vector<Excess> excesses;
         for (const Turn& line : tracks.lines) {
             std::vector<Excess> found = excessesAlong(line, rig, 0.5 * reachM, job);
-            std::erase_if(found, [&](const Excess& excess) {
-                return std::ranges::any_of(driven, [&](Point corner) { return distance(corner, excess.place) < besideM + reachM; });
-            });
+            std::erase_if(found, [&](const Excess& excess) { return following.leavesOut(excess.place); });
             std::ranges::copy(found, std::back_inserter(excesses));
             const bool canBeLeft = std::ranges::any_of(found, [&](const Excess& excess) { return excess.moveM >= swingM; });
-            if (round == 0 && touches && !canBeLeft && driven.empty()) {
+            if (round == first && touches && !canBeLeft && rules.driven.empty()) {
                 excesses.push_back({line.start.position, kReserveFactor * swingM + kReserveM});
             }
         }
