@@ -18,8 +18,8 @@ constexpr double kFlushM = 1e-3;
 // Where the line bends more than this share of what the machine can, it moves in only.
 constexpr double kBentShare = 0.5;
 // Moves by less change nothing.
-constexpr double kSettledM = 1e-4;
-constexpr int kMostRounds = 400;
+constexpr double kSettledM = 2e-5;
+constexpr int kMostRounds = 1000;
 // Of what the machine can; the rest is for rounding the points again.
 constexpr double kCurvatureShare = 0.95;
 
@@ -102,12 +102,16 @@ Ring followingTheEdge(const Turn& line, const BoundaryDistance& edges, const Mac
         const bool staysPut = std::abs(bend[i]) > kBentShare * sharpest || stations[i].isLeftOut;
         inM[i] = staysPut ? 0.0 : -edges.reachM();
     }
-    double changeM = 1.0;
-    for (int round = 0; changeM > kSettledM && round < kMostRounds; ++round) {
-        changeM = 0.0;
+    // Stations whose neighbourhood has changed since they asked.
+    std::vector<bool> pending(count, true);
+    bool changed = true;
+    for (int round = 0; changed && round < kMostRounds; ++round) {
+        changed = false;
         const auto raise = [&](std::size_t i, double leastM) {
-            changeM = std::max(changeM, leastM - inM[i]);
-            inM[i] = std::max(inM[i], leastM);
+            if (leastM > inM[i] + kSettledM) {
+                inM[i] = leastM;
+                pending[i] = pending[(i + 1) % count] = pending[(i + count - 1) % count] = changed = true;
+            }
         };
         const auto ask = [&](std::size_t i) {
             const std::size_t before = (i + count - 1) % count;
@@ -130,11 +134,17 @@ Ring followingTheEdge(const Turn& line, const BoundaryDistance& edges, const Mac
                 raise(i, mean - 0.5 * stepM[before] * stepM[i] * (sharpest - bend[i]));
             }
         };
+        const auto askOnce = [&](std::size_t i) {
+            if (pending[i]) {
+                pending[i] = false;
+                ask(i);
+            }
+        };
         for (std::size_t i = 0; i < count; ++i) {
-            ask(i);
+            askOnce(i);
         }
         for (std::size_t i = count; i-- > 0;) {
-            ask(i);
+            askOnce(i);
         }
     }
     Ring ring;

@@ -80,6 +80,7 @@ struct CornerRules {
     std::vector<Point> driven;  ///< with CornerMethod::Searched: these corners and no others
     Length beside;              ///< kept from the edge
     bool followsEdges = true;   ///< otherwise its corners are the arcs of their rounding
+    bool movesIn = true;        ///< where tail or nose would swing out
 };
 
 /// From the middle of a corner to the ends of what belongs to it.
@@ -99,7 +100,8 @@ Result<ClosedRing> closedRing(const HeadlandTask& task, Length inset, int ring, 
                                    {.way = clockwise ? RoundTheField::Clockwise : RoundTheField::CounterClockwise,
                                     .beside = corners.beside,
                                     .driven = corners.driven,
-                                    .followsEdges = corners.followsEdges},
+                                    .followsEdges = corners.followsEdges,
+                                    .movesIn = corners.movesIn},
                                    job);
     if (!tracks) {
         return std::unexpected(tracks.error());
@@ -156,25 +158,26 @@ Area leftAt(const std::vector<RoundedCorner>& corners, const Machine& machine) {
 /// The outermost pass, rounded. Where that leaves too much, a machine that can reverse drives into the corners that
 /// it gets out of again.
 Result<ClosedRing> outermostRing(const HeadlandTask& task, Length inset, const JobContext& job) {
-    // Which corners there are, and what their rounding leaves, is seen before the line follows the edges.
-    auto arcs = closedRing(task, inset, 0, {.followsEdges = false}, job);
-    if (!arcs || !arcs->complete) {
-        return arcs;
-    }
     auto rounded = closedRing(task, inset, 0, {}, job);
-    if (!rounded) {
+    if (rounded && !rounded->complete) {
+        rounded = closedRing(task, inset, 0, {.followsEdges = false}, job);
+    }
+    if (!rounded || !rounded->complete) {
         return rounded;
     }
-    if (!rounded->complete) {
-        rounded = std::move(*arcs);
-        return rounded;
+    // Which corners there are, and what their rounding leaves, is seen before the line follows the edges.
+    if (!Trailer::of(task.machine)) {
+        auto arcs = closedRing(task, inset, 0, {.followsEdges = false, .movesIn = false}, job);
+        if (!arcs) {
+            return arcs;
+        }
+        rounded->rounded = std::move(arcs->rounded);
     }
-    rounded->rounded = arcs->rounded;
     if (!canReverse(task.machine)) {
         return rounded;
     }
     const std::vector<RoundedCorner> outward =
-        outwardCorners(*arcs, task.settings.choice(kHeadlandDirection) == "clockwise");
+        outwardCorners(*rounded, task.settings.choice(kHeadlandDirection) == "clockwise");
     if (leftAt(outward, task.machine) <= kMostUncutShare * area(task.field.workable())) {
         return rounded;
     }

@@ -8,6 +8,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <functional>
 #include <iterator>
 #include <numbers>
 #include <optional>
@@ -21,6 +22,7 @@ namespace {
 constexpr double kRadiusReserve = 1.02;
 // Outside by less than this is touching.
 constexpr double kTouchingM = 8e-4;
+const auto everywhere = [](Point) { return true; };
 // Moved in by a little more than was seen, so that it stays inside between the places that were looked at.
 constexpr double kReserveM = 0.01;
 constexpr double kReserveFactor = 1.15;
@@ -115,6 +117,8 @@ public:
         rounds_.push_back(std::move(excesses));
     }
     bool isEmpty() const { return rounds_.empty(); }
+    /// Whether the last round has moved anything here.
+    bool changedLastAt(Point point) const { return rounds_.empty() || mostAt(point, rounds_.back()) > 0.0; }
 
     double at(Point point) const {
         double sum = 0.0;
@@ -221,8 +225,10 @@ Result<MultiPolygon> moved(const MultiPolygon& polygons, const Displacement& dis
     return madeValid(result, job);
 }
 
-/// The worst places along a line, at most one for each `apart`. Ends early where the job is stopped.
-std::vector<Excess> excessesAlong(const Turn& line, const Rig& rig, double apartM, const JobContext& job) {
+/// The worst places along a line, at most one for each `apart`, where `looksAt` says so. Ends early where the job is
+/// stopped.
+std::vector<Excess> excessesAlong(const Turn& line, const Rig& rig, double apartM, const std::function<bool(Point)>& looksAt,
+                                  const JobContext& job) {
     std::vector<Excess> found;
     double wayM = 0.0;
     double lastM = -apartM;
@@ -255,7 +261,8 @@ std::vector<Excess> excessesAlong(const Turn& line, const Rig& rig, double apart
             // In the middle of a straight nothing swings: now and then is often enough.
             const bool inLine = std::abs((at.implement - at.tractor.heading).si()) < kInLineRad;
             const bool nearEnd = std::min(goneM, piece.length.si() - goneM) <= 2.0 * apartM;
-            if (piece.curvature != Curvature{} || nearEnd || !inLine || looked % 10 == 0) {
+            const bool swings = piece.curvature != Curvature{} || nearEnd || !inLine || looked % 10 == 0;
+            if (swings && looksAt(at.tractor.position)) {
                 look(at, wayM + goneM);
             }
             ++looked;
@@ -359,7 +366,7 @@ Result<PassTracks> passTracks(const MultiPolygon& workable, Length inset, const 
     const Rig rig{drivable, machine, ImplementAt::Lowered};
     const FollowingRules following{.beside = rules.beside, .leftOut = rules.driven, .aroundM = besideM + reachM};
     // A line that follows the edges is looked at in the next round.
-    const int first = rules.followsEdges && !rig.hasTrailer() ? 1 : 0;
+    const int first = rules.followsEdges && rules.movesIn && !rig.hasTrailer() ? 1 : 0;
     Displacement displacement{reachM};
     PassTracks tracks;
     for (int round = 0;; ++round) {
@@ -375,6 +382,10 @@ Result<PassTracks> passTracks(const MultiPolygon& workable, Length inset, const 
                 std::ranges::transform(tracks.lines, tracks.lines.begin(), reversedLine);
             }
         };
+        if (!rules.movesIn) {
+            turnRound();
+            return tracks;
+        }
         if (rig.hasTrailer()) {
             turnRound();
             std::ranges::transform(tracks.lines, tracks.lines.begin(),
@@ -388,15 +399,24 @@ Result<PassTracks> passTracks(const MultiPolygon& workable, Length inset, const 
             base = std::move(*along);
             continue;
         }
-        std::vector<Excess> excesses;
-        for (const Turn& line : tracks.lines) {
-            std::vector<Excess> found = excessesAlong(line, rig, 0.5 * reachM, job);
-            std::erase_if(found, [&](const Excess& excess) { return following.leavesOut(excess.place); });
-            std::ranges::copy(found, std::back_inserter(excesses));
-            const bool canBeLeft = std::ranges::any_of(found, [&](const Excess& excess) { return excess.moveM >= swingM; });
-            if (round == first && touches && !canBeLeft && rules.driven.empty()) {
-                excesses.push_back({line.start.position, kReserveFactor * swingM + kReserveM});
+        const auto look = [&](const std::function<bool(Point)>& looksAt) {
+            std::vector<Excess> excesses;
+            for (const Turn& line : tracks.lines) {
+                std::vector<Excess> found = excessesAlong(line, rig, 0.5 * reachM, looksAt, job);
+                std::erase_if(found, [&](const Excess& excess) { return following.leavesOut(excess.place); });
+                std::ranges::copy(found, std::back_inserter(excesses));
+                const bool canBeLeft =
+                    std::ranges::any_of(found, [&](const Excess& excess) { return excess.moveM >= swingM; });
+                if (round == first && touches && !canBeLeft && rules.driven.empty()) {
+                    excesses.push_back({line.start.position, kReserveFactor * swingM + kReserveM});
+                }
             }
+            return excesses;
+        };
+        std::vector<Excess> excesses = look([&](Point place) { return displacement.changedLastAt(place); });
+        // Merged corners may move the line a little farther away.
+        if (excesses.empty() && round > first) {
+            excesses = look(everywhere);
         }
         if (job.stopRequested()) {
             return std::unexpected(cancelled());
@@ -422,7 +442,7 @@ std::vector<Point> placesOutside(const Turn& line, const MultiPolygon& drivable,
                                  const JobContext& job) {
     std::vector<Point> places;
     const Rig rig{drivable, machine, ImplementAt::Lowered};
-    for (const Excess& excess : excessesAlong(line, rig, 0.5 * overhangM(machine), job)) {
+    for (const Excess& excess : excessesAlong(line, rig, 0.5 * overhangM(machine), everywhere, job)) {
         places.push_back(excess.place);
     }
     return places;

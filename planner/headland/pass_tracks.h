@@ -21,6 +21,7 @@ struct TrackRules {
     std::span<const Point> driven = {};  ///< corners that are going to be driven into: the line stays as it is there
     /// It is moved as near to the edges as tail and nose let it; otherwise corners keep the arcs of their rounding.
     bool followsEdges = true;
+    bool movesIn = true;  ///< where tail or nose would swing out
 };
 
 /// The lines of one headland pass: one closed line for the boundary and one for each obstacle.
