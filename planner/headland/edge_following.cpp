@@ -130,8 +130,15 @@ Ring followingTheEdge(const Turn& line, const BoundaryDistance& edges, const Mac
             const std::size_t next = (i + 1) % count;
             const double both = stepM[before] + stepM[i];
             const double mean = (stepM[i] * inM[before] + stepM[before] * inM[next]) / both;
-            if (!stations[i].isLeftOut) {
-                raise(i, mean - 0.5 * stepM[before] * stepM[i] * (sharpest - bend[i]));
+            if (stations[i].isLeftOut) {
+                return;
+            }
+            const double sagM = 0.5 * stepM[before] * stepM[i];
+            raise(i, mean - sagM * (sharpest - bend[i]));
+            // Moving in there more than before and after bends it the other way: that takes room on both sides.
+            if (const double tooFarM = inM[i] - mean - sagM * (sharpest + bend[i]); tooFarM > 0.0) {
+                raise(before, inM[before] + tooFarM);
+                raise(next, inM[next] + tooFarM);
             }
         };
         const auto askOnce = [&](std::size_t i) {

@@ -22,6 +22,8 @@ namespace {
 constexpr double kRadiusReserve = 1.02;
 // Outside by less than this is touching.
 constexpr double kTouchingM = 8e-4;
+// And by less than this it is drawing.
+constexpr double kDrawingM = 4e-3;
 const auto everywhere = [](Point) { return true; };
 // Moved in by a little more than was seen, so that it stays inside between the places that were looked at.
 constexpr double kReserveM = 0.01;
@@ -104,6 +106,7 @@ Result<MultiPolygon> rounded(const Polygon& region, Length radius, const JobCont
 struct Excess {
     Point place;
     double moveM = 0.0;
+    double outsideM = 0.0;
 };
 
 /// How far the pass has to move in at each place: as far as was seen there, less with the distance from it.
@@ -245,10 +248,10 @@ std::vector<Excess> excessesAlong(const Turn& line, const Rig& rig, double apart
         }
         const double moveM = kReserveFactor * outsideM + kReserveM;
         if (hereM - lastM >= apartM || found.empty()) {
-            found.push_back({at.tractor.position, moveM});
+            found.push_back({at.tractor.position, moveM, outsideM});
             lastM = hereM;
         } else if (moveM > found.back().moveM) {
-            found.back() = {at.tractor.position, moveM};
+            found.back() = {at.tractor.position, moveM, outsideM};
         }
     };
     for (const TurnPiece& piece : line.pieces) {
@@ -408,7 +411,7 @@ Result<PassTracks> passTracks(const MultiPolygon& workable, Length inset, const 
                 const bool canBeLeft =
                     std::ranges::any_of(found, [&](const Excess& excess) { return excess.moveM >= swingM; });
                 if (round == first && touches && !canBeLeft && rules.driven.empty()) {
-                    excesses.push_back({line.start.position, kReserveFactor * swingM + kReserveM});
+                    excesses.push_back({line.start.position, kReserveFactor * swingM + kReserveM, 0.0});
                 }
             }
             return excesses;
@@ -443,7 +446,9 @@ std::vector<Point> placesOutside(const Turn& line, const MultiPolygon& drivable,
     std::vector<Point> places;
     const Rig rig{drivable, machine, ImplementAt::Lowered};
     for (const Excess& excess : excessesAlong(line, rig, 0.5 * overhangM(machine), everywhere, job)) {
-        places.push_back(excess.place);
+        if (excess.outsideM > kDrawingM) {
+            places.push_back(excess.place);
+        }
     }
     return places;
 }
