@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <cmath>
 #include <numbers>
+#include <utility>
 #include <vector>
 
 namespace furrow {
@@ -12,6 +13,7 @@ namespace furrow {
 namespace {
 
 constexpr double kStepM = 0.25;
+constexpr double kClosestM = 0.05;
 // Kept from the edge for what the first order leaves out, but for lines that are flush with it anyway.
 constexpr double kReserveM = 0.01;
 constexpr double kFlushM = 1e-3;
@@ -20,6 +22,9 @@ constexpr double kBentShare = 0.5;
 // Moves by less change nothing.
 constexpr double kSettledM = 2e-5;
 constexpr int kMostRounds = 1000;
+// How often and by how much of what is missing both sides of a bend towards the edge move in, too.
+constexpr int kGivingRounds = 20;
+constexpr double kGiven = 0.5;
 // Of what the machine can; the rest is for rounding the points again.
 constexpr double kCurvatureShare = 0.95;
 
@@ -61,7 +66,9 @@ std::vector<Station> stationsOf(const Turn& line, const FollowingRules& rules) {
         } else {
             for (int i = 0; i < steps; ++i) {
                 const Pose pose = advanced(begins, piece, piece.length * (static_cast<double>(i) / steps));
-                stations.push_back({pose, rules.leavesOut(pose.position)});
+                if (stations.empty() || distance(stations.back().pose.position, pose.position) > kClosestM) {
+                    stations.push_back({pose, rules.leavesOut(pose.position)});
+                }
             }
         }
         begins = ends;
@@ -97,62 +104,73 @@ Ring followingTheEdge(const Turn& line, const BoundaryDistance& edges, const Mac
     std::vector<double> inM(count);
     for (std::size_t i = 0; i < count; ++i) {
         const std::size_t next = (i + 1) % count;
-        stepM[i] = std::max(1e-6, distance(stations[i].pose.position, stations[next].pose.position));
+        stepM[i] = std::max(1e-3, distance(stations[i].pose.position, stations[next].pose.position));
         bend[i] = std::remainder((stations[next].pose.heading - stations[i].pose.heading).si(), 2.0 * std::numbers::pi) / stepM[i];
         const bool staysPut = std::abs(bend[i]) > kBentShare * sharpest || stations[i].isLeftOut;
         inM[i] = staysPut ? 0.0 : -edges.reachM();
     }
     // Stations whose neighbourhood has changed since they asked.
-    std::vector<bool> pending(count, true);
+    std::vector<char> pending(count, 1);
     bool changed = true;
-    for (int round = 0; changed && round < kMostRounds; ++round) {
-        changed = false;
-        const auto raise = [&](std::size_t i, double leastM) {
-            if (leastM > inM[i] + kSettledM) {
-                inM[i] = leastM;
-                pending[i] = pending[(i + 1) % count] = pending[(i + count - 1) % count] = changed = true;
+    const auto raise = [&](std::size_t i, double leastM) {
+        if (leastM > inM[i] + kSettledM) {
+            inM[i] = leastM;
+            pending[i] = pending[(i + 1) % count] = pending[(i + count - 1) % count] = 1;
+            changed = true;
+        }
+    };
+    /// What a station would have if its line bent as its neighbours' do, and how far a radius lets it be from there.
+    const auto besideNeighbours = [&](std::size_t i) {
+        const std::size_t before = (i + count - 1) % count;
+        const std::size_t next = (i + 1) % count;
+        const double meanM = (stepM[i] * inM[before] + stepM[before] * inM[next]) / (stepM[before] + stepM[i]);
+        return std::pair{meanM, 0.5 * stepM[before] * stepM[i]};
+    };
+    const auto ask = [&](std::size_t i) {
+        if (std::exchange(pending[i], 0) == 0) {
+            return;
+        }
+        const std::size_t before = (i + count - 1) % count;
+        for (const Feeler& feeler : feelers) {
+            const double x = feeler.at.x;
+            const double missingM = feeler.outsideM[i] - inM[i];
+            if (x > stepM[i]) {
+                raise((i + 1) % count, inM[i] + stepM[i] / x * missingM);
+            } else if (x < -stepM[before]) {
+                raise(before, inM[i] - stepM[before] / x * missingM);
+            } else {
+                raise(i, feeler.outsideM[i]);
             }
-        };
-        const auto ask = [&](std::size_t i) {
-            const std::size_t before = (i + count - 1) % count;
-            for (const Feeler& feeler : feelers) {
-                const double x = feeler.at.x;
-                const double missingM = feeler.outsideM[i] - inM[i];
-                if (x > stepM[i]) {
-                    raise((i + 1) % count, inM[i] + stepM[i] / x * missingM);
-                } else if (x < -stepM[before]) {
-                    raise(before, inM[i] - stepM[before] / x * missingM);
-                } else {
-                    raise(i, feeler.outsideM[i]);
-                }
-            }
-            // Moving in before and after a corner more than in it bends the line more.
-            const std::size_t next = (i + 1) % count;
-            const double both = stepM[before] + stepM[i];
-            const double mean = (stepM[i] * inM[before] + stepM[before] * inM[next]) / both;
-            if (stations[i].isLeftOut) {
-                return;
-            }
-            const double sagM = 0.5 * stepM[before] * stepM[i];
-            raise(i, mean - sagM * (sharpest - bend[i]));
-            // Moving in there more than before and after bends it the other way: that takes room on both sides.
-            if (const double tooFarM = inM[i] - mean - sagM * (sharpest + bend[i]); tooFarM > 0.0) {
-                raise(before, inM[before] + tooFarM);
-                raise(next, inM[next] + tooFarM);
-            }
-        };
-        const auto askOnce = [&](std::size_t i) {
-            if (pending[i]) {
-                pending[i] = false;
+        }
+        // Moving in before and after a corner more than in it bends the line more.
+        if (!stations[i].isLeftOut) {
+            const auto [meanM, sagM] = besideNeighbours(i);
+            raise(i, meanM - sagM * (sharpest - bend[i]));
+        }
+    };
+    const auto settle = [&] {
+        for (int round = 0; std::exchange(changed, false) && round < kMostRounds; ++round) {
+            for (std::size_t i = 0; i < count; ++i) {
                 ask(i);
             }
-        };
+            for (std::size_t i = count; i-- > 0;) {
+                ask(i);
+            }
+        }
+    };
+    settle();
+    // Moving in somewhere more than before and after bends it the other way. There is no least way to mend that: both
+    // sides give a little, a few times.
+    for (int round = 0; round < kGivingRounds; ++round) {
         for (std::size_t i = 0; i < count; ++i) {
-            askOnce(i);
+            const auto [meanM, sagM] = besideNeighbours(i);
+            const double tooFarM = inM[i] - meanM - sagM * (sharpest + bend[i]);
+            if (tooFarM > 0.0 && !stations[i].isLeftOut) {
+                raise((i + count - 1) % count, inM[(i + count - 1) % count] + kGiven * tooFarM);
+                raise((i + 1) % count, inM[(i + 1) % count] + kGiven * tooFarM);
+            }
         }
-        for (std::size_t i = count; i-- > 0;) {
-            askOnce(i);
-        }
+        settle();
     }
     Ring ring;
     for (std::size_t i = 0; i < count; ++i) {

@@ -23,8 +23,8 @@ struct FollowingRules {
 /// curves beside it the one that lies farthest out everywhere. A corner of the footprint at x ahead of the axle is
 /// d + x d' farther in where the line has moved in by d, so that each asks for a least d one step on (nose) or back
 /// (tail) that grows with d itself; what satisfies all of these has a least element, found by going round until nothing
-/// changes. The same holds for the smallest radius in bends away from the edge; in bends towards it the line moves in on
-/// both sides as well, which is near the least. To first order: what is still outside by little is left to the caller.
+/// changes. The same holds for the smallest radius in bends away from the edge; in bends towards it both sides move in a
+/// little. To first order: what is still outside by little is left to the caller.
 ///
 /// @param edges  reaches farther than the footprint swings out
 /// @return points no farther apart than 0.25 m. Cost: corners of the footprint times points, a few times.
