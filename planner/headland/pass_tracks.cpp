@@ -35,6 +35,7 @@ constexpr int kMostMoves = 10;
 constexpr double kInLineRad = 1e-3;
 // Places that are looked at lie so many of the distances between two moves apart.
 constexpr double kLookShare = 0.1;
+constexpr double kBendLooks = 4.0;
 // Points of a ring that can be moved lie no farther apart.
 constexpr double kDenseM = 1.0;
 // Points of a moved ring that make less difference are left out.
@@ -258,7 +259,9 @@ std::vector<Excess> excessesAlong(const Turn& line, const Rig& rig, double apart
         Point last = state.tractor.position;
         double goneM = 0.0;
         int looked = 0;
-        const auto next = rig.follow(state, piece, metres(kLookShare * apartM), [&](const RigState& at) {
+        // In bends the corners of the footprint go several times as far as the axle.
+        const double swung = 1.0 + kBendLooks * std::abs(piece.curvature.si()) * apartM;
+        const auto next = rig.follow(state, piece, metres(kLookShare * apartM / swung), [&](const RigState& at) {
             goneM += distance(at.tractor.position, last);
             last = at.tractor.position;
             // In the middle of a straight nothing swings: now and then is often enough.
