@@ -47,6 +47,15 @@ std::vector<Feeler> feelersOf(const Machine& machine) {
     return feelers;
 }
 
+/// Where more than this would be needed the line does not fit anyway.
+double farthestM(const Machine& machine) {
+    double farthest = 0.0;
+    for (const Point& corner : machine.workingFootprint()) {
+        farthest = std::max(farthest, norm(corner));
+    }
+    return farthest;
+}
+
 /// Places along a line. An arc that is left out is one place, the point where its two sides meet.
 struct Station {
     Pose pose;
@@ -112,7 +121,9 @@ Ring followingTheEdge(const Turn& line, const BoundaryDistance& edges, const Mac
     // Stations whose neighbourhood has changed since they asked.
     std::vector<char> pending(count, 1);
     bool changed = true;
-    const auto raise = [&](std::size_t i, double leastM) {
+    const double mostM = farthestM(machine);
+    const auto raise = [&](std::size_t i, double wantedM) {
+        const double leastM = std::min(wantedM, mostM);
         if (leastM > inM[i] + kSettledM) {
             inM[i] = leastM;
             pending[i] = pending[(i + 1) % count] = pending[(i + count - 1) % count] = 1;

@@ -13,6 +13,7 @@
 #include <numbers>
 #include <optional>
 #include <span>
+#include <utility>
 
 namespace furrow {
 
@@ -372,15 +373,21 @@ Result<PassTracks> passTracks(const MultiPolygon& workable, Length inset, const 
     const Rig rig{drivable, machine, ImplementAt::Lowered};
     const FollowingRules following{.beside = rules.beside, .leftOut = rules.driven, .aroundM = besideM + reachM};
     // A line that follows the edges is looked at in the next round.
-    const int first = rules.followsEdges && rules.movesIn && !rig.hasTrailer() ? 1 : 0;
+    int first = rules.followsEdges && rules.movesIn && !rig.hasTrailer() ? 1 : 0;
     Displacement displacement{reachM};
     PassTracks tracks;
+    MultiPolygon unmoved;
     for (int round = 0;; ++round) {
         auto lines = moved(*base, displacement, job).and_then([&](const MultiPolygon& region) {
             return linesOf(region, radius, metres(reachM), job);
         });
         if (!lines) {
             return std::unexpected(lines.error());
+        }
+        if (round == first && first > 0 && (lines->givenUp > 0 || lines->lines.size() != tracks.lines.size())) {
+            // In a place too narrow for it the line that follows the edges crosses itself.
+            base = std::move(unmoved);
+            lines = PassTracks{.lines = std::move(tracks.lines), .movedIn = {}, .givenUp = tracks.givenUp};
         }
         tracks = std::move(*lines);
         const auto turnRound = [&] {
@@ -397,12 +404,16 @@ Result<PassTracks> passTracks(const MultiPolygon& workable, Length inset, const 
             std::ranges::transform(tracks.lines, tracks.lines.begin(),
                                    [&rig](const Turn& line) { return swungOut(line, rig); });
         }
+        if (round < first && tracks.givenUp > 0) {
+            // Something else has to be made of it.
+            first = 0;
+        }
         if (round < first) {
             auto along = alongEdges(tracks.lines, drivable, machine, following, job);
             if (!along) {
                 return std::unexpected(along.error());
             }
-            base = std::move(*along);
+            unmoved = std::exchange(*base, std::move(*along));
             continue;
         }
         const auto look = [&](const std::function<bool(Point)>& looksAt) {
