@@ -16,9 +16,6 @@ namespace furrow {
 
 namespace {
 
-constexpr std::array kDrivers{"GTiff",   "MBTiles", "GPKG",    "PNG",  "JPEG",
-                              "WEBP",    "JP2OpenJPEG", "AAIGrid", "SRTMHGT", "DTED",
-                              static_cast<const char*>(nullptr)};
 /// A raster without overviews that is larger is reduced to this once.
 constexpr int kReducedSide = 2048;
 /// To reduce more pixels than these takes minutes.
@@ -32,21 +29,12 @@ bool isWide(GDALDataType type) {
     return type != GDT_Byte;
 }
 
-struct TransformerCloser {
-    void operator()(void* transformer) const { GDALDestroyGenImgProjTransformer(transformer); }
-};
-
 Error noPlace(const std::string& where) {
     return inputRefused(where, "the picture does not say where it lies",
                         "give a GeoTIFF, or export it again with its coordinate system");
 }
 
 }  // namespace
-
-RasterDataset openRaster(const std::filesystem::path& path) {
-    registerGdalDrivers();
-    return RasterDataset{GDALDataset::Open(path.c_str(), GDAL_OF_RASTER | GDAL_OF_READONLY, kDrivers.data())};
-}
 
 Result<std::shared_ptr<const Imagery>> RasterImagery::open(const std::filesystem::path& path) {
     const std::string where = path.string();
@@ -62,19 +50,22 @@ Result<std::shared_ptr<const Imagery>> RasterImagery::open(const std::filesystem
     std::error_code error;
     made->written_ = std::filesystem::last_write_time(path, error);
     made->bytes_ = std::filesystem::file_size(path, error);
-    const auto ready = made->place(*raster).and_then([&] { return made->chooseBands(*raster); }).and_then([&] {
-        return made->facts_.kind == ImageryKind::Heights ? made->measureHeights(*raster)
-               : made->wide_                             ? made->measureRange(*raster)
+    auto reader = std::make_unique<TileReader>(std::move(raster), path);
+    GDALDataset& opened = reader->raster();
+    const auto ready = made->place(*reader).and_then([&] { return made->chooseBands(opened); }).and_then([&] {
+        return made->facts_.kind == ImageryKind::Heights ? made->measureHeights(opened)
+               : made->wide_                             ? made->measureRange(opened)
                                                          : Result<void>{};
     });
     if (!ready) {
         return std::unexpected(ready.error());
     }
-    made->handles_.push_back(std::move(raster));
+    made->readers_.push_back(std::move(reader));
     return made;
 }
 
-Result<void> RasterImagery::place(GDALDataset& raster) {
+Result<void> RasterImagery::place(TileReader& reader) {
+    GDALDataset& raster = reader.raster();
     const std::string where = path_.string();
     const OGRSpatialReference* system = raster.GetSpatialRef();
     const bool hasPoints = raster.GetGCPCount() > 0 && raster.GetGCPSpatialRef() != nullptr;
@@ -83,30 +74,23 @@ Result<void> RasterImagery::place(GDALDataset& raster) {
                        raster.GetGeoTransform(affine.data()) != CE_None)) {
         return std::unexpected(noPlace(where));
     }
-    char** options = CSLSetNameValue(nullptr, "DST_SRS", "EPSG:3857");
-    const std::unique_ptr<void, TransformerCloser> transformer{
-        GDALCreateGenImgProjTransformer2(&raster, nullptr, options)};
-    CSLDestroy(options);
-    std::array<double, 6> suggested{};
-    std::array<double, 4> extent{};
-    int columns = 0;
-    int rows = 0;
-    if (!transformer || GDALSuggestedWarpOutput2(&raster, GDALGenImgProjTransform, transformer.get(), suggested.data(),
-                                                 &columns, &rows, extent.data(), 0) != CE_None) {
+    double pixelM = 0.0;
+    TileEdges extent;
+    if (!reader.place(pixelM, extent)) {
         return std::unexpected(noPlace(where));
     }
     constexpr double kHalf = 0.5 * kMercatorWorldM;
-    edges_ = {.west = std::max(extent[0], -kHalf),
-              .south = std::max(extent[1], -kHalf),
-              .east = std::min(extent[2], kHalf),
-              .north = std::min(extent[3], kHalf)};
-    if (!(edges_.west < edges_.east && edges_.south < edges_.north && suggested[1] > 0.0)) {
+    edges_ = {.west = std::max(extent.west, -kHalf),
+              .south = std::max(extent.south, -kHalf),
+              .east = std::min(extent.east, kHalf),
+              .north = std::min(extent.north, kHalf)};
+    if (!(edges_.west < edges_.east && edges_.south < edges_.north && pixelM > 0.0)) {
         return std::unexpected(noPlace(where));
     }
     facts_.southWest = fromMercator(edges_.west, edges_.south);
     facts_.northEast = fromMercator(edges_.east, edges_.north);
     // A tenth of a zoom coarser than the raster shows all of it still.
-    facts_.finestZoom = std::clamp(static_cast<int>(std::ceil(std::log2(mercatorPixelM(0) / suggested[1]) - 0.1)), 0,
+    facts_.finestZoom = std::clamp(static_cast<int>(std::ceil(std::log2(mercatorPixelM(0) / pixelM) - 0.1)), 0,
                                    kFinestTileZoom);
 
     int blockWidth = 0;
@@ -122,7 +106,7 @@ Result<void> RasterImagery::place(GDALDataset& raster) {
                                             "save it in tiles and with overviews (gdal_translate -of COG)"));
     }
     if (reduces) {
-        const double reducedPixelM = suggested[1] * longest / kReducedSide;
+        const double reducedPixelM = pixelM * longest / kReducedSide;
         reducedZoom_ = static_cast<int>(std::floor(std::log2(mercatorPixelM(0) / reducedPixelM) + 0.3));
     }
     return {};
@@ -150,9 +134,7 @@ Result<void> RasterImagery::chooseBands(GDALDataset& raster) {
     } else {
         bands_ = {1};
     }
-    if (alpha > 0 && !wide_) {
-        bands_.push_back(alpha);
-    }
+    alpha_ = alpha;
     if (const GDALColorTable* table = first.GetColorTable(); bands_.size() == 1 && !wide_ && table != nullptr) {
         for (int i = 0; i < 256; ++i) {
             const GDALColorEntry* entry = table->GetColorEntry(std::min(i, table->GetColorEntryCount() - 1));
@@ -220,47 +202,70 @@ bool RasterImagery::isInside(TileId id) const {
     return tile.west < edges_.east && tile.east > edges_.west && tile.south < edges_.north && tile.north > edges_.south;
 }
 
-Result<RasterDataset> RasterImagery::takeHandle() const {
+Result<std::unique_ptr<TileReader>> RasterImagery::takeReader() const {
     {
         const std::scoped_lock lock{mutex_};
-        if (!handles_.empty()) {
-            RasterDataset handle = std::move(handles_.back());
-            handles_.pop_back();
-            return handle;
+        if (!readers_.empty()) {
+            auto reader = std::move(readers_.back());
+            readers_.pop_back();
+            return reader;
         }
     }
     const GdalMessages messages;
-    RasterDataset handle = openRaster(path_);
-    return handle ? Result<RasterDataset>{std::move(handle)}
-                  : std::unexpected(readFailed(path_.string(), "the file cannot be read any more", "open it again"));
+    RasterDataset raster = openRaster(path_);
+    if (!raster) {
+        return std::unexpected(readFailed(path_.string(), "the file cannot be read any more", "open it again"));
+    }
+    return std::make_unique<TileReader>(std::move(raster), path_);
 }
 
-Result<RasterDataset> RasterImagery::warped(const WarpRequest& request, const JobContext& job) const {
-    auto handle = takeHandle();
-    if (!handle) {
-        return std::unexpected(handle.error());
+Result<RasterDataset> RasterImagery::read(TileId id, const JobContext& job) const {
+    const bool heights = facts_.kind == ImageryKind::Heights;
+    TileBands bands{.colours = bands_,
+                    .alpha = alpha_,
+                    .type = wide_ ? GDT_Float32 : GDT_Byte,
+                    .margin = heights ? kHeightMargin : 0,
+                    .withAlpha = !heights,
+                    .smooth = palette_.empty()};
+    auto reader = takeReader();
+    if (!reader) {
+        return std::unexpected(reader.error());
     }
     Result<RasterDataset> made = std::unexpected(cancelled());
-    if (request.id.zoom <= reducedZoom_) {
+    if (id.zoom <= reducedZoom_) {
         const std::scoped_lock lock{reducedMutex_};
-        if (!reduced_) {
-            auto reduced = reducedRaster(**handle, bands_, kReducedSide, palette_.empty(), path_.string(), job);
-            if (!reduced) {
-                return std::unexpected(reduced.error());
+        if (const auto reduced = reduce(**reader, job); !reduced) {
+            made = std::unexpected(reduced.error());
+        } else {
+            // In the order in which they were copied.
+            for (std::size_t i = 0; i < bands.colours.size(); ++i) {
+                bands.colours[i] = static_cast<int>(i) + 1;
             }
-            reduced_ = std::move(*reduced);
+            bands.alpha = alpha_ > 0 ? static_cast<int>(bands.colours.size()) + 1 : 0;
+            made = reduced_->tile(id, bands, path_.string(), job);
         }
-        WarpRequest fromReduced = request;
-        for (std::size_t i = 0; i < fromReduced.bands.size(); ++i) {
-            fromReduced.bands[i] = static_cast<int>(i) + 1;
-        }
-        made = warpedTile(*reduced_, fromReduced, path_.string(), job);
     } else {
-        made = warpedTile(**handle, request, path_.string(), job);
+        made = (*reader)->tile(id, bands, path_.string(), job);
     }
     const std::scoped_lock lock{mutex_};
-    handles_.push_back(std::move(*handle));
+    readers_.push_back(std::move(*reader));
     return made;
+}
+
+Result<void> RasterImagery::reduce(TileReader& reader, const JobContext& job) const {
+    if (reduced_) {
+        return {};
+    }
+    std::vector<int> bands = bands_;
+    if (alpha_ > 0) {
+        bands.push_back(alpha_);
+    }
+    auto raster = reducedRaster(reader.raster(), bands, kReducedSide, palette_.empty(), path_.string(), job);
+    if (!raster) {
+        return std::unexpected(raster.error());
+    }
+    reduced_ = std::make_unique<TileReader>(std::move(*raster), std::filesystem::path{});
+    return {};
 }
 
 Result<std::optional<TilePicture>> RasterImagery::tile(TileId id, const JobContext& job) const {
@@ -270,30 +275,14 @@ Result<std::optional<TilePicture>> RasterImagery::tile(TileId id, const JobConte
     if (!isInside(id)) {
         return std::nullopt;
     }
-    if (facts_.kind == ImageryKind::Heights) {
-        const bool finer = id.zoom > facts_.finestZoom - kHeightZoomsBeyond;
-        const auto heights = warped({.id = id,
-                                     .margin = kHeightMargin,
-                                     .bands = bands_,
-                                     .type = "Float32",
-                                     .resampling = finer ? "cubicspline" : "bilinear",
-                                     .alpha = false},
-                                    job);
-        return heights.transform([&](const RasterDataset& tile) { return heightTile(*tile, id, contourStepM(id.zoom)); });
-    }
-    const auto colours = warped({.id = id,
-                                 .margin = 0,
-                                 .bands = bands_,
-                                 .type = wide_ ? "Float32" : "Byte",
-                                 .resampling = palette_.empty() ? "bilinear" : "near",
-                                 .alpha = true},
-                                job);
-    return colours.transform([&](const RasterDataset& tile) { return std::optional{pictureOf(*tile)}; });
+    return read(id, job).transform([&](const RasterDataset& tile) {
+        return facts_.kind == ImageryKind::Heights ? heightTile(*tile, id, contourStepM(id.zoom))
+                                                   : std::optional{pictureOf(*tile)};
+    });
 }
 
 TilePicture RasterImagery::pictureOf(GDALDataset& warped) const {
     const std::size_t pixels = std::size_t{kTileSide} * kTileSide;
-    // A raster with an alpha band has it in the place of the one that warping adds.
     const int alphaBand = warped.GetRasterCount();
     const auto alpha = bytesOf(warped, alphaBand);
     std::vector<std::vector<std::uint8_t>> colours;

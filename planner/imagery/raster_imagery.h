@@ -2,7 +2,7 @@
 
 #include "planner/imagery/warped_tile.h"
 
-#include <chrono>
+#include <array>
 #include <mutex>
 
 namespace furrow {
@@ -19,15 +19,16 @@ public:
 private:
     explicit RasterImagery(std::filesystem::path path) : path_{std::move(path)} {}
 
-    Result<void> place(GDALDataset& raster);
+    Result<void> place(TileReader& reader);
     Result<void> chooseBands(GDALDataset& raster);
     Result<void> measureHeights(GDALDataset& raster);
     Result<void> measureRange(GDALDataset& raster);
     Result<void> unchanged() const;
 
-    /// The raster's own, or the reduced one for coarse tiles.
-    Result<RasterDataset> warped(const WarpRequest& request, const JobContext& job) const;
-    Result<RasterDataset> takeHandle() const;
+    Result<std::unique_ptr<TileReader>> takeReader() const;
+    /// From the raster itself, or for coarse tiles from the reduced one.
+    Result<RasterDataset> read(TileId id, const JobContext& job) const;
+    Result<void> reduce(TileReader& reader, const JobContext& job) const;
     bool isInside(TileId id) const;
     TilePicture pictureOf(GDALDataset& warped) const;
 
@@ -36,6 +37,7 @@ private:
     std::uintmax_t bytes_ = 0;
     TileEdges edges_;
     std::vector<int> bands_;
+    int alpha_ = 0;  ///< its band; 0 for none
     bool wide_ = false;  ///< values beyond a byte, drawn between these two
     double darkest_ = 0.0;
     double lightest_ = 255.0;
@@ -45,13 +47,9 @@ private:
     int reducedZoom_ = -1;
 
     mutable std::mutex mutex_;
-    mutable std::vector<RasterDataset> handles_;
+    mutable std::vector<std::unique_ptr<TileReader>> readers_;
     mutable std::mutex reducedMutex_;
-    mutable RasterDataset reduced_;
+    mutable std::unique_ptr<TileReader> reduced_;
 };
-
-/// A raster of a file as GDAL opens it, from formats that are files of their own and name no others.
-/// Null where it is none.
-RasterDataset openRaster(const std::filesystem::path& path);
 
 }  // namespace furrow
