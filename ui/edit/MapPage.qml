@@ -2,6 +2,7 @@ import QtQuick
 import QtLocation
 import QtPositioning
 import Furrow.Controls
+import Furrow.Imagery
 import Furrow.Map
 import Furrow.Plan
 
@@ -12,12 +13,17 @@ FocusScope {
     required property PlanSession session
     readonly property planDrawing drawing: session.drawing
     required property planStyle planStyle
+    property bool imageryShown: true
+    /// The map from the network is wanted.
+    property bool online: false
+    property bool layersOpen: false
     readonly property alias camera: camera
     readonly property alias editor: editor
     readonly property alias planLayer: plan
 
     signal findingClicked(index: int)
     signal inspectRequested()
+    signal layersRequested()
 
     clip: true
     Keys.onPressed: event => {
@@ -84,6 +90,18 @@ FocusScope {
         coastColor: Theme.mapCoast
         gridColor: Theme.mapGrid
     }
+    Loader {
+        anchors.fill: parent
+        active: root.online
+        sourceComponent: OnlineMap { camera: camera }
+    }
+    ImageryItem {
+        objectName: "imageryItem"
+        anchors.fill: parent
+        visible: root.imageryShown
+        camera: camera
+        imagery: root.session.imagery
+    }
     Map {
         id: map
 
@@ -146,6 +164,8 @@ FocusScope {
         y: 16
         editor: editor
         hasField: root.session.hasField
+        layersOpen: root.layersOpen
+        onLayersRequested: root.layersRequested()
         onToolRequested: tool => root.startTool(tool)
         onFitRequested: root.fitField(true)
         onZoomRequested: levels => camera.zoomBy(levels)

@@ -1,5 +1,6 @@
 #include "ui/plan/plan_session.h"
 
+#include "planner/imagery/imagery.h"
 #include "planner/io/boundary_import.h"
 #include "planner/io/file_folder.h"
 #include "planner/io/guide_import.h"
@@ -161,6 +162,10 @@ PlanSession::Reading PlanSession::read(const QStringList& paths, const QString& 
             reading.project = {path, std::move(*project)};
             continue;
         }
+        if (!path.startsWith(QLatin1Char(':')) && isImagery(path.toStdU16String())) {
+            reading.imagery << path;
+            continue;
+        }
         auto fields = boundariesIn(path, job);
         if (fields && !fieldId.isEmpty()) {
             fields = pickField(*fields, fieldId.toStdString()).transform([](FieldSource field) {
@@ -201,6 +206,7 @@ void PlanSession::take(Reading reading, bool choose) {
     if (reading.project) {
         recent_.add(files_.path(), *document_.project());
     }
+    imagery_.add(reading.imagery);
     if (choose && reading.fields.size() > 1) {
         choices_.show(std::move(reading.fields));
     } else if (!reading.fields.empty()) {

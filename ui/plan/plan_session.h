@@ -2,6 +2,7 @@
 
 #include "ui/document/document.h"
 #include "ui/document/project_files.h"
+#include "ui/imagery/imagery_model.h"
 #include "ui/jobs/job_runner.h"
 #include "ui/map/plan_drawing.h"
 #include "ui/plan/export_model.h"
@@ -44,6 +45,7 @@ class PlanSession : public QObject {
     Q_PROPERTY(QGeoCoordinate problemPlace READ problemPlace NOTIFY stateChanged FINAL)
     Q_PROPERTY(QStringList sampleNames READ sampleNames CONSTANT FINAL)
     Q_PROPERTY(furrow::FarmModel* farm READ farm CONSTANT FINAL)
+    Q_PROPERTY(furrow::ImageryModel* imagery READ imagery CONSTANT FINAL)
     Q_PROPERTY(furrow::RecentFiles* recent READ recent CONSTANT FINAL)
     Q_PROPERTY(furrow::StepsModel* steps READ steps CONSTANT FINAL)
     Q_PROPERTY(furrow::MachineModel* machine READ machine CONSTANT FINAL)
@@ -80,6 +82,7 @@ public:
     Document* document() { return &document_; }
     ProjectFiles* files() { return &files_; }
     FarmModel* farm() { return &farm_; }
+    ImageryModel* imagery() { return &imagery_; }
     RecentFiles* recent() { return &recent_; }
 
     /// Keeps journals of what is done, and the list of recent files, in this folder.
@@ -91,7 +94,7 @@ public:
     /// Reads a file: a project in place of the one that is open, a boundary as another field of it. With several
     /// fields in a boundary file and no id, the user picks from `choices`.
     void open(const QString& path, const QString& fieldId = {});
-    /// Reads several: a project among them first, then every field of the others.
+    /// Reads several: a project among them first, then every field of the others; pictures become imagery.
     Q_INVOKABLE void openUrls(const QList<QUrl>& urls);
     Q_INVOKABLE void openSample(int index);
     /// Whether a file would take the place of the project that is open.
@@ -130,6 +133,7 @@ private:
     struct Reading {
         std::optional<std::pair<QString, OpenedProject>> project;
         std::vector<FieldSource> fields;
+        QStringList imagery;
         std::optional<Error> error;
     };
     static Outcome planned(const Source& source, std::shared_ptr<const Field> field, const Machine& machine,
@@ -167,6 +171,7 @@ private:
     Document document_;
     ProjectFiles files_{document_};
     FarmModel farm_{document_};
+    ImageryModel imagery_{document_};
     RecentFiles recent_;
     StepsModel steps_;
     MachineModel machine_;

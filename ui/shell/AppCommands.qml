@@ -10,7 +10,7 @@ QtObject {
 
     required property PlanSession session
     required property MapPage page
-    required property Item results
+    required property LayersPanel layersPanel
     signal newRequested()
     signal openRequested()
     signal saveRequested()
@@ -23,6 +23,8 @@ QtObject {
     signal keysRequested()
     signal quitRequested()
     signal panelRequested()
+    signal imageryRequested()
+    signal tileFolderRequested()
 
     readonly property string fileGroup: qsTr("File")
     readonly property string editGroup: qsTr("Edit")
@@ -37,8 +39,8 @@ QtObject {
         objectName: "command.layer." + layer
         group: root.viewGroup
         checkable: true
-        checked: root.results.layers[layer]
-        onTriggered: root.results.layers[layer] = checked
+        checked: root.layersPanel.layers[layer]
+        onTriggered: root.layersPanel.layers[layer] = checked
     }
 
     component ToolCommand: Command {
@@ -65,6 +67,20 @@ QtObject {
             shortcut: "Ctrl+O"
             keywords: qsTr("boundary import project")
             onTriggered: root.openRequested()
+        },
+        Command {
+            objectName: "command.addImagery"
+            group: root.fileGroup
+            text: qsTr("Add imagery…")
+            keywords: qsTr("GeoTIFF MBTiles aerial photo satellite background heights elevation")
+            onTriggered: root.imageryRequested()
+        },
+        Command {
+            objectName: "command.addTileFolder"
+            group: root.fileGroup
+            text: qsTr("Add a folder of tiles…")
+            keywords: qsTr("imagery XYZ TMS")
+            onTriggered: root.tileFolderRequested()
         },
         Command {
             objectName: "command.save"
@@ -264,6 +280,18 @@ QtObject {
             enabled: root.session.hasPlan
             onTriggered: root.panelRequested()
         },
+        Command {
+            objectName: "command.layers"
+            group: root.viewGroup
+            text: qsTr("Layers")
+            shortcut: "Ctrl+L"
+            keywords: qsTr("imagery map background")
+            checkable: true
+            checked: root.layersPanel.open
+            onTriggered: root.layersPanel.open = checked
+        },
+        LayerCommand { layer: "imagery"; text: qsTr("Layer: imagery") },
+        LayerCommand { layer: "online"; text: qsTr("Layer: OpenStreetMap from the network"); keywords: qsTr("online tiles") },
         LayerCommand { layer: "boundary"; text: qsTr("Layer: boundary") },
         LayerCommand { layer: "headland"; text: qsTr("Layer: headland") },
         LayerCommand { layer: "swaths"; text: qsTr("Layer: swaths") },

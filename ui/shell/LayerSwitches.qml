@@ -1,8 +1,9 @@
 pragma ComponentBehavior: Bound
+import QtCore
 import QtQuick
 import Furrow.Controls
 
-/// What the map shows.
+/// What the map shows of the plan; remembered.
 Column {
     id: root
 
@@ -13,12 +14,35 @@ Column {
     property bool directions: true
     property bool numbers: true
     property bool findings: true
+    /// All of the user's imagery, and the map from the network.
+    property bool imagery: true
+    property bool online: false
+
+    readonly property Settings stored: Settings {
+        category: "layers"
+        property alias boundary: root.boundary
+        property alias headland: root.headland
+        property alias swaths: root.swaths
+        property alias turns: root.turns
+        property alias directions: root.directions
+        property alias numbers: root.numbers
+        property alias findings: root.findings
+        property alias imagery: root.imagery
+        property alias online: root.online
+    }
 
     component Layer: CheckRow {
         width: root.width
         hasSwatch: true
     }
 
+    Layer {
+        objectName: "layer.imagery"
+        text: qsTr("Imagery")
+        hasSwatch: false
+        checked: root.imagery
+        onToggled: root.imagery = checked
+    }
     Layer {
         objectName: "layer.boundary"
         text: qsTr("Boundary")

@@ -85,9 +85,11 @@ ApplicationWindow {
 
         session: root.session
         page: page
-        results: results
+        layersPanel: layersPanel
         onNewRequested: dialogs.startNew()
         onOpenRequested: dialogs.open()
+        onImageryRequested: dialogs.addImagery()
+        onTileFolderRequested: dialogs.addTileFolder()
         onSaveRequested: dialogs.save()
         onSaveAsRequested: dialogs.saveAs()
         onExportRequested: exportDialog.open()
@@ -156,6 +158,10 @@ ApplicationWindow {
         anchors { left: steps.right; right: results.left; top: topBar.bottom; bottom: parent.bottom }
         focus: true
         session: root.session
+        imageryShown: layersPanel.layers.imagery
+        online: layersPanel.layers.online
+        layersOpen: layersPanel.open
+        onLayersRequested: layersPanel.open = !layersPanel.open
         planStyle: ({
                 boundary: Theme.boundary,
                 casing: Theme.casing,
@@ -169,13 +175,13 @@ ApplicationWindow {
                 ground: Theme.panel,
                 ink: Theme.ink,
                 lineFactor: Theme.lineFactor,
-                showBoundary: results.layers.boundary && !page.editor.dragging,
-                showHeadland: results.layers.headland,
-                showSwaths: results.layers.swaths,
-                showTurns: results.layers.turns,
-                showDirections: results.layers.directions,
-                showNumbers: results.layers.numbers,
-                showFindings: results.layers.findings,
+                showBoundary: layersPanel.layers.boundary && !page.editor.dragging,
+                showHeadland: layersPanel.layers.headland,
+                showSwaths: layersPanel.layers.swaths,
+                showTurns: layersPanel.layers.turns,
+                showDirections: layersPanel.layers.directions,
+                showNumbers: layersPanel.layers.numbers,
+                showFindings: layersPanel.layers.findings,
                 selectedFinding: root.currentFinding
             })
         onFindingClicked: index => {
@@ -195,6 +201,10 @@ ApplicationWindow {
             files: root.session.files
             onSaveAsRequested: dialogs.saveAs()
         }
+        ImageryNotice {
+            anchors { horizontalCenter: parent.horizontalCenter; bottom: parent.bottom; bottomMargin: 20 }
+            imagery: root.session.imagery
+        }
         ProblemCard {
             anchors { right: parent.right; top: parent.top; rightMargin: 16; topMargin: 62 }
             session: root.session
@@ -203,7 +213,7 @@ ApplicationWindow {
         }
         EmptyState {
             anchors.centerIn: parent
-            visible: (root.session.state === PlanSession.Empty || root.session.state === PlanSession.Failed && !root.session.hasField) && !page.editor.drawing
+            visible: (root.session.state === PlanSession.Empty || root.session.state === PlanSession.Failed && !root.session.hasField) && !page.editor.drawing && root.session.imagery.count === 0
             session: root.session
             onOpenRequested: dialogs.open()
             onDrawRequested: page.startDrawing()
@@ -214,6 +224,18 @@ ApplicationWindow {
             height: Math.min(parent.height - 80, 134 + 52 * root.session.choices.count)
             visible: root.session.state === PlanSession.Choosing
             session: root.session
+        }
+        LayersPanel {
+            id: layersPanel
+
+            x: 70
+            y: 16
+            room: page.height - 72
+            imagery: root.session.imagery
+            zoomLevel: page.camera.zoomLevel
+            onAreaRequested: row => page.camera.fit(root.session.imagery.areaOf(row), 84, 72, 48, 72, true)
+            onFileRequested: dialogs.addImagery()
+            onFolderRequested: dialogs.addTileFolder()
         }
         DraftHint {
             anchors { horizontalCenter: parent.horizontalCenter; bottom: parent.bottom; bottomMargin: 20 }
@@ -269,6 +291,15 @@ ApplicationWindow {
         function onPlanChanged(): void {
             if (root.currentFinding >= root.session.findings.count)
                 root.currentFinding = -1;
+        }
+    }
+
+    Connections {
+        target: root.session.imagery
+
+        function onAdded(area: geoRectangle): void {
+            if (!root.session.hasField)
+                page.camera.fit(area, 84, 72, 48, 72, false);
         }
     }
 
