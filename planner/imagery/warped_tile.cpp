@@ -208,7 +208,7 @@ Result<RasterDataset> TileReader::tile(TileId id, const TileBands& bands, const 
     options->nSrcAlphaBand = bands.alpha;
     options->nDstAlphaBand = bands.withAlpha ? count + 1 : 0;
     setNoData(*options, *level->raster, bands);
-    options->papszWarpOptions = CSLSetNameValue(options->papszWarpOptions, "INIT_DEST", bands.withAlpha ? "0" : "NAN");
+    options->papszWarpOptions = CSLSetNameValue(options->papszWarpOptions, "INIT_DEST", bands.withAlpha ? "0" : "NO_DATA");
     options->papszWarpOptions = CSLSetNameValue(options->papszWarpOptions, "UNIFIED_SRC_NODATA", "PARTIAL");
     if (pixelM < 2.1 * level->reduction * pixelM_) {
         // Four neighbours are enough, and many times as quick as a kernel that fits exactly.

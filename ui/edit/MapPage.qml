@@ -1,5 +1,4 @@
 import QtQuick
-import QtLocation
 import QtPositioning
 import Furrow.Controls
 import Furrow.Imagery
@@ -16,6 +15,7 @@ FocusScope {
     property bool imageryShown: true
     /// The map from the network is wanted.
     property bool online: false
+    property string onlineServer: "https://tile.openstreetmap.org/"
     property bool layersOpen: false
     readonly property alias camera: camera
     readonly property alias editor: editor
@@ -93,7 +93,10 @@ FocusScope {
     Loader {
         anchors.fill: parent
         active: root.online
-        sourceComponent: OnlineMap { camera: camera }
+        sourceComponent: OnlineMap {
+            camera: root.camera
+            server: root.onlineServer
+        }
     }
     ImageryItem {
         objectName: "imageryItem"
@@ -102,17 +105,11 @@ FocusScope {
         camera: camera
         imagery: root.session.imagery
     }
-    Map {
+    Item {
         id: map
 
         objectName: "map"
         anchors.fill: parent
-        plugin: Plugin { name: "itemsoverlay" }
-        color: "transparent"
-        copyrightsVisible: false
-        maximumTilt: 0
-        center: camera.center
-        zoomLevel: camera.zoomLevel
 
         PlanLayer {
             id: plan

@@ -9,7 +9,8 @@ Item {
     id: root
 
     required property MapCamera camera
-    property string server: "https://tile.openstreetmap.org/"
+    /// Where the tiles come from, with the slash at its end.
+    required property string server
     /// Its tiles end at this zoom; closer they are drawn larger.
     readonly property real finest: 19
     readonly property real larger: Math.pow(2, Math.max(0, camera.zoomLevel - finest))

@@ -31,6 +31,8 @@ Column {
         property alias online: root.online
     }
 
+    objectName: "layerSwitches"
+
     component Layer: CheckRow {
         width: root.width
         hasSwatch: true

@@ -179,6 +179,20 @@ private slots:
             const double metres = (line - meridian) * pixelM / 0.9996;
             COMPARE_WITHIN(std::remainder(metres, 5.0), 0.0, 0.15);
         }
+        // Where no height is known nothing is drawn, the edge of the raster neither: 100 m west of the meridian, 50 m beyond it.
+        const TilePlace edge = tilePlace(3.0 - 100.0 / 0.9996 / (111319.49 * 0.61704), 51.9, 20);
+        const auto western = (*imagery)->tile({20, edge.column(), edge.row()}, {});
+        VERIFY_RESULT(western);
+        const int edgeX = static_cast<int>(edge.x) - 256 * edge.column();
+        for (int x = 0; x < 256; ++x) {
+            const auto [red, green, blue, alpha] = pixel(**western, x, 128);
+            if (x < edgeX - 12) {
+                QCOMPARE(alpha, 0);
+            } else if (x < edgeX + 8) {
+                // The first line is 10 m, 100 pixels, further east but for the one of 0 m, the edge itself.
+                QVERIFY2(red - blue <= 100, qPrintable(QString::number(x)));
+            }
+        }
         // Lambert's law: the light comes from the north-west, so a slope that faces west is lighter than level ground.
         // cos(incidence) = (sin 45 + 0.1 * cos 45 * sin 45) / sqrt(1 + 0.01) = 0.7533, level: 0.7071.
         const double shade = 1.0 + 254.0 * 0.7533;
