@@ -112,6 +112,18 @@ bool saysRowsFromSouth(const fs::path& folder) {
     return false;
 }
 
+/// Where a picture shows something: from an alpha band, or a value that stands for nothing.
+std::vector<std::uint8_t> maskOf(GDALDataset& raster) {
+    const int width = raster.GetRasterXSize();
+    const int height = raster.GetRasterYSize();
+    std::vector<std::uint8_t> mask(static_cast<std::size_t>(width) * static_cast<std::size_t>(height));
+    if (raster.GetRasterBand(1)->GetMaskBand()->RasterIO(GF_Read, 0, 0, width, height, mask.data(), width, height,
+                                                         GDT_Byte, 0, 0, nullptr) != CE_None) {
+        std::ranges::fill(mask, std::uint8_t{255});
+    }
+    return mask;
+}
+
 }  // namespace
 
 bool TileFolder::isOne(const fs::path& folder) {
@@ -173,14 +185,7 @@ Result<std::optional<TilePicture>> TileFolder::tile(TileId id, const JobContext&
     for (int band = 1; band <= raster->GetRasterCount(); ++band) {
         bands.push_back(bytesOf(*raster, band));
     }
-    const auto alpha = bytesOf(*raster, 1).empty() ? std::vector<std::uint8_t>{} : [&] {
-        std::vector<std::uint8_t> mask(bands.front().size());
-        if (raster->GetRasterBand(1)->GetMaskBand()->RasterIO(GF_Read, 0, 0, side, side, mask.data(), side, side,
-                                                               GDT_Byte, 0, 0, nullptr) != CE_None) {
-            std::ranges::fill(mask, std::uint8_t{255});
-        }
-        return mask;
-    }();
+    const std::vector<std::uint8_t> alpha = maskOf(*raster);
     if (messages.failed()) {
         return std::unexpected(readFailed(path.string(), "a tile is damaged", "make the tiles again"));
     }

@@ -20,12 +20,17 @@ FocusScope {
     readonly property alias camera: camera
     readonly property alias editor: editor
     readonly property alias planLayer: plan
+    readonly property alias toolBar: tools
 
     signal findingClicked(index: int)
     signal inspectRequested()
     signal layersRequested()
 
+    /// Worked with keys just now, so it shows that it has them.
+    property bool keyed: false
+
     clip: true
+    Keys.onReleased: root.keyed = true
     Keys.onPressed: event => {
         event.accepted = true;
         const drawing = editor.drawing;
@@ -128,6 +133,7 @@ FocusScope {
             anchors.fill: parent
             z: 2
             focus: true
+            activeFocusOnTab: true
             camera: camera
             editor: editor
             lineColor: Theme.boundary
@@ -157,6 +163,8 @@ FocusScope {
         }
     }
     MapToolBar {
+        id: tools
+
         x: 16
         y: 16
         editor: editor
@@ -166,6 +174,14 @@ FocusScope {
         onToolRequested: tool => root.startTool(tool)
         onFitRequested: root.fitField(true)
         onZoomRequested: levels => camera.zoomBy(levels)
+    }
+    HoverHandler { onPointChanged: root.keyed = false }
+    Rectangle {
+        anchors.fill: parent
+        visible: root.keyed && edit.activeFocus
+        color: "transparent"
+        border.width: 2
+        border.color: Theme.accent
     }
     ScaleBar {
         anchors { left: parent.left; bottom: parent.bottom; margins: 12 }

@@ -25,8 +25,8 @@ Column {
     signal areaRequested()
 
     component Step: ToolIconButton {
-        implicitWidth: 28
-        implicitHeight: 28
+        implicitWidth: Theme.controlHeight
+        implicitHeight: Theme.controlHeight
         hintBelow: true
     }
 
@@ -35,7 +35,7 @@ Column {
 
     Item {
         width: parent.width
-        height: 32
+        height: Theme.controlHeight
 
         CheckRow {
             objectName: "imagery.%1.shown".arg(root.index)

@@ -61,11 +61,9 @@ Stand standFor(const TileStore& store, const TileKey& key, int coarsest, TileNod
     for (int up = 0; key.id.zoom - up >= coarsest && up <= 8; ++up) {
         const TileKey other{key.sheet, {key.id.zoom - up, key.id.column >> up, key.id.row >> up}};
         const QImage* image = store.find(other);
-        if (image == nullptr) {
+        // A folder of tiles may have fine ones in some places only.
+        if (image == nullptr || image->isNull()) {
             continue;
-        }
-        if (image->isNull()) {
-            return {};
         }
         if (!nodes.upload(other, *image)) {
             more = true;
@@ -143,7 +141,7 @@ QSGNode* ImageryItem::updatePaintNode(QSGNode* old, UpdatePaintNodeData*) {
             for (int row = coarse.north; row <= coarse.south; ++row) {
                 for (int column = coarse.west; column <= coarse.east; ++column) {
                     const TileKey key{sheet.number, coarse.wrapped(column, row)};
-                    // Asked for again so that it is not among the first that are forgotten.
+                    // Looking for it also keeps it: what was not looked for longest is forgotten first.
                     if (store.find(key) == nullptr) {
                         first.push_back(key);
                     }

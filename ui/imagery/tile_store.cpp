@@ -1,5 +1,7 @@
 #include "ui/imagery/tile_store.h"
 
+#include "ui/jobs/job_runner.h"
+
 #include <algorithm>
 #include <utility>
 
@@ -115,6 +117,7 @@ bool TileStore::isIdle() const {
 }
 
 void TileStore::serve(const std::stop_token& stop) {
+    giveWayToTheWindow();
     while (true) {
         std::function<void()> work;
         {

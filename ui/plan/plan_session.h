@@ -32,6 +32,8 @@ class PlanSession : public QObject {
     Q_PROPERTY(State state READ state NOTIFY stateChanged FINAL)
     Q_PROPERTY(bool hasField READ hasField NOTIFY fieldChanged FINAL)
     Q_PROPERTY(bool hasPlan READ hasPlan NOTIFY planChanged FINAL)
+    /// What is shown was planned in haste, as while something is dragged; the whole plan follows.
+    Q_PROPERTY(bool draft READ isDraft NOTIFY planChanged FINAL)
     Q_PROPERTY(QString fieldName READ fieldName NOTIFY fieldChanged FINAL)
     Q_PROPERTY(furrow::Document* document READ document CONSTANT FINAL)
     Q_PROPERTY(furrow::ProjectFiles* files READ files CONSTANT FINAL)
@@ -63,6 +65,7 @@ public:
     State state() const { return state_; }
     bool hasField() const { return document_.project()->field() != nullptr; }
     bool hasPlan() const { return plan_ != nullptr; }
+    bool isDraft() const { return plan_ != nullptr && plan_->request.draft; }
     QString fieldName() const;
     const PlanDrawing& drawing() const { return drawing_; }
     bool isSlow() const { return planner_.isSlow() || reader_.isSlow(); }
@@ -136,8 +139,9 @@ private:
         QStringList imagery;
         std::optional<Error> error;
     };
+    /// `before`: of the same field, for a draft that goes on from it; null for the whole plan.
     static Outcome planned(const Source& source, std::shared_ptr<const Field> field, const Machine& machine,
-                           const Settings& settings, const JobContext& job);
+                           const Settings& settings, bool draft, const Plan* before, const JobContext& job);
     static Reading read(const QStringList& paths, const QString& fieldId, const JobContext& job);
 
     void read(const QStringList& paths, const QString& fieldId);
@@ -149,6 +153,7 @@ private:
     void take(Outcome outcome);
     void fail(const Error& error);
     void showModels();
+    void showSteps();
     void updateState();
 
     State state_ = State::Empty;
@@ -162,6 +167,8 @@ private:
     /// Of `source_`; null while it has not been checked.
     std::shared_ptr<const Field> field_;
     std::shared_ptr<const Plan> plan_;
+    /// The last one that was no draft.
+    std::shared_ptr<const Plan> wholePlan_;
     PlanDrawing drawing_;
     std::optional<Error> error_;
     bool stopped_ = false;

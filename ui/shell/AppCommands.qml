@@ -11,6 +11,7 @@ QtObject {
     required property PlanSession session
     required property MapPage page
     required property LayersPanel layersPanel
+    required property ScaleSetting scaleSetting
     signal newRequested()
     signal openRequested()
     signal saveRequested()
@@ -21,6 +22,7 @@ QtObject {
     signal renamePlanRequested()
     signal paletteRequested()
     signal keysRequested()
+    signal tourRequested()
     signal quitRequested()
     signal panelRequested()
     signal imageryRequested()
@@ -41,6 +43,18 @@ QtObject {
         checkable: true
         checked: root.layersPanel.layers[layer]
         onTriggered: root.layersPanel.layers[layer] = checked
+    }
+
+    component ScaleCommand: Command {
+        required property int percent
+
+        objectName: "command.scale." + percent
+        group: root.viewGroup
+        text: qsTr("Everything at %1 %").arg(percent)
+        keywords: qsTr("size scaling zoom large text")
+        checkable: true
+        checked: root.scaleSetting.percent === percent
+        onTriggered: root.scaleSetting.set(percent)
     }
 
     component ToolCommand: Command {
@@ -103,7 +117,7 @@ QtObject {
             text: qsTr("Export the plan…")
             shortcut: "Ctrl+E"
             keywords: qsTr("ISOXML USB terminal")
-            enabled: root.session.hasPlan
+            enabled: root.session.hasPlan && !root.session.draft
             onTriggered: root.exportRequested()
         },
         Command {
@@ -298,6 +312,10 @@ QtObject {
         LayerCommand { layer: "turns"; text: qsTr("Layer: turns") },
         LayerCommand { layer: "directions"; text: qsTr("Layer: driving direction") },
         LayerCommand { layer: "numbers"; text: qsTr("Layer: order numbers") },
+        LayerCommand { layer: "coverage"; text: qsTr("Layer: coverage") },
+        LayerCommand { layer: "overlap"; text: qsTr("Layer: worked twice"); keywords: qsTr("overlap") },
+        LayerCommand { layer: "missed"; text: qsTr("Layer: missed"); keywords: qsTr("gap uncovered") },
+        LayerCommand { layer: "wheels"; text: qsTr("Layer: driven over often"); keywords: qsTr("wheel passes traffic compaction") },
         LayerCommand { layer: "findings"; text: qsTr("Layer: findings") },
         Command {
             objectName: "command.light"
@@ -319,6 +337,17 @@ QtObject {
             text: qsTr("Sunlight colours")
             keywords: qsTr("theme contrast")
             onTriggered: root.setTheme(Theme.Sunlight)
+        },
+        ScaleCommand { percent: 100 },
+        ScaleCommand { percent: 150 },
+        ScaleCommand { percent: 200 },
+        ScaleCommand { percent: 300 },
+        Command {
+            objectName: "command.tour"
+            group: root.helpGroup
+            text: qsTr("Take the tour")
+            keywords: qsTr("help introduction first start")
+            onTriggered: root.tourRequested()
         },
         Command {
             objectName: "command.keys"

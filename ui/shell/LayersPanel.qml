@@ -19,7 +19,7 @@ Rectangle {
 
     objectName: "layersPanel"
     visible: open
-    width: 300
+    width: 340
     height: Math.min(room, column.height + 32)
     radius: Theme.cardRadius
     color: Theme.panel

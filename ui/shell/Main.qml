@@ -18,12 +18,15 @@ ApplicationWindow {
     property int currentFinding: -1
     /// What was not saved is settled: the window may close.
     property bool settled: false
+    /// The tour starts by itself where it was never shown.
+    property bool offersTour: false
 
     objectName: "mainWindow"
     width: 1440
     height: 900
-    minimumWidth: 900
-    minimumHeight: 600
+    // Not more than there is, where everything is drawn large.
+    minimumWidth: Math.min(900, Screen.desktopAvailableWidth)
+    minimumHeight: Math.min(600, Screen.desktopAvailableHeight)
     visible: true
     title: session.hasField ? qsTr("%1%2 – Furrow").arg(session.fieldName).arg(session.document.modified ? "*" : "") : qsTr("Furrow")
     menuBar: MainMenu {
@@ -54,6 +57,8 @@ ApplicationWindow {
         property alias width: root.width
         property alias height: root.height
         property alias maximised: root.maximised
+        property alias x: root.x
+        property alias y: root.y
     }
     property bool maximised: false
     property bool started: false
@@ -67,7 +72,14 @@ ApplicationWindow {
         panelWanted = roomForPanel;
         if (maximised)
             showMaximized();
+        // It may have been on a screen that is not there any more.
+        else if (x < Screen.virtualX || y < Screen.virtualY || x > Screen.virtualX + Screen.desktopAvailableWidth - 100 || y > Screen.virtualY + Screen.desktopAvailableHeight - 100) {
+            x = Screen.virtualX;
+            y = Screen.virtualY;
+        }
         started = true;
+        if (offersTour && !tour.seen)
+            tour.start();
     }
 
     onClosing: close => {
@@ -86,6 +98,7 @@ ApplicationWindow {
         session: root.session
         page: page
         layersPanel: layersPanel
+        scaleSetting: scaleSetting
         onNewRequested: dialogs.startNew()
         onOpenRequested: dialogs.open()
         onImageryRequested: dialogs.addImagery()
@@ -98,6 +111,7 @@ ApplicationWindow {
         onRenamePlanRequested: root.askName(qsTr("Rename the plan"), root.session.farm.planName, root.session.farm.season, true, (name, season) => root.session.farm.renamePlan(name, season))
         onPaletteRequested: palette.open()
         onKeysRequested: keysDialog.open()
+        onTourRequested: tour.start()
         onQuitRequested: root.close()
         onPanelRequested: root.panelWanted = !root.panelWanted
     }
@@ -118,6 +132,31 @@ ApplicationWindow {
 
         anchors.centerIn: Overlay.overlay
         commands: appCommands.all
+    }
+    ScaleSetting {
+        id: scaleSetting
+
+        onChanged: scaleDialog.open()
+    }
+    ThemedDialog {
+        id: scaleDialog
+
+        objectName: "scaleDialog"
+        anchors.centerIn: Overlay.overlay
+        title: qsTr("Everything at %1 %").arg(scaleSetting.percent)
+        closePolicy: ThemedDialog.CloseOnEscape | ThemedDialog.CloseOnPressOutside
+
+        BodyText {
+            width: parent.width
+            text: qsTr("This holds from the next start of Furrow.")
+            wrapMode: Text.WordWrap
+        }
+        PushButton {
+            objectName: "scaleDialog.close"
+            focus: true
+            text: qsTr("OK")
+            onClicked: scaleDialog.close()
+        }
     }
     NameDialog {
         id: nameDialog
@@ -181,6 +220,15 @@ ApplicationWindow {
                 showTurns: layersPanel.layers.turns,
                 showDirections: layersPanel.layers.directions,
                 showNumbers: layersPanel.layers.numbers,
+                covered: Theme.covered,
+                overlap: Theme.overlap,
+                missed: Theme.missed,
+                wheels: Theme.wheels,
+                showCoverage: layersPanel.layers.coverage,
+                showOverlap: layersPanel.layers.overlap,
+                showMissed: layersPanel.layers.missed,
+                showWheels: layersPanel.layers.wheels,
+                onImagery: layersPanel.layers.online || layersPanel.layers.imagery && root.session.imagery.count > 0,
                 showFindings: layersPanel.layers.findings,
                 selectedFinding: root.currentFinding
             })
@@ -281,6 +329,14 @@ ApplicationWindow {
 
         anchors.centerIn: Overlay.overlay
         session: root.session
+    }
+    Tour {
+        id: tour
+
+        anchors.fill: parent
+        z: 10
+        session: root.session
+        places: [null, steps, page, page.toolBar, results, topBar.exportButton]
     }
     Connections {
         target: root.session

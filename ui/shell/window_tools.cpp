@@ -6,9 +6,17 @@
 #include <QLocale>
 #include <QQuickStyle>
 #include <QQuickWindow>
+#include <QSettings>
 #include <QTranslator>
 
 namespace furrow {
+
+void applyScale() {
+    const int percent = QSettings{QStringLiteral("Furrow"), QStringLiteral("Furrow")}.value(QStringLiteral("window/scale"), 100).toInt();
+    if (qEnvironmentVariableIsEmpty("QT_SCALE_FACTOR") && percent > 100 && percent <= 300) {
+        qputenv("QT_SCALE_FACTOR", QByteArray::number(percent / 100.0));
+    }
+}
 
 void prepareWindow() {
     QCoreApplication::setOrganizationName(QStringLiteral("Furrow"));
