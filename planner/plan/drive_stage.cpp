@@ -211,6 +211,9 @@ Result<void> drive(Plan& plan, std::span<const Leg> legs, RememberedWays& ways, 
     }
     const Clock::time_point driven = Clock::now();
     plan.timings.path += seconds(std::chrono::duration<double>(driven - begin).count());
+    if (plan.request.draft) {
+        return {};
+    }
     auto report = audit(auditInput(plan), job.part(0.6, 1.0));
     if (!report) {
         return std::unexpected(report.error());

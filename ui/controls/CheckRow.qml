@@ -9,7 +9,7 @@ T.CheckBox {
     property bool hasSwatch: false
 
     implicitWidth: 200
-    implicitHeight: 30
+    implicitHeight: Theme.controlHeight
     focusPolicy: Qt.StrongFocus
     Accessible.name: root.text
 
@@ -50,8 +50,9 @@ T.CheckBox {
             color: root.swatch
         }
         BodyText {
-            anchors { left: line.right; leftMargin: root.hasSwatch ? 10 : 0; verticalCenter: parent.verticalCenter }
+            anchors { left: line.right; leftMargin: root.hasSwatch ? 10 : 0; right: parent.right; verticalCenter: parent.verticalCenter }
             text: root.text
+            elide: Text.ElideRight
         }
     }
 }

@@ -8,7 +8,7 @@ T.MenuItem {
     readonly property string keysText: action?.keysText ?? ""
 
     implicitWidth: 272
-    implicitHeight: 32
+    implicitHeight: Theme.controlHeight
     Accessible.name: root.text
 
     background: Rectangle {

@@ -6,6 +6,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <utility>
 
 namespace furrow {
 
@@ -83,13 +84,18 @@ std::size_t choiceIndex(const Parameter& parameter, const Settings& settings) {
 
 void ParameterModel::show(const std::vector<const Parameter*>& parameters, const Settings& settings, const Plan* plan) {
     const bool same = parameters == parameters_;
+    auto used = usedNumbers(plan);
+    const double widthM = plan != nullptr ? plan->request.machine.operatingWidth().si() : widthM_;
+    if (same && settings == settings_ && used == used_ && widthM == widthM_) {
+        return;
+    }
     if (!same) {
         beginResetModel();
     }
     parameters_ = parameters;
     settings_ = settings;
-    used_ = usedNumbers(plan);
-    widthM_ = plan != nullptr ? plan->request.machine.operatingWidth().si() : widthM_;
+    used_ = std::move(used);
+    widthM_ = widthM;
     if (!same) {
         endResetModel();
     } else if (!parameters_.empty()) {

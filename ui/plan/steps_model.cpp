@@ -99,6 +99,7 @@ StepsModel::StepsModel(QObject* parent) : QAbstractListModel{parent} {
 
 void StepsModel::show(const Field* field, const Machine& machine, const Settings& settings, const Plan* plan,
                       bool failed) {
+    const std::vector<Step> before = steps_;
     Step& first = steps_[0];
     first.choice = field == nullptr ? (failed ? tr("No usable boundary") : tr("No field yet"))
                                     : QStringList{fromStd(field->name()), areaText(field->area())}.join(kSeparator);
@@ -135,7 +136,11 @@ void StepsModel::show(const Field* field, const Machine& machine, const Settings
         step.status = plan == nullptr ? Status::None : statusOf(stage.id, *plan);
         step.parameters->show(parametersOf(stage, settings), settings, plan);
     }
-    emit dataChanged(index(0), index(rowCount() - 1));
+    for (int row = 0; row < rowCount(); ++row) {
+        if (const Step& step = steps_[static_cast<std::size_t>(row)]; step != before[static_cast<std::size_t>(row)]) {
+            emit dataChanged(index(row), index(row));
+        }
+    }
 }
 
 int StepsModel::rowCount(const QModelIndex& parent) const {
