@@ -133,7 +133,6 @@ FocusScope {
             anchors.fill: parent
             z: 2
             focus: true
-            activeFocusOnTab: true
             camera: camera
             editor: editor
             lineColor: Theme.boundary

@@ -1,3 +1,4 @@
+pragma ComponentBehavior: Bound
 import QtQuick
 import QtLocation
 import QtPositioning
@@ -18,29 +19,31 @@ Item {
     objectName: "onlineMap"
     clip: true
 
-    Map {
-        id: map
-
+    // A parameter of a plugin is taken once: it has to be known when the map is made.
+    Loader {
         width: root.width / root.larger
         height: root.height / root.larger
         transformOrigin: Item.TopLeft
         scale: root.larger
-        maximumTilt: 0
-        copyrightsVisible: false
-        center: root.camera.center
-        zoomLevel: Math.min(root.camera.zoomLevel, root.finest)
-        plugin: Plugin {
-            name: "osm"
+        active: root.server.length > 0
+        sourceComponent: Map {
+            maximumTilt: 0
+            copyrightsVisible: false
+            center: root.camera.center
+            zoomLevel: Math.min(root.camera.zoomLevel, root.finest)
+            plugin: Plugin {
+                name: "osm"
 
-            PluginParameter { name: "osm.useragent"; value: "Furrow/" + Application.version }
-            PluginParameter { name: "osm.mapping.providersrepository.disabled"; value: true }
-            PluginParameter { name: "osm.mapping.custom.host"; value: root.server }
-            PluginParameter { name: "osm.mapping.custom.mapcopyright"; value: "OpenStreetMap" }
-        }
-        onMapReadyChanged: {
-            const custom = supportedMapTypes.find(type => type.style === MapType.CustomMap);
-            if (custom)
-                activeMapType = custom;
+                PluginParameter { name: "osm.useragent"; value: "Furrow/" + Application.version }
+                PluginParameter { name: "osm.mapping.providersrepository.disabled"; value: true }
+                PluginParameter { name: "osm.mapping.custom.host"; value: root.server }
+                PluginParameter { name: "osm.mapping.custom.mapcopyright"; value: "OpenStreetMap" }
+            }
+            onMapReadyChanged: {
+                const custom = supportedMapTypes.find(type => type.style === MapType.CustomMap);
+                if (custom)
+                    activeMapType = custom;
+            }
         }
     }
     Rectangle {

@@ -1,5 +1,6 @@
 #include "ui/imagery/imagery_model.h"
 
+#include "planner/io/file_error.h"
 #include "planner/project/project_edits.h"
 #include "ui/map/map_frame.h"
 
@@ -14,7 +15,7 @@ namespace furrow {
 
 namespace {
 
-/// How often a file that is missing is looked for.
+/// How often is looked whether the files are still there, and the same.
 constexpr int kWatchMs = 2000;
 
 std::filesystem::path toPath(const std::string& path) {
@@ -257,6 +258,11 @@ void ImageryModel::follow() {
     if (count() != before) {
         emit countChanged();
     }
+    if (rows_.empty()) {
+        watch_.stop();
+    } else if (!watch_.isActive()) {
+        watch_.start();
+    }
     emit sheetsChanged();
 }
 
@@ -269,9 +275,6 @@ void ImageryModel::take(int sheet, const Result<void>& result) {
     row->state = result ? State::Ready : State::Failed;
     row->error = result ? Error{} : result.error();
     row->stamp = stampOf(row->layer.path);
-    if (!result) {
-        watch_.start();
-    }
     changed(index);
     emit sheetsChanged();
     if (result && std::exchange(row->announce, false)) {
@@ -292,28 +295,26 @@ void ImageryModel::takeFailure(int sheet, const Error& error) {
         row->state = State::Failed;
         row->error = error;
         row->stamp = stamp;
-        watch_.start();
     }
     changed(static_cast<std::size_t>(row - rows_.begin()));
 }
 
 void ImageryModel::watch() {
-    bool waiting = false;
     for (std::size_t i = 0; i < rows_.size(); ++i) {
         Row& row = rows_[i];
-        if (row.state != State::Failed) {
+        const qint64 stamp = stampOf(row.layer.path);
+        if (row.state == State::Opening || stamp == row.stamp) {
             continue;
         }
-        if (const qint64 stamp = stampOf(row.layer.path); stamp != 0 && stamp != row.stamp) {
-            open(row);
-            changed(i);
+        if (stamp == 0) {
+            row.state = State::Failed;
+            row.error = readFailed(row.layer.path, "the file is not there any more", "put it back, or remove the layer");
+            row.stamp = 0;
         } else {
-            row.stamp = stamp;
-            waiting = true;
+            // It came back, or another picture is there under the same name.
+            open(row);
         }
-    }
-    if (!waiting) {
-        watch_.stop();
+        changed(i);
     }
 }
 

@@ -84,7 +84,7 @@ private:
         int sheet = 0;
         State state = State::Opening;
         Error error;
-        /// Of the file when it was found missing or damaged.
+        /// Of the file as it was seen last.
         qint64 stamp = 0;
         bool announce = false;
     };

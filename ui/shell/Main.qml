@@ -250,6 +250,7 @@ ApplicationWindow {
             onSaveAsRequested: dialogs.saveAs()
         }
         ImageryNotice {
+            z: 1
             anchors { horizontalCenter: parent.horizontalCenter; bottom: parent.bottom; bottomMargin: 20 }
             imagery: root.session.imagery
         }
@@ -261,7 +262,7 @@ ApplicationWindow {
         }
         EmptyState {
             anchors.centerIn: parent
-            visible: (root.session.state === PlanSession.Empty || root.session.state === PlanSession.Failed && !root.session.hasField) && !page.editor.drawing && root.session.imagery.count === 0
+            visible: (root.session.state === PlanSession.Empty || root.session.state === PlanSession.Failed && !root.session.hasField) && !page.editor.drawing && root.session.imagery.count === 0 && !tour.running
             session: root.session
             onOpenRequested: dialogs.open()
             onDrawRequested: page.startDrawing()
