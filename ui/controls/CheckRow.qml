@@ -8,7 +8,7 @@ T.CheckBox {
     property color swatch: "transparent"
     property bool hasSwatch: false
 
-    implicitWidth: 200
+    implicitWidth: 26 + (hasSwatch ? 26 : 0) + label.implicitWidth
     implicitHeight: 30
     focusPolicy: Qt.StrongFocus
     Accessible.name: root.text
@@ -50,8 +50,11 @@ T.CheckBox {
             color: root.swatch
         }
         BodyText {
-            anchors { left: line.right; leftMargin: root.hasSwatch ? 10 : 0; verticalCenter: parent.verticalCenter }
+            id: label
+
+            anchors { left: line.right; leftMargin: root.hasSwatch ? 10 : 0; right: parent.right; verticalCenter: parent.verticalCenter }
             text: root.text
+            elide: Text.ElideRight
         }
     }
 }

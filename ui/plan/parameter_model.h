@@ -28,7 +28,7 @@ public:
         ValueRole,
         AutoTextRole,   ///< what is shown while the planner chooses; empty where a value is set
         CanBeAutoRole,
-        UnitRole,
+        QuantityRole,
         FromRole,
         ToRole,
         StepRole,

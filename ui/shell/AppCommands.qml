@@ -21,6 +21,7 @@ QtObject {
     signal renamePlanRequested()
     signal paletteRequested()
     signal keysRequested()
+    signal preferencesRequested()
     signal quitRequested()
     signal panelRequested()
 
@@ -271,6 +272,14 @@ QtObject {
         LayerCommand { layer: "directions"; text: qsTr("Layer: driving direction") },
         LayerCommand { layer: "numbers"; text: qsTr("Layer: order numbers") },
         LayerCommand { layer: "findings"; text: qsTr("Layer: findings") },
+        Command {
+            objectName: "command.preferences"
+            group: root.viewGroup
+            text: qsTr("Language and units…")
+            shortcut: "Ctrl+,"
+            keywords: qsTr("preferences settings metric imperial feet acres")
+            onTriggered: root.preferencesRequested()
+        },
         Command {
             objectName: "command.light"
             group: root.viewGroup

@@ -18,7 +18,7 @@ ThemedDialog {
 
     objectName: "keysDialog"
     title: qsTr("Keys and mouse")
-    width: 780
+    width: Math.min(980, (parent ? parent.width : 980) - 40)
     closePolicy: ThemedDialog.CloseOnEscape | ThemedDialog.CloseOnPressOutside
 
     Grid {
@@ -33,7 +33,7 @@ ThemedDialog {
             property string keys
             property string what
 
-            width: (780 - 48 - 24) / 2
+            width: (root.width - 48 - 24) / 2
             height: 20
             Accessible.role: Accessible.StaticText
             Accessible.name: qsTr("%1: %2").arg(keys).arg(what)

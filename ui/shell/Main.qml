@@ -96,6 +96,7 @@ ApplicationWindow {
         onRenamePlanRequested: root.askName(qsTr("Rename the plan"), root.session.farm.planName, root.session.farm.season, true, (name, season) => root.session.farm.renamePlan(name, season))
         onPaletteRequested: palette.open()
         onKeysRequested: keysDialog.open()
+        onPreferencesRequested: preferencesDialog.open()
         onQuitRequested: root.close()
         onPanelRequested: root.panelWanted = !root.panelWanted
     }
@@ -116,6 +117,11 @@ ApplicationWindow {
 
         anchors.centerIn: Overlay.overlay
         commands: appCommands.all
+    }
+    PreferencesDialog {
+        id: preferencesDialog
+
+        anchors.centerIn: Overlay.overlay
     }
     NameDialog {
         id: nameDialog

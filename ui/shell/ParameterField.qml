@@ -2,6 +2,7 @@ pragma ComponentBehavior: Bound
 import QtQuick
 import Furrow.Controls
 import Furrow.Plan
+import Furrow.Text
 
 /// One setting of a step: its name above, below it the field that suits its kind.
 Column {
@@ -16,7 +17,7 @@ Column {
     required property real value
     required property string autoText
     required property bool canBeAuto
-    required property string unit
+    required property int quantity
     required property real from
     required property real to
     required property real step
@@ -84,7 +85,7 @@ Column {
             to: root.to
             step: root.step
             decimals: root.decimals
-            unitText: root.unit
+            kind: root.quantity
             onCommitted: newValue => root.parameters.setNumber(root.index, newValue)
             onCleared: if (root.canBeAuto) root.parameters.setAuto(root.index)
         }
@@ -97,7 +98,7 @@ Column {
             name: root.name
             from: root.from
             to: root.sliderTo
-            stepSize: root.step
+            stepSize: (Display.revision, QuantityText.roundStep(root.step, root.quantity))
             value: root.value
             property bool dragged: false
 
@@ -119,7 +120,7 @@ Column {
             objectName: root.key
             name: root.name
             model: root.choices
-            currentIndex: root.choiceIndex
+            chosen: root.choiceIndex
             onActivated: chosen => root.parameters.setChoice(root.index, chosen)
         }
     }

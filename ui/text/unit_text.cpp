@@ -1,10 +1,13 @@
-#include "ui/plan/unit_text.h"
+#include "ui/text/unit_text.h"
 
 #include "planner/units/angle.h"
+#include "planner/units/unit_system.h"
+#include "ui/text/display.h"
 
 #include <QCoreApplication>
 #include <QLocale>
 
+#include <algorithm>
 #include <cmath>
 
 namespace furrow {
@@ -14,6 +17,14 @@ namespace {
 struct Text {
     Q_DECLARE_TR_FUNCTIONS(UnitText)
 };
+
+bool imperial() {
+    return Display::instance().isImperial();
+}
+
+QString feetText(double feet, int decimals) {
+    return Text::tr("%1 ft").arg(numberText(feet, decimals));
+}
 
 }  // namespace
 
@@ -38,15 +49,30 @@ QString shortNumberText(double value, int mostDecimals) {
 }
 
 QString areaText(Area area) {
-    const double hectares = inHectares(area);
-    if (hectares < 0.01) {
-        return Text::tr("%1 m²").arg(numberText(area.si(), 0));
+    const double large = imperial() ? area.si() / kAcreM2 : inHectares(area);
+    if (large < 0.01) {
+        return squareMetresText(area, 0);
     }
-    return Text::tr("%1 ha").arg(numberText(hectares, hectares < 1.0 ? 2 : hectares < 1000.0 ? 1 : 0));
+    return hectaresText(area, large < 1.0 ? 2 : large < 1000.0 ? 1 : 0);
+}
+
+QString squareMetresText(Area area, int decimals) {
+    return imperial() ? Text::tr("%1 ft²").arg(numberText(area.si() / (kFootM * kFootM), std::max(decimals - 1, 0)))
+                      : Text::tr("%1 m²").arg(numberText(area.si(), std::max(decimals, 0)));
+}
+
+QString hectaresText(Area area, int decimals) {
+    return imperial() ? Text::tr("%1 ac").arg(numberText(area.si() / kAcreM2, std::max(decimals, 0)))
+                      : Text::tr("%1 ha").arg(numberText(inHectares(area), std::max(decimals, 0)));
 }
 
 QString lengthText(Length length) {
     const double metresSi = length.si();
+    if (imperial()) {
+        const double miles = metresSi / kMileM;
+        return miles >= 1.0 ? Text::tr("%1 mi").arg(numberText(miles, miles < 100.0 ? 1 : 0))
+                            : feetText(metresSi / kFootM, metresSi / kFootM < 100.0 ? 1 : 0);
+    }
     if (metresSi >= 1000.0) {
         return Text::tr("%1 km").arg(numberText(metresSi / 1000.0, metresSi < 100000.0 ? 1 : 0));
     }
@@ -54,11 +80,22 @@ QString lengthText(Length length) {
 }
 
 QString metresText(Length length, int decimals) {
-    return Text::tr("%1 m").arg(numberText(length.si(), decimals));
+    return imperial() ? feetText(length.si() / kFootM, decimals) : Text::tr("%1 m").arg(numberText(length.si(), decimals));
+}
+
+QString shortLengthText(Length length) {
+    return imperial() ? Text::tr("%1 ft").arg(shortNumberText(length.si() / kFootM, 2))
+                      : Text::tr("%1 m").arg(shortNumberText(length.si(), 3));
 }
 
 QString speedText(Speed speed) {
-    return Text::tr("%1 km/h").arg(shortNumberText(speed.si() * 3.6, 1));
+    return imperial() ? Text::tr("%1 mph").arg(shortNumberText(speed.si() / kMilePerHourMps, 1))
+                      : Text::tr("%1 km/h").arg(shortNumberText(speed.si() / kKilometrePerHourMps, 1));
+}
+
+QString accelerationText(Acceleration acceleration, int decimals) {
+    return imperial() ? Text::tr("%1 ft/s²").arg(numberText(acceleration.si() / kFootM, decimals))
+                      : Text::tr("%1 m/s²").arg(numberText(acceleration.si(), decimals));
 }
 
 QString durationText(Duration duration) {

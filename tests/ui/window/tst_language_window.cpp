@@ -1,0 +1,142 @@
+#include "tests/ui/window/window_test.h"
+#include "ui/text/display.h"
+
+#include <QSettings>
+
+namespace furrow::test {
+
+/// Language and units are chosen in the window and hold at once.
+class TestLanguageWindow : public WindowTest {
+    Q_OBJECT
+
+    Display& display() const { return Display::instance(); }
+    QString textOf(const QString& name) const {
+        const QQuickItem* found = item(name);
+        return found == nullptr ? QString{} : found->property("text").toString();
+    }
+    /// The names of the steps, from top to bottom.
+    QStringList steps() const {
+        QStringList names;
+        for (int row = 0; row < session_->steps()->rowCount(); ++row) {
+            names << session_->steps()->index(row).data(StepsModel::NameRole).toString();
+        }
+        return names;
+    }
+    QString result(int step) const { return session_->steps()->index(step).data(StepsModel::ResultRole).toString(); }
+    void begin(Display::Units units = Display::Metric) {
+        QSettings{}.remove(QStringLiteral("display"));
+        display().setLanguage(QStringLiteral("en"));
+        display().setUnits(units);
+    }
+    /// Opens the dialog by its key and takes an entry of one of its lists.
+    void choose(const QString& list, int entry) {
+        key(Qt::Key_Comma, Qt::ControlModifier);
+        QTRY_VERIFY(item(list) != nullptr && item(list)->isVisible());
+        waitForRest(*item(list));
+        QQuickItem* box = item(list);
+        box->forceActiveFocus();
+        QTRY_VERIFY(box->hasActiveFocus());
+        const int steps = entry - box->property("currentIndex").toInt();
+        for (int i = 0; i < std::abs(steps); ++i) {
+            key(steps > 0 ? Qt::Key_Down : Qt::Key_Up);
+        }
+        click(QStringLiteral("preferences.close"));
+        QTRY_VERIFY(item(list) == nullptr || !item(list)->isVisible());
+    }
+
+private slots:
+    void languageHoldsAtOnce() {
+        begin();
+        openSample(QStringLiteral("Slanted Field"));
+        QCOMPARE(steps().value(2), QStringLiteral("Headland"));
+        QVERIFY(result(2).contains(QStringLiteral("mainland")));
+        const QStringList findings = [this] {
+            QStringList all;
+            for (int row = 0; row < session_->findings()->rowCount(); ++row) {
+                all << session_->findings()->index(row).data(FindingsModel::TextRole).toString();
+            }
+            return all;
+        }();
+        // As the computer, English, Deutsch, Nederlands, Français, Español, Português (Brasil), Português (Portugal).
+        choose(QStringLiteral("preferences.language"), 2);
+        QCOMPARE(display().language(), QStringLiteral("de"));
+        QTRY_COMPARE(steps(), (QStringList{"Schlag", "Maschine", "Vorgewende", "Teilflächen", "Spuren", "Fahrroute", "Wendungen"}));
+        QVERIFY2(result(2).contains(QStringLiteral("Innenfläche")), qPrintable(result(2)));
+        QVERIFY2(session_->statusText().startsWith(QStringLiteral("Plan fertig")), qPrintable(session_->statusText()));
+        for (int row = 0; row < session_->findings()->rowCount(); ++row) {
+            const QString german = session_->findings()->index(row).data(FindingsModel::TextRole).toString();
+            QVERIFY2(german != findings.value(row), qPrintable(german));
+        }
+        QVERIFY(item(QStringLiteral("bar.Datei")) != nullptr);
+        QCOMPARE(session_->figures()->index(0).data(FiguresModel::LabelRole).toString(), QStringLiteral("Fläche"));
+        QVERIFY(session_->figures()->index(0).data(FiguresModel::ValueRole).toString().startsWith(QStringLiteral("5,4")));
+        picture(QStringLiteral("language_de"));
+        choose(QStringLiteral("preferences.language"), 4);
+        QTRY_COMPARE(steps().value(2), QStringLiteral("Fourrière"));
+        choose(QStringLiteral("preferences.language"), 1);
+        QTRY_COMPARE(steps().value(2), QStringLiteral("Headland"));
+    }
+
+    void theChoiceIsRemembered() {
+        begin();
+        choose(QStringLiteral("preferences.language"), 3);
+        QTRY_COMPARE(display().language(), QStringLiteral("nl"));
+        QCOMPARE(QSettings{}.value(QStringLiteral("display/language")).toString(), QStringLiteral("nl"));
+        choose(QStringLiteral("preferences.units"), 2);
+        QTRY_COMPARE(display().units(), Display::Imperial);
+        QCOMPARE(QSettings{}.value(QStringLiteral("display/units")).toInt(), 2);
+    }
+
+    void unitsHoldAtOnceAndTheDocumentStays() {
+        begin();
+        openSample(QStringLiteral("Slanted Field"));
+        const auto before = session_->document()->project();
+        QCOMPARE(session_->figures()->index(0).data(FiguresModel::ValueRole).toString(), QStringLiteral("5.4 ha"));
+        choose(QStringLiteral("preferences.units"), 2);
+        // 5.4 ha are 13.3 acres.
+        QTRY_COMPARE(session_->figures()->index(0).data(FiguresModel::ValueRole).toString(), QStringLiteral("13.3 ac"));
+        QVERIFY2(result(2).contains(QStringLiteral(" ft")), qPrintable(result(2)));
+        QVERIFY2(result(1).contains(QStringLiteral(" mph")), qPrintable(result(1)));
+        QCOMPARE(session_->document()->project(), before);
+        picture(QStringLiteral("units_imperial"));
+    }
+
+    void widthIsTypedInEitherSystem_data() {
+        QTest::addColumn<Display::Units>("units");
+        QTest::addColumn<QString>("typed");
+        QTest::addColumn<double>("metresWide");
+        QTest::addColumn<QString>("shownAfter");
+        QTest::newRow("metres") << Display::Metric << "4.5" << 4.5 << "4.50";
+        QTest::newRow("comma") << Display::Metric << "4,5 m" << 4.5 << "4.50";
+        QTest::newRow("feet in metres") << Display::Metric << "15 ft" << 4.572 << "4.57";
+        QTest::newRow("feet and inches") << Display::Metric << "10'6\"" << 3.2004 << "3.20";
+        QTest::newRow("feet") << Display::Imperial << "15" << 4.572 << "15.00";
+        QTest::newRow("metres in feet") << Display::Imperial << "4.5 m" << 4.5 << "14.76";
+    }
+    void widthIsTypedInEitherSystem() {
+        QFETCH(Display::Units, units);
+        QFETCH(QString, typed);
+        QFETCH(double, metresWide);
+        QFETCH(QString, shownAfter);
+        begin(units);
+        openSample(QStringLiteral("Slanted Field"));
+        click(QStringLiteral("step.machine"));
+        const QString field = QStringLiteral("machine.operating_width_m");
+        click(field);
+        QTRY_VERIFY(item(field)->hasActiveFocus());
+        key(Qt::Key_A, Qt::ControlModifier);
+        type(QStringLiteral("wide"));
+        QTRY_VERIFY(item(field + QStringLiteral(".complaint"))->isVisible());
+        key(Qt::Key_A, Qt::ControlModifier);
+        type(typed);
+        QTRY_VERIFY(!item(field + QStringLiteral(".complaint"))->isVisible());
+        key(Qt::Key_Return);
+        QTRY_VERIFY(std::abs(session_->machine()->machine().operatingWidth().si() - metresWide) < 1e-9);
+        QTRY_COMPARE(textOf(field), shownAfter);
+    }
+};
+
+}  // namespace furrow::test
+
+QTEST_MAIN(furrow::test::TestLanguageWindow)
+#include "tst_language_window.moc"
