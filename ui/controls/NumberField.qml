@@ -35,7 +35,7 @@ T.TextField {
     selectedTextColor: Theme.accentInk
     placeholderTextColor: Theme.muted
     selectByMouse: true
-    inputMethodHints: Qt.ImhFormattedNumbersOnly
+    inputMethodHints: Qt.ImhPreferNumbers
     font {
         family: Theme.family
         pixelSize: Theme.bodySize

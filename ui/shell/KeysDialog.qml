@@ -39,14 +39,14 @@ ThemedDialog {
             Accessible.name: qsTr("%1: %2").arg(keys).arg(what)
 
             BodyText {
-                width: 128
+                width: 168
                 text: parent.keys
                 color: Theme.muted
                 elide: Text.ElideRight
             }
             BodyText {
-                x: 136
-                width: parent.width - 136
+                x: 176
+                width: parent.width - 176
                 text: parent.what
                 elide: Text.ElideRight
             }
@@ -60,7 +60,8 @@ ThemedDialog {
                 required property Command modelData
 
                 keys: modelData.keysText
-                what: modelData.text
+                // Without what would be undone just now.
+                what: modelData.text.split(":")[0].trim()
             }
         }
         Repeater {
@@ -75,6 +76,7 @@ ThemedDialog {
         }
     }
     PushButton {
+        objectName: "keysDialog.close"
         anchors.right: parent.right
         text: qsTr("Close")
         primary: true

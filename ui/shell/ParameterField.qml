@@ -29,10 +29,20 @@ Column {
     required property bool checked
     required property string text
     /// Needs the whole width of the panel.
-    readonly property bool wide: kind === ParameterModel.Flag || kind === ParameterModel.Text || sliderTo > 0 || kind === ParameterModel.Choice && index === 0
+    readonly property bool wide: kind === ParameterModel.Flag || kind === ParameterModel.Text || sliderTo > 0 || longTexts || kind === ParameterModel.Choice && index === 0
+    /// What half the panel could not show, in this language.
+    readonly property bool longTexts: metrics.advanceWidth(name) > 150 || choices.some(choice => metrics.advanceWidth(choice) > 96)
 
     spacing: 5
 
+    FontMetrics {
+        id: metrics
+
+        font {
+            family: Theme.family
+            pixelSize: Theme.bodySize
+        }
+    }
     Item {
         width: parent.width
         height: 16

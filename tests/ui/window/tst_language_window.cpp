@@ -44,7 +44,92 @@ class TestLanguageWindow : public WindowTest {
         QTRY_VERIFY(item(list) == nullptr || !item(list)->isVisible());
     }
 
+    /// On the screen, and no longer fading in.
+    bool isShown(const QString& name) const {
+        const QQuickItem* at = item(name);
+        bool shown = at != nullptr && at->isVisible();
+        for (; shown && at != nullptr; at = at->parentItem()) {
+            shown = at->opacity() == 1.0;
+        }
+        return shown;
+    }
+    /// Texts that end in dots, or reach out of what holds them.
+    QStringList cut() const {
+        QStringList texts;
+        const auto look = [&texts](const auto& self, const QQuickItem* at) -> void {
+            if (!at->isVisible() || at->opacity() == 0.0) {
+                return;
+            }
+            const QVariant truncated = at->property("truncated");
+            if (truncated.isValid() && truncated.toBool()) {
+                texts << at->property("text").toString();
+            }
+            for (const QQuickItem* child : at->childItems()) {
+                self(self, child);
+            }
+        };
+        look(look, window_->contentItem());
+        return texts;
+    }
+
 private slots:
+    void nothingIsCutOff_data() {
+        QTest::addColumn<QString>("language");
+        QTest::addColumn<Display::Units>("units");
+        QTest::newRow("English, imperial") << "en" << Display::Imperial;
+        QTest::newRow("German") << "de" << Display::Metric;
+        QTest::newRow("Dutch, imperial") << "nl" << Display::Imperial;
+        QTest::newRow("French") << "fr" << Display::Metric;
+        QTest::newRow("Spanish") << "es" << Display::Metric;
+        QTest::newRow("Portuguese of Brazil") << "pt_BR" << Display::Metric;
+        QTest::newRow("Portuguese of Portugal, imperial") << "pt_PT" << Display::Imperial;
+    }
+    void nothingIsCutOff() {
+        QFETCH(QString, language);
+        QFETCH(Display::Units, units);
+        begin(units);
+        display().setLanguage(language);
+        window_->resize(1280, 800);
+        click(QStringLiteral("empty.sample.0"));
+        QTRY_COMPARE_WITH_TIMEOUT(session_->state(), PlanSession::State::Ready, 20000);
+        QStringList wrong;
+        const auto check = [&](const QString& state) {
+            picture(QStringLiteral("language_%1_%2").arg(language, state));
+            for (const QString& text : cut()) {
+                wrong << state + QStringLiteral(": ") + text;
+            }
+        };
+        for (const char* step : {"field", "machine", "headland", "decomposition", "swaths", "route", "path"}) {
+            // One open at a time: closed, they all fit the window. The first is open from the start.
+            const QString header = QStringLiteral("step.") + QString::fromLatin1(step);
+            if (qstrcmp(step, "field") != 0) {
+                click(header);
+            }
+            waitForRest(*item(QStringLiteral("step.path")));
+            check(QString::fromLatin1(step));
+            click(header);
+            waitForRest(*item(QStringLiteral("step.path")));
+        }
+        key(Qt::Key_F1);
+        QTRY_VERIFY(isShown(QStringLiteral("keysDialog.close")));
+        check(QStringLiteral("keys"));
+        click(QStringLiteral("keysDialog.close"));
+        QTRY_VERIFY(item(QStringLiteral("keysDialog.close")) == nullptr || !item(QStringLiteral("keysDialog.close"))->isVisible());
+        key(Qt::Key_Comma, Qt::ControlModifier);
+        QTRY_VERIFY(isShown(QStringLiteral("preferences.units")));
+        check(QStringLiteral("preferences"));
+        click(QStringLiteral("preferences.close"));
+        click(QStringLiteral("exportButton"));
+        QTRY_VERIFY(isShown(QStringLiteral("export.onStick")));
+        waitForRest(*item(QStringLiteral("export.onStick")));
+        check(QStringLiteral("export"));
+        click(QStringLiteral("export.onStick"));
+        QTRY_VERIFY(isShown(QStringLiteral("stick.terminal")));
+        check(QStringLiteral("stick"));
+        key(Qt::Key_Escape);
+        QVERIFY2(wrong.isEmpty(), qPrintable(wrong.join(QLatin1Char('\n'))));
+    }
+
     void languageHoldsAtOnce() {
         begin();
         openSample(QStringLiteral("Slanted Field"));
