@@ -267,6 +267,86 @@
         <source>shortcuts help</source>
         <translation>tastenkürzel hilfe</translation>
     </message>
+    <message>
+        <source>Everything at %1 %</source>
+        <translation>Alles auf %1 %</translation>
+    </message>
+    <message>
+        <source>size scaling zoom large text</source>
+        <translation>Größe Skalierung Zoom große Schrift</translation>
+    </message>
+    <message>
+        <source>Add imagery…</source>
+        <translation>Luftbild hinzufügen…</translation>
+    </message>
+    <message>
+        <source>GeoTIFF MBTiles aerial photo satellite background heights elevation</source>
+        <translation>GeoTIFF MBTiles Luftbild Satellit Hintergrund Höhen Gelände</translation>
+    </message>
+    <message>
+        <source>Add a folder of tiles…</source>
+        <translation>Ordner mit Kacheln hinzufügen…</translation>
+    </message>
+    <message>
+        <source>imagery XYZ TMS</source>
+        <translation>Luftbild XYZ TMS</translation>
+    </message>
+    <message>
+        <source>Layers</source>
+        <translation>Ebenen</translation>
+    </message>
+    <message>
+        <source>imagery map background</source>
+        <translation>Luftbild Karte Hintergrund</translation>
+    </message>
+    <message>
+        <source>Layer: imagery</source>
+        <translation>Ebene: Luftbild</translation>
+    </message>
+    <message>
+        <source>Layer: OpenStreetMap from the network</source>
+        <translation>Ebene: OpenStreetMap aus dem Netz</translation>
+    </message>
+    <message>
+        <source>online tiles</source>
+        <translation>online Kacheln</translation>
+    </message>
+    <message>
+        <source>Layer: coverage</source>
+        <translation>Ebene: bearbeitete Fläche</translation>
+    </message>
+    <message>
+        <source>Layer: worked twice</source>
+        <translation>Ebene: doppelt bearbeitet</translation>
+    </message>
+    <message>
+        <source>overlap</source>
+        <translation>Überlappung</translation>
+    </message>
+    <message>
+        <source>Layer: missed</source>
+        <translation>Ebene: Fehlstellen</translation>
+    </message>
+    <message>
+        <source>gap uncovered</source>
+        <translation>Lücke unbearbeitet</translation>
+    </message>
+    <message>
+        <source>Layer: driven over often</source>
+        <translation>Ebene: oft überfahren</translation>
+    </message>
+    <message>
+        <source>wheel passes traffic compaction</source>
+        <translation>Radspuren Überfahrten Verdichtung</translation>
+    </message>
+    <message>
+        <source>Take the tour</source>
+        <translation>Rundgang starten</translation>
+    </message>
+    <message>
+        <source>help introduction first start</source>
+        <translation>Hilfe Einführung erster Start</translation>
+    </message>
 </context>
 <context>
     <name>Command</name>
@@ -548,6 +628,67 @@
     <message>
         <source>Finding %1: %2 %3</source>
         <translation>Hinweis %1: %2 %3</translation>
+    </message>
+</context>
+<context>
+    <name>ImageryList</name>
+    <message>
+        <source>Your own pictures and heights: GeoTIFF, MBTiles or a folder of tiles. They stay on this computer.</source>
+        <translation>Ihre eigenen Bilder und Höhen: GeoTIFF, MBTiles oder ein Ordner mit Kacheln. Sie bleiben auf diesem Rechner.</translation>
+    </message>
+    <message>
+        <source>Add files…</source>
+        <translation>Dateien hinzufügen…</translation>
+    </message>
+    <message>
+        <source>Add a folder of tiles…</source>
+        <translation>Ordner mit Kacheln hinzufügen…</translation>
+    </message>
+</context>
+<context>
+    <name>ImageryNotice</name>
+    <message>
+        <source>OK</source>
+        <translation>OK</translation>
+    </message>
+</context>
+<context>
+    <name>ImageryRow</name>
+    <message>
+        <source>Show all of %1</source>
+        <translation>%1 ganz zeigen</translation>
+    </message>
+    <message>
+        <source>Move %1 up</source>
+        <translation>%1 nach oben</translation>
+    </message>
+    <message>
+        <source>Move %1 down</source>
+        <translation>%1 nach unten</translation>
+    </message>
+    <message>
+        <source>Remove %1</source>
+        <translation>%1 entfernen</translation>
+    </message>
+    <message>
+        <source>How strong %1 is</source>
+        <translation>Deckkraft von %1</translation>
+    </message>
+    <message>
+        <source>Opening …</source>
+        <translation>Wird geöffnet …</translation>
+    </message>
+    <message>
+        <source>Contour lines every %1</source>
+        <translation>Höhenlinien alle %1</translation>
+    </message>
+    <message>
+        <source>Rows count from the south (TMS)</source>
+        <translation>Zeilen zählen von Süden (TMS)</translation>
+    </message>
+    <message>
+        <source>Try again</source>
+        <translation>Erneut versuchen</translation>
     </message>
 </context>
 <context>
@@ -857,20 +998,67 @@
         <translation>Spuren</translation>
     </message>
     <message>
-        <source>Turns</source>
-        <translation>Wendungen</translation>
-    </message>
-    <message>
-        <source>Driving direction</source>
-        <translation>Fahrtrichtung</translation>
-    </message>
-    <message>
         <source>Order numbers</source>
         <translation>Reihenfolge</translation>
     </message>
     <message>
         <source>Findings</source>
         <translation>Hinweise</translation>
+    </message>
+    <message>
+        <source>Imagery</source>
+        <translation>Luftbild</translation>
+    </message>
+    <message>
+        <source>Path</source>
+        <translation>Fahrweg</translation>
+    </message>
+    <message>
+        <source>Directions</source>
+        <translation>Richtungen</translation>
+    </message>
+    <message>
+        <source>Coverage</source>
+        <translation>Bearbeitet</translation>
+    </message>
+    <message>
+        <source>Worked twice</source>
+        <translation>Doppelt bearbeitet</translation>
+    </message>
+    <message>
+        <source>Missed</source>
+        <translation>Fehlstellen</translation>
+    </message>
+    <message>
+        <source>Wheel passes</source>
+        <translation>Überfahrten</translation>
+    </message>
+</context>
+<context>
+    <name>LayersPanel</name>
+    <message>
+        <source>Layers</source>
+        <translation>Ebenen</translation>
+    </message>
+    <message>
+        <source>Close the layers</source>
+        <translation>Ebenen schließen</translation>
+    </message>
+    <message>
+        <source>Imagery</source>
+        <translation>Luftbild</translation>
+    </message>
+    <message>
+        <source>From the network</source>
+        <translation>Aus dem Netz</translation>
+    </message>
+    <message>
+        <source>OpenStreetMap</source>
+        <translation>OpenStreetMap</translation>
+    </message>
+    <message>
+        <source>Asks openstreetmap.org for what is in view. Off, nothing leaves this computer.</source>
+        <translation>Fragt openstreetmap.org nach dem, was zu sehen ist. Ausgeschaltet verlässt nichts diesen Rechner.</translation>
     </message>
 </context>
 <context>
@@ -905,6 +1093,18 @@
     <message>
         <source>Rename the plan</source>
         <translation>Plan umbenennen</translation>
+    </message>
+    <message>
+        <source>Everything at %1 %</source>
+        <translation>Alles auf %1 %</translation>
+    </message>
+    <message>
+        <source>This holds from the next start of Furrow.</source>
+        <translation>Das gilt ab dem nächsten Start von Furrow.</translation>
+    </message>
+    <message>
+        <source>OK</source>
+        <translation>OK</translation>
     </message>
 </context>
 <context>
@@ -952,6 +1152,10 @@
         <source>Further away (−)</source>
         <translation>Weiter weg (−)</translation>
     </message>
+    <message>
+        <source>Layers (Ctrl+L)</source>
+        <translation>Ebenen (Strg+L)</translation>
+    </message>
 </context>
 <context>
     <name>NameDialog</name>
@@ -970,6 +1174,13 @@
     <message>
         <source>OK</source>
         <translation>OK</translation>
+    </message>
+</context>
+<context>
+    <name>OnlineMap</name>
+    <message>
+        <source>© OpenStreetMap contributors</source>
+        <translation>© OpenStreetMap-Mitwirkende</translation>
     </message>
 </context>
 <context>
@@ -4193,6 +4404,106 @@
         <source>write {&quot;name&quot;: ..., &quot;operating_width_m&quot;: ...}</source>
         <translation>schreiben: {&quot;name&quot;: ..., &quot;operating_width_m&quot;: ...}</translation>
     </message>
+    <message>
+        <source>a part of it cannot be read</source>
+        <translation>ein Teil davon lässt sich nicht lesen</translation>
+    </message>
+    <message>
+        <source>a part of it is damaged: %1</source>
+        <translation>ein Teil davon ist beschädigt: %1</translation>
+    </message>
+    <message>
+        <source>a tile is damaged</source>
+        <translation>eine Kachel ist beschädigt</translation>
+    </message>
+    <message>
+        <source>choose a file or a folder of tiles</source>
+        <translation>wählen Sie eine Datei oder einen Ordner mit Kacheln</translation>
+    </message>
+    <message>
+        <source>choose the folder that holds the folders of the zooms, 0 to 24</source>
+        <translation>wählen Sie den Ordner, in dem die Ordner der Zoomstufen liegen, 0 bis 24</translation>
+    </message>
+    <message>
+        <source>copy or export the file again</source>
+        <translation>kopieren oder exportieren Sie die Datei erneut</translation>
+    </message>
+    <message>
+        <source>give a GeoTIFF, MBTiles, or a folder of tiles</source>
+        <translation>geben Sie ein GeoTIFF, MBTiles oder einen Ordner mit Kacheln an</translation>
+    </message>
+    <message>
+        <source>give a GeoTIFF, or export it again with its coordinate system</source>
+        <translation>geben Sie ein GeoTIFF an oder exportieren Sie es erneut mit seinem Koordinatensystem</translation>
+    </message>
+    <message>
+        <source>it is damaged, or no picture that Furrow can show</source>
+        <translation>es ist beschädigt oder kein Bild, das Furrow zeigen kann</translation>
+    </message>
+    <message>
+        <source>it is no file</source>
+        <translation>es ist keine Datei</translation>
+    </message>
+    <message>
+        <source>it is too large to be shown without overviews</source>
+        <translation>es ist zu groß, um ohne Übersichten gezeigt zu werden</translation>
+    </message>
+    <message>
+        <source>its tiles are in degrees, not in web Mercator</source>
+        <translation>seine Kacheln sind in Grad, nicht in Web-Mercator</translation>
+    </message>
+    <message>
+        <source>make the tiles again</source>
+        <translation>erzeugen Sie die Kacheln neu</translation>
+    </message>
+    <message>
+        <source>make them again with the profile mercator, or give the raster itself</source>
+        <translation>erzeugen Sie sie neu mit dem Profil mercator oder geben Sie das Raster selbst an</translation>
+    </message>
+    <message>
+        <source>open it again</source>
+        <translation>öffnen Sie sie erneut</translation>
+    </message>
+    <message>
+        <source>put it back, or choose another one</source>
+        <translation>legen Sie sie zurück oder wählen Sie eine andere</translation>
+    </message>
+    <message>
+        <source>put it back, or remove the layer</source>
+        <translation>legen Sie sie zurück oder entfernen Sie die Ebene</translation>
+    </message>
+    <message>
+        <source>save it in tiles and with overviews (gdal_translate -of COG)</source>
+        <translation>speichern Sie es in Kacheln und mit Übersichten (gdal_translate -of COG)</translation>
+    </message>
+    <message>
+        <source>the file cannot be read any more</source>
+        <translation>die Datei lässt sich nicht mehr lesen</translation>
+    </message>
+    <message>
+        <source>the file is not there any more</source>
+        <translation>die Datei ist nicht mehr da</translation>
+    </message>
+    <message>
+        <source>the file was changed while it was open</source>
+        <translation>die Datei wurde geändert, während sie geöffnet war</translation>
+    </message>
+    <message>
+        <source>the folder is not there any more</source>
+        <translation>der Ordner ist nicht mehr da</translation>
+    </message>
+    <message>
+        <source>there are no tiles in this folder</source>
+        <translation>in diesem Ordner sind keine Kacheln</translation>
+    </message>
+    <message>
+        <source>there is no picture in it</source>
+        <translation>es ist kein Bild darin</translation>
+    </message>
+    <message>
+        <source>there is no such file or folder</source>
+        <translation>diese Datei oder diesen Ordner gibt es nicht</translation>
+    </message>
 </context>
 <context>
     <name>PreferencesDialog</name>
@@ -4262,6 +4573,18 @@
         <source>Save the project</source>
         <translation>Projekt speichern</translation>
     </message>
+    <message>
+        <source>Add imagery</source>
+        <translation>Luftbild hinzufügen</translation>
+    </message>
+    <message>
+        <source>Pictures and heights (%1)</source>
+        <translation>Bilder und Höhen (%1)</translation>
+    </message>
+    <message>
+        <source>Add a folder of tiles</source>
+        <translation>Ordner mit Kacheln hinzufügen</translation>
+    </message>
 </context>
 <context>
     <name>RecentList</name>
@@ -4313,10 +4636,6 @@
     <message>
         <source>Show all %1</source>
         <translation>Alle %1 zeigen</translation>
-    </message>
-    <message>
-        <source>Layers</source>
-        <translation>Ebenen</translation>
     </message>
 </context>
 <context>
@@ -4395,6 +4714,77 @@
     <message>
         <source>Export</source>
         <translation>Exportieren</translation>
+    </message>
+</context>
+<context>
+    <name>Tour</name>
+    <message>
+        <source>Welcome to Furrow</source>
+        <translation>Willkommen bei Furrow</translation>
+    </message>
+    <message>
+        <source>In three minutes from a field to a plan that can be driven. A sample field is opened for you; Ctrl+Z takes everything back. Leave whenever you like: the tour is in the Help menu.</source>
+        <translation>In drei Minuten vom Schlag zum fahrbaren Plan. Ein Beispielschlag wird für Sie geöffnet; Strg+Z macht alles rückgängig. Sie können jederzeit aufhören: Der Rundgang steht im Menü „Hilfe“.</translation>
+    </message>
+    <message>
+        <source>The steps</source>
+        <translation>Die Schritte</translation>
+    </message>
+    <message>
+        <source>From top to bottom: the field, the machine, and how it works. Each step says what is chosen and what came of it; press one to change it. Every change plans anew at once.</source>
+        <translation>Von oben nach unten: der Schlag, die Maschine und wie sie arbeitet. Jeder Schritt sagt, was gewählt ist und was daraus wurde; klicken Sie einen an, um ihn zu ändern. Jede Änderung plant sofort neu.</translation>
+    </message>
+    <message>
+        <source>The map</source>
+        <translation>Die Karte</translation>
+    </message>
+    <message>
+        <source>Drag a corner of the field and watch the plan follow. The wheel zooms, dragging the ground moves the map. The dot in the middle of an edge makes another corner; Alt lets go of what catches.</source>
+        <translation>Ziehen Sie an einer Ecke des Schlags, der Plan folgt. Das Mausrad zoomt, Ziehen am Grund verschiebt die Karte. Der Punkt in der Mitte einer Kante ergibt eine weitere Ecke; Alt löst das Einrasten.</translation>
+    </message>
+    <message>
+        <source>The tools</source>
+        <translation>Die Werkzeuge</translation>
+    </message>
+    <message>
+        <source>Draw a field, a hole, an obstacle, an AB line or a gate. The lowest button shows the layers: what is drawn of the plan, and your own aerial photos or heights beneath it.</source>
+        <translation>Zeichnen Sie einen Schlag, eine Aussparung, ein Hindernis, eine AB-Linie oder eine Zufahrt. Die unterste Schaltfläche zeigt die Ebenen: was vom Plan gezeichnet wird und darunter Ihre eigenen Luftbilder oder Höhen.</translation>
+    </message>
+    <message>
+        <source>What came out</source>
+        <translation>Das Ergebnis</translation>
+    </message>
+    <message>
+        <source>Area, way and time, and what was found: press a finding and the map goes there. Findings in the way of driving come first, with what would help.</source>
+        <translation>Fläche, Weg und Zeit und was aufgefallen ist: Klicken Sie einen Hinweis an, und die Karte geht dorthin. Hinweise, die das Fahren verhindern, stehen zuerst, mit dem, was helfen würde.</translation>
+    </message>
+    <message>
+        <source>To the terminal</source>
+        <translation>Zum Terminal</translation>
+    </message>
+    <message>
+        <source>Export writes the plan to a folder or a USB stick, for many terminals, reads it back and compares it. Then save the project: Ctrl+S. Ctrl+K finds every command by name.</source>
+        <translation>„Exportieren“ schreibt den Plan für viele Terminals in einen Ordner oder auf einen USB-Stick, liest ihn zurück und vergleicht ihn. Speichern Sie dann das Projekt: Strg+S. Strg+K findet jeden Befehl nach seinem Namen.</translation>
+    </message>
+    <message>
+        <source>%1 of %2</source>
+        <translation>%1 von %2</translation>
+    </message>
+    <message>
+        <source>Leave</source>
+        <translation>Beenden</translation>
+    </message>
+    <message>
+        <source>Back</source>
+        <translation>Zurück</translation>
+    </message>
+    <message>
+        <source>Next</source>
+        <translation>Weiter</translation>
+    </message>
+    <message>
+        <source>Done</source>
+        <translation>Fertig</translation>
     </message>
 </context>
 <context>
@@ -4711,6 +5101,49 @@
     </message>
 </context>
 <context>
+    <name>furrow::ImageryModel</name>
+    <message>
+        <source>%1: %2</source>
+        <translation>%1: %2</translation>
+    </message>
+    <message>
+        <source>Add %1</source>
+        <translation>%1 hinzufügen</translation>
+    </message>
+    <message>
+        <source>Add imagery</source>
+        <translation>Luftbild hinzufügen</translation>
+    </message>
+    <message>
+        <source>Remove %1</source>
+        <translation>%1 entfernen</translation>
+    </message>
+    <message>
+        <source>Move a layer</source>
+        <translation>Ebene verschieben</translation>
+    </message>
+    <message>
+        <source>Rename a layer</source>
+        <translation>Ebene umbenennen</translation>
+    </message>
+    <message>
+        <source>Show a layer</source>
+        <translation>Ebene zeigen</translation>
+    </message>
+    <message>
+        <source>Hide a layer</source>
+        <translation>Ebene ausblenden</translation>
+    </message>
+    <message>
+        <source>Change how strong a layer is</source>
+        <translation>Deckkraft einer Ebene ändern</translation>
+    </message>
+    <message>
+        <source>Turn the rows of tiles round</source>
+        <translation>Reihenfolge der Kachelzeilen umkehren</translation>
+    </message>
+</context>
+<context>
     <name>furrow::MachineModel</name>
     <message>
         <source>auto · %1</source>
@@ -4805,6 +5238,18 @@
     <message>
         <source>Change: %1</source>
         <translation>Ändern: %1</translation>
+    </message>
+    <message>
+        <source>Draft · planning …</source>
+        <translation>Entwurf · wird geplant …</translation>
+    </message>
+    <message>
+        <source>Stopped · this is a draft</source>
+        <translation>Angehalten · dies ist ein Entwurf</translation>
+    </message>
+    <message>
+        <source>Draft · the whole plan follows when you let go</source>
+        <translation>Entwurf · der ganze Plan folgt beim Loslassen</translation>
     </message>
 </context>
 <context>

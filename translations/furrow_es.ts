@@ -267,6 +267,86 @@
         <source>shortcuts help</source>
         <translation>atajos ayuda</translation>
     </message>
+    <message>
+        <source>Everything at %1 %</source>
+        <translation>Todo al %1 %</translation>
+    </message>
+    <message>
+        <source>size scaling zoom large text</source>
+        <translation>tamaño escala zoom texto grande</translation>
+    </message>
+    <message>
+        <source>Add imagery…</source>
+        <translation>Añadir imágenes…</translation>
+    </message>
+    <message>
+        <source>GeoTIFF MBTiles aerial photo satellite background heights elevation</source>
+        <translation>GeoTIFF MBTiles foto aérea satélite fondo altura relieve</translation>
+    </message>
+    <message>
+        <source>Add a folder of tiles…</source>
+        <translation>Añadir una carpeta de teselas…</translation>
+    </message>
+    <message>
+        <source>imagery XYZ TMS</source>
+        <translation>imágenes XYZ TMS</translation>
+    </message>
+    <message>
+        <source>Layers</source>
+        <translation>Capas</translation>
+    </message>
+    <message>
+        <source>imagery map background</source>
+        <translation>imágenes mapa fondo</translation>
+    </message>
+    <message>
+        <source>Layer: imagery</source>
+        <translation>Capa: imágenes</translation>
+    </message>
+    <message>
+        <source>Layer: OpenStreetMap from the network</source>
+        <translation>Capa: OpenStreetMap de la red</translation>
+    </message>
+    <message>
+        <source>online tiles</source>
+        <translation>en línea teselas</translation>
+    </message>
+    <message>
+        <source>Layer: coverage</source>
+        <translation>Capa: superficie trabajada</translation>
+    </message>
+    <message>
+        <source>Layer: worked twice</source>
+        <translation>Capa: trabajado dos veces</translation>
+    </message>
+    <message>
+        <source>overlap</source>
+        <translation>solape</translation>
+    </message>
+    <message>
+        <source>Layer: missed</source>
+        <translation>Capa: zonas sin trabajar</translation>
+    </message>
+    <message>
+        <source>gap uncovered</source>
+        <translation>hueco sin cubrir</translation>
+    </message>
+    <message>
+        <source>Layer: driven over often</source>
+        <translation>Capa: muy transitado</translation>
+    </message>
+    <message>
+        <source>wheel passes traffic compaction</source>
+        <translation>pasos de rueda tráfico compactación</translation>
+    </message>
+    <message>
+        <source>Take the tour</source>
+        <translation>Hacer el recorrido guiado</translation>
+    </message>
+    <message>
+        <source>help introduction first start</source>
+        <translation>ayuda introducción primer inicio</translation>
+    </message>
 </context>
 <context>
     <name>Command</name>
@@ -548,6 +628,67 @@
     <message>
         <source>Finding %1: %2 %3</source>
         <translation>Aviso %1: %2 %3</translation>
+    </message>
+</context>
+<context>
+    <name>ImageryList</name>
+    <message>
+        <source>Your own pictures and heights: GeoTIFF, MBTiles or a folder of tiles. They stay on this computer.</source>
+        <translation>Sus propias imágenes y alturas: GeoTIFF, MBTiles o una carpeta de teselas. Se quedan en este ordenador.</translation>
+    </message>
+    <message>
+        <source>Add files…</source>
+        <translation>Añadir archivos…</translation>
+    </message>
+    <message>
+        <source>Add a folder of tiles…</source>
+        <translation>Añadir una carpeta de teselas…</translation>
+    </message>
+</context>
+<context>
+    <name>ImageryNotice</name>
+    <message>
+        <source>OK</source>
+        <translation>Aceptar</translation>
+    </message>
+</context>
+<context>
+    <name>ImageryRow</name>
+    <message>
+        <source>Show all of %1</source>
+        <translation>Mostrar %1 por completo</translation>
+    </message>
+    <message>
+        <source>Move %1 up</source>
+        <translation>Subir %1</translation>
+    </message>
+    <message>
+        <source>Move %1 down</source>
+        <translation>Bajar %1</translation>
+    </message>
+    <message>
+        <source>Remove %1</source>
+        <translation>Quitar %1</translation>
+    </message>
+    <message>
+        <source>How strong %1 is</source>
+        <translation>Opacidad de %1</translation>
+    </message>
+    <message>
+        <source>Opening …</source>
+        <translation>Abriendo…</translation>
+    </message>
+    <message>
+        <source>Contour lines every %1</source>
+        <translation>Curvas de nivel cada %1</translation>
+    </message>
+    <message>
+        <source>Rows count from the south (TMS)</source>
+        <translation>Filas contadas desde el sur (TMS)</translation>
+    </message>
+    <message>
+        <source>Try again</source>
+        <translation>Intentar de nuevo</translation>
     </message>
 </context>
 <context>
@@ -857,20 +998,67 @@
         <translation>Pasadas</translation>
     </message>
     <message>
-        <source>Turns</source>
-        <translation>Giros</translation>
-    </message>
-    <message>
-        <source>Driving direction</source>
-        <translation>Sentido de marcha</translation>
-    </message>
-    <message>
         <source>Order numbers</source>
         <translation>Números de orden</translation>
     </message>
     <message>
         <source>Findings</source>
         <translation>Avisos</translation>
+    </message>
+    <message>
+        <source>Imagery</source>
+        <translation>Imágenes</translation>
+    </message>
+    <message>
+        <source>Path</source>
+        <translation>Recorrido</translation>
+    </message>
+    <message>
+        <source>Directions</source>
+        <translation>Sentidos</translation>
+    </message>
+    <message>
+        <source>Coverage</source>
+        <translation>Trabajado</translation>
+    </message>
+    <message>
+        <source>Worked twice</source>
+        <translation>Trabajado dos veces</translation>
+    </message>
+    <message>
+        <source>Missed</source>
+        <translation>Sin trabajar</translation>
+    </message>
+    <message>
+        <source>Wheel passes</source>
+        <translation>Pasos de rueda</translation>
+    </message>
+</context>
+<context>
+    <name>LayersPanel</name>
+    <message>
+        <source>Layers</source>
+        <translation>Capas</translation>
+    </message>
+    <message>
+        <source>Close the layers</source>
+        <translation>Cerrar las capas</translation>
+    </message>
+    <message>
+        <source>Imagery</source>
+        <translation>Imágenes</translation>
+    </message>
+    <message>
+        <source>From the network</source>
+        <translation>De la red</translation>
+    </message>
+    <message>
+        <source>OpenStreetMap</source>
+        <translation>OpenStreetMap</translation>
+    </message>
+    <message>
+        <source>Asks openstreetmap.org for what is in view. Off, nothing leaves this computer.</source>
+        <translation>Pide a openstreetmap.org lo que está a la vista. Desactivado, nada sale de este ordenador.</translation>
     </message>
 </context>
 <context>
@@ -905,6 +1093,18 @@
     <message>
         <source>Rename the plan</source>
         <translation>Renombrar el plan</translation>
+    </message>
+    <message>
+        <source>Everything at %1 %</source>
+        <translation>Todo al %1 %</translation>
+    </message>
+    <message>
+        <source>This holds from the next start of Furrow.</source>
+        <translation>Esto se aplica a partir del próximo inicio de Furrow.</translation>
+    </message>
+    <message>
+        <source>OK</source>
+        <translation>Aceptar</translation>
     </message>
 </context>
 <context>
@@ -952,6 +1152,10 @@
         <source>Further away (−)</source>
         <translation>Alejar (−)</translation>
     </message>
+    <message>
+        <source>Layers (Ctrl+L)</source>
+        <translation>Capas (Ctrl+L)</translation>
+    </message>
 </context>
 <context>
     <name>NameDialog</name>
@@ -970,6 +1174,13 @@
     <message>
         <source>OK</source>
         <translation>Aceptar</translation>
+    </message>
+</context>
+<context>
+    <name>OnlineMap</name>
+    <message>
+        <source>© OpenStreetMap contributors</source>
+        <translation>© Colaboradores de OpenStreetMap</translation>
     </message>
 </context>
 <context>
@@ -4193,6 +4404,106 @@
         <source>write {&quot;name&quot;: ..., &quot;operating_width_m&quot;: ...}</source>
         <translation>escriba {&quot;name&quot;: ..., &quot;operating_width_m&quot;: ...}</translation>
     </message>
+    <message>
+        <source>a part of it cannot be read</source>
+        <translation>una parte no se puede leer</translation>
+    </message>
+    <message>
+        <source>a part of it is damaged: %1</source>
+        <translation>una parte está dañada: %1</translation>
+    </message>
+    <message>
+        <source>a tile is damaged</source>
+        <translation>una tesela está dañada</translation>
+    </message>
+    <message>
+        <source>choose a file or a folder of tiles</source>
+        <translation>elija un archivo o una carpeta de teselas</translation>
+    </message>
+    <message>
+        <source>choose the folder that holds the folders of the zooms, 0 to 24</source>
+        <translation>elija la carpeta que contiene las carpetas de los niveles de zoom, de 0 a 24</translation>
+    </message>
+    <message>
+        <source>copy or export the file again</source>
+        <translation>copie o exporte el archivo de nuevo</translation>
+    </message>
+    <message>
+        <source>give a GeoTIFF, MBTiles, or a folder of tiles</source>
+        <translation>dé un GeoTIFF, MBTiles o una carpeta de teselas</translation>
+    </message>
+    <message>
+        <source>give a GeoTIFF, or export it again with its coordinate system</source>
+        <translation>dé un GeoTIFF o expórtela de nuevo con su sistema de coordenadas</translation>
+    </message>
+    <message>
+        <source>it is damaged, or no picture that Furrow can show</source>
+        <translation>está dañado o no es una imagen que Furrow pueda mostrar</translation>
+    </message>
+    <message>
+        <source>it is no file</source>
+        <translation>no es un archivo</translation>
+    </message>
+    <message>
+        <source>it is too large to be shown without overviews</source>
+        <translation>es demasiado grande para mostrarla sin vistas generales</translation>
+    </message>
+    <message>
+        <source>its tiles are in degrees, not in web Mercator</source>
+        <translation>sus teselas están en grados, no en Web Mercator</translation>
+    </message>
+    <message>
+        <source>make the tiles again</source>
+        <translation>cree las teselas de nuevo</translation>
+    </message>
+    <message>
+        <source>make them again with the profile mercator, or give the raster itself</source>
+        <translation>créelas de nuevo con el perfil mercator o dé el ráster mismo</translation>
+    </message>
+    <message>
+        <source>open it again</source>
+        <translation>ábralo de nuevo</translation>
+    </message>
+    <message>
+        <source>put it back, or choose another one</source>
+        <translation>vuelva a ponerlo o elija otro</translation>
+    </message>
+    <message>
+        <source>put it back, or remove the layer</source>
+        <translation>vuelva a ponerlo o quite la capa</translation>
+    </message>
+    <message>
+        <source>save it in tiles and with overviews (gdal_translate -of COG)</source>
+        <translation>guárdela en teselas y con vistas generales (gdal_translate -of COG)</translation>
+    </message>
+    <message>
+        <source>the file cannot be read any more</source>
+        <translation>el archivo ya no se puede leer</translation>
+    </message>
+    <message>
+        <source>the file is not there any more</source>
+        <translation>el archivo ya no está</translation>
+    </message>
+    <message>
+        <source>the file was changed while it was open</source>
+        <translation>el archivo se modificó mientras estaba abierto</translation>
+    </message>
+    <message>
+        <source>the folder is not there any more</source>
+        <translation>la carpeta ya no está</translation>
+    </message>
+    <message>
+        <source>there are no tiles in this folder</source>
+        <translation>no hay teselas en esta carpeta</translation>
+    </message>
+    <message>
+        <source>there is no picture in it</source>
+        <translation>no contiene ninguna imagen</translation>
+    </message>
+    <message>
+        <source>there is no such file or folder</source>
+        <translation>no existe ese archivo o esa carpeta</translation>
+    </message>
 </context>
 <context>
     <name>PreferencesDialog</name>
@@ -4262,6 +4573,18 @@
         <source>Save the project</source>
         <translation>Guardar el proyecto</translation>
     </message>
+    <message>
+        <source>Add imagery</source>
+        <translation>Añadir imágenes</translation>
+    </message>
+    <message>
+        <source>Pictures and heights (%1)</source>
+        <translation>Imágenes y alturas (%1)</translation>
+    </message>
+    <message>
+        <source>Add a folder of tiles</source>
+        <translation>Añadir una carpeta de teselas</translation>
+    </message>
 </context>
 <context>
     <name>RecentList</name>
@@ -4313,10 +4636,6 @@
     <message>
         <source>Show all %1</source>
         <translation>Mostrar los %1</translation>
-    </message>
-    <message>
-        <source>Layers</source>
-        <translation>Capas</translation>
     </message>
 </context>
 <context>
@@ -4395,6 +4714,77 @@
     <message>
         <source>Export</source>
         <translation>Exportar</translation>
+    </message>
+</context>
+<context>
+    <name>Tour</name>
+    <message>
+        <source>Welcome to Furrow</source>
+        <translation>Bienvenido a Furrow</translation>
+    </message>
+    <message>
+        <source>In three minutes from a field to a plan that can be driven. A sample field is opened for you; Ctrl+Z takes everything back. Leave whenever you like: the tour is in the Help menu.</source>
+        <translation>En tres minutos, de una parcela a un plan que se puede conducir. Se abre una parcela de ejemplo para usted; Ctrl+Z lo deshace todo. Salga cuando quiera: el recorrido guiado está en el menú Ayuda.</translation>
+    </message>
+    <message>
+        <source>The steps</source>
+        <translation>Los pasos</translation>
+    </message>
+    <message>
+        <source>From top to bottom: the field, the machine, and how it works. Each step says what is chosen and what came of it; press one to change it. Every change plans anew at once.</source>
+        <translation>De arriba abajo: la parcela, la máquina y cómo trabaja. Cada paso dice qué se ha elegido y qué ha resultado; pulse uno para cambiarlo. Cada cambio planifica de nuevo al instante.</translation>
+    </message>
+    <message>
+        <source>The map</source>
+        <translation>El mapa</translation>
+    </message>
+    <message>
+        <source>Drag a corner of the field and watch the plan follow. The wheel zooms, dragging the ground moves the map. The dot in the middle of an edge makes another corner; Alt lets go of what catches.</source>
+        <translation>Arrastre una esquina de la parcela y vea cómo la sigue el plan. La rueda amplía, arrastrar el fondo mueve el mapa. El punto en medio de un borde crea otra esquina; Alt suelta el ajuste automático.</translation>
+    </message>
+    <message>
+        <source>The tools</source>
+        <translation>Las herramientas</translation>
+    </message>
+    <message>
+        <source>Draw a field, a hole, an obstacle, an AB line or a gate. The lowest button shows the layers: what is drawn of the plan, and your own aerial photos or heights beneath it.</source>
+        <translation>Dibuje una parcela, un hueco, un obstáculo, una línea AB o una entrada. El botón inferior muestra las capas: lo que se dibuja del plan y, debajo, sus propias fotos aéreas o alturas.</translation>
+    </message>
+    <message>
+        <source>What came out</source>
+        <translation>El resultado</translation>
+    </message>
+    <message>
+        <source>Area, way and time, and what was found: press a finding and the map goes there. Findings in the way of driving come first, with what would help.</source>
+        <translation>Superficie, distancia y tiempo, y lo que se ha encontrado: pulse un aviso y el mapa va allí. Los avisos que impiden conducir van primero, con lo que ayudaría.</translation>
+    </message>
+    <message>
+        <source>To the terminal</source>
+        <translation>Al terminal</translation>
+    </message>
+    <message>
+        <source>Export writes the plan to a folder or a USB stick, for many terminals, reads it back and compares it. Then save the project: Ctrl+S. Ctrl+K finds every command by name.</source>
+        <translation>Exportar escribe el plan en una carpeta o en una memoria USB, para muchos terminales, lo vuelve a leer y lo compara. Después guarde el proyecto: Ctrl+S. Ctrl+K encuentra cualquier orden por su nombre.</translation>
+    </message>
+    <message>
+        <source>%1 of %2</source>
+        <translation>%1 de %2</translation>
+    </message>
+    <message>
+        <source>Leave</source>
+        <translation>Salir</translation>
+    </message>
+    <message>
+        <source>Back</source>
+        <translation>Atrás</translation>
+    </message>
+    <message>
+        <source>Next</source>
+        <translation>Siguiente</translation>
+    </message>
+    <message>
+        <source>Done</source>
+        <translation>Listo</translation>
     </message>
 </context>
 <context>
@@ -4711,6 +5101,49 @@
     </message>
 </context>
 <context>
+    <name>furrow::ImageryModel</name>
+    <message>
+        <source>%1: %2</source>
+        <translation>%1: %2</translation>
+    </message>
+    <message>
+        <source>Add %1</source>
+        <translation>Añadir %1</translation>
+    </message>
+    <message>
+        <source>Add imagery</source>
+        <translation>Añadir imágenes</translation>
+    </message>
+    <message>
+        <source>Remove %1</source>
+        <translation>Quitar %1</translation>
+    </message>
+    <message>
+        <source>Move a layer</source>
+        <translation>Mover una capa</translation>
+    </message>
+    <message>
+        <source>Rename a layer</source>
+        <translation>Renombrar una capa</translation>
+    </message>
+    <message>
+        <source>Show a layer</source>
+        <translation>Mostrar una capa</translation>
+    </message>
+    <message>
+        <source>Hide a layer</source>
+        <translation>Ocultar una capa</translation>
+    </message>
+    <message>
+        <source>Change how strong a layer is</source>
+        <translation>Cambiar la opacidad de una capa</translation>
+    </message>
+    <message>
+        <source>Turn the rows of tiles round</source>
+        <translation>Invertir el orden de las filas de teselas</translation>
+    </message>
+</context>
+<context>
     <name>furrow::MachineModel</name>
     <message>
         <source>auto · %1</source>
@@ -4805,6 +5238,18 @@
     <message>
         <source>Change: %1</source>
         <translation>Cambiar: %1</translation>
+    </message>
+    <message>
+        <source>Draft · planning …</source>
+        <translation>Borrador · planificando…</translation>
+    </message>
+    <message>
+        <source>Stopped · this is a draft</source>
+        <translation>Detenido · esto es un borrador</translation>
+    </message>
+    <message>
+        <source>Draft · the whole plan follows when you let go</source>
+        <translation>Borrador · el plan completo llega al soltar</translation>
     </message>
 </context>
 <context>

@@ -267,6 +267,86 @@
         <source>shortcuts help</source>
         <translation>raccourcis aide</translation>
     </message>
+    <message>
+        <source>Everything at %1 %</source>
+        <translation>Tout à %1 %</translation>
+    </message>
+    <message>
+        <source>size scaling zoom large text</source>
+        <translation>taille échelle zoom grand texte</translation>
+    </message>
+    <message>
+        <source>Add imagery…</source>
+        <translation>Ajouter une imagerie…</translation>
+    </message>
+    <message>
+        <source>GeoTIFF MBTiles aerial photo satellite background heights elevation</source>
+        <translation>GeoTIFF MBTiles photo aérienne satellite fond altitude relief</translation>
+    </message>
+    <message>
+        <source>Add a folder of tiles…</source>
+        <translation>Ajouter un dossier de tuiles…</translation>
+    </message>
+    <message>
+        <source>imagery XYZ TMS</source>
+        <translation>imagerie XYZ TMS</translation>
+    </message>
+    <message>
+        <source>Layers</source>
+        <translation>Couches</translation>
+    </message>
+    <message>
+        <source>imagery map background</source>
+        <translation>imagerie carte fond</translation>
+    </message>
+    <message>
+        <source>Layer: imagery</source>
+        <translation>Couche : imagerie</translation>
+    </message>
+    <message>
+        <source>Layer: OpenStreetMap from the network</source>
+        <translation>Couche : OpenStreetMap depuis le réseau</translation>
+    </message>
+    <message>
+        <source>online tiles</source>
+        <translation>en ligne tuiles</translation>
+    </message>
+    <message>
+        <source>Layer: coverage</source>
+        <translation>Couche : surface travaillée</translation>
+    </message>
+    <message>
+        <source>Layer: worked twice</source>
+        <translation>Couche : travaillé deux fois</translation>
+    </message>
+    <message>
+        <source>overlap</source>
+        <translation>recouvrement</translation>
+    </message>
+    <message>
+        <source>Layer: missed</source>
+        <translation>Couche : zones non travaillées</translation>
+    </message>
+    <message>
+        <source>gap uncovered</source>
+        <translation>manque non couvert</translation>
+    </message>
+    <message>
+        <source>Layer: driven over often</source>
+        <translation>Couche : roulé souvent</translation>
+    </message>
+    <message>
+        <source>wheel passes traffic compaction</source>
+        <translation>passages de roues trafic tassement</translation>
+    </message>
+    <message>
+        <source>Take the tour</source>
+        <translation>Suivre la visite guidée</translation>
+    </message>
+    <message>
+        <source>help introduction first start</source>
+        <translation>aide introduction premier démarrage</translation>
+    </message>
 </context>
 <context>
     <name>Command</name>
@@ -548,6 +628,67 @@
     <message>
         <source>Finding %1: %2 %3</source>
         <translation>Remarque %1 : %2 %3</translation>
+    </message>
+</context>
+<context>
+    <name>ImageryList</name>
+    <message>
+        <source>Your own pictures and heights: GeoTIFF, MBTiles or a folder of tiles. They stay on this computer.</source>
+        <translation>Vos propres images et altitudes : GeoTIFF, MBTiles ou un dossier de tuiles. Elles restent sur cet ordinateur.</translation>
+    </message>
+    <message>
+        <source>Add files…</source>
+        <translation>Ajouter des fichiers…</translation>
+    </message>
+    <message>
+        <source>Add a folder of tiles…</source>
+        <translation>Ajouter un dossier de tuiles…</translation>
+    </message>
+</context>
+<context>
+    <name>ImageryNotice</name>
+    <message>
+        <source>OK</source>
+        <translation>OK</translation>
+    </message>
+</context>
+<context>
+    <name>ImageryRow</name>
+    <message>
+        <source>Show all of %1</source>
+        <translation>Afficher tout %1</translation>
+    </message>
+    <message>
+        <source>Move %1 up</source>
+        <translation>Monter %1</translation>
+    </message>
+    <message>
+        <source>Move %1 down</source>
+        <translation>Descendre %1</translation>
+    </message>
+    <message>
+        <source>Remove %1</source>
+        <translation>Retirer %1</translation>
+    </message>
+    <message>
+        <source>How strong %1 is</source>
+        <translation>Opacité de %1</translation>
+    </message>
+    <message>
+        <source>Opening …</source>
+        <translation>Ouverture…</translation>
+    </message>
+    <message>
+        <source>Contour lines every %1</source>
+        <translation>Courbes de niveau tous les %1</translation>
+    </message>
+    <message>
+        <source>Rows count from the south (TMS)</source>
+        <translation>Lignes comptées depuis le sud (TMS)</translation>
+    </message>
+    <message>
+        <source>Try again</source>
+        <translation>Réessayer</translation>
     </message>
 </context>
 <context>
@@ -857,20 +998,67 @@
         <translation>Passages</translation>
     </message>
     <message>
-        <source>Turns</source>
-        <translation>Demi-tours</translation>
-    </message>
-    <message>
-        <source>Driving direction</source>
-        <translation>Sens de marche</translation>
-    </message>
-    <message>
         <source>Order numbers</source>
         <translation>Numéros d&apos;ordre</translation>
     </message>
     <message>
         <source>Findings</source>
         <translation>Remarques</translation>
+    </message>
+    <message>
+        <source>Imagery</source>
+        <translation>Imagerie</translation>
+    </message>
+    <message>
+        <source>Path</source>
+        <translation>Trajet</translation>
+    </message>
+    <message>
+        <source>Directions</source>
+        <translation>Sens de marche</translation>
+    </message>
+    <message>
+        <source>Coverage</source>
+        <translation>Travaillé</translation>
+    </message>
+    <message>
+        <source>Worked twice</source>
+        <translation>Travaillé deux fois</translation>
+    </message>
+    <message>
+        <source>Missed</source>
+        <translation>Non travaillé</translation>
+    </message>
+    <message>
+        <source>Wheel passes</source>
+        <translation>Passages de roues</translation>
+    </message>
+</context>
+<context>
+    <name>LayersPanel</name>
+    <message>
+        <source>Layers</source>
+        <translation>Couches</translation>
+    </message>
+    <message>
+        <source>Close the layers</source>
+        <translation>Fermer les couches</translation>
+    </message>
+    <message>
+        <source>Imagery</source>
+        <translation>Imagerie</translation>
+    </message>
+    <message>
+        <source>From the network</source>
+        <translation>Depuis le réseau</translation>
+    </message>
+    <message>
+        <source>OpenStreetMap</source>
+        <translation>OpenStreetMap</translation>
+    </message>
+    <message>
+        <source>Asks openstreetmap.org for what is in view. Off, nothing leaves this computer.</source>
+        <translation>Demande à openstreetmap.org ce qui est affiché. Désactivé, rien ne quitte cet ordinateur.</translation>
     </message>
 </context>
 <context>
@@ -905,6 +1093,18 @@
     <message>
         <source>Rename the plan</source>
         <translation>Renommer le plan</translation>
+    </message>
+    <message>
+        <source>Everything at %1 %</source>
+        <translation>Tout à %1 %</translation>
+    </message>
+    <message>
+        <source>This holds from the next start of Furrow.</source>
+        <translation>Cela prend effet au prochain démarrage de Furrow.</translation>
+    </message>
+    <message>
+        <source>OK</source>
+        <translation>OK</translation>
     </message>
 </context>
 <context>
@@ -952,6 +1152,10 @@
         <source>Further away (−)</source>
         <translation>Zoom arrière (−)</translation>
     </message>
+    <message>
+        <source>Layers (Ctrl+L)</source>
+        <translation>Couches (Ctrl+L)</translation>
+    </message>
 </context>
 <context>
     <name>NameDialog</name>
@@ -970,6 +1174,13 @@
     <message>
         <source>OK</source>
         <translation>OK</translation>
+    </message>
+</context>
+<context>
+    <name>OnlineMap</name>
+    <message>
+        <source>© OpenStreetMap contributors</source>
+        <translation>© les contributeurs d’OpenStreetMap</translation>
     </message>
 </context>
 <context>
@@ -4193,6 +4404,106 @@
         <source>write {&quot;name&quot;: ..., &quot;operating_width_m&quot;: ...}</source>
         <translation>écrire {&quot;name&quot;: ..., &quot;operating_width_m&quot;: ...}</translation>
     </message>
+    <message>
+        <source>a part of it cannot be read</source>
+        <translation>une partie est illisible</translation>
+    </message>
+    <message>
+        <source>a part of it is damaged: %1</source>
+        <translation>une partie est endommagée : %1</translation>
+    </message>
+    <message>
+        <source>a tile is damaged</source>
+        <translation>une tuile est endommagée</translation>
+    </message>
+    <message>
+        <source>choose a file or a folder of tiles</source>
+        <translation>choisissez un fichier ou un dossier de tuiles</translation>
+    </message>
+    <message>
+        <source>choose the folder that holds the folders of the zooms, 0 to 24</source>
+        <translation>choisissez le dossier qui contient les dossiers des niveaux de zoom, 0 à 24</translation>
+    </message>
+    <message>
+        <source>copy or export the file again</source>
+        <translation>copiez ou exportez de nouveau le fichier</translation>
+    </message>
+    <message>
+        <source>give a GeoTIFF, MBTiles, or a folder of tiles</source>
+        <translation>donnez un GeoTIFF, un MBTiles ou un dossier de tuiles</translation>
+    </message>
+    <message>
+        <source>give a GeoTIFF, or export it again with its coordinate system</source>
+        <translation>donnez un GeoTIFF ou exportez-la de nouveau avec son système de coordonnées</translation>
+    </message>
+    <message>
+        <source>it is damaged, or no picture that Furrow can show</source>
+        <translation>il est endommagé, ou ce n’est pas une image que Furrow peut afficher</translation>
+    </message>
+    <message>
+        <source>it is no file</source>
+        <translation>ce n’est pas un fichier</translation>
+    </message>
+    <message>
+        <source>it is too large to be shown without overviews</source>
+        <translation>elle est trop grande pour être affichée sans aperçus</translation>
+    </message>
+    <message>
+        <source>its tiles are in degrees, not in web Mercator</source>
+        <translation>ses tuiles sont en degrés, pas en Web Mercator</translation>
+    </message>
+    <message>
+        <source>make the tiles again</source>
+        <translation>refaites les tuiles</translation>
+    </message>
+    <message>
+        <source>make them again with the profile mercator, or give the raster itself</source>
+        <translation>refaites-les avec le profil mercator ou donnez le raster lui-même</translation>
+    </message>
+    <message>
+        <source>open it again</source>
+        <translation>ouvrez-le de nouveau</translation>
+    </message>
+    <message>
+        <source>put it back, or choose another one</source>
+        <translation>remettez-le en place ou choisissez-en un autre</translation>
+    </message>
+    <message>
+        <source>put it back, or remove the layer</source>
+        <translation>remettez-le en place ou retirez la couche</translation>
+    </message>
+    <message>
+        <source>save it in tiles and with overviews (gdal_translate -of COG)</source>
+        <translation>enregistrez-la en tuiles et avec des aperçus (gdal_translate -of COG)</translation>
+    </message>
+    <message>
+        <source>the file cannot be read any more</source>
+        <translation>le fichier n’est plus lisible</translation>
+    </message>
+    <message>
+        <source>the file is not there any more</source>
+        <translation>le fichier n’est plus là</translation>
+    </message>
+    <message>
+        <source>the file was changed while it was open</source>
+        <translation>le fichier a été modifié pendant qu’il était ouvert</translation>
+    </message>
+    <message>
+        <source>the folder is not there any more</source>
+        <translation>le dossier n’est plus là</translation>
+    </message>
+    <message>
+        <source>there are no tiles in this folder</source>
+        <translation>il n’y a pas de tuiles dans ce dossier</translation>
+    </message>
+    <message>
+        <source>there is no picture in it</source>
+        <translation>il ne contient aucune image</translation>
+    </message>
+    <message>
+        <source>there is no such file or folder</source>
+        <translation>ce fichier ou ce dossier n’existe pas</translation>
+    </message>
 </context>
 <context>
     <name>PreferencesDialog</name>
@@ -4262,6 +4573,18 @@
         <source>Save the project</source>
         <translation>Enregistrer le projet</translation>
     </message>
+    <message>
+        <source>Add imagery</source>
+        <translation>Ajouter une imagerie</translation>
+    </message>
+    <message>
+        <source>Pictures and heights (%1)</source>
+        <translation>Images et altitudes (%1)</translation>
+    </message>
+    <message>
+        <source>Add a folder of tiles</source>
+        <translation>Ajouter un dossier de tuiles</translation>
+    </message>
 </context>
 <context>
     <name>RecentList</name>
@@ -4313,10 +4636,6 @@
     <message>
         <source>Show all %1</source>
         <translation>Les montrer toutes (%1)</translation>
-    </message>
-    <message>
-        <source>Layers</source>
-        <translation>Couches</translation>
     </message>
 </context>
 <context>
@@ -4395,6 +4714,77 @@
     <message>
         <source>Export</source>
         <translation>Exporter</translation>
+    </message>
+</context>
+<context>
+    <name>Tour</name>
+    <message>
+        <source>Welcome to Furrow</source>
+        <translation>Bienvenue dans Furrow</translation>
+    </message>
+    <message>
+        <source>In three minutes from a field to a plan that can be driven. A sample field is opened for you; Ctrl+Z takes everything back. Leave whenever you like: the tour is in the Help menu.</source>
+        <translation>En trois minutes, d’une parcelle à un plan que l’on peut conduire. Une parcelle d’exemple est ouverte pour vous ; Ctrl+Z annule tout. Quittez quand vous voulez : la visite guidée se trouve dans le menu Aide.</translation>
+    </message>
+    <message>
+        <source>The steps</source>
+        <translation>Les étapes</translation>
+    </message>
+    <message>
+        <source>From top to bottom: the field, the machine, and how it works. Each step says what is chosen and what came of it; press one to change it. Every change plans anew at once.</source>
+        <translation>De haut en bas : la parcelle, la machine et sa façon de travailler. Chaque étape indique ce qui est choisi et ce qui en résulte ; cliquez sur l’une d’elles pour la modifier. Chaque modification relance aussitôt la planification.</translation>
+    </message>
+    <message>
+        <source>The map</source>
+        <translation>La carte</translation>
+    </message>
+    <message>
+        <source>Drag a corner of the field and watch the plan follow. The wheel zooms, dragging the ground moves the map. The dot in the middle of an edge makes another corner; Alt lets go of what catches.</source>
+        <translation>Faites glisser un coin de la parcelle : le plan suit. La molette zoome, faire glisser le fond déplace la carte. Le point au milieu d’un bord crée un nouveau coin ; Alt suspend l’accrochage.</translation>
+    </message>
+    <message>
+        <source>The tools</source>
+        <translation>Les outils</translation>
+    </message>
+    <message>
+        <source>Draw a field, a hole, an obstacle, an AB line or a gate. The lowest button shows the layers: what is drawn of the plan, and your own aerial photos or heights beneath it.</source>
+        <translation>Dessinez une parcelle, une enclave, un obstacle, une ligne AB ou une entrée de parcelle. Le bouton du bas affiche les couches : ce qui est dessiné du plan et, dessous, vos propres photos aériennes ou altitudes.</translation>
+    </message>
+    <message>
+        <source>What came out</source>
+        <translation>Le résultat</translation>
+    </message>
+    <message>
+        <source>Area, way and time, and what was found: press a finding and the map goes there. Findings in the way of driving come first, with what would help.</source>
+        <translation>Surface, distance et temps, et ce qui a été relevé : cliquez sur une remarque et la carte s’y rend. Les remarques qui empêchent de rouler viennent en premier, avec ce qui aiderait.</translation>
+    </message>
+    <message>
+        <source>To the terminal</source>
+        <translation>Vers la console</translation>
+    </message>
+    <message>
+        <source>Export writes the plan to a folder or a USB stick, for many terminals, reads it back and compares it. Then save the project: Ctrl+S. Ctrl+K finds every command by name.</source>
+        <translation>« Exporter » écrit le plan dans un dossier ou sur une clé USB, pour de nombreuses consoles, le relit et le compare. Enregistrez ensuite le projet : Ctrl+S. Ctrl+K trouve chaque commande par son nom.</translation>
+    </message>
+    <message>
+        <source>%1 of %2</source>
+        <translation>%1 sur %2</translation>
+    </message>
+    <message>
+        <source>Leave</source>
+        <translation>Quitter</translation>
+    </message>
+    <message>
+        <source>Back</source>
+        <translation>Retour</translation>
+    </message>
+    <message>
+        <source>Next</source>
+        <translation>Suivant</translation>
+    </message>
+    <message>
+        <source>Done</source>
+        <translation>Terminé</translation>
     </message>
 </context>
 <context>
@@ -4711,6 +5101,49 @@
     </message>
 </context>
 <context>
+    <name>furrow::ImageryModel</name>
+    <message>
+        <source>%1: %2</source>
+        <translation>%1 : %2</translation>
+    </message>
+    <message>
+        <source>Add %1</source>
+        <translation>Ajouter %1</translation>
+    </message>
+    <message>
+        <source>Add imagery</source>
+        <translation>Ajouter une imagerie</translation>
+    </message>
+    <message>
+        <source>Remove %1</source>
+        <translation>Retirer %1</translation>
+    </message>
+    <message>
+        <source>Move a layer</source>
+        <translation>Déplacer une couche</translation>
+    </message>
+    <message>
+        <source>Rename a layer</source>
+        <translation>Renommer une couche</translation>
+    </message>
+    <message>
+        <source>Show a layer</source>
+        <translation>Afficher une couche</translation>
+    </message>
+    <message>
+        <source>Hide a layer</source>
+        <translation>Masquer une couche</translation>
+    </message>
+    <message>
+        <source>Change how strong a layer is</source>
+        <translation>Modifier l’opacité d’une couche</translation>
+    </message>
+    <message>
+        <source>Turn the rows of tiles round</source>
+        <translation>Inverser l’ordre des lignes de tuiles</translation>
+    </message>
+</context>
+<context>
     <name>furrow::MachineModel</name>
     <message>
         <source>auto · %1</source>
@@ -4805,6 +5238,18 @@
     <message>
         <source>Change: %1</source>
         <translation>Modifier : %1</translation>
+    </message>
+    <message>
+        <source>Draft · planning …</source>
+        <translation>Ébauche · planification…</translation>
+    </message>
+    <message>
+        <source>Stopped · this is a draft</source>
+        <translation>Arrêté · ceci est une ébauche</translation>
+    </message>
+    <message>
+        <source>Draft · the whole plan follows when you let go</source>
+        <translation>Ébauche · le plan complet suit au relâchement</translation>
     </message>
 </context>
 <context>

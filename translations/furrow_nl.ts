@@ -267,6 +267,86 @@
         <source>shortcuts help</source>
         <translation>sneltoetsen hulp</translation>
     </message>
+    <message>
+        <source>Everything at %1 %</source>
+        <translation>Alles op %1 %</translation>
+    </message>
+    <message>
+        <source>size scaling zoom large text</source>
+        <translation>grootte schaal zoom grote tekst</translation>
+    </message>
+    <message>
+        <source>Add imagery…</source>
+        <translation>Luchtfoto toevoegen…</translation>
+    </message>
+    <message>
+        <source>GeoTIFF MBTiles aerial photo satellite background heights elevation</source>
+        <translation>GeoTIFF MBTiles luchtfoto satelliet achtergrond hoogte reliëf</translation>
+    </message>
+    <message>
+        <source>Add a folder of tiles…</source>
+        <translation>Map met tegels toevoegen…</translation>
+    </message>
+    <message>
+        <source>imagery XYZ TMS</source>
+        <translation>luchtfoto XYZ TMS</translation>
+    </message>
+    <message>
+        <source>Layers</source>
+        <translation>Lagen</translation>
+    </message>
+    <message>
+        <source>imagery map background</source>
+        <translation>luchtfoto kaart achtergrond</translation>
+    </message>
+    <message>
+        <source>Layer: imagery</source>
+        <translation>Laag: luchtfoto</translation>
+    </message>
+    <message>
+        <source>Layer: OpenStreetMap from the network</source>
+        <translation>Laag: OpenStreetMap van het netwerk</translation>
+    </message>
+    <message>
+        <source>online tiles</source>
+        <translation>online tegels</translation>
+    </message>
+    <message>
+        <source>Layer: coverage</source>
+        <translation>Laag: bewerkt oppervlak</translation>
+    </message>
+    <message>
+        <source>Layer: worked twice</source>
+        <translation>Laag: dubbel bewerkt</translation>
+    </message>
+    <message>
+        <source>overlap</source>
+        <translation>overlap</translation>
+    </message>
+    <message>
+        <source>Layer: missed</source>
+        <translation>Laag: gemiste plekken</translation>
+    </message>
+    <message>
+        <source>gap uncovered</source>
+        <translation>gat onbewerkt</translation>
+    </message>
+    <message>
+        <source>Layer: driven over often</source>
+        <translation>Laag: vaak bereden</translation>
+    </message>
+    <message>
+        <source>wheel passes traffic compaction</source>
+        <translation>wielsporen berijding verdichting</translation>
+    </message>
+    <message>
+        <source>Take the tour</source>
+        <translation>Rondleiding starten</translation>
+    </message>
+    <message>
+        <source>help introduction first start</source>
+        <translation>help introductie eerste start</translation>
+    </message>
 </context>
 <context>
     <name>Command</name>
@@ -548,6 +628,67 @@
     <message>
         <source>Finding %1: %2 %3</source>
         <translation>Bevinding %1: %2 %3</translation>
+    </message>
+</context>
+<context>
+    <name>ImageryList</name>
+    <message>
+        <source>Your own pictures and heights: GeoTIFF, MBTiles or a folder of tiles. They stay on this computer.</source>
+        <translation>Uw eigen beelden en hoogten: GeoTIFF, MBTiles of een map met tegels. Ze blijven op deze computer.</translation>
+    </message>
+    <message>
+        <source>Add files…</source>
+        <translation>Bestanden toevoegen…</translation>
+    </message>
+    <message>
+        <source>Add a folder of tiles…</source>
+        <translation>Map met tegels toevoegen…</translation>
+    </message>
+</context>
+<context>
+    <name>ImageryNotice</name>
+    <message>
+        <source>OK</source>
+        <translation>OK</translation>
+    </message>
+</context>
+<context>
+    <name>ImageryRow</name>
+    <message>
+        <source>Show all of %1</source>
+        <translation>%1 helemaal tonen</translation>
+    </message>
+    <message>
+        <source>Move %1 up</source>
+        <translation>%1 omhoog</translation>
+    </message>
+    <message>
+        <source>Move %1 down</source>
+        <translation>%1 omlaag</translation>
+    </message>
+    <message>
+        <source>Remove %1</source>
+        <translation>%1 verwijderen</translation>
+    </message>
+    <message>
+        <source>How strong %1 is</source>
+        <translation>Dekking van %1</translation>
+    </message>
+    <message>
+        <source>Opening …</source>
+        <translation>Openen…</translation>
+    </message>
+    <message>
+        <source>Contour lines every %1</source>
+        <translation>Hoogtelijnen om de %1</translation>
+    </message>
+    <message>
+        <source>Rows count from the south (TMS)</source>
+        <translation>Rijen tellen vanaf het zuiden (TMS)</translation>
+    </message>
+    <message>
+        <source>Try again</source>
+        <translation>Opnieuw proberen</translation>
     </message>
 </context>
 <context>
@@ -857,20 +998,67 @@
         <translation>Werkgangen</translation>
     </message>
     <message>
-        <source>Turns</source>
-        <translation>Draaien</translation>
-    </message>
-    <message>
-        <source>Driving direction</source>
-        <translation>Rijrichting</translation>
-    </message>
-    <message>
         <source>Order numbers</source>
         <translation>Volgnummers</translation>
     </message>
     <message>
         <source>Findings</source>
         <translation>Bevindingen</translation>
+    </message>
+    <message>
+        <source>Imagery</source>
+        <translation>Luchtfoto</translation>
+    </message>
+    <message>
+        <source>Path</source>
+        <translation>Rijweg</translation>
+    </message>
+    <message>
+        <source>Directions</source>
+        <translation>Richtingen</translation>
+    </message>
+    <message>
+        <source>Coverage</source>
+        <translation>Bewerkt</translation>
+    </message>
+    <message>
+        <source>Worked twice</source>
+        <translation>Dubbel bewerkt</translation>
+    </message>
+    <message>
+        <source>Missed</source>
+        <translation>Gemiste plekken</translation>
+    </message>
+    <message>
+        <source>Wheel passes</source>
+        <translation>Wielsporen</translation>
+    </message>
+</context>
+<context>
+    <name>LayersPanel</name>
+    <message>
+        <source>Layers</source>
+        <translation>Lagen</translation>
+    </message>
+    <message>
+        <source>Close the layers</source>
+        <translation>Lagen sluiten</translation>
+    </message>
+    <message>
+        <source>Imagery</source>
+        <translation>Luchtfoto</translation>
+    </message>
+    <message>
+        <source>From the network</source>
+        <translation>Van het netwerk</translation>
+    </message>
+    <message>
+        <source>OpenStreetMap</source>
+        <translation>OpenStreetMap</translation>
+    </message>
+    <message>
+        <source>Asks openstreetmap.org for what is in view. Off, nothing leaves this computer.</source>
+        <translation>Vraagt openstreetmap.org om wat in beeld is. Uitgeschakeld verlaat niets deze computer.</translation>
     </message>
 </context>
 <context>
@@ -905,6 +1093,18 @@
     <message>
         <source>Rename the plan</source>
         <translation>Plan hernoemen</translation>
+    </message>
+    <message>
+        <source>Everything at %1 %</source>
+        <translation>Alles op %1 %</translation>
+    </message>
+    <message>
+        <source>This holds from the next start of Furrow.</source>
+        <translation>Dit geldt vanaf de volgende start van Furrow.</translation>
+    </message>
+    <message>
+        <source>OK</source>
+        <translation>OK</translation>
     </message>
 </context>
 <context>
@@ -952,6 +1152,10 @@
         <source>Further away (−)</source>
         <translation>Uitzoomen (−)</translation>
     </message>
+    <message>
+        <source>Layers (Ctrl+L)</source>
+        <translation>Lagen (Ctrl+L)</translation>
+    </message>
 </context>
 <context>
     <name>NameDialog</name>
@@ -970,6 +1174,13 @@
     <message>
         <source>OK</source>
         <translation>OK</translation>
+    </message>
+</context>
+<context>
+    <name>OnlineMap</name>
+    <message>
+        <source>© OpenStreetMap contributors</source>
+        <translation>© OpenStreetMap-bijdragers</translation>
     </message>
 </context>
 <context>
@@ -4193,6 +4404,106 @@
         <source>write {&quot;name&quot;: ..., &quot;operating_width_m&quot;: ...}</source>
         <translation>schrijf {&quot;name&quot;: ..., &quot;operating_width_m&quot;: ...}</translation>
     </message>
+    <message>
+        <source>a part of it cannot be read</source>
+        <translation>een deel ervan is niet te lezen</translation>
+    </message>
+    <message>
+        <source>a part of it is damaged: %1</source>
+        <translation>een deel ervan is beschadigd: %1</translation>
+    </message>
+    <message>
+        <source>a tile is damaged</source>
+        <translation>een tegel is beschadigd</translation>
+    </message>
+    <message>
+        <source>choose a file or a folder of tiles</source>
+        <translation>kies een bestand of een map met tegels</translation>
+    </message>
+    <message>
+        <source>choose the folder that holds the folders of the zooms, 0 to 24</source>
+        <translation>kies de map waarin de mappen van de zoomniveaus staan, 0 tot 24</translation>
+    </message>
+    <message>
+        <source>copy or export the file again</source>
+        <translation>kopieer of exporteer het bestand opnieuw</translation>
+    </message>
+    <message>
+        <source>give a GeoTIFF, MBTiles, or a folder of tiles</source>
+        <translation>geef een GeoTIFF, MBTiles of een map met tegels</translation>
+    </message>
+    <message>
+        <source>give a GeoTIFF, or export it again with its coordinate system</source>
+        <translation>geef een GeoTIFF of exporteer het opnieuw met zijn coördinatenstelsel</translation>
+    </message>
+    <message>
+        <source>it is damaged, or no picture that Furrow can show</source>
+        <translation>het is beschadigd of geen beeld dat Furrow kan tonen</translation>
+    </message>
+    <message>
+        <source>it is no file</source>
+        <translation>het is geen bestand</translation>
+    </message>
+    <message>
+        <source>it is too large to be shown without overviews</source>
+        <translation>het is te groot om zonder overzichten te worden getoond</translation>
+    </message>
+    <message>
+        <source>its tiles are in degrees, not in web Mercator</source>
+        <translation>de tegels zijn in graden, niet in Web Mercator</translation>
+    </message>
+    <message>
+        <source>make the tiles again</source>
+        <translation>maak de tegels opnieuw</translation>
+    </message>
+    <message>
+        <source>make them again with the profile mercator, or give the raster itself</source>
+        <translation>maak ze opnieuw met het profiel mercator of geef het raster zelf</translation>
+    </message>
+    <message>
+        <source>open it again</source>
+        <translation>open het opnieuw</translation>
+    </message>
+    <message>
+        <source>put it back, or choose another one</source>
+        <translation>zet het terug of kies iets anders</translation>
+    </message>
+    <message>
+        <source>put it back, or remove the layer</source>
+        <translation>zet het terug of verwijder de laag</translation>
+    </message>
+    <message>
+        <source>save it in tiles and with overviews (gdal_translate -of COG)</source>
+        <translation>sla het op in tegels en met overzichten (gdal_translate -of COG)</translation>
+    </message>
+    <message>
+        <source>the file cannot be read any more</source>
+        <translation>het bestand is niet meer te lezen</translation>
+    </message>
+    <message>
+        <source>the file is not there any more</source>
+        <translation>het bestand is er niet meer</translation>
+    </message>
+    <message>
+        <source>the file was changed while it was open</source>
+        <translation>het bestand is gewijzigd terwijl het open was</translation>
+    </message>
+    <message>
+        <source>the folder is not there any more</source>
+        <translation>de map is er niet meer</translation>
+    </message>
+    <message>
+        <source>there are no tiles in this folder</source>
+        <translation>er zitten geen tegels in deze map</translation>
+    </message>
+    <message>
+        <source>there is no picture in it</source>
+        <translation>er zit geen beeld in</translation>
+    </message>
+    <message>
+        <source>there is no such file or folder</source>
+        <translation>dit bestand of deze map bestaat niet</translation>
+    </message>
 </context>
 <context>
     <name>PreferencesDialog</name>
@@ -4262,6 +4573,18 @@
         <source>Save the project</source>
         <translation>Project opslaan</translation>
     </message>
+    <message>
+        <source>Add imagery</source>
+        <translation>Luchtfoto toevoegen</translation>
+    </message>
+    <message>
+        <source>Pictures and heights (%1)</source>
+        <translation>Beelden en hoogten (%1)</translation>
+    </message>
+    <message>
+        <source>Add a folder of tiles</source>
+        <translation>Map met tegels toevoegen</translation>
+    </message>
 </context>
 <context>
     <name>RecentList</name>
@@ -4313,10 +4636,6 @@
     <message>
         <source>Show all %1</source>
         <translation>Alle %1 tonen</translation>
-    </message>
-    <message>
-        <source>Layers</source>
-        <translation>Lagen</translation>
     </message>
 </context>
 <context>
@@ -4395,6 +4714,77 @@
     <message>
         <source>Export</source>
         <translation>Exporteren</translation>
+    </message>
+</context>
+<context>
+    <name>Tour</name>
+    <message>
+        <source>Welcome to Furrow</source>
+        <translation>Welkom bij Furrow</translation>
+    </message>
+    <message>
+        <source>In three minutes from a field to a plan that can be driven. A sample field is opened for you; Ctrl+Z takes everything back. Leave whenever you like: the tour is in the Help menu.</source>
+        <translation>In drie minuten van perceel naar een plan dat te rijden is. Er wordt een voorbeeldperceel voor u geopend; Ctrl+Z maakt alles ongedaan. U kunt op elk moment stoppen: de rondleiding staat in het menu Help.</translation>
+    </message>
+    <message>
+        <source>The steps</source>
+        <translation>De stappen</translation>
+    </message>
+    <message>
+        <source>From top to bottom: the field, the machine, and how it works. Each step says what is chosen and what came of it; press one to change it. Every change plans anew at once.</source>
+        <translation>Van boven naar beneden: het perceel, de machine en hoe zij werkt. Elke stap zegt wat er gekozen is en wat het opleverde; klik op een stap om die te wijzigen. Elke wijziging plant meteen opnieuw.</translation>
+    </message>
+    <message>
+        <source>The map</source>
+        <translation>De kaart</translation>
+    </message>
+    <message>
+        <source>Drag a corner of the field and watch the plan follow. The wheel zooms, dragging the ground moves the map. The dot in the middle of an edge makes another corner; Alt lets go of what catches.</source>
+        <translation>Sleep een hoek van het perceel en het plan volgt. Het wiel zoomt, slepen aan de ondergrond verschuift de kaart. De stip midden op een rand maakt een nieuwe hoek; Alt schakelt het vastklikken uit.</translation>
+    </message>
+    <message>
+        <source>The tools</source>
+        <translation>De gereedschappen</translation>
+    </message>
+    <message>
+        <source>Draw a field, a hole, an obstacle, an AB line or a gate. The lowest button shows the layers: what is drawn of the plan, and your own aerial photos or heights beneath it.</source>
+        <translation>Teken een perceel, een gat, een obstakel, een AB-lijn of een inrit. De onderste knop toont de lagen: wat er van het plan getekend wordt, en daaronder uw eigen luchtfoto’s of hoogten.</translation>
+    </message>
+    <message>
+        <source>What came out</source>
+        <translation>Het resultaat</translation>
+    </message>
+    <message>
+        <source>Area, way and time, and what was found: press a finding and the map goes there. Findings in the way of driving come first, with what would help.</source>
+        <translation>Oppervlakte, weg en tijd, en wat er gevonden is: klik op een bevinding en de kaart gaat erheen. Bevindingen die het rijden verhinderen staan bovenaan, met wat zou helpen.</translation>
+    </message>
+    <message>
+        <source>To the terminal</source>
+        <translation>Naar de terminal</translation>
+    </message>
+    <message>
+        <source>Export writes the plan to a folder or a USB stick, for many terminals, reads it back and compares it. Then save the project: Ctrl+S. Ctrl+K finds every command by name.</source>
+        <translation>Exporteren schrijft het plan voor vele terminals naar een map of een USB-stick, leest het terug en vergelijkt het. Sla daarna het project op: Ctrl+S. Ctrl+K vindt elke opdracht op naam.</translation>
+    </message>
+    <message>
+        <source>%1 of %2</source>
+        <translation>%1 van %2</translation>
+    </message>
+    <message>
+        <source>Leave</source>
+        <translation>Stoppen</translation>
+    </message>
+    <message>
+        <source>Back</source>
+        <translation>Terug</translation>
+    </message>
+    <message>
+        <source>Next</source>
+        <translation>Volgende</translation>
+    </message>
+    <message>
+        <source>Done</source>
+        <translation>Klaar</translation>
     </message>
 </context>
 <context>
@@ -4711,6 +5101,49 @@
     </message>
 </context>
 <context>
+    <name>furrow::ImageryModel</name>
+    <message>
+        <source>%1: %2</source>
+        <translation>%1: %2</translation>
+    </message>
+    <message>
+        <source>Add %1</source>
+        <translation>%1 toevoegen</translation>
+    </message>
+    <message>
+        <source>Add imagery</source>
+        <translation>Luchtfoto toevoegen</translation>
+    </message>
+    <message>
+        <source>Remove %1</source>
+        <translation>%1 verwijderen</translation>
+    </message>
+    <message>
+        <source>Move a layer</source>
+        <translation>Laag verplaatsen</translation>
+    </message>
+    <message>
+        <source>Rename a layer</source>
+        <translation>Laag hernoemen</translation>
+    </message>
+    <message>
+        <source>Show a layer</source>
+        <translation>Laag tonen</translation>
+    </message>
+    <message>
+        <source>Hide a layer</source>
+        <translation>Laag verbergen</translation>
+    </message>
+    <message>
+        <source>Change how strong a layer is</source>
+        <translation>Dekking van een laag wijzigen</translation>
+    </message>
+    <message>
+        <source>Turn the rows of tiles round</source>
+        <translation>Volgorde van de tegelrijen omkeren</translation>
+    </message>
+</context>
+<context>
     <name>furrow::MachineModel</name>
     <message>
         <source>auto · %1</source>
@@ -4805,6 +5238,18 @@
     <message>
         <source>Change: %1</source>
         <translation>Wijzigen: %1</translation>
+    </message>
+    <message>
+        <source>Draft · planning …</source>
+        <translation>Concept · bezig met plannen…</translation>
+    </message>
+    <message>
+        <source>Stopped · this is a draft</source>
+        <translation>Gestopt · dit is een concept</translation>
+    </message>
+    <message>
+        <source>Draft · the whole plan follows when you let go</source>
+        <translation>Concept · het hele plan volgt bij het loslaten</translation>
     </message>
 </context>
 <context>

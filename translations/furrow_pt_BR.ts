@@ -267,6 +267,86 @@
         <source>shortcuts help</source>
         <translation>atalhos ajuda</translation>
     </message>
+    <message>
+        <source>Everything at %1 %</source>
+        <translation>Tudo em %1 %</translation>
+    </message>
+    <message>
+        <source>size scaling zoom large text</source>
+        <translation>tamanho escala zoom texto grande</translation>
+    </message>
+    <message>
+        <source>Add imagery…</source>
+        <translation>Adicionar imagens…</translation>
+    </message>
+    <message>
+        <source>GeoTIFF MBTiles aerial photo satellite background heights elevation</source>
+        <translation>GeoTIFF MBTiles foto aérea satélite fundo altitude relevo</translation>
+    </message>
+    <message>
+        <source>Add a folder of tiles…</source>
+        <translation>Adicionar uma pasta de blocos…</translation>
+    </message>
+    <message>
+        <source>imagery XYZ TMS</source>
+        <translation>imagens XYZ TMS</translation>
+    </message>
+    <message>
+        <source>Layers</source>
+        <translation>Camadas</translation>
+    </message>
+    <message>
+        <source>imagery map background</source>
+        <translation>imagens mapa fundo</translation>
+    </message>
+    <message>
+        <source>Layer: imagery</source>
+        <translation>Camada: imagens</translation>
+    </message>
+    <message>
+        <source>Layer: OpenStreetMap from the network</source>
+        <translation>Camada: OpenStreetMap da rede</translation>
+    </message>
+    <message>
+        <source>online tiles</source>
+        <translation>on-line blocos</translation>
+    </message>
+    <message>
+        <source>Layer: coverage</source>
+        <translation>Camada: área trabalhada</translation>
+    </message>
+    <message>
+        <source>Layer: worked twice</source>
+        <translation>Camada: trabalhado duas vezes</translation>
+    </message>
+    <message>
+        <source>overlap</source>
+        <translation>sobreposição</translation>
+    </message>
+    <message>
+        <source>Layer: missed</source>
+        <translation>Camada: falhas</translation>
+    </message>
+    <message>
+        <source>gap uncovered</source>
+        <translation>lacuna não coberta</translation>
+    </message>
+    <message>
+        <source>Layer: driven over often</source>
+        <translation>Camada: muito transitado</translation>
+    </message>
+    <message>
+        <source>wheel passes traffic compaction</source>
+        <translation>passagens de roda tráfego compactação</translation>
+    </message>
+    <message>
+        <source>Take the tour</source>
+        <translation>Fazer a visita guiada</translation>
+    </message>
+    <message>
+        <source>help introduction first start</source>
+        <translation>ajuda introdução primeiro início</translation>
+    </message>
 </context>
 <context>
     <name>Command</name>
@@ -548,6 +628,67 @@
     <message>
         <source>Finding %1: %2 %3</source>
         <translation>Aviso %1: %2 %3</translation>
+    </message>
+</context>
+<context>
+    <name>ImageryList</name>
+    <message>
+        <source>Your own pictures and heights: GeoTIFF, MBTiles or a folder of tiles. They stay on this computer.</source>
+        <translation>Suas próprias imagens e altitudes: GeoTIFF, MBTiles ou uma pasta de blocos. Elas ficam neste computador.</translation>
+    </message>
+    <message>
+        <source>Add files…</source>
+        <translation>Adicionar arquivos…</translation>
+    </message>
+    <message>
+        <source>Add a folder of tiles…</source>
+        <translation>Adicionar uma pasta de blocos…</translation>
+    </message>
+</context>
+<context>
+    <name>ImageryNotice</name>
+    <message>
+        <source>OK</source>
+        <translation>OK</translation>
+    </message>
+</context>
+<context>
+    <name>ImageryRow</name>
+    <message>
+        <source>Show all of %1</source>
+        <translation>Mostrar %1 por inteiro</translation>
+    </message>
+    <message>
+        <source>Move %1 up</source>
+        <translation>Mover %1 para cima</translation>
+    </message>
+    <message>
+        <source>Move %1 down</source>
+        <translation>Mover %1 para baixo</translation>
+    </message>
+    <message>
+        <source>Remove %1</source>
+        <translation>Remover %1</translation>
+    </message>
+    <message>
+        <source>How strong %1 is</source>
+        <translation>Opacidade de %1</translation>
+    </message>
+    <message>
+        <source>Opening …</source>
+        <translation>Abrindo…</translation>
+    </message>
+    <message>
+        <source>Contour lines every %1</source>
+        <translation>Curvas de nível a cada %1</translation>
+    </message>
+    <message>
+        <source>Rows count from the south (TMS)</source>
+        <translation>Linhas contadas a partir do sul (TMS)</translation>
+    </message>
+    <message>
+        <source>Try again</source>
+        <translation>Tentar novamente</translation>
     </message>
 </context>
 <context>
@@ -857,20 +998,67 @@
         <translation>Passadas</translation>
     </message>
     <message>
-        <source>Turns</source>
-        <translation>Manobras</translation>
-    </message>
-    <message>
-        <source>Driving direction</source>
-        <translation>Sentido de marcha</translation>
-    </message>
-    <message>
         <source>Order numbers</source>
         <translation>Números de ordem</translation>
     </message>
     <message>
         <source>Findings</source>
         <translation>Avisos</translation>
+    </message>
+    <message>
+        <source>Imagery</source>
+        <translation>Imagens</translation>
+    </message>
+    <message>
+        <source>Path</source>
+        <translation>Percurso</translation>
+    </message>
+    <message>
+        <source>Directions</source>
+        <translation>Sentidos</translation>
+    </message>
+    <message>
+        <source>Coverage</source>
+        <translation>Trabalhado</translation>
+    </message>
+    <message>
+        <source>Worked twice</source>
+        <translation>Trabalhado duas vezes</translation>
+    </message>
+    <message>
+        <source>Missed</source>
+        <translation>Falhas</translation>
+    </message>
+    <message>
+        <source>Wheel passes</source>
+        <translation>Passagens de roda</translation>
+    </message>
+</context>
+<context>
+    <name>LayersPanel</name>
+    <message>
+        <source>Layers</source>
+        <translation>Camadas</translation>
+    </message>
+    <message>
+        <source>Close the layers</source>
+        <translation>Fechar as camadas</translation>
+    </message>
+    <message>
+        <source>Imagery</source>
+        <translation>Imagens</translation>
+    </message>
+    <message>
+        <source>From the network</source>
+        <translation>Da rede</translation>
+    </message>
+    <message>
+        <source>OpenStreetMap</source>
+        <translation>OpenStreetMap</translation>
+    </message>
+    <message>
+        <source>Asks openstreetmap.org for what is in view. Off, nothing leaves this computer.</source>
+        <translation>Pede a openstreetmap.org o que está à vista. Desativado, nada sai deste computador.</translation>
     </message>
 </context>
 <context>
@@ -905,6 +1093,18 @@
     <message>
         <source>Rename the plan</source>
         <translation>Renomear o plano</translation>
+    </message>
+    <message>
+        <source>Everything at %1 %</source>
+        <translation>Tudo em %1 %</translation>
+    </message>
+    <message>
+        <source>This holds from the next start of Furrow.</source>
+        <translation>Isto vale a partir do próximo início do Furrow.</translation>
+    </message>
+    <message>
+        <source>OK</source>
+        <translation>OK</translation>
     </message>
 </context>
 <context>
@@ -952,6 +1152,10 @@
         <source>Further away (−)</source>
         <translation>Afastar (−)</translation>
     </message>
+    <message>
+        <source>Layers (Ctrl+L)</source>
+        <translation>Camadas (Ctrl+L)</translation>
+    </message>
 </context>
 <context>
     <name>NameDialog</name>
@@ -970,6 +1174,13 @@
     <message>
         <source>OK</source>
         <translation>OK</translation>
+    </message>
+</context>
+<context>
+    <name>OnlineMap</name>
+    <message>
+        <source>© OpenStreetMap contributors</source>
+        <translation>© Colaboradores do OpenStreetMap</translation>
     </message>
 </context>
 <context>
@@ -4193,6 +4404,106 @@
         <source>write {&quot;name&quot;: ..., &quot;operating_width_m&quot;: ...}</source>
         <translation>escreva {&quot;name&quot;: ..., &quot;operating_width_m&quot;: ...}</translation>
     </message>
+    <message>
+        <source>a part of it cannot be read</source>
+        <translation>uma parte não pode ser lida</translation>
+    </message>
+    <message>
+        <source>a part of it is damaged: %1</source>
+        <translation>uma parte está danificada: %1</translation>
+    </message>
+    <message>
+        <source>a tile is damaged</source>
+        <translation>um bloco está danificado</translation>
+    </message>
+    <message>
+        <source>choose a file or a folder of tiles</source>
+        <translation>escolha um arquivo ou uma pasta de blocos</translation>
+    </message>
+    <message>
+        <source>choose the folder that holds the folders of the zooms, 0 to 24</source>
+        <translation>escolha a pasta que contém as pastas dos níveis de zoom, de 0 a 24</translation>
+    </message>
+    <message>
+        <source>copy or export the file again</source>
+        <translation>copie ou exporte o arquivo novamente</translation>
+    </message>
+    <message>
+        <source>give a GeoTIFF, MBTiles, or a folder of tiles</source>
+        <translation>forneça um GeoTIFF, MBTiles ou uma pasta de blocos</translation>
+    </message>
+    <message>
+        <source>give a GeoTIFF, or export it again with its coordinate system</source>
+        <translation>forneça um GeoTIFF ou exporte-a novamente com seu sistema de coordenadas</translation>
+    </message>
+    <message>
+        <source>it is damaged, or no picture that Furrow can show</source>
+        <translation>está danificado ou não é uma imagem que o Furrow possa mostrar</translation>
+    </message>
+    <message>
+        <source>it is no file</source>
+        <translation>não é um arquivo</translation>
+    </message>
+    <message>
+        <source>it is too large to be shown without overviews</source>
+        <translation>é grande demais para ser mostrada sem visões gerais</translation>
+    </message>
+    <message>
+        <source>its tiles are in degrees, not in web Mercator</source>
+        <translation>seus blocos estão em graus, não em Web Mercator</translation>
+    </message>
+    <message>
+        <source>make the tiles again</source>
+        <translation>crie os blocos novamente</translation>
+    </message>
+    <message>
+        <source>make them again with the profile mercator, or give the raster itself</source>
+        <translation>crie-os novamente com o perfil mercator ou forneça o próprio raster</translation>
+    </message>
+    <message>
+        <source>open it again</source>
+        <translation>abra-o novamente</translation>
+    </message>
+    <message>
+        <source>put it back, or choose another one</source>
+        <translation>coloque-o de volta ou escolha outro</translation>
+    </message>
+    <message>
+        <source>put it back, or remove the layer</source>
+        <translation>coloque-o de volta ou remova a camada</translation>
+    </message>
+    <message>
+        <source>save it in tiles and with overviews (gdal_translate -of COG)</source>
+        <translation>salve-a em blocos e com visões gerais (gdal_translate -of COG)</translation>
+    </message>
+    <message>
+        <source>the file cannot be read any more</source>
+        <translation>o arquivo não pode mais ser lido</translation>
+    </message>
+    <message>
+        <source>the file is not there any more</source>
+        <translation>o arquivo não está mais lá</translation>
+    </message>
+    <message>
+        <source>the file was changed while it was open</source>
+        <translation>o arquivo foi alterado enquanto estava aberto</translation>
+    </message>
+    <message>
+        <source>the folder is not there any more</source>
+        <translation>a pasta não está mais lá</translation>
+    </message>
+    <message>
+        <source>there are no tiles in this folder</source>
+        <translation>não há blocos nesta pasta</translation>
+    </message>
+    <message>
+        <source>there is no picture in it</source>
+        <translation>não contém nenhuma imagem</translation>
+    </message>
+    <message>
+        <source>there is no such file or folder</source>
+        <translation>esse arquivo ou essa pasta não existe</translation>
+    </message>
 </context>
 <context>
     <name>PreferencesDialog</name>
@@ -4262,6 +4573,18 @@
         <source>Save the project</source>
         <translation>Salvar o projeto</translation>
     </message>
+    <message>
+        <source>Add imagery</source>
+        <translation>Adicionar imagens</translation>
+    </message>
+    <message>
+        <source>Pictures and heights (%1)</source>
+        <translation>Imagens e altitudes (%1)</translation>
+    </message>
+    <message>
+        <source>Add a folder of tiles</source>
+        <translation>Adicionar uma pasta de blocos</translation>
+    </message>
 </context>
 <context>
     <name>RecentList</name>
@@ -4313,10 +4636,6 @@
     <message>
         <source>Show all %1</source>
         <translation>Mostrar todos os %1</translation>
-    </message>
-    <message>
-        <source>Layers</source>
-        <translation>Camadas</translation>
     </message>
 </context>
 <context>
@@ -4395,6 +4714,77 @@
     <message>
         <source>Export</source>
         <translation>Exportar</translation>
+    </message>
+</context>
+<context>
+    <name>Tour</name>
+    <message>
+        <source>Welcome to Furrow</source>
+        <translation>Bem-vindo ao Furrow</translation>
+    </message>
+    <message>
+        <source>In three minutes from a field to a plan that can be driven. A sample field is opened for you; Ctrl+Z takes everything back. Leave whenever you like: the tour is in the Help menu.</source>
+        <translation>Em três minutos, de um talhão a um plano que pode ser conduzido. Um talhão de exemplo é aberto para você; Ctrl+Z desfaz tudo. Saia quando quiser: a visita guiada está no menu Ajuda.</translation>
+    </message>
+    <message>
+        <source>The steps</source>
+        <translation>As etapas</translation>
+    </message>
+    <message>
+        <source>From top to bottom: the field, the machine, and how it works. Each step says what is chosen and what came of it; press one to change it. Every change plans anew at once.</source>
+        <translation>De cima para baixo: o talhão, a máquina e como ela trabalha. Cada etapa diz o que foi escolhido e o que resultou; clique em uma para alterá-la. Cada alteração planeja de novo na hora.</translation>
+    </message>
+    <message>
+        <source>The map</source>
+        <translation>O mapa</translation>
+    </message>
+    <message>
+        <source>Drag a corner of the field and watch the plan follow. The wheel zooms, dragging the ground moves the map. The dot in the middle of an edge makes another corner; Alt lets go of what catches.</source>
+        <translation>Arraste um canto do talhão e veja o plano acompanhar. A roda amplia, arrastar o fundo move o mapa. O ponto no meio de uma borda cria outro canto; Alt solta o encaixe automático.</translation>
+    </message>
+    <message>
+        <source>The tools</source>
+        <translation>As ferramentas</translation>
+    </message>
+    <message>
+        <source>Draw a field, a hole, an obstacle, an AB line or a gate. The lowest button shows the layers: what is drawn of the plan, and your own aerial photos or heights beneath it.</source>
+        <translation>Desenhe um talhão, um vazio, um obstáculo, uma linha AB ou uma entrada. O botão de baixo mostra as camadas: o que é desenhado do plano e, embaixo, suas próprias fotos aéreas ou altitudes.</translation>
+    </message>
+    <message>
+        <source>What came out</source>
+        <translation>O resultado</translation>
+    </message>
+    <message>
+        <source>Area, way and time, and what was found: press a finding and the map goes there. Findings in the way of driving come first, with what would help.</source>
+        <translation>Área, distância e tempo, e o que foi encontrado: clique em um aviso e o mapa vai até lá. Os avisos que impedem de conduzir vêm primeiro, com o que ajudaria.</translation>
+    </message>
+    <message>
+        <source>To the terminal</source>
+        <translation>Para o terminal</translation>
+    </message>
+    <message>
+        <source>Export writes the plan to a folder or a USB stick, for many terminals, reads it back and compares it. Then save the project: Ctrl+S. Ctrl+K finds every command by name.</source>
+        <translation>Exportar grava o plano em uma pasta ou em um pen drive, para muitos terminais, lê-o de volta e o compara. Depois salve o projeto: Ctrl+S. Ctrl+K encontra qualquer comando pelo nome.</translation>
+    </message>
+    <message>
+        <source>%1 of %2</source>
+        <translation>%1 de %2</translation>
+    </message>
+    <message>
+        <source>Leave</source>
+        <translation>Sair</translation>
+    </message>
+    <message>
+        <source>Back</source>
+        <translation>Voltar</translation>
+    </message>
+    <message>
+        <source>Next</source>
+        <translation>Avançar</translation>
+    </message>
+    <message>
+        <source>Done</source>
+        <translation>Concluir</translation>
     </message>
 </context>
 <context>
@@ -4711,6 +5101,49 @@
     </message>
 </context>
 <context>
+    <name>furrow::ImageryModel</name>
+    <message>
+        <source>%1: %2</source>
+        <translation>%1: %2</translation>
+    </message>
+    <message>
+        <source>Add %1</source>
+        <translation>Adicionar %1</translation>
+    </message>
+    <message>
+        <source>Add imagery</source>
+        <translation>Adicionar imagens</translation>
+    </message>
+    <message>
+        <source>Remove %1</source>
+        <translation>Remover %1</translation>
+    </message>
+    <message>
+        <source>Move a layer</source>
+        <translation>Mover uma camada</translation>
+    </message>
+    <message>
+        <source>Rename a layer</source>
+        <translation>Renomear uma camada</translation>
+    </message>
+    <message>
+        <source>Show a layer</source>
+        <translation>Mostrar uma camada</translation>
+    </message>
+    <message>
+        <source>Hide a layer</source>
+        <translation>Ocultar uma camada</translation>
+    </message>
+    <message>
+        <source>Change how strong a layer is</source>
+        <translation>Alterar a opacidade de uma camada</translation>
+    </message>
+    <message>
+        <source>Turn the rows of tiles round</source>
+        <translation>Inverter a ordem das linhas de blocos</translation>
+    </message>
+</context>
+<context>
     <name>furrow::MachineModel</name>
     <message>
         <source>auto · %1</source>
@@ -4805,6 +5238,18 @@
     <message>
         <source>Change: %1</source>
         <translation>Alterar: %1</translation>
+    </message>
+    <message>
+        <source>Draft · planning …</source>
+        <translation>Rascunho · planejando…</translation>
+    </message>
+    <message>
+        <source>Stopped · this is a draft</source>
+        <translation>Parado · isto é um rascunho</translation>
+    </message>
+    <message>
+        <source>Draft · the whole plan follows when you let go</source>
+        <translation>Rascunho · o plano completo vem ao soltar</translation>
     </message>
 </context>
 <context>

@@ -39,6 +39,10 @@
         <source>Keys and mouse</source>
         <translation>Teclas e rato</translation>
     </message>
+    <message>
+        <source>online tiles</source>
+        <translation>online blocos</translation>
+    </message>
 </context>
 <context>
     <name>EmptyState</name>
@@ -625,6 +629,46 @@
         <source>what is on the stick is not the plan: %1</source>
         <translation>o que está na pen USB não é o plano: %1</translation>
     </message>
+    <message>
+        <source>it is no file</source>
+        <translation>não é um ficheiro</translation>
+    </message>
+    <message>
+        <source>there is no such file or folder</source>
+        <translation>esse ficheiro ou essa pasta não existe</translation>
+    </message>
+    <message>
+        <source>choose a file or a folder of tiles</source>
+        <translation>escolha um ficheiro ou uma pasta de blocos</translation>
+    </message>
+    <message>
+        <source>the file is not there any more</source>
+        <translation>o ficheiro já não está lá</translation>
+    </message>
+    <message>
+        <source>the folder is not there any more</source>
+        <translation>a pasta já não está lá</translation>
+    </message>
+    <message>
+        <source>the file was changed while it was open</source>
+        <translation>o ficheiro foi alterado enquanto estava aberto</translation>
+    </message>
+    <message>
+        <source>the file cannot be read any more</source>
+        <translation>o ficheiro já não pode ser lido</translation>
+    </message>
+    <message>
+        <source>copy or export the file again</source>
+        <translation>copie ou exporte o ficheiro novamente</translation>
+    </message>
+    <message>
+        <source>save it in tiles and with overviews (gdal_translate -of COG)</source>
+        <translation>guarde-a em blocos e com vistas gerais (gdal_translate -of COG)</translation>
+    </message>
+    <message>
+        <source>it is too large to be shown without overviews</source>
+        <translation>é demasiado grande para ser mostrada sem vistas gerais</translation>
+    </message>
 </context>
 <context>
     <name>PreferencesDialog</name>
@@ -749,6 +793,10 @@
             <numerusform>%n ficheiros</numerusform>
         </translation>
     </message>
+    <message>
+        <source>Draft · planning …</source>
+        <translation>Rascunho · a planear…</translation>
+    </message>
 </context>
 <context>
     <name>furrow::ProjectFiles</name>
@@ -793,6 +841,63 @@
     <message>
         <source>Safe to unplug: %1</source>
         <translation>A pen USB pode ser retirada: %1</translation>
+    </message>
+</context>
+<context>
+    <name>ImageryList</name>
+    <message>
+        <source>Add files…</source>
+        <translation>Adicionar ficheiros…</translation>
+    </message>
+    <message>
+        <source>Your own pictures and heights: GeoTIFF, MBTiles or a folder of tiles. They stay on this computer.</source>
+        <translation>As suas próprias imagens e altitudes: GeoTIFF, MBTiles ou uma pasta de blocos. Ficam neste computador.</translation>
+    </message>
+</context>
+<context>
+    <name>Tour</name>
+    <message>
+        <source>In three minutes from a field to a plan that can be driven. A sample field is opened for you; Ctrl+Z takes everything back. Leave whenever you like: the tour is in the Help menu.</source>
+        <translation>Em três minutos, de um talhão a um plano que pode ser conduzido. É-lhe aberto um talhão de exemplo; Ctrl+Z desfaz tudo. Saia quando quiser: a visita guiada está no menu Ajuda.</translation>
+    </message>
+    <message>
+        <source>From top to bottom: the field, the machine, and how it works. Each step says what is chosen and what came of it; press one to change it. Every change plans anew at once.</source>
+        <translation>De cima para baixo: o talhão, a máquina e como ela trabalha. Cada passo diz o que foi escolhido e o que resultou; clique num para o alterar. Cada alteração planeia de novo de imediato.</translation>
+    </message>
+    <message>
+        <source>The steps</source>
+        <translation>Os passos</translation>
+    </message>
+    <message>
+        <source>Drag a corner of the field and watch the plan follow. The wheel zooms, dragging the ground moves the map. The dot in the middle of an edge makes another corner; Alt lets go of what catches.</source>
+        <translation>Arraste um canto do talhão e veja o plano acompanhar. A roda amplia, arrastar o fundo move o mapa. O ponto a meio de uma aresta cria outro canto; Alt solta o encaixe automático.</translation>
+    </message>
+    <message>
+        <source>Draw a field, a hole, an obstacle, an AB line or a gate. The lowest button shows the layers: what is drawn of the plan, and your own aerial photos or heights beneath it.</source>
+        <translation>Desenhe um talhão, um vazio, um obstáculo, uma linha AB ou uma entrada. O botão de baixo mostra as camadas: o que é desenhado do plano e, por baixo, as suas próprias fotos aéreas ou altitudes.</translation>
+    </message>
+    <message>
+        <source>Area, way and time, and what was found: press a finding and the map goes there. Findings in the way of driving come first, with what would help.</source>
+        <translation>Área, distância e tempo, e o que foi encontrado: clique num aviso e o mapa vai até lá. Os avisos que impedem de conduzir vêm primeiro, com o que ajudaria.</translation>
+    </message>
+    <message>
+        <source>Export writes the plan to a folder or a USB stick, for many terminals, reads it back and compares it. Then save the project: Ctrl+S. Ctrl+K finds every command by name.</source>
+        <translation>Exportar grava o plano numa pasta ou numa pen USB, para muitos terminais, volta a lê-lo e compara-o. Depois guarde o projeto: Ctrl+S. Ctrl+K encontra qualquer comando pelo nome.</translation>
+    </message>
+    <message>
+        <source>Next</source>
+        <translation>Seguinte</translation>
+    </message>
+    <message>
+        <source>Back</source>
+        <translation>Anterior</translation>
+    </message>
+</context>
+<context>
+    <name>ImageryRow</name>
+    <message>
+        <source>Opening …</source>
+        <translation>A abrir…</translation>
     </message>
 </context>
 </TS>

@@ -70,6 +70,7 @@ int themeMode(const QString& name) {
 }  // namespace
 
 int main(int argc, char* argv[]) {
+    furrow::applyScale();
     QGuiApplication application{argc, argv};
     furrow::prepareWindow();
     const Arguments arguments = argumentsOf(application);
@@ -82,7 +83,9 @@ int main(int argc, char* argv[]) {
                                           QStringList{QString{}, QStringLiteral("metric"), QStringLiteral("imperial")}.indexOf(arguments.units), 0)));
     furrow::PlanSession session;
     QQmlApplicationEngine engine;
-    engine.setInitialProperties({{QStringLiteral("session"), QVariant::fromValue(&session)}});
+    const bool forPeople = arguments.screenshot.isEmpty() && !arguments.selfTest;
+    engine.setInitialProperties({{QStringLiteral("session"), QVariant::fromValue(&session)},
+                                 {QStringLiteral("offersTour"), forPeople && arguments.file.isEmpty()}});
     engine.loadFromModule("Furrow.Shell", "Main");
     auto* window = engine.rootObjects().isEmpty() ? nullptr : qobject_cast<QQuickWindow*>(engine.rootObjects().first());
     if (window == nullptr) {
@@ -97,7 +100,6 @@ int main(int argc, char* argv[]) {
             theme->setProperty("forced", mode);
         }
     }
-    const bool forPeople = arguments.screenshot.isEmpty() && !arguments.selfTest;
     if (forPeople) {
         session.keepIn(QStandardPaths::writableLocation(QStandardPaths::AppLocalDataLocation));
     }

@@ -18,7 +18,8 @@ void saveScreenshotWhenReady(QQuickWindow& window, PlanSession& session, const Q
     timer->setInterval(40);
     QObject::connect(timer, &QTimer::timeout, &window, [&window, &session, file, timer, quiet = 0]() mutable {
         const PlanSession::State state = session.state();
-        const bool working = state == PlanSession::State::Planning || state == PlanSession::State::Reading;
+        const bool working = state == PlanSession::State::Planning || state == PlanSession::State::Reading ||
+                             !session.imagery()->store().isIdle();
         quiet = working ? 0 : quiet + 1;
         if (quiet < kQuietTicks) {
             return;

@@ -40,6 +40,7 @@ Result<AuditReport> audit(const AuditInput& input, const JobContext& job) {
     report.leftAreas = swept->dropped;
     report.left = swept->droppedArea;
     report.overlap = swept->overlap;
+    report.overlapAreas = swept->overlapAreas;
     report.overlapHeadland = swept->overlapHeadland;
     if (clearance) {
         report.outside = clearance->outside;
@@ -63,6 +64,7 @@ Result<AuditReport> audit(const AuditInput& input, const JobContext& job) {
     report.drivenOnWorked = metres(traffic->onWorkedM);
     report.drivenOnUnworked = metres(traffic->onUnworkedM);
     report.mostWheelPasses = traffic->mostWheelPasses;
+    report.oftenDriven = traffic->oftenSquares;
     report.oftenDrivenShare = traffic->oftenDriven;
     report.wheelSquare = metres(traffic->squareM);
     report.areaError = swept->error;

@@ -72,6 +72,7 @@ struct AuditReport {
     MultiPolygon leftAreas;
     Area left;
     std::optional<Area> overlap;               ///< swept by at least two passes, inside the workable area
+    MultiPolygon overlapAreas;                 ///< largest first
     std::optional<Area> overlapHeadland;       ///< of it, between headland passes and swaths
     std::optional<Area> outside;            ///< swept by the footprint outside the drivable area, gates aside
     std::optional<Length> minClearance;     ///< of the footprint to the edge of that area, negative outside
@@ -88,6 +89,7 @@ struct AuditReport {
     Length drivenOnWorked;
     Length drivenOnUnworked;
     int mostWheelPasses = 0;             ///< over one square; both wheels of one passage count once
+    std::vector<Bounds> oftenDriven;     ///< those with more than 3 passages, neighbours in a row as one
     double oftenDrivenShare = 0.0;       ///< of the workable area, in squares with more than 3 passages
     Length wheelSquare;                  ///< side of these squares
     Area areaError;                      ///< the areas are this exact: chords instead of curves, rounding

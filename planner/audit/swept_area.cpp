@@ -248,13 +248,14 @@ Result<SweptArea> measureSweptArea(const AuditInput& input, const MachineShape& 
     }
     auto measured = measureRegions(
         layers, mainDirection(motions),
-        {.at = regionsAt, .count = kRegionCount, .traced = bit(kMissed) | bit(kDropped) | bit(kStrip)}, job);
+        {.at = regionsAt, .count = kRegionCount, .traced = bit(kMissed) | bit(kDropped) | bit(kStrip) | bit(kTwice)}, job);
     if (!measured) {
         return std::unexpected(measured.error());
     }
     std::vector<MeasuredRegion>& regions = *measured;
     result.covered = regions[kCovered].area;
     result.overlap = regions[kTwice].area;
+    result.overlapAreas = std::move(regions[kTwice].polygons);
     result.overlapHeadland = regions[kTwiceHeadland].area;
     result.missedArea = regions[kMissed].area;
     result.missed = std::move(regions[kMissed].polygons);

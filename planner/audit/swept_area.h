@@ -17,6 +17,7 @@ struct SweptArea {
     Area covered;
     Area missedArea;
     Area overlap;
+    MultiPolygon overlapAreas;       ///< largest first
     Area overlapHeadland;
     Area error;
     std::optional<double> coveredOfReachable;  ///< empty without a machine

@@ -203,6 +203,22 @@ public:
         const auto most = std::ranges::max_element(squares_, {}, &Square::passes);
         return most->passes;
     }
+    std::vector<Bounds> oftenRuns() const {
+        std::vector<Bounds> runs;
+        for (std::ptrdiff_t row = 0; row < rows_; ++row) {
+            for (std::ptrdiff_t column = 0; column < columns_; ++column) {
+                const std::ptrdiff_t first = column;
+                while (column < columns_ && squares_[static_cast<std::size_t>(row * columns_ + column)].passes > kOftenPasses) {
+                    ++column;
+                }
+                if (column > first) {
+                    runs.push_back({.min = corner_ + sizeM_ * Point{static_cast<double>(first), static_cast<double>(row)},
+                                    .max = corner_ + sizeM_ * Point{static_cast<double>(column), static_cast<double>(row + 1)}});
+                }
+            }
+        }
+        return runs;
+    }
     double areaOften() const {
         return sizeM_ * sizeM_ *
                static_cast<double>(std::ranges::count_if(
@@ -270,6 +286,7 @@ Result<Traffic> measureTraffic(const AuditInput& input, const std::vector<Segmen
     }
     traffic.mostWheelPasses = grid.most();
     traffic.oftenDriven = grid.areaOften() / std::max(area(input.workable).si(), 1e-9);
+    traffic.oftenSquares = grid.oftenRuns();
     traffic.squareM = grid.size();
     return traffic;
 }

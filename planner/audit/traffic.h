@@ -12,6 +12,7 @@ struct Traffic {
     Point longestPlace;
     std::size_t longestSegment = 0;
     int mostWheelPasses = 0;
+    std::vector<Bounds> oftenSquares;  ///< those, neighbours in a row as one
     double oftenDriven = 0.0;  ///< share of the workable area driven over more than kOftenPasses times
     double squareM = 0.0;      ///< side of the squares that passes are counted in
 };

@@ -27,7 +27,7 @@ enum class MessageUnit {
 };
 
 /// A text for people: complete in English, and still in parts for whoever shows it in another language or in
-/// other units. Behaves as the English text wherever a text is wanted. DESIGN 25.
+/// other units. Behaves as the English text wherever a text is wanted. DESIGN 27.
 ///
 /// A plain string is a message too: a sentence of the program's, or words from elsewhere (names, paths), for
 /// which no translation is found.

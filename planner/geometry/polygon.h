@@ -32,6 +32,8 @@ struct Bounds {
 
     double width() const { return max.x - min.x; }
     double height() const { return max.y - min.y; }
+
+    friend bool operator==(const Bounds&, const Bounds&) = default;
 };
 
 /// Positive for a counter-clockwise ring.

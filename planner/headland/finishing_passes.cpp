@@ -8,6 +8,8 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <iterator>
+#include <numeric>
 #include <optional>
 #include <utility>
 
@@ -17,19 +19,19 @@ namespace {
 
 constexpr std::size_t kMostPasses = 32;
 // A pass that gains less, as a share of the square of its width, is not worth lowering the implement for.
-constexpr double kLeastGainShare = 0.08;
+constexpr double kLeastGainShare = 0.05;
 constexpr double kLookM = 0.15;
 constexpr double kTouchingM = 1e-3;
 // Beside an edge it keeps a finger's breadth, to get away from there again.
 constexpr double kBesideEdgeM = 0.02;
 // Edges that are shorter, as a share of the width, say nothing about where a pass could run.
 constexpr double kShortestEdgeShare = 0.3;
-constexpr std::size_t kMostGuides = 60;
-// Lines as close to each other as this, the distance as a share of the width, are one.
-constexpr double kSameDirectionRad = 0.03;
-constexpr double kSameLineShare = 0.02;
+// A pass goes no farther beyond the edge it lies beside than so many widths.
+constexpr double kBeyondWidths = 4.0;
 // Edges no farther from a piece than this lie beside it.
 constexpr double kNearM = 0.5;
+// Passes that begin and end closer to each other than this share of the width are one.
+constexpr double kSamePassShare = 0.15;
 // How much farther in than flush with an edge a pass may lie, as shares of the width.
 constexpr std::array kAside{0.0, 0.04, 0.1, 0.2, 0.4};
 
@@ -44,6 +46,22 @@ Ring stripOf(const Candidate& candidate, double widthM) {
     const Point way = candidate.to - candidate.from;
     const Point side = (0.5 * widthM / norm(way)) * Point{-way.y, way.x};
     return {candidate.from - side, candidate.to - side, candidate.to + side, candidate.from + side};
+}
+
+/// Of the vehicle's reference point.
+Turn lineOf(const Candidate& candidate, const Machine& machine) {
+    const Point way = candidate.to - candidate.from;
+    return {.type = {},
+            .start = vehicleAt({.position = candidate.from, .heading = radians(std::atan2(way.y, way.x))}, machine),
+            .pieces = {{.length = metres(norm(way)), .curvature = {}}}};
+}
+
+Area largestOf(const MultiPolygon& pieces) {
+    Area largest;
+    for (const Polygon& piece : pieces) {
+        largest = std::max(largest, area(piece));
+    }
+    return largest;
 }
 
 /// What of a ring lies on the left of a line (Sutherland & Hodgman 1974, doi 10.1145/360767.360802). Parts that come
@@ -65,10 +83,11 @@ Ring leftOf(const Ring& ring, Point on, Point along) {
     return kept;
 }
 
-/// A line that a pass might follow, with the field on its left or right, and how far beside it.
+/// A line that a pass might follow, from one end of what it was taken from to the other.
 struct Guide {
     Point on;
     Point along;  ///< unit vector
+    double lengthM = 0.0;
 };
 
 /// Edges of the field next to a piece, chords over its bends, and sides of the piece's own hull.
@@ -77,16 +96,8 @@ std::vector<Guide> guidesFor(const Polygon& piece, const MultiPolygon& workable,
     const auto add = [&](Point from, Point to) {
         const Point way = to - from;
         const double lengthM = norm(way);
-        if (lengthM < kShortestEdgeShare * widthM) {
-            return;
-        }
-        const Guide guide{.on = from, .along = (1.0 / lengthM) * way};
-        const bool known = std::ranges::any_of(guides, [&](const Guide& other) {
-            return dot(other.along, guide.along) > std::cos(kSameDirectionRad) &&
-                   std::abs(cross(other.along, guide.on - other.on)) < kSameLineShare * widthM;
-        });
-        if (!known && guides.size() < kMostGuides) {
-            guides.push_back(guide);
+        if (lengthM >= kShortestEdgeShare * widthM) {
+            guides.push_back({.on = from, .along = (1.0 / lengthM) * way, .lengthM = lengthM});
         }
     };
     const Bounds box = bounds({piece});
@@ -96,14 +107,17 @@ std::vector<Guide> guidesFor(const Polygon& piece, const MultiPolygon& workable,
     };
     const auto addRing = [&](const Ring& ring) {
         for (std::size_t i = 0; i < ring.size(); ++i) {
-            // The edge itself, or the chord over as many edges as make one long enough.
+            // The edge itself, and the chord over as many edges as make one long enough.
             std::size_t next = i + 1;
             while (next < i + ring.size() && distance(ring[i], ring[next % ring.size()]) < widthM) {
                 ++next;
             }
-            for (const std::size_t end : {i + 1, next}) {
+            for (std::size_t end = i + 1;; end = next) {
                 if (isNear(ring[i], ring[end % ring.size()])) {
                     add(ring[i], ring[end % ring.size()]);
+                }
+                if (end == next) {
+                    break;
                 }
             }
         }
@@ -119,6 +133,27 @@ std::vector<Guide> guidesFor(const Polygon& piece, const MultiPolygon& workable,
     return guides;
 }
 
+/// A stretch of a line on which the machine has room.
+struct Lane {
+    Point on;
+    Point along;  ///< unit vector
+    double fromM = 0.0;
+    double toM = 0.0;
+    double gainM2 = 0.0;  ///< at most
+};
+
+/// What is left, with the boxes of its pieces.
+struct Left {
+    explicit Left(MultiPolygon all) : pieces{std::move(all)} {
+        for (const Polygon& piece : pieces) {
+            boxes.push_back(bounds({piece}));
+        }
+    }
+
+    MultiPolygon pieces;
+    std::vector<Bounds> boxes;
+};
+
 class Chooser {
 public:
     explicit Chooser(const FinishingTask& task)
@@ -127,77 +162,109 @@ public:
           flushM_{0.5 * std::max(widthM_, task.lowered.machine().workingFootprintWidth().si()) + kBesideEdgeM},
           runInM_{task.lowered.machine().runIn().si()} {}
 
-    /// The pass that works most of a piece; nothing where none is worth it.
-    std::optional<Candidate> best(const Polygon& piece) const {
-        std::optional<Candidate> best;
+    double leastGainM2() const { return kLeastGainShare * widthM_ * widthM_; }
+
+    /// Every stretch beside a piece on which a pass would be worth it.
+    std::vector<Lane> lanesFor(const Polygon& piece) const {
+        std::vector<Lane> lanes;
         for (const Guide& guide : guidesFor(piece, task_.workable, widthM_)) {
             for (const double sign : {1.0, -1.0}) {
                 const Point along = sign * guide.along;
+                const Point begin = sign > 0.0 ? guide.on : guide.on + guide.lengthM * guide.along;
                 // Rings have the field on their left: beside an edge, and farther in where that bends inwards.
                 for (const double share : kAside) {
                     const double asideM = sign * (flushM_ + share * widthM_);
-                    consider(piece, guide.on + asideM * Point{-along.y, along.x}, along, best);
+                    addLanes(piece, begin + asideM * Point{-along.y, along.x}, along, guide.lengthM, lanes);
                 }
             }
         }
-        return best;
+        return lanes;
+    }
+
+    /// The pass along a lane over what is left beside it now; nothing where it is not worth it.
+    std::optional<Candidate> passAlong(const Lane& lane, const Left& left) const {
+        const Point from = lane.on + lane.fromM * lane.along;
+        const Point to = lane.on + lane.toM * lane.along;
+        const Ring strip = stripOf({.from = from, .to = to}, widthM_);
+        const Bounds box = bounds({{.outer = strip, .holes = {}}});
+        Candidate candidate;
+        double beginsM = lane.toM;
+        double endsM = lane.fromM;
+        for (std::size_t i = 0; i < left.pieces.size(); ++i) {
+            const Bounds& other = left.boxes[i];
+            if (other.min.x > box.max.x || other.max.x < box.min.x || other.min.y > box.max.y || other.max.y < box.min.y) {
+                continue;
+            }
+            const Ring inStrip = clipped(left.pieces[i].outer, strip);
+            candidate.gainM2 += signedAreaM2(inStrip);
+            for (const Ring& hole : left.pieces[i].holes) {
+                candidate.gainM2 += signedAreaM2(clipped(hole, strip));
+            }
+            for (const Point& point : inStrip) {
+                const double m = dot(lane.along, point - lane.on);
+                beginsM = std::min(beginsM, m);
+                endsM = std::max(endsM, m);
+            }
+        }
+        beginsM = std::max(beginsM, lane.fromM + runInM_);
+        if (candidate.gainM2 < leastGainM2() || endsM - beginsM <= 2.0 * kLookM) {
+            return std::nullopt;
+        }
+        candidate.from = lane.on + beginsM * lane.along;
+        candidate.to = lane.on + endsM * lane.along;
+        return isRefused(candidate) ? std::nullopt : std::optional{candidate};
     }
 
 private:
-    double gainM2(const Polygon& piece, const Candidate& candidate) const {
-        const Ring strip = stripOf(candidate, widthM_);
-        const auto inStrip = [&](Ring ring) {
-            for (std::size_t i = 0; i < strip.size() && !ring.empty(); ++i) {
-                ring = leftOf(ring, strip[i], strip[(i + 1) % strip.size()] - strip[i]);
-            }
-            return ring.empty() ? 0.0 : signedAreaM2(ring);
-        };
-        double sum = inStrip(piece.outer);
-        for (const Ring& hole : piece.holes) {
-            sum += inStrip(hole);
+    static Ring clipped(Ring ring, const Ring& strip) {
+        for (std::size_t i = 0; i < strip.size() && !ring.empty(); ++i) {
+            ring = leftOf(ring, strip[i], strip[(i + 1) % strip.size()] - strip[i]);
         }
-        return sum;
+        return ring.size() < 3 ? Ring{} : ring;
     }
 
-    /// Along a line as far as the piece lies beside it: each stretch on which the machine has room.
-    void consider(const Polygon& piece, Point on, Point along, std::optional<Candidate>& best) const {
+    bool isRefused(const Candidate& candidate) const {
+        const Turn line = lineOf(candidate, task_.lowered.machine());
+        const auto isClose = [&](const Pose& a, const Pose& b) {
+            return distance(a.position, b.position) < kSamePassShare * widthM_;
+        };
+        return std::ranges::any_of(task_.refused, [&](const PassStretch& stretch) {
+            return isClose(stretch.line.start, line.start) && isClose(stretch.line.end(), line.end());
+        });
+    }
+
+    /// Along a line as far as the piece lies beside it, not far beyond the guide.
+    void addLanes(const Polygon& piece, Point on, Point along, double lengthM, std::vector<Lane>& lanes) const {
         const Point side = (0.5 * widthM_) * Point{-along.y, along.x};
-        const Ring inLane = leftOf(leftOf(piece.outer, on - side, along), on + side, -1.0 * along);
-        if (inLane.size() < 3) {
+        const double beyondM = kBeyondWidths * widthM_;
+        const Ring strip = {on - beyondM * along - side, on + (lengthM + beyondM) * along - side,
+                            on + (lengthM + beyondM) * along + side, on - beyondM * along + side};
+        const Ring beside = clipped(piece.outer, strip);
+        const double gainM2 = std::abs(signedAreaM2(beside));
+        if (beside.empty() || gainM2 < leastGainM2()) {
             return;
         }
-        const auto [first, last] = std::ranges::minmax(inLane, {}, [&](Point point) { return dot(along, point - on); });
-        const double fromM = dot(along, first - on);
+        const auto [first, last] = std::ranges::minmax(beside, {}, [&](Point point) { return dot(along, point - on); });
         const double toM = dot(along, last - on);
-        const double leastM2 = best ? best->gainM2 : kLeastGainShare * widthM_ * widthM_;
-        if (std::abs(signedAreaM2(inLane)) <= leastM2) {
-            return;
-        }
         const Angle heading = radians(std::atan2(along.y, along.x));
         const auto isFree = [&](double m) {
             const Pose pose = vehicleAt({.position = on + m * along, .heading = heading}, task_.lowered.machine());
             return task_.lowered.outsideM(Rig::inLine(pose)) <= kTouchingM;
         };
-        const double stepM = std::max(kLookM, (toM - fromM) / 400.0);
         std::optional<double> begun;
         // With the run-in before it.
-        for (double m = fromM - runInM_;; m += stepM) {
+        for (double m = dot(along, first - on) - runInM_;; m += kLookM) {
             const double here = std::min(m, toM);
             const bool free = isFree(here);
             if (free && !begun) {
                 begun = here;
             }
             if (begun && (!free || here == toM)) {
-                const double start = std::max(fromM, *begun + runInM_);
-                const double end = free ? here : here - stepM;
-                begun.reset();
-                if (end - start > 2.0 * kLookM) {
-                    Candidate candidate{.from = on + start * along, .to = on + end * along};
-                    candidate.gainM2 = gainM2(piece, candidate);
-                    if (candidate.gainM2 > (best ? best->gainM2 : leastM2)) {
-                        best = candidate;
-                    }
+                const double end = free ? here : here - kLookM;
+                if (end - *begun > runInM_ + 2.0 * kLookM) {
+                    lanes.push_back({.on = on, .along = along, .fromM = *begun, .toM = end, .gainM2 = gainM2});
                 }
+                begun.reset();
             }
             if (here == toM) {
                 return;
@@ -211,46 +278,72 @@ private:
     double runInM_;
 };
 
-HeadlandPass passOf(const Candidate& candidate, int ring, const Machine& machine) {
-    const Point way = candidate.to - candidate.from;
-    const Pose start = vehicleAt({.position = candidate.from, .heading = radians(std::atan2(way.y, way.x))}, machine);
-    return {.ring = ring,
-            .width = machine.operatingWidth(),
-            .closed = false,
-            .stretches = {{.line = {.type = {}, .start = start, .pieces = {{.length = metres(norm(way)), .curvature = {}}}}}}};
-}
-
 }  // namespace
 
 Result<std::vector<HeadlandPass>> finishingPasses(const FinishingTask& task, const JobContext& job) {
     const double widthM = task.lowered.machine().operatingWidth().si();
     const BoundaryDistance edges{task.workable, metres(1e4)};
     const Chooser chooser{task};
-    MultiPolygon open = task.left;
-    Area given;  // in pieces where nothing helps
     std::vector<HeadlandPass> passes;
-    while (!open.empty() && passes.size() < kMostPasses) {
-        const auto largest = std::ranges::max_element(open, {}, [](const Polygon& piece) { return area(piece); });
-        const bool isEnough = area(open) + given <= task.mayStay && area(*largest) <= task.mayStayInOnePiece;
-        if (isEnough || area(*largest).si() < kLeastGainShare * widthM * widthM) {
-            break;
+    const auto tooLarge = [&](const Polygon& piece) { return area(piece) > task.mayStayInOnePiece; };
+    if (area(task.left) <= task.mayStay && std::ranges::none_of(task.left, tooLarge)) {
+        return passes;
+    }
+    std::vector<Lane> lanes;
+    for (const Polygon& piece : task.left) {
+        if (area(piece).si() >= chooser.leastGainM2()) {
+            std::ranges::move(chooser.lanesFor(piece), std::back_inserter(lanes));
         }
         if (job.stopRequested()) {
             return std::unexpected(cancelled());
         }
-        const std::optional<Candidate> found = chooser.best(*largest);
+    }
+    // The more is worked the less there is to gain anywhere: what is the best when looked at again is the best of all
+    // (Minoux 1978, doi 10.1007/BFb0006528).
+    const auto less = [&](std::size_t a, std::size_t b) { return lanes[a].gainM2 < lanes[b].gainM2; };
+    std::vector<std::size_t> order(lanes.size());
+    std::iota(order.begin(), order.end(), std::size_t{0});
+    std::ranges::make_heap(order, less);
+    Left left{task.left};
+    while (!order.empty() && passes.size() < kMostPasses) {
+        if (job.stopRequested()) {
+            return std::unexpected(cancelled());
+        }
+        const bool isEnough = area(left.pieces) <= task.mayStay;
+        if (isEnough && std::ranges::none_of(left.pieces, tooLarge)) {
+            break;
+        }
+        std::ranges::pop_heap(order, less);
+        const std::size_t next = order.back();
+        const std::optional<Candidate> found = chooser.passAlong(lanes[next], left);
         if (!found) {
-            given += area(*largest);
-            open.erase(largest);
+            order.pop_back();
             continue;
         }
-        const double fromEdgeM = edges.insideM(0.5 * (found->from + found->to)).value_or(0.0);
-        passes.push_back(passOf(*found, static_cast<int>(fromEdgeM / widthM), task.lowered.machine()));
-        auto rest = difference(open, {{.outer = stripOf(*found, widthM), .holes = {}}}, job);
+        const bool isBest = order.size() == 1 || found->gainM2 >= lanes[order.front()].gainM2;
+        lanes[next].gainM2 = found->gainM2;
+        std::ranges::push_heap(order, less);
+        if (!isBest) {
+            continue;
+        }
+        const Polygon strip{.outer = stripOf(*found, widthM), .holes = {}};
+        auto rest = difference(left.pieces, {strip}, job);
         if (!rest) {
             return std::unexpected(rest.error());
         }
-        open = std::move(*rest);
+        // Once enough is worked in all only what makes a large piece smaller is of use.
+        const Area largest = largestOf(left.pieces);
+        if (!isEnough || largestOf(*rest) < largest) {
+            const double fromEdgeM = edges.insideM(0.5 * (found->from + found->to)).value_or(0.0);
+            passes.push_back({.ring = static_cast<int>(fromEdgeM / widthM),
+                              .width = task.lowered.machine().operatingWidth(),
+                              .closed = false,
+                              .stretches = {{.line = lineOf(*found, task.lowered.machine())}}});
+            left = Left{std::move(*rest)};
+        } else {
+            std::erase(order, next);
+            std::ranges::make_heap(order, less);
+        }
     }
     return passes;
 }

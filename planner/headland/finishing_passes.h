@@ -3,6 +3,8 @@
 #include "planner/headland/headland.h"
 #include "planner/turns/rig.h"
 
+#include <span>
+
 namespace furrow {
 
 extern const Parameter kHeadlandFinish;
@@ -14,6 +16,7 @@ struct FinishingTask {
     Area mayStay;                  ///< in all
     Area mayStayInOnePiece;
     const Rig& lowered;            ///< implement down, in the drivable area
+    std::span<const PassStretch> refused = {};  ///< have no way in or out: not proposed, nor what is nearly one of them
 };
 
 /// Short straight passes over what is left at corners and between other passes, along an edge or along the piece

@@ -78,6 +78,9 @@ struct ClosedRing {
 struct CornerRules {
     CornerMethod method = CornerMethod::Rounded;
     std::vector<Point> driven;  ///< with CornerMethod::Searched: these corners and no others
+    Length beside;              ///< kept from the edge
+    bool followsEdges = true;   ///< otherwise its corners are the arcs of their rounding
+    bool movesIn = true;        ///< where tail or nose would swing out
 };
 
 /// From the middle of a corner to the ends of what belongs to it.
@@ -93,9 +96,13 @@ Result<ClosedRing> closedRing(const HeadlandTask& task, Length inset, int ring, 
                               const JobContext& job) {
     const Machine& machine = task.machine;
     const bool clockwise = task.settings.choice(kHeadlandDirection) == "clockwise";
-    const auto tracks = passTracks(task.field.workable(), inset, task.drivable, machine,
-                                   clockwise ? RoundTheField::Clockwise : RoundTheField::CounterClockwise,
-                                   corners.driven, job);
+    const auto tracks = passTracks(task.field.workable(), inset + corners.beside, task.drivable, machine,
+                                   {.way = clockwise ? RoundTheField::Clockwise : RoundTheField::CounterClockwise,
+                                    .beside = corners.beside,
+                                    .driven = corners.driven,
+                                    .followsEdges = corners.followsEdges,
+                                    .movesIn = corners.movesIn},
+                                   job);
     if (!tracks) {
         return std::unexpected(tracks.error());
     }
@@ -152,7 +159,21 @@ Area leftAt(const std::vector<RoundedCorner>& corners, const Machine& machine) {
 /// it gets out of again.
 Result<ClosedRing> outermostRing(const HeadlandTask& task, Length inset, const JobContext& job) {
     auto rounded = closedRing(task, inset, 0, {}, job);
-    if (!rounded || !rounded->complete || !canReverse(task.machine)) {
+    if (rounded && !rounded->complete) {
+        rounded = closedRing(task, inset, 0, {.followsEdges = false}, job);
+    }
+    if (!rounded || !rounded->complete) {
+        return rounded;
+    }
+    // Which corners there are, and what their rounding leaves, is seen before the line follows the edges.
+    if (!Trailer::of(task.machine)) {
+        auto arcs = closedRing(task, inset, 0, {.followsEdges = false, .movesIn = false}, job);
+        if (!arcs) {
+            return arcs;
+        }
+        rounded->rounded = std::move(arcs->rounded);
+    }
+    if (!canReverse(task.machine)) {
         return rounded;
     }
     const std::vector<RoundedCorner> outward =
@@ -160,10 +181,10 @@ Result<ClosedRing> outermostRing(const HeadlandTask& task, Length inset, const J
     if (leftAt(outward, task.machine) <= kMostUncutShare * area(task.field.workable())) {
         return rounded;
     }
-    CornerRules corners{.method = CornerMethod::Searched, .driven = {}};
+    CornerRules corners{.method = CornerMethod::Searched, .driven = {}, .beside = kBesideEdge};
     std::ranges::transform(outward, std::back_inserter(corners.driven), &RoundedCorner::place);
     while (!corners.driven.empty()) {
-        auto sharp = closedRing(task, inset + kBesideEdge, 0, corners, job);
+        auto sharp = closedRing(task, inset, 0, corners, job);
         if (!sharp) {
             return sharp;
         }
@@ -221,7 +242,7 @@ Result<void> addPasses(Headland& headland, const HeadlandTask& task, const JobCo
         if (ring == 0 || method != CornerMethod::Rounded || !canReverse(machine)) {
             auto closed = ring == 0 && method == CornerMethod::Rounded
                               ? outermostRing(task, all[i] + beside, job)
-                              : closedRing(task, all[i] + beside, ring, {.method = method, .driven = {}}, job);
+                              : closedRing(task, all[i] + beside, ring, {.method = method, .driven = {}, .beside = {}, .followsEdges = false}, job);
             if (!closed) {
                 return std::unexpected(closed.error());
             }

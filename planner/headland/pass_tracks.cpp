@@ -1,16 +1,19 @@
 #include "planner/headland/pass_tracks.h"
 
 #include "planner/geometry/geos_bridge.h"
+#include "planner/headland/edge_following.h"
 #include "planner/headland/smooth_ring.h"
 #include "planner/headland/swing_out.h"
 #include "planner/turns/rig.h"
 
 #include <algorithm>
 #include <cmath>
+#include <functional>
 #include <iterator>
 #include <numbers>
 #include <optional>
 #include <span>
+#include <utility>
 
 namespace furrow {
 
@@ -20,6 +23,9 @@ namespace {
 constexpr double kRadiusReserve = 1.02;
 // Outside by less than this is touching.
 constexpr double kTouchingM = 8e-4;
+// And by less than this it is drawing.
+constexpr double kDrawingM = 4e-3;
+const auto everywhere = [](Point) { return true; };
 // Moved in by a little more than was seen, so that it stays inside between the places that were looked at.
 constexpr double kReserveM = 0.01;
 constexpr double kReserveFactor = 1.15;
@@ -30,6 +36,7 @@ constexpr int kMostMoves = 10;
 constexpr double kInLineRad = 1e-3;
 // Places that are looked at lie so many of the distances between two moves apart.
 constexpr double kLookShare = 0.1;
+constexpr double kBendLooks = 4.0;
 // Points of a ring that can be moved lie no farther apart.
 constexpr double kDenseM = 1.0;
 // Points of a moved ring that make less difference are left out.
@@ -101,6 +108,7 @@ Result<MultiPolygon> rounded(const Polygon& region, Length radius, const JobCont
 struct Excess {
     Point place;
     double moveM = 0.0;
+    double outsideM = 0.0;
 };
 
 /// How far the pass has to move in at each place: as far as was seen there, less with the distance from it.
@@ -114,6 +122,8 @@ public:
         rounds_.push_back(std::move(excesses));
     }
     bool isEmpty() const { return rounds_.empty(); }
+    /// Whether the last round has moved anything here.
+    bool changedLastAt(Point point) const { return rounds_.empty() || mostAt(point, rounds_.back()) > 0.0; }
 
     double at(Point point) const {
         double sum = 0.0;
@@ -220,8 +230,10 @@ Result<MultiPolygon> moved(const MultiPolygon& polygons, const Displacement& dis
     return madeValid(result, job);
 }
 
-/// The worst places along a line, at most one for each `apart`. Ends early where the job is stopped.
-std::vector<Excess> excessesAlong(const Turn& line, const Rig& rig, double apartM, const JobContext& job) {
+/// The worst places along a line, at most one for each `apart`, where `looksAt` says so. Ends early where the job is
+/// stopped.
+std::vector<Excess> excessesAlong(const Turn& line, const Rig& rig, double apartM, const std::function<bool(Point)>& looksAt,
+                                  const JobContext& job) {
     std::vector<Excess> found;
     double wayM = 0.0;
     double lastM = -apartM;
@@ -238,23 +250,26 @@ std::vector<Excess> excessesAlong(const Turn& line, const Rig& rig, double apart
         }
         const double moveM = kReserveFactor * outsideM + kReserveM;
         if (hereM - lastM >= apartM || found.empty()) {
-            found.push_back({at.tractor.position, moveM});
+            found.push_back({at.tractor.position, moveM, outsideM});
             lastM = hereM;
         } else if (moveM > found.back().moveM) {
-            found.back() = {at.tractor.position, moveM};
+            found.back() = {at.tractor.position, moveM, outsideM};
         }
     };
     for (const TurnPiece& piece : line.pieces) {
         Point last = state.tractor.position;
         double goneM = 0.0;
         int looked = 0;
-        const auto next = rig.follow(state, piece, metres(kLookShare * apartM), [&](const RigState& at) {
+        // In bends the corners of the footprint go several times as far as the axle.
+        const double swung = 1.0 + kBendLooks * std::abs(piece.curvature.si()) * apartM;
+        const auto next = rig.follow(state, piece, metres(kLookShare * apartM / swung), [&](const RigState& at) {
             goneM += distance(at.tractor.position, last);
             last = at.tractor.position;
             // In the middle of a straight nothing swings: now and then is often enough.
             const bool inLine = std::abs((at.implement - at.tractor.heading).si()) < kInLineRad;
             const bool nearEnd = std::min(goneM, piece.length.si() - goneM) <= 2.0 * apartM;
-            if (piece.curvature != Curvature{} || nearEnd || !inLine || looked % 10 == 0) {
+            const bool swings = piece.curvature != Curvature{} || nearEnd || !inLine || looked % 10 == 0;
+            if (swings && looksAt(at.tractor.position)) {
                 look(at, wayM + goneM);
             }
             ++looked;
@@ -315,6 +330,22 @@ Result<PassTracks> linesOf(const MultiPolygon& region, Length radius, Length gen
     return tracks;
 }
 
+/// The region that these lines enclose once they follow the edges.
+Result<MultiPolygon> alongEdges(const std::vector<Turn>& lines, const MultiPolygon& drivable, const Machine& machine,
+                                const FollowingRules& following, const JobContext& job) {
+    const BoundaryDistance edges{drivable, machine.workingFootprintWidth() + machine.spec().tractor.length};
+    MultiPolygon region;
+    MultiPolygon holes;
+    for (const Turn& line : lines) {
+        const Ring ring = simplified(followingTheEdge(line, edges, machine, following));
+        (signedAreaM2(ring) > 0.0 ? region : holes).push_back({.outer = ring, .holes = {}});
+    }
+    for (Polygon& hole : holes) {
+        std::ranges::reverse(hole.outer);
+    }
+    return madeValid(region, job).and_then([&](const MultiPolygon& outer) { return difference(outer, holes, job); });
+}
+
 /// How far tail or nose reach from the axle: the scale on which a swing-out has to be prepared.
 double overhangM(const Machine& machine) {
     double farthest = 0.0;
@@ -327,7 +358,7 @@ double overhangM(const Machine& machine) {
 }  // namespace
 
 Result<PassTracks> passTracks(const MultiPolygon& workable, Length inset, const MultiPolygon& drivable,
-                              const Machine& machine, RoundTheField way, std::span<const Point> driven, const JobContext& job) {
+                              const Machine& machine, const TrackRules& rules, const JobContext& job) {
     const Length radius = machine.minTurningRadius();
     const double reachM = overhangM(machine);
     auto base = eroded(workable, inset, kRoundTolerance, job);
@@ -340,8 +371,12 @@ Result<PassTracks> passTracks(const MultiPolygon& workable, Length inset, const 
     const double swingM = std::hypot(besideM, reachM) - besideM;
     const bool touches = !Trailer::of(machine) && inset.si() < 0.5 * machine.workingFootprintWidth().si() + swingM;
     const Rig rig{drivable, machine, ImplementAt::Lowered};
+    const FollowingRules following{.beside = rules.beside, .leftOut = rules.driven, .aroundM = besideM + reachM};
+    // A line that follows the edges is looked at in the next round.
+    int first = rules.followsEdges && rules.movesIn && !rig.hasTrailer() ? 1 : 0;
     Displacement displacement{reachM};
     PassTracks tracks;
+    MultiPolygon unmoved;
     for (int round = 0;; ++round) {
         auto lines = moved(*base, displacement, job).and_then([&](const MultiPolygon& region) {
             return linesOf(region, radius, metres(reachM), job);
@@ -349,28 +384,56 @@ Result<PassTracks> passTracks(const MultiPolygon& workable, Length inset, const 
         if (!lines) {
             return std::unexpected(lines.error());
         }
+        if (round == first && first > 0 && (lines->givenUp > 0 || lines->lines.size() != tracks.lines.size())) {
+            // In a place too narrow for it the line that follows the edges crosses itself.
+            base = std::move(unmoved);
+            lines = PassTracks{.lines = std::move(tracks.lines), .movedIn = {}, .givenUp = tracks.givenUp};
+        }
         tracks = std::move(*lines);
         const auto turnRound = [&] {
-            if (way == RoundTheField::Clockwise) {
+            if (rules.way == RoundTheField::Clockwise) {
                 std::ranges::transform(tracks.lines, tracks.lines.begin(), reversedLine);
             }
         };
+        if (!rules.movesIn) {
+            turnRound();
+            return tracks;
+        }
         if (rig.hasTrailer()) {
             turnRound();
             std::ranges::transform(tracks.lines, tracks.lines.begin(),
                                    [&rig](const Turn& line) { return swungOut(line, rig); });
         }
-        std::vector<Excess> excesses;
-        for (const Turn& line : tracks.lines) {
-            std::vector<Excess> found = excessesAlong(line, rig, 0.5 * reachM, job);
-            std::erase_if(found, [&](const Excess& excess) {
-                return std::ranges::any_of(driven, [&](Point corner) { return distance(corner, excess.place) < besideM + reachM; });
-            });
-            std::ranges::copy(found, std::back_inserter(excesses));
-            const bool canBeLeft = std::ranges::any_of(found, [&](const Excess& excess) { return excess.moveM >= swingM; });
-            if (round == 0 && touches && !canBeLeft && driven.empty()) {
-                excesses.push_back({line.start.position, kReserveFactor * swingM + kReserveM});
+        if (round < first && tracks.givenUp > 0) {
+            // Something else has to be made of it.
+            first = 0;
+        }
+        if (round < first) {
+            auto along = alongEdges(tracks.lines, drivable, machine, following, job);
+            if (!along) {
+                return std::unexpected(along.error());
             }
+            unmoved = std::exchange(*base, std::move(*along));
+            continue;
+        }
+        const auto look = [&](const std::function<bool(Point)>& looksAt) {
+            std::vector<Excess> excesses;
+            for (const Turn& line : tracks.lines) {
+                std::vector<Excess> found = excessesAlong(line, rig, 0.5 * reachM, looksAt, job);
+                std::erase_if(found, [&](const Excess& excess) { return following.leavesOut(excess.place); });
+                std::ranges::copy(found, std::back_inserter(excesses));
+                const bool canBeLeft =
+                    std::ranges::any_of(found, [&](const Excess& excess) { return excess.moveM >= swingM; });
+                if (round == first && touches && !canBeLeft && rules.driven.empty()) {
+                    excesses.push_back({line.start.position, kReserveFactor * swingM + kReserveM, 0.0});
+                }
+            }
+            return excesses;
+        };
+        std::vector<Excess> excesses = look([&](Point place) { return displacement.changedLastAt(place); });
+        // Merged corners may move the line a little farther away.
+        if (excesses.empty() && round > first) {
+            excesses = look(everywhere);
         }
         if (job.stopRequested()) {
             return std::unexpected(cancelled());
@@ -396,8 +459,10 @@ std::vector<Point> placesOutside(const Turn& line, const MultiPolygon& drivable,
                                  const JobContext& job) {
     std::vector<Point> places;
     const Rig rig{drivable, machine, ImplementAt::Lowered};
-    for (const Excess& excess : excessesAlong(line, rig, 0.5 * overhangM(machine), job)) {
-        places.push_back(excess.place);
+    for (const Excess& excess : excessesAlong(line, rig, 0.5 * overhangM(machine), everywhere, job)) {
+        if (excess.outsideM > kDrawingM) {
+            places.push_back(excess.place);
+        }
     }
     return places;
 }

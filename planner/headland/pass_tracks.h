@@ -14,6 +14,16 @@ namespace furrow {
 /// Seen from above; obstacles are passed the other way round.
 enum class RoundTheField { CounterClockwise, Clockwise };
 
+/// How the line of a pass comes about.
+struct TrackRules {
+    RoundTheField way = RoundTheField::CounterClockwise;
+    Length beside;  ///< of the inset: what the footprint keeps from the edge
+    std::span<const Point> driven = {};  ///< corners that are going to be driven into: the line stays as it is there
+    /// It is moved as near to the edges as tail and nose let it; otherwise corners keep the arcs of their rounding.
+    bool followsEdges = true;
+    bool movesIn = true;  ///< where tail or nose would swing out
+};
+
 /// The lines of one headland pass: one closed line for the boundary and one for each obstacle.
 struct PassTracks {
     std::vector<Turn> lines;
@@ -24,13 +34,12 @@ struct PassTracks {
 /// @param workable  the field less its obstacles
 /// @param inset     from the edges of `workable` to the line
 /// @param drivable  where the footprint may be
-/// @param driven    corners that are going to be driven into: the line does not move in for their rounding
-/// Rounded with the machine's radius, or swung out where an implement trails. Where tail or nose would swing out of `drivable` the line moves in
-/// by as much and approaches that exponentially, the curve on which the swinging corner follows a straight
-/// edge. Cancelled. Cost: one GEOS
-/// buffer, a few rounds of looking along the line, and GEOS overlays where corners are too close to each other.
+/// Rounded with the machine's radius, or swung out where an implement trails. Where tail or nose would swing out of
+/// `drivable` the line moves in by as much and approaches that exponentially, the curve on which the swinging corner
+/// follows a straight edge. Cancelled. Cost: one GEOS buffer, a few rounds of looking along the line, and GEOS overlays
+/// where corners are too close to each other.
 Result<PassTracks> passTracks(const MultiPolygon& workable, Length inset, const MultiPolygon& drivable,
-                              const Machine& machine, RoundTheField way, std::span<const Point> driven, const JobContext& job);
+                              const Machine& machine, const TrackRules& rules, const JobContext& job);
 
 /// Where a line with the implement down gets outside, at most one place for each half of the overhang. Not all of
 /// them where the job is stopped.

@@ -260,8 +260,13 @@ std::vector<Leg> headlandLegs(const std::vector<HeadlandPass>& passes, const Hea
     return legs;
 }
 
-std::vector<Leg> withFinishingPasses(std::vector<Leg> legs, const std::vector<HeadlandPass>& passes,
-                                     RememberedWays& ways, std::vector<HeadlandPass>& put, const JobContext& job) {
+FinishedLegs withFinishingPasses(std::vector<Leg> given, const std::vector<HeadlandPass>& passes, RememberedWays& ways,
+                                 const JobContext& job) {
+    FinishedLegs finished{.legs = std::move(given), .put = {}, .refused = {}};
+    std::vector<Leg>& legs = finished.legs;
+    const auto leads = [&](const Pose& leaving, const Pose& arriving) {
+        return ways(leaving, arriving, job, SearchEffort::Quick).has_value();
+    };
     for (const HeadlandPass& pass : passes) {
         const Leg leg = legOf(pass, pass.stretches.front());
         const Pose start = leg.line.start;
@@ -278,21 +283,20 @@ std::vector<Leg> withFinishingPasses(std::vector<Leg> legs, const std::vector<He
             }
         }
         std::ranges::sort(places);
-        for (const auto& [detourM, i] : places | std::views::take(kMostPlacesTried)) {
-            if (job.stopRequested()) {
-                return legs;
-            }
-            const auto leads = [&](const Pose& leaving, const Pose& arriving) {
-                return ways(leaving, arriving, job, SearchEffort::Quick).has_value();
-            };
-            if ((i == 0 || leads(legs[i - 1].line.end(), start)) && (i == legs.size() || leads(end, legs[i].line.start))) {
-                legs.insert(legs.begin() + static_cast<std::ptrdiff_t>(i), leg);
-                put.push_back(pass);
-                break;
-            }
+        const auto tried = places | std::views::take(kMostPlacesTried);
+        const auto place = std::ranges::find_if(tried, [&](const auto& detourAndLeg) {
+            const std::size_t i = detourAndLeg.second;
+            return !job.stopRequested() && (i == 0 || leads(legs[i - 1].line.end(), start)) &&
+                   (i == legs.size() || leads(end, legs[i].line.start));
+        });
+        if (place == tried.end()) {
+            finished.refused.push_back(pass);
+            continue;
         }
+        legs.insert(legs.begin() + static_cast<std::ptrdiff_t>(place->second), leg);
+        finished.put.push_back(pass);
     }
-    return legs;
+    return finished;
 }
 
 }  // namespace furrow

@@ -24,10 +24,14 @@ struct HeadlandDrive {
 std::vector<Leg> headlandLegs(const std::vector<HeadlandPass>& passes, const HeadlandDrive& drive,
                               const Machine& machine, TurnPlanner* turn);
 
-/// The same legs with short passes driven in between, each where the way there and on is short and quickly found; a
-/// pass without such a place is left out.
-/// @param put  gets the passes that found a place
-std::vector<Leg> withFinishingPasses(std::vector<Leg> legs, const std::vector<HeadlandPass>& passes, RememberedWays& ways,
-                                     std::vector<HeadlandPass>& put, const JobContext& job);
+struct FinishedLegs {
+    std::vector<Leg> legs;
+    std::vector<HeadlandPass> put;
+    std::vector<HeadlandPass> refused;  ///< no way in or out was found
+};
+
+/// The same legs with short passes driven in between, each where the way there and on is short and quickly found.
+FinishedLegs withFinishingPasses(std::vector<Leg> legs, const std::vector<HeadlandPass>& passes, RememberedWays& ways,
+                                 const JobContext& job);
 
 }  // namespace furrow

@@ -30,6 +30,7 @@ using Clock = std::chrono::steady_clock;
 // Short passes are added until so little is left: below what the audit blocks a plan for.
 constexpr double kMayStayShare = 0.009;
 constexpr Area kMayStayInOnePiece = squareMetres(95.0);
+constexpr int kFinishingRounds = 3;
 
 /// "The way from swath 3 to swath 4", "Headland pass 1".
 Message nameOfWay(const Path& path, std::size_t segment) {
@@ -206,6 +207,9 @@ Result<void> drive(Plan& plan, std::span<const Leg> legs, RememberedWays& ways, 
     }
     const Clock::time_point driven = Clock::now();
     plan.timings.path += seconds(std::chrono::duration<double>(driven - begin).count());
+    if (plan.request.draft) {
+        return {};
+    }
     auto report = audit(auditInput(plan), job.part(0.6, 1.0));
     if (!report) {
         return std::unexpected(report.error());
@@ -220,37 +224,57 @@ std::ptrdiff_t blockingCount(const Plan& plan) {
     return std::ranges::count(plan.findings, Severity::Blocking, &Finding::severity);
 }
 
-/// Where more is left than may stay, short passes over it, if the plan gets better by them.
-Result<void> finish(Plan& plan, const std::vector<Leg>& legs, RememberedWays& ways, const MultiPolygon& drivable,
+bool leavesTooMuch(const Plan& plan) {
+    return std::ranges::contains(plan.findings, "missed", &Finding::kind);
+}
+
+/// Where more is left than may stay, short passes over it, if the plan gets better by them. What has no way in is
+/// replaced by others in another round.
+Result<void> finish(Plan& plan, std::vector<Leg> legs, RememberedWays& ways, const MultiPolygon& drivable,
                     const JobContext& job) {
     const Settings& settings = plan.request.settings;
     const bool applies = !plan.headland.rings.empty() && settings.flag(kHeadlandFinish) && settings.flag(kStayInside) &&
                          turnMethod(settings) == kBestFeasibleMethod.run;
-    if (!applies || std::ranges::none_of(plan.findings, [](const Finding& finding) { return finding.kind == "missed"; })) {
+    if (!applies || !leavesTooMuch(plan)) {
         return {};
     }
-    const Clock::time_point begin = Clock::now();
     const Rig lowered{drivable, plan.request.machine, ImplementAt::Lowered};
-    const auto passes = finishingPasses({.workable = plan.field().workable(),
-                                         .left = plan.audit.leftAreas,
-                                         .mayStay = kMayStayShare * plan.audit.workable,
-                                         .mayStayInOnePiece = kMayStayInOnePiece,
-                                         .lowered = lowered},
-                                        job.part(0.0, 0.2));
-    if (!passes) {
-        return std::unexpected(passes.error());
-    }
-    Plan finished = plan;
-    const std::vector<Leg> more = withFinishingPasses(legs, *passes, ways, finished.headland.rings, job);
-    finished.timings.path += seconds(std::chrono::duration<double>(Clock::now() - begin).count());
-    if (more.size() == legs.size()) {
-        return {};
-    }
-    if (auto driven = drive(finished, more, ways, drivable, job.part(0.2, 1.0)); !driven) {
-        return driven;
-    }
-    if (blockingCount(finished) <= blockingCount(plan)) {
+    std::vector<PassStretch> refused;
+    for (int round = 0; round < kFinishingRounds && leavesTooMuch(plan); ++round) {
+        const Clock::time_point begin = Clock::now();
+        const JobContext part = job.part(static_cast<double>(round) / kFinishingRounds, (round + 1.0) / kFinishingRounds);
+        const Area hairs = plan.audit.left - area(plan.audit.leftAreas);
+        const auto passes = finishingPasses({.workable = plan.field().workable(),
+                                             .left = plan.audit.leftAreas,
+                                             .mayStay = kMayStayShare * plan.audit.workable - hairs,
+                                             .mayStayInOnePiece = kMayStayInOnePiece,
+                                             .lowered = lowered,
+                                             .refused = refused},
+                                            part.part(0.0, 0.2));
+        if (!passes) {
+            return std::unexpected(passes.error());
+        }
+        Plan finished = plan;
+        FinishedLegs more = withFinishingPasses(legs, *passes, ways, part);
+        finished.headland.rings.insert(finished.headland.rings.end(), more.put.begin(), more.put.end());
+        for (const HeadlandPass& pass : more.refused) {
+            refused.push_back(pass.stretches.front());
+        }
+        finished.timings.path += seconds(std::chrono::duration<double>(Clock::now() - begin).count());
+        if (more.put.empty()) {
+            if (more.refused.empty()) {
+                break;
+            }
+            continue;
+        }
+        if (auto driven = drive(finished, more.legs, ways, drivable, part.part(0.2, 1.0)); !driven) {
+            return driven;
+        }
+        if (blockingCount(finished) > blockingCount(plan)) {
+            break;
+        }
         plan = std::move(finished);
+        legs = std::move(more.legs);
     }
     return {};
 }

@@ -26,6 +26,8 @@ struct PlanRequest {
     Settings settings;
     /// What swaths.rows and swaths.elevation name, read.
     std::shared_ptr<const GuideData> guides = {};
+    /// Only to be looked at: the path is not audited. See draftOf.
+    bool draft = false;
 };
 
 /// Wall time of each stage.

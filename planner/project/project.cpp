@@ -15,7 +15,7 @@ bool operator==(const ProjectField& a, const ProjectField& b) {
 
 bool operator==(const Project& a, const Project& b) {
     return a.name == b.name && a.currentField == b.currentField && a.currentPlan == b.currentPlan &&
-           a.standard == b.standard && a.others == b.others && a.otherFeatures == b.otherFeatures &&
+           a.standard == b.standard && a.imagery == b.imagery && a.others == b.others && a.otherFeatures == b.otherFeatures &&
            std::ranges::equal(a.fields, b.fields, [](const auto& left, const auto& right) {
                return left == right || *left == *right;
            });
@@ -30,6 +30,7 @@ Project Project::empty() {
                          .machine = machineLibrary().front(),
                          .settings = {},
                          .others = {}},
+            .imagery = {},
             .others = {},
             .otherFeatures = {}};
 }

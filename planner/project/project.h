@@ -7,6 +7,7 @@
 
 #include <cstddef>
 #include <memory>
+#include <optional>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -40,6 +41,21 @@ struct ProjectField {
     friend bool operator==(const ProjectField& a, const ProjectField& b);
 };
 
+/// A picture or heights under the map, by the file that holds it.
+struct ImageryLayer {
+    /// The file or the folder of tiles; absolute, or as the project's text says.
+    std::string path;
+    std::string name;
+    bool visible = true;
+    double opacity = 1.0;  ///< in [0, 1]
+    /// Rows of a folder of tiles count from the south; nothing to take what the folder says.
+    std::optional<bool> rowsFromSouth;
+    /// Members of a file that this version does not know, as FieldPlan::others.
+    std::string others;
+
+    friend bool operator==(const ImageryLayer&, const ImageryLayer&) = default;
+};
+
 /// A farm: everything that a project file keeps. A value; copies share the fields that are equal.
 struct Project {
     std::string name;
@@ -49,6 +65,8 @@ struct Project {
     std::size_t currentPlan = 0;
     /// What the plan of a first field begins with.
     FieldPlan standard;
+    /// Lowest first.
+    std::vector<ImageryLayer> imagery;
     /// Members of the file that this version does not know, as FieldPlan::others.
     std::string others;
     /// Features that are no part of a field, each as JSON.

@@ -206,6 +206,33 @@ Project withPlanName(Project project, const std::string& name, const std::string
     });
 }
 
+Project withImagery(Project project, std::vector<ImageryLayer> layers) {
+    std::ranges::move(layers, std::back_inserter(project.imagery));
+    return project;
+}
+
+Project withImageryLayer(Project project, std::size_t index, ImageryLayer layer) {
+    if (index < project.imagery.size()) {
+        project.imagery[index] = std::move(layer);
+    }
+    return project;
+}
+
+Project withoutImageryLayer(Project project, std::size_t index) {
+    erase(project.imagery, index);
+    return project;
+}
+
+Project withImageryMoved(Project project, std::size_t from, std::size_t to) {
+    if (from < project.imagery.size()) {
+        ImageryLayer layer = std::move(project.imagery[from]);
+        erase(project.imagery, from);
+        const std::size_t place = std::min(to, project.imagery.size());
+        project.imagery.insert(project.imagery.begin() + static_cast<std::ptrdiff_t>(place), std::move(layer));
+    }
+    return project;
+}
+
 Project showing(Project project, std::size_t field, std::size_t plan) {
     project.currentField = project.fields.empty() ? 0 : std::min(field, project.fields.size() - 1);
     project.currentPlan =

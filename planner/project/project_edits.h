@@ -41,6 +41,14 @@ Project withoutPlan(Project project);
 Project withFieldName(Project project, const std::string& name);
 Project withPlanName(Project project, const std::string& name, const std::string& season);
 
+/// With more imagery above what is there.
+Project withImagery(Project project, std::vector<ImageryLayer> layers);
+/// With another layer in the place of one. These three do nothing where there is no such layer.
+Project withImageryLayer(Project project, std::size_t index, ImageryLayer layer);
+Project withoutImageryLayer(Project project, std::size_t index);
+/// With a layer in another place of the order; `to` counts without it.
+Project withImageryMoved(Project project, std::size_t from, std::size_t to);
+
 /// With another field or plan to work on; what is out of range becomes the last one.
 Project showing(Project project, std::size_t field, std::size_t plan);
 

@@ -92,6 +92,28 @@ Result<OpenedProject> projectFrom(const OrderedJson& document) {
     return opened;
 }
 
+/// Paths of imagery as they are written: from the project's folder, so that both can be moved together; as they are
+/// where they have nothing in common with it but the root.
+Project withPathsFrom(Project project, const std::filesystem::path& folder) {
+    for (ImageryLayer& layer : project.imagery) {
+        const std::filesystem::path path{layer.path};
+        const std::filesystem::path own = path.relative_path();
+        const std::filesystem::path there = folder.relative_path();
+        if (path.is_absolute() && folder.is_absolute() && !own.empty() && !there.empty() &&
+            *own.begin() == *there.begin()) {
+            layer.path = path.lexically_relative(folder).generic_string();
+        }
+    }
+    return project;
+}
+
+Project withPathsIn(Project project, const std::filesystem::path& folder) {
+    for (ImageryLayer& layer : project.imagery) {
+        layer.path = (folder / layer.path).lexically_normal().string();
+    }
+    return project;
+}
+
 }  // namespace
 
 std::string fingerprint(std::string_view bytes) {
@@ -142,7 +164,12 @@ Result<OpenedProject> parseProject(std::string_view text, const std::string& ori
 
 Result<OpenedProject> readProject(const std::filesystem::path& path) {
     const auto bytes = fileBytes(path);
-    return bytes ? parseProject(*bytes, path.string()) : std::unexpected(bytes.error());
+    auto opened = bytes ? parseProject(*bytes, path.string()) : std::unexpected(bytes.error());
+    if (opened) {
+        std::error_code ignored;
+        opened->project = withPathsIn(std::move(opened->project), std::filesystem::absolute(path, ignored).parent_path());
+    }
+    return opened;
 }
 
 std::string projectText(const Project& project) {
@@ -177,8 +204,8 @@ std::string projectText(const Project& project) {
 Result<std::string> writeProject(const Project& project, const std::filesystem::path& path) {
     std::error_code ignored;
     const std::filesystem::path target = std::filesystem::weakly_canonical(path, ignored);
-    const std::string text = projectText(project);
     const std::filesystem::path& place = target.empty() ? path : target;
+    const std::string text = projectText(withPathsFrom(project, std::filesystem::absolute(place, ignored).parent_path()));
     const FileToWrite file{.path = place.filename(), .text = [&text] { return text; }};
     const auto written = writeTogether(place.parent_path(), std::span{&file, 1});
     return written ? Result<std::string>{fingerprint(text)} : std::unexpected(written.error());

@@ -219,6 +219,30 @@ FieldPlan planFrom(const OrderedJson& json, Notes& notes) {
     return plan;
 }
 
+// --- Imagery ----------------------------------------------------------------------------------------
+
+OrderedJson layerOf(const ImageryLayer& layer) {
+    OrderedJson json{{"path", layer.path}, {"name", layer.name}, {"visible", layer.visible}, {"opacity", layer.opacity}};
+    if (layer.rowsFromSouth) {
+        json["rows_from_south"] = *layer.rowsFromSouth;
+    }
+    addMembers(json, layer.others);
+    return json;
+}
+
+ImageryLayer layerFrom(const OrderedJson& json) {
+    ImageryLayer layer{.path = json.at("path").get<std::string>(),
+                       .name = json.value("name", ""),
+                       .visible = json.value("visible", true),
+                       .opacity = std::clamp(json.value("opacity", 1.0), 0.0, 1.0),
+                       .rowsFromSouth = {},
+                       .others = otherMembers(json, {"path", "name", "visible", "opacity", "rows_from_south"})};
+    if (json.contains("rows_from_south")) {
+        layer.rowsFromSouth = json.at("rows_from_south").get<bool>();
+    }
+    return layer;
+}
+
 }  // namespace
 
 OrderedJson featuresOf(const ProjectField& field) {
@@ -313,6 +337,9 @@ OrderedJson headOf(const Project& project) {
         head["current"] = {{"field", field->id}, {"plan", project.plan().id}};
     }
     head["standard"] = planOf(project.standard);
+    for (const ImageryLayer& layer : project.imagery) {
+        head["imagery"].push_back(layerOf(layer));
+    }
     addMembers(head, project.others);
     return head;
 }
@@ -335,7 +362,12 @@ void readHead(const OrderedJson& head, Project& project, Notes& notes) {
             project.currentPlan = plan == plans.end() ? 0 : static_cast<std::size_t>(plan - plans.begin());
         }
     }
-    project.others = otherMembers(head, {"format_version", "written_by", "name", "current", "standard", "plans"});
+    project.imagery.clear();
+    for (const OrderedJson& layer : head.value("imagery", OrderedJson::array())) {
+        project.imagery.push_back(layerFrom(layer));
+    }
+    project.others =
+        otherMembers(head, {"format_version", "written_by", "name", "current", "standard", "imagery", "plans"});
 }
 
 }  // namespace furrow

@@ -93,7 +93,7 @@ private slots:
         QTest::newRow("PROJ") << "proj.h" << QStringList{"geodesy"};
         QTest::newRow("PROJ's geodesics") << "geodesic.h" << QStringList{"geodesy"};
         QTest::newRow("oneTBB") << "tbb/" << QStringList{"jobs"};
-        QTest::newRow("GDAL") << "gdal" << QStringList{"io"};
+        QTest::newRow("GDAL") << "gdal" << QStringList{"io", "imagery"};
     }
     void librariesStayWrapped() {
         QFETCH(QString, header);

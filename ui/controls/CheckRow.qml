@@ -9,7 +9,7 @@ T.CheckBox {
     property bool hasSwatch: false
 
     implicitWidth: 26 + (hasSwatch ? 26 : 0) + label.implicitWidth
-    implicitHeight: 30
+    implicitHeight: Theme.controlHeight
     focusPolicy: Qt.StrongFocus
     Accessible.name: root.text
 

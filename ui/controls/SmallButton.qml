@@ -9,6 +9,13 @@ T.Button {
     implicitHeight: 24
     focusPolicy: Qt.StrongFocus
     Accessible.name: root.text
+    // A finger needs more than the text.
+    containmentMask: Item {
+        x: -4
+        y: (root.height - height) / 2
+        width: root.width + 8
+        height: Math.max(root.height, Theme.controlHeight)
+    }
 
     background: Rectangle {
         radius: 6

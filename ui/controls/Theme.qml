@@ -46,6 +46,10 @@ QtObject {
     readonly property color turn: pick("#D55E00", "#FF9A5C", "#9C3F00")
     readonly property color finding: pick("#B0307A", "#E58AC0", "#7A0A4B")
     readonly property color obstacle: pick("#7A2F2F", "#E08A8A", "#5A0000")
+    readonly property color covered: pick("#2E8B57", "#57C48A", "#007A3D")
+    readonly property color overlap: pick("#7B4FA3", "#B48AE0", "#4B1F7A")
+    readonly property color missed: pick("#B0307A", "#E58AC0", "#7A0A4B")
+    readonly property color wheels: pick("#5A4632", "#C9B08F", "#3A2A17")
     readonly property color startMark: "#009E73"
     readonly property color endMark: pick("#17231C", "#E8EFEA", "#000000")
     readonly property real lineFactor: sunlight ? 1.5 : 1.0

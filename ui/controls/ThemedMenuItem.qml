@@ -8,7 +8,7 @@ T.MenuItem {
     readonly property string keysText: action?.keysText ?? ""
 
     implicitWidth: Math.max(272, 28 + label.implicitWidth + 12 + keys.implicitWidth + 34)
-    implicitHeight: 32
+    implicitHeight: Theme.controlHeight
     Accessible.name: root.text
 
     background: Rectangle {

@@ -9,6 +9,11 @@ T.Slider {
 
     implicitWidth: 200
     implicitHeight: 24
+    containmentMask: Item {
+        y: (root.height - height) / 2
+        width: root.width
+        height: Theme.controlHeight
+    }
     live: true
     focusPolicy: Qt.StrongFocus
     Accessible.name: root.name

@@ -13,6 +13,9 @@ Document::Document(QObject* parent)
 }
 
 bool Document::isDragging() const {
+    if (pushed_) {
+        return *pushed_ == Follows::More;
+    }
     const auto* last = static_cast<const ChangeCommand*>(stack_.command(stack_.index() - 1));
     return last != nullptr && last->isOpen();
 }
@@ -25,7 +28,10 @@ void Document::change(const QString& text, Project after, const QString& key, Fo
     if (!isDragging() && *changed == *project_) {
         return;
     }
+    // The stack tells of a change before it has it.
+    pushed_ = follows;
     stack_.push(new ChangeCommand{*this, text, project_, std::move(changed), key, follows});
+    pushed_.reset();
 }
 
 void Document::look(Project project) {
@@ -36,6 +42,7 @@ void Document::look(Project project) {
 void Document::endDrag() {
     if (isDragging()) {
         const_cast<ChangeCommand*>(static_cast<const ChangeCommand*>(stack_.command(stack_.index() - 1)))->close();
+        emit dragEnded();
     }
 }
 

@@ -6,6 +6,8 @@
 #include <QUndoStack>
 #include <QtQml/qqmlregistration.h>
 
+#include <optional>
+
 namespace furrow {
 
 /// The farm that is worked on. Every change of it is a command that can be undone; there is no other way to change
@@ -55,6 +57,8 @@ public:
     bool revert();
 
 signals:
+    /// What was dragged is done.
+    void dragEnded();
     /// The project is another one than before.
     void projectChanged();
     void historyChanged();
@@ -67,6 +71,8 @@ private:
     std::shared_ptr<const Project> base_;
     std::shared_ptr<const Project> project_;
     bool beginning_ = false;
+    /// Of the change that is being made.
+    std::optional<Follows> pushed_;
 };
 
 }  // namespace furrow

@@ -1,7 +1,7 @@
 import QtQuick
-import QtLocation
 import QtPositioning
 import Furrow.Controls
+import Furrow.Imagery
 import Furrow.Map
 import Furrow.Plan
 
@@ -12,14 +12,25 @@ FocusScope {
     required property PlanSession session
     readonly property planDrawing drawing: session.drawing
     required property planStyle planStyle
+    property bool imageryShown: true
+    /// The map from the network is wanted.
+    property bool online: false
+    property string onlineServer: "https://tile.openstreetmap.org/"
+    property bool layersOpen: false
     readonly property alias camera: camera
     readonly property alias editor: editor
     readonly property alias planLayer: plan
+    readonly property alias toolBar: tools
 
     signal findingClicked(index: int)
     signal inspectRequested()
+    signal layersRequested()
+
+    /// Worked with keys just now, so it shows that it has them.
+    property bool keyed: false
 
     clip: true
+    Keys.onReleased: root.keyed = true
     Keys.onPressed: event => {
         event.accepted = true;
         const drawing = editor.drawing;
@@ -84,17 +95,26 @@ FocusScope {
         coastColor: Theme.mapCoast
         gridColor: Theme.mapGrid
     }
-    Map {
+    Loader {
+        anchors.fill: parent
+        active: root.online
+        sourceComponent: OnlineMap {
+            camera: root.camera
+            server: root.onlineServer
+        }
+    }
+    ImageryItem {
+        objectName: "imageryItem"
+        anchors.fill: parent
+        visible: root.imageryShown
+        camera: camera
+        imagery: root.session.imagery
+    }
+    Item {
         id: map
 
         objectName: "map"
         anchors.fill: parent
-        plugin: Plugin { name: "itemsoverlay" }
-        color: "transparent"
-        copyrightsVisible: false
-        maximumTilt: 0
-        center: camera.center
-        zoomLevel: camera.zoomLevel
 
         PlanLayer {
             id: plan
@@ -142,13 +162,25 @@ FocusScope {
         }
     }
     MapToolBar {
+        id: tools
+
         x: 16
         y: 16
         editor: editor
         hasField: root.session.hasField
+        layersOpen: root.layersOpen
+        onLayersRequested: root.layersRequested()
         onToolRequested: tool => root.startTool(tool)
         onFitRequested: root.fitField(true)
         onZoomRequested: levels => camera.zoomBy(levels)
+    }
+    HoverHandler { onPointChanged: root.keyed = false }
+    Rectangle {
+        anchors.fill: parent
+        visible: root.keyed && edit.activeFocus
+        color: "transparent"
+        border.width: 2
+        border.color: Theme.accent
     }
     ScaleBar {
         anchors { left: parent.left; bottom: parent.bottom; margins: 12 }

@@ -7,8 +7,10 @@ Rectangle {
 
     required property FieldEditor editor
     required property bool hasField
+    property bool layersOpen: false
     signal toolRequested(tool: int)
     signal fitRequested()
+    signal layersRequested()
     signal zoomRequested(levels: real)
 
     objectName: "mapToolBar"
@@ -98,6 +100,14 @@ Rectangle {
             iconName: "zoom-out"
             hint: qsTr("Further away (−)")
             onClicked: root.zoomRequested(-1)
+        }
+        Line {}
+        ToolIconButton {
+            objectName: "layersTool"
+            iconName: "layers"
+            hint: qsTr("Layers (Ctrl+L)")
+            checked: root.layersOpen
+            onClicked: root.layersRequested()
         }
     }
 }

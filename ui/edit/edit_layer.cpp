@@ -63,6 +63,7 @@ struct EditLayer::Marks {
 };
 
 EditLayer::EditLayer(QQuickItem* parent) : MapLayer{parent} {
+    setActiveFocusOnTab(true);
     setAcceptedMouseButtons(Qt::LeftButton | Qt::MiddleButton);
     setAcceptHoverEvents(true);
     connect(this, &EditLayer::styleChanged, this, &QQuickItem::update);

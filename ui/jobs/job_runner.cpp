@@ -1,5 +1,8 @@
 #include "ui/jobs/job_runner.h"
 
+#include <sys/resource.h>
+#include <unistd.h>
+
 #include <algorithm>
 
 namespace furrow {
@@ -9,6 +12,12 @@ namespace {
 constexpr int kSlowMs = 100;
 constexpr int kTickMs = 50;
 }  // namespace
+
+void giveWayToTheWindow() {
+    constexpr int kNiceness = 10;
+    // Linux counts niceness by thread. Where it is refused, work goes on as before.
+    static_cast<void>(::setpriority(PRIO_PROCESS, static_cast<id_t>(::gettid()), kNiceness));
+}
 
 JobRunner::JobRunner(QObject* parent) : QObject{parent} {
     tick_.setInterval(kTickMs);
@@ -49,6 +58,7 @@ void JobRunner::cancel() {
 }
 
 void JobRunner::run(const std::stop_token& stop) {
+    giveWayToTheWindow();
     while (true) {
         Work work;
         std::stop_token jobStop;

@@ -16,6 +16,9 @@
 
 namespace furrow {
 
+/// The calling thread, and those that it makes, give way to the window's: where the cores are few, frames go on.
+void giveWayToTheWindow();
+
 /// Runs one piece of work at a time on a thread of its own. Of the pieces that wait only the latest is kept.
 class JobRunner : public QObject {
     Q_OBJECT

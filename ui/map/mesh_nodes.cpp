@@ -4,6 +4,7 @@
 
 #include <array>
 #include <cstring>
+#include <memory>
 
 namespace furrow {
 
@@ -20,7 +21,7 @@ struct Uniforms {
 
 class MeshShader : public QSGMaterialShader {
 public:
-    MeshShader(const QString& name, std::size_t extraBytes);
+    MeshShader(const char* vertex, const char* fragment, std::size_t extraBytes);
     bool updateUniformData(RenderState& state, QSGMaterial* newMaterial, QSGMaterial* oldMaterial) override;
 
 private:
@@ -44,7 +45,18 @@ public:
         return &type;
     }
     QSGMaterialShader* createShader(QSGRendererInterface::RenderMode) const override {
-        return new MeshShader{QStringLiteral("line"), sizeof(Uniforms)};
+        return new MeshShader{"line", "line", sizeof(Uniforms)};
+    }
+};
+
+class DashMaterial final : public MeshMaterial {
+public:
+    QSGMaterialType* type() const override {
+        static QSGMaterialType type;
+        return &type;
+    }
+    QSGMaterialShader* createShader(QSGRendererInterface::RenderMode) const override {
+        return new MeshShader{"line", "dash", sizeof(Uniforms)};
     }
 };
 
@@ -55,13 +67,35 @@ public:
         return &type;
     }
     QSGMaterialShader* createShader(QSGRendererInterface::RenderMode) const override {
-        return new MeshShader{QStringLiteral("fill"), sizeof(Uniforms) - sizeof(Uniforms::second)};
+        return new MeshShader{"fill", "fill", sizeof(Uniforms) - sizeof(Uniforms::second)};
     }
 };
 
-MeshShader::MeshShader(const QString& name, std::size_t extraBytes) : extraBytes_{extraBytes} {
-    setShaderFileName(VertexStage, QStringLiteral(":/furrow/map/shaders/%1.vert.qsb").arg(name));
-    setShaderFileName(FragmentStage, QStringLiteral(":/furrow/map/shaders/%1.frag.qsb").arg(name));
+class HatchMaterial final : public MeshMaterial {
+public:
+    QSGMaterialType* type() const override {
+        static QSGMaterialType type;
+        return &type;
+    }
+    QSGMaterialShader* createShader(QSGRendererInterface::RenderMode) const override {
+        return new MeshShader{"fill", "hatch", sizeof(Uniforms) - sizeof(Uniforms::second)};
+    }
+};
+
+MeshShader::MeshShader(const char* vertex, const char* fragment, std::size_t extraBytes) : extraBytes_{extraBytes} {
+    setShaderFileName(VertexStage, QStringLiteral(":/furrow/map/shaders/%1.vert.qsb").arg(QLatin1String{vertex}));
+    setShaderFileName(FragmentStage, QStringLiteral(":/furrow/map/shaders/%1.frag.qsb").arg(QLatin1String{fragment}));
+}
+
+/// Gives a node another material with the same uniforms, where it has another one.
+template <class Material>
+void useMaterial(QSGGeometryNode& node) {
+    auto* old = static_cast<MeshMaterial*>(node.material());
+    if (auto wanted = std::make_unique<Material>(); old->type() != wanted->type()) {
+        wanted->uniforms = old->uniforms;
+        // The node owns its material and deletes the old one.
+        node.setMaterial(wanted.release());
+    }
 }
 
 bool MeshShader::updateUniformData(RenderState& state, QSGMaterial* newMaterial, QSGMaterial*) {
@@ -134,6 +168,11 @@ void LineNode::setMesh(const LineMesh& mesh) {
 }
 
 void LineNode::setStyle(const LineStyle& style) {
+    if (style.periodPx > 0.0) {
+        useMaterial<DashMaterial>(*this);
+    } else {
+        useMaterial<LineMaterial>(*this);
+    }
     Uniforms uniforms = uniformsOf(*this);
     uniforms.color = premultiplied(style.color);
     uniforms.first[1] = static_cast<float>(style.widthPx / 2.0);
@@ -175,6 +214,11 @@ void FillNode::setMesh(const FillMesh& mesh) {
 }
 
 void FillNode::setStyle(const QColor& color, double hatchPx) {
+    if (hatchPx > 0.0) {
+        useMaterial<HatchMaterial>(*this);
+    } else {
+        useMaterial<FillMaterial>(*this);
+    }
     Uniforms uniforms = uniformsOf(*this);
     uniforms.color = premultiplied(color);
     uniforms.first[1] = static_cast<float>(hatchPx);

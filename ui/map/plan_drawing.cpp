@@ -4,6 +4,7 @@
 #include "ui/map/simplify.h"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 
 namespace furrow {
@@ -185,6 +186,24 @@ PlanGeometry boundaryGeometry(const Field& field, const MapFrame& frame) {
     return geometry;
 }
 
+/// What the audit found on the ground; nothing of a draft, which is not measured.
+void addMeasured(PlanGeometry& geometry, const MapFrame& frame, const Plan& plan) {
+    if (!plan.audit.coveredShare) {
+        return;
+    }
+    const MapRings missed = ringsOf(frame, plan.audit.missedAreas);
+    MapRings covered = ringsOf(frame, plan.field().workable());
+    covered.insert(covered.end(), missed.begin(), missed.end());
+    geometry.covered = evenOddTriangles(covered);
+    geometry.missed = evenOddTriangles(missed);
+    geometry.overlap = evenOddTriangles(ringsOf(frame, plan.audit.overlapAreas));
+    for (const Bounds& run : plan.audit.oftenDriven) {
+        const std::array corners{run.min, Point{run.max.x, run.min.y}, run.max, Point{run.min.x, run.max.y}};
+        const auto at = frame.map(corners);
+        geometry.wheels.insert(geometry.wheels.end(), {at[0], at[1], at[2], at[0], at[2], at[3]});
+    }
+}
+
 }  // namespace
 
 PlanGeometry outlineGeometry(const FieldSource& source, const std::optional<GeoPoint>& problem) {
@@ -232,6 +251,7 @@ PlanGeometry planGeometry(const Plan& plan) {
         strip.insert(strip.end(), mainland.begin(), mainland.end());
         geometry.headland = evenOddTriangles(strip);
     }
+    addMeasured(geometry, frame, plan);
     geometry.swathSpacing = plan.request.machine.operatingWidth().si() * geometry.unitsPerMetre;
     for (const Swath& swath : plan.swaths.swaths) {
         std::vector<MapPoint> line;

@@ -59,6 +59,10 @@ struct PlanGeometry {
     LineMesh obstacleEdges;
     FillMesh headland;
     LineMesh mainlandEdge;
+    FillMesh covered;  ///< worked, as the audit measured it
+    FillMesh overlap;  ///< worked twice
+    FillMesh missed;
+    FillMesh wheels;  ///< driven over often
     LineMesh swaths;
     LineMesh tramlines;  ///< of these, those that are driven on again
     double swathSpacing = 0.0;

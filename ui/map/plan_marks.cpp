@@ -112,7 +112,7 @@ void MarkNode::addDiamond(int number, QPointF middle, bool selected) {
 void MarkNode::add(const QString& key, const QImage& image, QPointF middle) {
     if (!image.isNull()) {
         pictures_.insert(key, {std::shared_ptr<QSGTexture>{window_->createTextureFromImage(
-                                   image, QQuickWindow::TextureHasAlphaChannel)},
+                                   image, QQuickWindow::CreateTextureOptions{QQuickWindow::TextureHasAlphaChannel, QQuickWindow::TextureCanUseAtlas})},
                                QSizeF{image.size()} / devicePixelRatio_});
     }
     const Picture& picture = pictures_[key];

@@ -105,12 +105,17 @@ int numberStep(const std::vector<NumberMark>& numbers, double pixelsPerUnit) {
 
 PlanScene::PlanScene() {
     appendChildNode(transform_);
+    transform_->appendChildNode(covered_);
     transform_->appendChildNode(headland_);
+    transform_->appendChildNode(overlap_);
+    transform_->appendChildNode(missed_);
+    transform_->appendChildNode(wheels_);
     transform_->appendChildNode(obstacles_);
     mainlandEdge_ = newLine(transform_);
     casing_ = newLine(transform_);
     boundary_ = newLine(transform_);
     obstacleEdges_ = newLine(transform_);
+    swathCasing_ = newLine(transform_);
     swaths_ = newLine(transform_);
     tramlines_ = newLine(transform_);
     transform_->appendChildNode(chunkParent_);
@@ -139,12 +144,17 @@ void PlanScene::setGeometry(std::shared_ptr<const PlanGeometry> geometry) {
     geometry_ = std::move(geometry);
     static const PlanGeometry none;
     const PlanGeometry& shown = geometry_ ? *geometry_ : none;
+    covered_->setMesh(shown.covered);
+    overlap_->setMesh(shown.overlap);
+    missed_->setMesh(shown.missed);
+    wheels_->setMesh(shown.wheels);
     headland_->setMesh(shown.headland);
     obstacles_->setMesh(shown.obstacles);
     mainlandEdge_->setMesh(shown.mainlandEdge);
     casing_->setMesh(shown.boundary);
     boundary_->setMesh(shown.boundary);
     obstacleEdges_->setMesh(shown.obstacleEdges);
+    swathCasing_->setMesh(shown.swaths);
     swaths_->setMesh(shown.swaths);
     tramlines_->setMesh(shown.tramlines);
     for (const PathChunk& chunk : shown.chunks) {
@@ -171,6 +181,18 @@ void PlanScene::setStyle(const PlanStyle& style) {
     QColor strip = style.headland;
     strip.setAlphaF(0.16F);
     headland_->setStyle(strip);
+    QColor worked = style.covered;
+    worked.setAlphaF(0.24F);
+    covered_->setStyle(worked);
+    QColor twice = style.overlap;
+    twice.setAlphaF(0.55F);
+    overlap_->setStyle(twice);
+    missed_->setStyle(style.missed, 5.0);
+    wheels_->setStyle(style.wheels, 4.0);
+    covered_->setShown(style.showCoverage);
+    overlap_->setShown(style.showOverlap);
+    missed_->setShown(style.showMissed);
+    wheels_->setShown(style.showWheels);
     obstacles_->setStyle(style.obstacle, 7.0);
     mainlandEdge_->setStyle({.color = style.headland, .widthPx = 1.1 * factor, .dashPx = 6.0, .periodPx = 10.0});
     casing_->setStyle({.color = style.casing, .widthPx = 4.6 * factor});
@@ -180,6 +202,7 @@ void PlanScene::setStyle(const PlanStyle& style) {
     mainlandEdge_->setShown(style.showHeadland);
     casing_->setShown(style.showBoundary);
     boundary_->setShown(style.showBoundary);
+    swathCasing_->setShown(style.showSwaths && style.onImagery);
     swaths_->setShown(style.showSwaths);
     tramlines_->setShown(style.showSwaths);
     tramlines_->setStyle({.color = style.ink, .widthPx = 2.6 * factor, .dashPx = 12.0, .periodPx = 18.0});
@@ -191,6 +214,9 @@ void PlanScene::setStyle(const PlanStyle& style) {
 
 void PlanScene::styleDensity() {
     swaths_->setStyle({.color = style_.swath, .widthPx = 1.5 * style_.lineFactor * density_});
+    QColor casing = style_.ground;
+    casing.setAlphaF(0.75F);
+    swathCasing_->setStyle({.color = casing, .widthPx = (1.5 * style_.lineFactor + 1.8) * density_});
     for (const ChunkNode& chunk : chunks_) {
         styleChunk(chunk);
     }
@@ -205,8 +231,9 @@ void PlanScene::setView(const PlanView& view, QQuickWindow* window) {
         density_ = density;
         styleDensity();
     }
-    headland_->setScale(view.pixelsPerUnit, view.devicePixelRatio);
-    obstacles_->setScale(view.pixelsPerUnit, view.devicePixelRatio);
+    for (FillNode* fill : {covered_, headland_, overlap_, missed_, wheels_, obstacles_}) {
+        fill->setScale(view.pixelsPerUnit, view.devicePixelRatio);
+    }
     for (LineNode* line : lines_) {
         line->setScale(view.pixelsPerUnit, view.devicePixelRatio);
     }

@@ -25,6 +25,10 @@ class PlanStyle {
     Q_PROPERTY(QColor end MEMBER end FINAL)
     Q_PROPERTY(QColor ground MEMBER ground FINAL)
     Q_PROPERTY(QColor ink MEMBER ink FINAL)
+    Q_PROPERTY(QColor covered MEMBER covered FINAL)
+    Q_PROPERTY(QColor overlap MEMBER overlap FINAL)
+    Q_PROPERTY(QColor missed MEMBER missed FINAL)
+    Q_PROPERTY(QColor wheels MEMBER wheels FINAL)
     Q_PROPERTY(double lineFactor MEMBER lineFactor FINAL)
     Q_PROPERTY(bool showBoundary MEMBER showBoundary FINAL)
     Q_PROPERTY(bool showHeadland MEMBER showHeadland FINAL)
@@ -32,6 +36,11 @@ class PlanStyle {
     Q_PROPERTY(bool showTurns MEMBER showTurns FINAL)
     Q_PROPERTY(bool showDirections MEMBER showDirections FINAL)
     Q_PROPERTY(bool showNumbers MEMBER showNumbers FINAL)
+    Q_PROPERTY(bool showCoverage MEMBER showCoverage FINAL)
+    Q_PROPERTY(bool showOverlap MEMBER showOverlap FINAL)
+    Q_PROPERTY(bool showMissed MEMBER showMissed FINAL)
+    Q_PROPERTY(bool showWheels MEMBER showWheels FINAL)
+    Q_PROPERTY(bool onImagery MEMBER onImagery FINAL)
     Q_PROPERTY(bool showFindings MEMBER showFindings FINAL)
     Q_PROPERTY(int selectedFinding MEMBER selectedFinding FINAL)
 
@@ -47,6 +56,10 @@ public:
     QColor end;
     QColor ground;
     QColor ink;
+    QColor covered;
+    QColor overlap;
+    QColor missed;
+    QColor wheels;
     double lineFactor = 1.0;
     bool showBoundary = true;
     bool showHeadland = true;
@@ -54,6 +67,12 @@ public:
     bool showTurns = true;
     bool showDirections = true;
     bool showNumbers = true;
+    bool showCoverage = false;
+    bool showOverlap = false;
+    bool showMissed = true;
+    bool showWheels = false;
+    /// Every line gets a casing, so that it is seen on any ground.
+    bool onImagery = false;
     bool showFindings = true;
     int selectedFinding = -1;
 
@@ -98,12 +117,17 @@ private:
     /// Of line widths, 1 where lines have room.
     double density_ = 1.0;
     QSGTransformNode* transform_ = new QSGTransformNode;
+    FillNode* covered_ = new FillNode;
     FillNode* headland_ = new FillNode;
+    FillNode* overlap_ = new FillNode;
+    FillNode* missed_ = new FillNode;
+    FillNode* wheels_ = new FillNode;
     FillNode* obstacles_ = new FillNode;
     LineNode* mainlandEdge_;
     LineNode* casing_;
     LineNode* boundary_;
     LineNode* obstacleEdges_;
+    LineNode* swathCasing_;
     LineNode* swaths_;
     LineNode* tramlines_;
     QSGNode* chunkParent_ = new QSGNode;

@@ -7,6 +7,7 @@
 #include "ui/text/unit_text.h"
 
 #include <algorithm>
+#include <utility>
 
 namespace furrow {
 
@@ -20,16 +21,22 @@ QString nameOf(const FieldPlan& plan) {
 }  // namespace
 
 FarmModel::FarmModel(Document& document, QObject* parent) : QObject{parent}, document_{document} {
-    connect(&document_, &Document::projectChanged, this, &FarmModel::changed);
-    connect(&Display::instance(), &Display::changed, this, &FarmModel::changed);
+    connect(&document_, &Document::projectChanged, this, &FarmModel::follow);
+    connect(&document_, &Document::dragEnded, this, &FarmModel::follow);
+    connect(&Display::instance(), &Display::changed, this, &FarmModel::follow);
+    follow();
 }
 
-QStringList FarmModel::fields() const {
+void FarmModel::follow() {
+    if (document_.isDragging()) {
+        return;
+    }
     QStringList names;
     for (const auto& field : document_.project()->fields) {
         names << tr("%1 · %2").arg(fromStd(field->source->name), areaText(areaOf(*field->source)));
     }
-    return names;
+    fields_ = std::move(names);
+    emit changed();
 }
 
 int FarmModel::currentField() const {

@@ -27,7 +27,7 @@ class FarmModel : public QObject {
 public:
     explicit FarmModel(Document& document, QObject* parent = nullptr);
 
-    QStringList fields() const;
+    QStringList fields() const { return fields_; }
     int currentField() const;
     void setCurrentField(int index);
     QString fieldName() const;
@@ -48,7 +48,11 @@ signals:
     void changed();
 
 private:
+    void follow();
+
     Document& document_;
+    /// Of the fields, as they were shown last: areas take time, and a menu of them even more.
+    QStringList fields_;
 };
 
 }  // namespace furrow

@@ -17,6 +17,7 @@ void FiguresModel::show(const Plan* plan) {
         const auto shareOfField = [plan](const std::optional<Area>& part) {
             return part && plan->audit.workable.si() > 0.0 ? *part / plan->audit.workable : 0.0;
         };
+        const QString notMeasured = QStringLiteral("–");
         const Area mainland = area(plan->headland.mainland);
         figures = {
             {tr("Area"), areaText(plan->field().area()), tr("Of the field, holes and obstacles taken out")},
@@ -27,9 +28,9 @@ void FiguresModel::show(const Plan* plan) {
             {tr("Working"), with(lengthText(working), percentText(share(working))), {}},
             {tr("Turning"), with(lengthText(turning), percentText(share(turning))), {}},
             {tr("Time"), durationText(plan->path.duration()), {}},
-            {tr("Covered"), percentText(plan->audit.coveredShare.value_or(0.0), 1),
+            {tr("Covered"), plan->audit.coveredShare ? percentText(*plan->audit.coveredShare, 1) : notMeasured,
              tr("Share of the field that is worked, measured on the finished path")},
-            {tr("Overlap"), percentText(shareOfField(plan->audit.overlap), 1),
+            {tr("Overlap"), plan->audit.overlap ? percentText(shareOfField(plan->audit.overlap), 1) : notMeasured,
              tr("Share of the field that is worked twice")},
         };
     }

@@ -1,5 +1,6 @@
 #include "ui/plan/parameter_model.h"
 
+#include "ui/text/display.h"
 #include "ui/text/message_text.h"
 #include "ui/text/quantity_text.h"
 #include "ui/text/unit_text.h"
@@ -8,6 +9,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <utility>
 
 namespace furrow {
 
@@ -83,18 +85,33 @@ std::size_t choiceIndex(const Parameter& parameter, const Settings& settings) {
 
 }  // namespace
 
+ParameterModel::ParameterModel(QObject* parent) : QAbstractListModel{parent} {
+    connect(&Display::instance(), &Display::changed, this, &ParameterModel::refresh);
+}
+
 void ParameterModel::show(const std::vector<const Parameter*>& parameters, const Settings& settings, const Plan* plan) {
     const bool same = parameters == parameters_;
+    auto used = usedNumbers(plan);
+    const double widthM = plan != nullptr ? plan->request.machine.operatingWidth().si() : widthM_;
+    if (same && settings == settings_ && used == used_ && widthM == widthM_) {
+        return;
+    }
     if (!same) {
         beginResetModel();
     }
     parameters_ = parameters;
     settings_ = settings;
-    used_ = usedNumbers(plan);
-    widthM_ = plan != nullptr ? plan->request.machine.operatingWidth().si() : widthM_;
+    used_ = std::move(used);
+    widthM_ = widthM;
     if (!same) {
         endResetModel();
-    } else if (!parameters_.empty()) {
+    } else {
+        refresh();
+    }
+}
+
+void ParameterModel::refresh() {
+    if (!parameters_.empty()) {
         emit dataChanged(index(0), index(rowCount() - 1));
     }
 }

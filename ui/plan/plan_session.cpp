@@ -1,8 +1,10 @@
 #include "ui/plan/plan_session.h"
 
+#include "planner/imagery/imagery.h"
 #include "planner/io/boundary_import.h"
 #include "planner/io/file_folder.h"
 #include "planner/io/guide_import.h"
+#include "planner/plan/draft.h"
 #include "planner/plan/method_registry.h"
 #include "planner/project/project_edits.h"
 #include "planner/settings/operation.h"
@@ -77,6 +79,11 @@ PlanSession::PlanSession(QObject* parent) : QObject{parent}, samples_{sampleFiel
         document_.change(tr("Change the machine"), withPlan(*document_.project(), machine, settings()));
     });
     connect(&document_, &Document::projectChanged, this, &PlanSession::followDocument);
+    connect(&document_, &Document::dragEnded, this, [this] {
+        if (isDraft() || planner_.isBusy()) {
+            requestPlan(JobRunner::Replace::Now);
+        }
+    });
     connect(&files_, &ProjectFiles::saved, this,
             [this](const QString& path) { recent_.add(path, *document_.project()); });
     for (JobRunner* runner : {&reader_, &planner_}) {
@@ -118,10 +125,16 @@ QString PlanSession::statusText() const {
         case State::Empty: return {};
         case State::Reading: return tr("Reading %1 …").arg(readingName_);
         case State::Choosing: return tr("%n field(s) in this file", nullptr, choices_.count());
-        case State::Planning: return tr("Planning …");
-        case State::Stopped: return plan_ ? tr("Stopped · this is the plan before the change") : tr("Stopped");
+        case State::Planning: return isDraft() ? tr("Draft · planning …") : tr("Planning …");
+        case State::Stopped:
+            return isDraft() ? tr("Stopped · this is a draft")
+                   : plan_   ? tr("Stopped · this is the plan before the change")
+                             : tr("Stopped");
         case State::Failed: return tr("No plan");
         case State::Ready: break;
+    }
+    if (isDraft()) {
+        return tr("Draft · the whole plan follows when you let go");
     }
     const double milliseconds = plan_->timings.total.si() * 1e3;
     const QString ready = tr("Plan ready · %1 ms").arg(numberText(milliseconds, milliseconds < 10.0 ? 1 : 0));
@@ -166,6 +179,10 @@ PlanSession::Reading PlanSession::read(const QStringList& paths, const QString& 
             reading.project = {path, std::move(*project)};
             continue;
         }
+        if (!path.startsWith(QLatin1Char(':')) && isImagery(path.toStdU16String())) {
+            reading.imagery << path;
+            continue;
+        }
         auto fields = boundariesIn(path, job);
         if (fields && !fieldId.isEmpty()) {
             fields = pickField(*fields, fieldId.toStdString()).transform([](FieldSource field) {
@@ -206,6 +223,7 @@ void PlanSession::take(Reading reading, bool choose) {
     if (reading.project) {
         recent_.add(files_.path(), *document_.project());
     }
+    imagery_.add(reading.imagery);
     if (choose && reading.fields.size() > 1) {
         choices_.show(std::move(reading.fields));
     } else if (!reading.fields.empty()) {
@@ -300,7 +318,8 @@ void PlanSession::closeField() {
 }
 
 PlanSession::Outcome PlanSession::planned(const Source& source, std::shared_ptr<const Field> field,
-                                          const Machine& machine, const Settings& settings, const JobContext& job) {
+                                          const Machine& machine, const Settings& settings, bool draft, const Plan* before,
+                                          const JobContext& job) {
     if (!field) {
         auto made = Field::create(*source, job.part(0.0, 0.1));
         if (!made) {
@@ -310,8 +329,8 @@ PlanSession::Outcome PlanSession::planned(const Source& source, std::shared_ptr<
         field = std::make_shared<const Field>(std::move(*made));
     }
     const auto plan = readGuides(settings, *field, job).and_then([&](std::shared_ptr<const GuideData> guides) {
-        return makePlan({.field = field, .machine = machine, .settings = settings, .guides = std::move(guides)},
-                        job.part(0.1, 0.95));
+        PlanRequest request{.field = field, .machine = machine, .settings = settings, .guides = std::move(guides)};
+        return makePlan(draft ? draftOf(std::move(request), before) : request, job.part(0.1, 0.95));
     });
     if (!plan) {
         return {.source = source, .field = field, .plan = {},
@@ -344,6 +363,7 @@ void PlanSession::followDocument() {
         // What was planned before belongs to another field.
         planner_.cancel();
         plan_.reset();
+        wholePlan_.reset();
         drawing_ = {};
         error_.reset();
         stopped_ = false;
@@ -352,7 +372,11 @@ void PlanSession::followDocument() {
         emit planChanged();
         emit drawingChanged();
     }
-    showModels();
+    if (otherField) {
+        showModels();
+    } else {
+        showSteps();
+    }
     emit fieldChanged();
     if (stale) {
         const bool live = document_.isDragging() && !otherPlan;
@@ -396,9 +420,10 @@ void PlanSession::requestPlan(JobRunner::Replace replace) {
     }
     stopped_ = false;
     planner_.submit(
-        [this, source = source_, field = field_, machine = machine_.machine(),
-         settings = settings()](const JobContext& job) -> JobRunner::Delivery {
-            Outcome outcome = planned(source, field, machine, settings, job);
+        [this, source = source_, field = field_, machine = machine_.machine(), settings = settings(),
+         draft = replace == JobRunner::Replace::WhenDone,
+         before = wholePlan_](const JobContext& job) -> JobRunner::Delivery {
+            Outcome outcome = planned(source, field, machine, settings, draft, before.get(), job);
             return [this, outcome = std::move(outcome)]() mutable { take(std::move(outcome)); };
         },
         replace);
@@ -415,7 +440,10 @@ void PlanSession::take(Outcome outcome) {
     if (outcome.source == source_) {
         field_ = outcome.field;
     }
-    exporter_.setPlan(plan_);
+    if (!isDraft()) {
+        wholePlan_ = plan_;
+    }
+    exporter_.setPlan(isDraft() ? nullptr : plan_);
     showModels();
     emit fieldChanged();
     emit drawingChanged();
@@ -436,16 +464,24 @@ void PlanSession::fail(const Error& error) {
     updateState();
 }
 
-void PlanSession::showModels() {
+void PlanSession::showSteps() {
     const Field* field = field_ ? field_.get() : plan_ ? &plan_->field() : nullptr;
     steps_.show(field, machine_.machine(), settings(), plan_.get(), error_.has_value());
+}
+
+void PlanSession::showModels() {
+    showSteps();
     figures_.show(plan_.get());
+    if (isDraft()) {
+        // Not looked for: what was found last stays until the whole plan says what there is.
+        return;
+    }
     findings_.show(plan_ ? plan_->findings : std::vector<Finding>{},
                    plan_ ? placesOf(drawing_) : std::vector<QGeoCoordinate>{});
 }
 
 void PlanSession::updateState() {
-    const bool slowPlanning = planner_.isBusy() && (planner_.isSlow() || !plan_);
+    const bool slowPlanning = planner_.isBusy() && (planner_.isSlow() || !plan_ || (isDraft() && !document_.isDragging()));
     state_ = reader_.isBusy()      ? State::Reading
              : choices_.count() > 0 ? State::Choosing
              : slowPlanning         ? State::Planning

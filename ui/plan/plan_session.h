@@ -2,6 +2,7 @@
 
 #include "ui/document/document.h"
 #include "ui/document/project_files.h"
+#include "ui/imagery/imagery_model.h"
 #include "ui/jobs/job_runner.h"
 #include "ui/map/plan_drawing.h"
 #include "ui/plan/export_model.h"
@@ -31,6 +32,8 @@ class PlanSession : public QObject {
     Q_PROPERTY(State state READ state NOTIFY stateChanged FINAL)
     Q_PROPERTY(bool hasField READ hasField NOTIFY fieldChanged FINAL)
     Q_PROPERTY(bool hasPlan READ hasPlan NOTIFY planChanged FINAL)
+    /// What is shown was planned in haste, as while something is dragged; the whole plan follows.
+    Q_PROPERTY(bool draft READ isDraft NOTIFY planChanged FINAL)
     Q_PROPERTY(QString fieldName READ fieldName NOTIFY fieldChanged FINAL)
     Q_PROPERTY(furrow::Document* document READ document CONSTANT FINAL)
     Q_PROPERTY(furrow::ProjectFiles* files READ files CONSTANT FINAL)
@@ -44,6 +47,7 @@ class PlanSession : public QObject {
     Q_PROPERTY(QGeoCoordinate problemPlace READ problemPlace NOTIFY stateChanged FINAL)
     Q_PROPERTY(QStringList sampleNames READ sampleNames NOTIFY textsChanged FINAL)
     Q_PROPERTY(furrow::FarmModel* farm READ farm CONSTANT FINAL)
+    Q_PROPERTY(furrow::ImageryModel* imagery READ imagery CONSTANT FINAL)
     Q_PROPERTY(furrow::RecentFiles* recent READ recent CONSTANT FINAL)
     Q_PROPERTY(furrow::StepsModel* steps READ steps CONSTANT FINAL)
     Q_PROPERTY(furrow::MachineModel* machine READ machine CONSTANT FINAL)
@@ -61,6 +65,7 @@ public:
     State state() const { return state_; }
     bool hasField() const { return document_.project()->field() != nullptr; }
     bool hasPlan() const { return plan_ != nullptr; }
+    bool isDraft() const { return plan_ != nullptr && plan_->request.draft; }
     QString fieldName() const;
     const PlanDrawing& drawing() const { return drawing_; }
     bool isSlow() const { return planner_.isSlow() || reader_.isSlow(); }
@@ -80,6 +85,7 @@ public:
     Document* document() { return &document_; }
     ProjectFiles* files() { return &files_; }
     FarmModel* farm() { return &farm_; }
+    ImageryModel* imagery() { return &imagery_; }
     RecentFiles* recent() { return &recent_; }
 
     /// Keeps journals of what is done, and the list of recent files, in this folder.
@@ -91,7 +97,7 @@ public:
     /// Reads a file: a project in place of the one that is open, a boundary as another field of it. With several
     /// fields in a boundary file and no id, the user picks from `choices`.
     void open(const QString& path, const QString& fieldId = {});
-    /// Reads several: a project among them first, then every field of the others.
+    /// Reads several: a project among them first, then every field of the others; pictures become imagery.
     Q_INVOKABLE void openUrls(const QList<QUrl>& urls);
     Q_INVOKABLE void openSample(int index);
     /// Whether a file would take the place of the project that is open.
@@ -132,10 +138,12 @@ private:
     struct Reading {
         std::optional<std::pair<QString, OpenedProject>> project;
         std::vector<FieldSource> fields;
+        QStringList imagery;
         std::optional<Error> error;
     };
+    /// `before`: of the same field, for a draft that goes on from it; null for the whole plan.
     static Outcome planned(const Source& source, std::shared_ptr<const Field> field, const Machine& machine,
-                           const Settings& settings, const JobContext& job);
+                           const Settings& settings, bool draft, const Plan* before, const JobContext& job);
     static Reading read(const QStringList& paths, const QString& fieldId, const JobContext& job);
 
     void read(const QStringList& paths, const QString& fieldId);
@@ -147,6 +155,7 @@ private:
     void take(Outcome outcome);
     void fail(const Error& error);
     void showModels();
+    void showSteps();
     void updateState();
 
     State state_ = State::Empty;
@@ -160,6 +169,8 @@ private:
     /// Of `source_`; null while it has not been checked.
     std::shared_ptr<const Field> field_;
     std::shared_ptr<const Plan> plan_;
+    /// The last one that was no draft.
+    std::shared_ptr<const Plan> wholePlan_;
     PlanDrawing drawing_;
     std::optional<Error> error_;
     bool stopped_ = false;
@@ -169,6 +180,7 @@ private:
     Document document_;
     ProjectFiles files_{document_};
     FarmModel farm_{document_};
+    ImageryModel imagery_{document_};
     RecentFiles recent_;
     StepsModel steps_;
     MachineModel machine_;

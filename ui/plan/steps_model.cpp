@@ -1,6 +1,7 @@
 #include "ui/plan/steps_model.h"
 
 #include "planner/plan/method_registry.h"
+#include "ui/text/display.h"
 #include "ui/text/message_text.h"
 #include "ui/text/unit_text.h"
 
@@ -90,6 +91,8 @@ StepsModel::StepsModel(QObject* parent) : QAbstractListModel{parent} {
         connect(model, &ParameterModel::changeRequested, this, &StepsModel::changeRequested);
         steps_.push_back({std::move(id), name, {}, {}, Status::None, model});
     };
+    // Names of the steps follow the language by themselves, what is in them when it is shown again.
+    connect(&Display::instance(), &Display::changed, this, [this] { emit dataChanged(index(0), index(rowCount() - 1)); });
     const auto general = generalParameters();
     add(QStringLiteral("field"), "Field", {general.begin(), general.end()});
     add(QStringLiteral("machine"), "Machine", {});
@@ -100,6 +103,7 @@ StepsModel::StepsModel(QObject* parent) : QAbstractListModel{parent} {
 
 void StepsModel::show(const Field* field, const Machine& machine, const Settings& settings, const Plan* plan,
                       bool failed) {
+    const std::vector<Step> before = steps_;
     Step& first = steps_[0];
     first.choice = field == nullptr ? (failed ? tr("No usable boundary") : tr("No field yet"))
                                     : QStringList{fromStd(field->name()), areaText(field->area())}.join(kSeparator);
@@ -136,7 +140,11 @@ void StepsModel::show(const Field* field, const Machine& machine, const Settings
         step.status = plan == nullptr ? Status::None : statusOf(stage.id, *plan);
         step.parameters->show(parametersOf(stage, settings), settings, plan);
     }
-    emit dataChanged(index(0), index(rowCount() - 1));
+    for (int row = 0; row < rowCount(); ++row) {
+        if (const Step& step = steps_[static_cast<std::size_t>(row)]; step != before[static_cast<std::size_t>(row)]) {
+            emit dataChanged(index(row), index(row));
+        }
+    }
 }
 
 int StepsModel::rowCount(const QModelIndex& parent) const {

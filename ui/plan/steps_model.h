@@ -49,6 +49,8 @@ private:
         QString result;
         Status status = Status::None;
         ParameterModel* parameters = nullptr;
+
+        friend bool operator==(const Step&, const Step&) = default;
     };
     std::vector<Step> steps_;
 };

@@ -10,7 +10,8 @@ QtObject {
 
     required property PlanSession session
     required property MapPage page
-    required property Item results
+    required property LayersPanel layersPanel
+    required property ScaleSetting scaleSetting
     signal newRequested()
     signal openRequested()
     signal saveRequested()
@@ -22,8 +23,11 @@ QtObject {
     signal paletteRequested()
     signal keysRequested()
     signal preferencesRequested()
+    signal tourRequested()
     signal quitRequested()
     signal panelRequested()
+    signal imageryRequested()
+    signal tileFolderRequested()
 
     readonly property string fileGroup: qsTr("File")
     readonly property string editGroup: qsTr("Edit")
@@ -38,8 +42,20 @@ QtObject {
         objectName: "command.layer." + layer
         group: root.viewGroup
         checkable: true
-        checked: root.results.layers[layer]
-        onTriggered: root.results.layers[layer] = checked
+        checked: root.layersPanel.layers[layer]
+        onTriggered: root.layersPanel.layers[layer] = checked
+    }
+
+    component ScaleCommand: Command {
+        required property int percent
+
+        objectName: "command.scale." + percent
+        group: root.viewGroup
+        text: qsTr("Everything at %1 %").arg(percent)
+        keywords: qsTr("size scaling zoom large text")
+        checkable: true
+        checked: root.scaleSetting.percent === percent
+        onTriggered: root.scaleSetting.set(percent)
     }
 
     component ToolCommand: Command {
@@ -68,6 +84,20 @@ QtObject {
             onTriggered: root.openRequested()
         },
         Command {
+            objectName: "command.addImagery"
+            group: root.fileGroup
+            text: qsTr("Add imagery…")
+            keywords: qsTr("GeoTIFF MBTiles aerial photo satellite background heights elevation")
+            onTriggered: root.imageryRequested()
+        },
+        Command {
+            objectName: "command.addTileFolder"
+            group: root.fileGroup
+            text: qsTr("Add a folder of tiles…")
+            keywords: qsTr("imagery XYZ TMS")
+            onTriggered: root.tileFolderRequested()
+        },
+        Command {
             objectName: "command.save"
             group: root.fileGroup
             text: qsTr("Save")
@@ -88,7 +118,7 @@ QtObject {
             text: qsTr("Export the plan…")
             shortcut: "Ctrl+E"
             keywords: qsTr("ISOXML USB terminal")
-            enabled: root.session.hasPlan
+            enabled: root.session.hasPlan && !root.session.draft
             onTriggered: root.exportRequested()
         },
         Command {
@@ -265,12 +295,28 @@ QtObject {
             enabled: root.session.hasPlan
             onTriggered: root.panelRequested()
         },
+        Command {
+            objectName: "command.layers"
+            group: root.viewGroup
+            text: qsTr("Layers")
+            shortcut: "Ctrl+L"
+            keywords: qsTr("imagery map background")
+            checkable: true
+            checked: root.layersPanel.open
+            onTriggered: root.layersPanel.open = checked
+        },
+        LayerCommand { layer: "imagery"; text: qsTr("Layer: imagery") },
+        LayerCommand { layer: "online"; text: qsTr("Layer: OpenStreetMap from the network"); keywords: qsTr("online tiles") },
         LayerCommand { layer: "boundary"; text: qsTr("Layer: boundary") },
         LayerCommand { layer: "headland"; text: qsTr("Layer: headland") },
         LayerCommand { layer: "swaths"; text: qsTr("Layer: swaths") },
         LayerCommand { layer: "turns"; text: qsTr("Layer: turns") },
         LayerCommand { layer: "directions"; text: qsTr("Layer: driving direction") },
         LayerCommand { layer: "numbers"; text: qsTr("Layer: order numbers") },
+        LayerCommand { layer: "coverage"; text: qsTr("Layer: coverage") },
+        LayerCommand { layer: "overlap"; text: qsTr("Layer: worked twice"); keywords: qsTr("overlap") },
+        LayerCommand { layer: "missed"; text: qsTr("Layer: missed"); keywords: qsTr("gap uncovered") },
+        LayerCommand { layer: "wheels"; text: qsTr("Layer: driven over often"); keywords: qsTr("wheel passes traffic compaction") },
         LayerCommand { layer: "findings"; text: qsTr("Layer: findings") },
         Command {
             objectName: "command.preferences"
@@ -300,6 +346,17 @@ QtObject {
             text: qsTr("Sunlight colours")
             keywords: qsTr("theme contrast")
             onTriggered: root.setTheme(Theme.Sunlight)
+        },
+        ScaleCommand { percent: 100 },
+        ScaleCommand { percent: 150 },
+        ScaleCommand { percent: 200 },
+        ScaleCommand { percent: 300 },
+        Command {
+            objectName: "command.tour"
+            group: root.helpGroup
+            text: qsTr("Take the tour")
+            keywords: qsTr("help introduction first start")
+            onTriggered: root.tourRequested()
         },
         Command {
             objectName: "command.keys"

@@ -18,12 +18,15 @@ ApplicationWindow {
     property int currentFinding: -1
     /// What was not saved is settled: the window may close.
     property bool settled: false
+    /// The tour starts by itself where it was never shown.
+    property bool offersTour: false
 
     objectName: "mainWindow"
     width: 1440
     height: 900
-    minimumWidth: 900
-    minimumHeight: 600
+    // Not more than there is, where everything is drawn large.
+    minimumWidth: Math.min(900, Screen.desktopAvailableWidth)
+    minimumHeight: Math.min(600, Screen.desktopAvailableHeight)
     visible: true
     title: session.hasField ? qsTr("%1%2 – Furrow").arg(session.fieldName).arg(session.document.modified ? "*" : "") : qsTr("Furrow")
     menuBar: MainMenu {
@@ -54,6 +57,8 @@ ApplicationWindow {
         property alias width: root.width
         property alias height: root.height
         property alias maximised: root.maximised
+        property alias x: root.x
+        property alias y: root.y
     }
     property bool maximised: false
     property bool started: false
@@ -67,7 +72,14 @@ ApplicationWindow {
         panelWanted = roomForPanel;
         if (maximised)
             showMaximized();
+        // It may have been on a screen that is not there any more.
+        else if (x < Screen.virtualX || y < Screen.virtualY || x > Screen.virtualX + Screen.desktopAvailableWidth - 100 || y > Screen.virtualY + Screen.desktopAvailableHeight - 100) {
+            x = Screen.virtualX;
+            y = Screen.virtualY;
+        }
         started = true;
+        if (offersTour && !tour.seen)
+            tour.start();
     }
 
     onClosing: close => {
@@ -85,9 +97,12 @@ ApplicationWindow {
 
         session: root.session
         page: page
-        results: results
+        layersPanel: layersPanel
+        scaleSetting: scaleSetting
         onNewRequested: dialogs.startNew()
         onOpenRequested: dialogs.open()
+        onImageryRequested: dialogs.addImagery()
+        onTileFolderRequested: dialogs.addTileFolder()
         onSaveRequested: dialogs.save()
         onSaveAsRequested: dialogs.saveAs()
         onExportRequested: exportDialog.open()
@@ -97,6 +112,7 @@ ApplicationWindow {
         onPaletteRequested: palette.open()
         onKeysRequested: keysDialog.open()
         onPreferencesRequested: preferencesDialog.open()
+        onTourRequested: tour.start()
         onQuitRequested: root.close()
         onPanelRequested: root.panelWanted = !root.panelWanted
     }
@@ -122,6 +138,31 @@ ApplicationWindow {
         id: preferencesDialog
 
         anchors.centerIn: Overlay.overlay
+    }
+    ScaleSetting {
+        id: scaleSetting
+
+        onChanged: scaleDialog.open()
+    }
+    ThemedDialog {
+        id: scaleDialog
+
+        objectName: "scaleDialog"
+        anchors.centerIn: Overlay.overlay
+        title: qsTr("Everything at %1 %").arg(scaleSetting.percent)
+        closePolicy: ThemedDialog.CloseOnEscape | ThemedDialog.CloseOnPressOutside
+
+        BodyText {
+            width: parent.width
+            text: qsTr("This holds from the next start of Furrow.")
+            wrapMode: Text.WordWrap
+        }
+        PushButton {
+            objectName: "scaleDialog.close"
+            focus: true
+            text: qsTr("OK")
+            onClicked: scaleDialog.close()
+        }
     }
     NameDialog {
         id: nameDialog
@@ -162,6 +203,10 @@ ApplicationWindow {
         anchors { left: steps.right; right: results.left; top: topBar.bottom; bottom: parent.bottom }
         focus: true
         session: root.session
+        imageryShown: layersPanel.layers.imagery
+        online: layersPanel.layers.online
+        layersOpen: layersPanel.open
+        onLayersRequested: layersPanel.open = !layersPanel.open
         planStyle: ({
                 boundary: Theme.boundary,
                 casing: Theme.casing,
@@ -175,13 +220,22 @@ ApplicationWindow {
                 ground: Theme.panel,
                 ink: Theme.ink,
                 lineFactor: Theme.lineFactor,
-                showBoundary: results.layers.boundary && !page.editor.dragging,
-                showHeadland: results.layers.headland,
-                showSwaths: results.layers.swaths,
-                showTurns: results.layers.turns,
-                showDirections: results.layers.directions,
-                showNumbers: results.layers.numbers,
-                showFindings: results.layers.findings,
+                showBoundary: layersPanel.layers.boundary && !page.editor.dragging,
+                showHeadland: layersPanel.layers.headland,
+                showSwaths: layersPanel.layers.swaths,
+                showTurns: layersPanel.layers.turns,
+                showDirections: layersPanel.layers.directions,
+                showNumbers: layersPanel.layers.numbers,
+                covered: Theme.covered,
+                overlap: Theme.overlap,
+                missed: Theme.missed,
+                wheels: Theme.wheels,
+                showCoverage: layersPanel.layers.coverage,
+                showOverlap: layersPanel.layers.overlap,
+                showMissed: layersPanel.layers.missed,
+                showWheels: layersPanel.layers.wheels,
+                onImagery: layersPanel.layers.online || layersPanel.layers.imagery && root.session.imagery.count > 0,
+                showFindings: layersPanel.layers.findings,
                 selectedFinding: root.currentFinding
             })
         onFindingClicked: index => {
@@ -201,6 +255,11 @@ ApplicationWindow {
             files: root.session.files
             onSaveAsRequested: dialogs.saveAs()
         }
+        ImageryNotice {
+            z: 1
+            anchors { horizontalCenter: parent.horizontalCenter; bottom: parent.bottom; bottomMargin: 20 }
+            imagery: root.session.imagery
+        }
         ProblemCard {
             anchors { right: parent.right; top: parent.top; rightMargin: 16; topMargin: 62 }
             session: root.session
@@ -209,7 +268,7 @@ ApplicationWindow {
         }
         EmptyState {
             anchors.centerIn: parent
-            visible: (root.session.state === PlanSession.Empty || root.session.state === PlanSession.Failed && !root.session.hasField) && !page.editor.drawing
+            visible: (root.session.state === PlanSession.Empty || root.session.state === PlanSession.Failed && !root.session.hasField) && !page.editor.drawing && root.session.imagery.count === 0 && !tour.running
             session: root.session
             onOpenRequested: dialogs.open()
             onDrawRequested: page.startDrawing()
@@ -220,6 +279,18 @@ ApplicationWindow {
             height: Math.min(parent.height - 80, 134 + 52 * root.session.choices.count)
             visible: root.session.state === PlanSession.Choosing
             session: root.session
+        }
+        LayersPanel {
+            id: layersPanel
+
+            x: 70
+            y: 16
+            room: page.height - 72
+            imagery: root.session.imagery
+            zoomLevel: page.camera.zoomLevel
+            onAreaRequested: row => page.camera.fit(root.session.imagery.areaOf(row), 84, 72, 48, 72, true)
+            onFileRequested: dialogs.addImagery()
+            onFolderRequested: dialogs.addTileFolder()
         }
         DraftHint {
             anchors { horizontalCenter: parent.horizontalCenter; bottom: parent.bottom; bottomMargin: 20 }
@@ -266,6 +337,14 @@ ApplicationWindow {
         anchors.centerIn: Overlay.overlay
         session: root.session
     }
+    Tour {
+        id: tour
+
+        anchors.fill: parent
+        z: 10
+        session: root.session
+        places: [null, steps, page, page.toolBar, results, topBar.exportButton]
+    }
     Connections {
         target: root.session
 
@@ -275,6 +354,15 @@ ApplicationWindow {
         function onPlanChanged(): void {
             if (root.currentFinding >= root.session.findings.count)
                 root.currentFinding = -1;
+        }
+    }
+
+    Connections {
+        target: root.session.imagery
+
+        function onAdded(area: geoRectangle): void {
+            if (!root.session.hasField)
+                page.camera.fit(area, 84, 72, 48, 72, false);
         }
     }
 

@@ -12,7 +12,7 @@ T.MenuBar {
 
     objectName: "menuBar"
     implicitWidth: contentItem.implicitWidth
-    implicitHeight: 32
+    implicitHeight: Theme.controlHeight
     leftPadding: 8
 
     component Group: ThemedMenu {
@@ -49,7 +49,7 @@ T.MenuBar {
 
         objectName: menu ? "bar." + menu.title : ""
         implicitWidth: label.implicitWidth + 20
-        implicitHeight: 32
+        implicitHeight: Theme.controlHeight
         Accessible.name: text
         background: Rectangle {
             anchors { fill: parent; margins: 3 }

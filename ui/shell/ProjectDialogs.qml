@@ -24,6 +24,12 @@ Item {
         else
             root.session.openUrls(urls);
     }
+    function addImagery(): void {
+        imageryDialog.open();
+    }
+    function addTileFolder(): void {
+        tileFolderDialog.open();
+    }
     function startNew(): void {
         root.settleThen(() => root.session.closeField());
     }
@@ -70,8 +76,24 @@ Item {
         objectName: "openDialog"
         title: qsTr("Open projects or field boundaries")
         fileMode: FileDialog.OpenFiles
-        nameFilters: [qsTr("Projects and field boundaries (%1)").arg("*.furrow *.geojson *.json *.shp *.zip *.kml *.kmz *.gpkg *.gml *.fgb *.wkt *.csv *.xml *.dxf *.gpx *.tif *.tiff *.png"), qsTr("Projects (%1)").arg("*.furrow"), qsTr("All files (*)")]
+        nameFilters: [qsTr("Projects and field boundaries (%1)").arg("*.furrow *.geojson *.json *.shp *.zip *.kml *.kmz *.gpkg *.gml *.fgb *.wkt *.csv *.xml *.dxf *.gpx *.tif *.tiff *.png *.mbtiles"), qsTr("Projects (%1)").arg("*.furrow"), qsTr("All files (*)")]
         onAccepted: root.openUrls(selectedFiles)
+    }
+    FileDialog {
+        id: imageryDialog
+
+        objectName: "imageryDialog"
+        title: qsTr("Add imagery")
+        fileMode: FileDialog.OpenFiles
+        nameFilters: [qsTr("Pictures and heights (%1)").arg("*.tif *.tiff *.mbtiles *.gpkg *.jp2 *.png *.jpg *.jpeg *.webp *.asc *.hgt *.dt0 *.dt1 *.dt2"), qsTr("All files (*)")]
+        onAccepted: root.session.imagery.addUrls(selectedFiles)
+    }
+    FolderDialog {
+        id: tileFolderDialog
+
+        objectName: "tileFolderDialog"
+        title: qsTr("Add a folder of tiles")
+        onAccepted: root.session.imagery.addUrls([selectedFolder])
     }
     FileDialog {
         id: saveDialog

@@ -5,14 +5,13 @@ import Furrow.Controls
 import Furrow.Edit
 import Furrow.Plan
 
-/// The figures of the plan, what was found in it, and the layers of the map.
+/// The figures of the plan and what was found in it.
 Rectangle {
     id: root
 
     required property PlanSession session
     required property FieldEditor editor
     property int currentFinding: -1
-    readonly property alias layers: layers
     signal findingRequested(index: int)
 
     objectName: "resultsPanel"
@@ -126,13 +125,6 @@ Rectangle {
                 text: root.session.findings.all ? qsTr("Show the first %1 only").arg(root.session.findings.few) : qsTr("Show all %1").arg(root.session.findings.count)
                 height: 32
                 onClicked: root.session.findings.all = !root.session.findings.all
-            }
-            Item { width: 1; height: 24 }
-            Title { text: qsTr("Layers") }
-            LayerSwitches {
-                id: layers
-
-                width: parent.width
             }
         }
     }

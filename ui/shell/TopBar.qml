@@ -11,6 +11,7 @@ Rectangle {
     required property AppCommands commands
     property bool panelOffered: false
     property bool panelOpen: true
+    readonly property alias exportButton: exportButton
 
     objectName: "topBar"
     implicitHeight: 52
@@ -121,11 +122,13 @@ Rectangle {
             onClicked: root.commands.openRequested()
         }
         PushButton {
+            id: exportButton
+
             objectName: "exportButton"
             Layout.leftMargin: 4
             text: qsTr("Export")
             primary: true
-            enabled: root.session.hasPlan
+            enabled: root.session.hasPlan && !root.session.draft
             onClicked: root.commands.exportRequested()
         }
     }

@@ -86,6 +86,7 @@ private slots:
         COMPARE_WITHIN(report.covered->si(), expected.covered, 1e-3);
         COMPARE_WITHIN(report.missed->si(), expected.missed, 1e-3);
         COMPARE_WITHIN(report.overlap->si(), expected.overlap, 1e-3);
+        COMPARE_WITHIN(area(report.overlapAreas).si(), expected.overlap, 1e-2);
         COMPARE_WITHIN(report.overlapHeadland->si(), expected.overlapHeadland, 1e-3);
         COMPARE_WITHIN(*report.coveredShare, expected.covered / 4000.0, 1e-9);
     }

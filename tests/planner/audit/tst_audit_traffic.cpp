@@ -79,6 +79,11 @@ private slots:
         const AuditReport report = reportOf({rectangle(100, 10)}, plainMachine(10.0), drawer.segments);
         QCOMPARE(report.mostWheelPasses, times);
         COMPARE_WITHIN(report.oftenDrivenShare, often, 1e-9);
+        double squaresM2 = 0.0;
+        for (const Bounds& run : report.oftenDriven) {
+            squaresM2 += run.width() * run.height();
+        }
+        COMPARE_WITHIN(squaresM2, often * report.workable.si(), 1e-6);
         COMPARE_WITHIN(report.wheelSquare.si(), 1.0, 0.0);
     }
     // Both wheels in one square, and a way over several segments, are one passage; coming back is another.

@@ -248,7 +248,7 @@ private slots:
             for (int pass = 0; pass < 2; ++pass) {
                 const auto tracks = passTracks(
                     field, 0.5 * driven.workingFootprintWidth() + pass * driven.operatingWidth(), field, driven,
-                    RoundTheField::CounterClockwise, {}, {});
+                    {}, {});
                 VERIFY_RESULT(tracks);
                 for (const Turn& line : tracks->lines) {
                     const QString said = QStringLiteral("seed %1, field %2, pass %3").arg(kSeed).arg(i).arg(pass);
@@ -284,7 +284,7 @@ private slots:
         std::stop_source stop;
         stop.request_stop();
         const MultiPolygon field{test::rectangle(100.0, 60.0)};
-        const auto tracks = passTracks(field, metres(2.0), field, agbot(), RoundTheField::CounterClockwise, {},
+        const auto tracks = passTracks(field, metres(2.0), field, agbot(), {},
                                        {.stop = stop.get_token()});
         QVERIFY(!tracks);
         QCOMPARE(tracks.error().code, ErrorCode::Cancelled);

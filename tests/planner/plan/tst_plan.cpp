@@ -232,6 +232,44 @@ private slots:
         }
     }
 
+    // Headland passes go along with the land, to the millimetre.
+    void passesMoveWithTheField() {
+        constexpr std::uint64_t kSeed = 3100;
+        std::mt19937_64 random{kSeed};
+        const Settings settings = settingsOf({{"swaths.method", "longest-edge"}, {"headland.finish", "false"}, {"path.method", "dubins"}});
+        int stretches = 0;
+        for (int i = 0; i < 6; ++i) {
+            MultiPolygon drawn = test::randomPolygons(random, test::kShapes[static_cast<std::size_t>(i) % test::kShapes.size()], 120.0);
+            const Bounds box = bounds(drawn);
+            drawn = test::moved(drawn, degrees(0.0), -0.5 * (box.min + box.max));
+            const auto original = makePlan({.field = fieldOf(drawn), .machine = agbot(), .settings = settings});
+            const auto moved = makePlan({.field = fieldOf(test::moved(drawn, degrees(0.0), {400.0, -300.0})), .machine = agbot(), .settings = settings});
+            const QByteArray told = QStringLiteral("seed %1, field %2").arg(kSeed).arg(i).toUtf8();
+            VERIFY_TOLD(original.has_value() && moved.has_value(), told);
+            const auto& rings = (*original)->headland.rings;
+            const auto& others = (*moved)->headland.rings;
+            VERIFY_TOLD(rings.size() == others.size(), told);
+            const auto middleOf = [](const Plan& plan) {
+                const Bounds around = bounds(plan.field().workable());
+                return 0.5 * (around.min + around.max);
+            };
+            const Point offset = middleOf(**moved) - middleOf(**original);
+            for (std::size_t k = 0; k < rings.size(); ++k) {
+                VERIFY_TOLD(rings[k].stretches.size() == others[k].stretches.size(), told);
+                for (std::size_t n = 0; n < rings[k].stretches.size(); ++n) {
+                    const Turn& line = rings[k].stretches[n].line;
+                    const Turn& other = others[k].stretches[n].line;
+                    const double apartM = std::max(distance(line.start.position + offset, other.start.position),
+                                                   distance(line.end().position + offset, other.end().position));
+                    VERIFY_TOLD(apartM < 1e-3, told + QByteArray::number(apartM));
+                    VERIFY_TOLD(std::abs((line.length() - other.length()).si()) < 1e-3, told);
+                    ++stretches;
+                }
+            }
+        }
+        QVERIFY(stretches > 20);
+    }
+
     void findings_data() {
         QTest::addColumn<QString>("headland");
         QTest::addColumn<QString>("turn");

@@ -1,10 +1,13 @@
 #include "planner/io/boundary_import.h"
 #include "planner/project/migrations.h"
+#include "planner/project/project_edits.h"
 #include "planner/project/project_file.h"
 #include "tests/planner/project/project_samples.h"
 #include "tests/support/furrow_cli.h"
 #include "tests/support/result_check.h"
 
+#include <QDir>
+#include <QFile>
 #include <QProcess>
 #include <QTemporaryDir>
 #include <QTest>
@@ -53,6 +56,52 @@ private slots:
         QVERIFY(read->project == project);
         QCOMPARE(projectText(read->project), projectText(project));
         QVERIFY(isProject(projectText(project)));
+    }
+    void imageryIsNamedFromTheProjectsFolder_data() {
+        QTest::addColumn<QString>("place");
+        QTest::addColumn<QString>("written");
+        QTest::newRow("beside it") << "farm/photo.tif" << "photo.tif";
+        QTest::newRow("below it") << "farm/pictures/2026/photo.tif" << "pictures/2026/photo.tif";
+        QTest::newRow("in a neighbour") << "drone/photo.tif" << "../drone/photo.tif";
+        QTest::newRow("on another disk") << "/mnt/disk/photo.tif" << "/mnt/disk/photo.tif";
+    }
+    void imageryIsNamedFromTheProjectsFolder() {
+        QFETCH(QString, place);
+        QFETCH(QString, written);
+        const QTemporaryDir folder;
+        QVERIFY(QDir{folder.path()}.mkpath(QStringLiteral("farm")) && QDir{folder.path()}.mkpath(QStringLiteral("moved")));
+        Project project = sampleProject();
+        const std::string path = (std::filesystem::path{folder.path().toStdString()} / place.toStdString()).string();
+        project = withImagery(project, {{.path = path, .name = "Photo", .visible = false, .opacity = 0.4,
+                                         .rowsFromSouth = true, .others = R"({"colour":"blue"})"}});
+        VERIFY_RESULT(writeProject(project, pathIn(folder, "farm/a.furrow")));
+        const auto read = readProject(pathIn(folder, "farm/a.furrow"));
+        VERIFY_RESULT(read);
+        QVERIFY(read->project == project);
+        QFile file{folder.filePath(QStringLiteral("farm/a.furrow"))};
+        QVERIFY(file.open(QIODevice::ReadOnly));
+        QVERIFY(file.readAll().contains("\"path\":\"" + written.toUtf8() + "\""));
+        // Somewhere else the same words name what lies beside it there.
+        QVERIFY(QDir{folder.path()}.mkpath(QStringLiteral("moved/farm")));
+        QVERIFY(QFile::copy(folder.filePath(QStringLiteral("farm/a.furrow")), folder.filePath(QStringLiteral("moved/farm/a.furrow"))));
+        const auto moved = readProject(pathIn(folder, "moved/farm/a.furrow"));
+        VERIFY_RESULT(moved);
+        const std::filesystem::path there =
+            place.startsWith('/') ? std::filesystem::path{place.toStdString()}
+                                  : std::filesystem::path{folder.path().toStdString()} / "moved" / place.toStdString();
+        QCOMPARE(moved->project.imagery.front().path, there.string());
+    }
+    void imageryIsAddedChangedMovedAndRemoved() {
+        const ImageryLayer low{.path = "/a.tif", .name = "a", .rowsFromSouth = {}, .others = {}};
+        const ImageryLayer high{.path = "/b.tif", .name = "b", .rowsFromSouth = {}, .others = {}};
+        const Project project = withImagery(Project::empty(), {low, high});
+        QVERIFY((project.imagery == std::vector{low, high}));
+        QVERIFY((withImageryMoved(project, 0, 1).imagery == std::vector{high, low}));
+        QVERIFY((withImageryMoved(project, 1, 0).imagery == std::vector{high, low}));
+        QVERIFY(withImageryMoved(project, 5, 0) == project);
+        QVERIFY((withoutImageryLayer(project, 0).imagery == std::vector{high}));
+        QVERIFY(withoutImageryLayer(project, 2) == project);
+        QVERIFY((withImageryLayer(project, 1, low).imagery == std::vector{low, low}));
     }
     void anEmptyProjectToo() {
         const auto read = parseProject(projectText(Project::empty()), "farm.furrow");

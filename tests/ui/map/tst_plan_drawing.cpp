@@ -91,6 +91,29 @@ private slots:
         }
         QCOMPARE(geometry.pathPoints, samples);
     }
+    static double areaOf(const FillMesh& mesh) {
+        double twice = 0.0;
+        for (std::size_t i = 0; i + 2 < mesh.size(); i += 3) {
+            const MapPoint a = mesh[i];
+            const MapPoint b = mesh[i + 1];
+            const MapPoint c = mesh[i + 2];
+            twice += std::abs((double{b.x} - a.x) * (double{c.y} - a.y) - (double{c.x} - a.x) * (double{b.y} - a.y));
+        }
+        return 0.5 * twice;
+    }
+    // What the audit measured is what is drawn, to a hundredth of it: the map's units are rounded.
+    void measuredAreasAreDrawn() {
+        const auto plan = planOf(0.006, 0.003, {{"headland.width_m", "15"}});
+        const PlanGeometry geometry = planGeometry(*plan);
+        const double unit = geometry.unitsPerMetre * geometry.unitsPerMetre;
+        const AuditReport& audit = plan->audit;
+        QVERIFY(std::abs(areaOf(geometry.covered) / unit - audit.covered->si()) < 0.01 * audit.covered->si());
+        QVERIFY(std::abs(areaOf(geometry.missed) / unit - audit.missed->si()) < 0.01 * audit.missed->si() + 1.0);
+        QVERIFY(std::abs(areaOf(geometry.overlap) / unit - audit.overlap->si()) < 0.02 * audit.overlap->si() + 1.0);
+        QVERIFY(std::abs(areaOf(geometry.wheels) / unit - audit.oftenDrivenShare * audit.workable.si()) <
+                0.02 * audit.oftenDrivenShare * audit.workable.si() + 1.0);
+        QVERIFY(audit.oftenDrivenShare > 0.0 && audit.overlap->si() > 0.0);
+    }
     void coarserLevelsHaveFewerPoints() {
         const PlanGeometry geometry = planGeometry(*planOf(0.01, 0.004));
         QVERIFY(!geometry.chunks.empty());

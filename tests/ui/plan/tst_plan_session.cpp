@@ -191,6 +191,31 @@ private slots:
         const std::vector<WorldPoint>& ring = session.drawing().geometry()->rings.front().points;
         QVERIFY(std::ranges::any_of(ring, [&](WorldPoint p) { return coordinate(p).distanceTo(last) < 0.01; }));
     }
+    void aDragShowsDraftsAndTheWholePlanWhenItIsLetGo() {
+        PlanSession session;
+        session.setBoundary(rectangle());
+        QTRY_COMPARE(session.state(), PlanSession::State::Ready);
+        QVERIFY(!session.isDraft());
+        const double heading = session.plan()->swaths.heading.si();
+        const QString covered = figure(session, 7);
+        moveVertex(session, 1, QGeoCoordinate{58.25, 22.5085}, false);
+        QTRY_VERIFY(session.isDraft());
+        QVERIFY(session.statusText().startsWith(QStringLiteral("Draft")));
+        QCOMPARE(session.plan()->swaths.heading.si(), heading);
+        QCOMPARE(figure(session, 7), QStringLiteral("–"));
+        QVERIFY(!session.drawing().isEmpty());
+        moveVertex(session, 1, QGeoCoordinate{58.25, 22.5086}, true);
+        QTRY_VERIFY(!session.isDraft());
+        QCOMPARE(session.state(), PlanSession::State::Ready);
+        QVERIFY(session.plan()->audit.coveredShare.has_value());
+        QVERIFY(figure(session, 7) != QStringLiteral("–"));
+        // Ended without another change, as when the tool is changed.
+        moveVertex(session, 1, QGeoCoordinate{58.25, 22.5090}, false);
+        QTRY_VERIFY(session.isDraft());
+        session.document()->endDrag();
+        QTRY_VERIFY(!session.isDraft());
+        QCOMPARE(session.state(), PlanSession::State::Ready);
+    }
     void aBoundaryThatCrossesItselfIsToldWithItsPlace() {
         PlanSession session;
         session.setBoundary({{58.25, 22.5}, {58.2535, 22.507}, {58.25, 22.507}, {58.2535, 22.5}});

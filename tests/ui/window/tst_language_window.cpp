@@ -2,6 +2,7 @@
 #include "ui/text/display.h"
 
 #include <QSettings>
+#include <QSignalSpy>
 
 namespace furrow::test {
 
@@ -119,6 +120,10 @@ private slots:
         QTRY_VERIFY(isShown(QStringLiteral("preferences.units")));
         check(QStringLiteral("preferences"));
         click(QStringLiteral("preferences.close"));
+        key(Qt::Key_L, Qt::ControlModifier);
+        QTRY_VERIFY(isShown(QStringLiteral("layersPanel.close")));
+        check(QStringLiteral("layers"));
+        click(QStringLiteral("layersPanel.close"));
         click(QStringLiteral("exportButton"));
         QTRY_VERIFY(isShown(QStringLiteral("export.onStick")));
         waitForRest(*item(QStringLiteral("export.onStick")));
@@ -143,8 +148,10 @@ private slots:
             return all;
         }();
         // As the computer, English, Deutsch, Nederlands, Français, Español, Português (Brasil), Português (Portugal).
+        QSignalSpy renamed{session_->steps()->parameters(QStringLiteral("headland")), &QAbstractItemModel::dataChanged};
         choose(QStringLiteral("preferences.language"), 2);
         QCOMPARE(display().language(), QStringLiteral("de"));
+        QVERIFY(!renamed.isEmpty());
         QTRY_COMPARE(steps(), (QStringList{"Schlag", "Maschine", "Vorgewende", "Teilflächen", "Spuren", "Fahrroute", "Wendungen"}));
         QVERIFY2(result(2).contains(QStringLiteral("Innenfläche")), qPrintable(result(2)));
         QVERIFY2(session_->statusText().startsWith(QStringLiteral("Plan fertig")), qPrintable(session_->statusText()));
@@ -160,6 +167,16 @@ private slots:
         QTRY_COMPARE(steps().value(2), QStringLiteral("Fourrière"));
         choose(QStringLiteral("preferences.language"), 1);
         QTRY_COMPARE(steps().value(2), QStringLiteral("Headland"));
+    }
+
+    void whatIsWrongWithImageryFollows() {
+        begin();
+        session_->imagery()->add({QStringLiteral("/nowhere/meadow.tif")});
+        QTRY_COMPARE(session_->imagery()->message(), QStringLiteral("meadow.tif: There is no such file or folder"));
+        choose(QStringLiteral("preferences.language"), 2);
+        QTRY_COMPARE(textOf(QStringLiteral("imageryNotice.text")),
+                     QStringLiteral("meadow.tif: Diese Datei oder diesen Ordner gibt es nicht"));
+        click(QStringLiteral("imageryNotice.close"));
     }
 
     void theChoiceIsRemembered() {

@@ -77,6 +77,44 @@ private slots:
         QTRY_COMPARE(session_->state(), PlanSession::State::Ready);
         QCOMPARE(camera()->center(), centre);
     }
+    /// Prints how evenly frames come and how far the plan is behind while a vertex of the largest sample is dragged.
+    void draggingAVertexOfALargeField() {
+        openSample(QStringLiteral("Great Field"));
+        const PlanGeometry& geometry = *session_->drawing().geometry();
+        const QPoint from = onMap(coordinate(geometry.rings.front().points.front()));
+        const QPoint inwards = middleOf(*map()) - from;
+        std::vector<double> gaps;
+        QElapsedTimer clock;
+        const auto connection = connect(window_, &QQuickWindow::frameSwapped, window_, [&] {
+            if (clock.isValid()) {
+                gaps.push_back(static_cast<double>(clock.nsecsElapsed()) / 1e6);
+            }
+            clock.start();
+        }, Qt::DirectConnection);
+        QSignalSpy plans{session_.get(), &PlanSession::planChanged};
+        QTest::mouseMove(window_, from);
+        QTest::mousePress(window_, Qt::LeftButton, {}, from);
+        const std::clock_t begin = std::clock();
+        QElapsedTimer whole;
+        whole.start();
+        constexpr int kMoves = 120;
+        for (int i = 1; i <= kMoves; ++i) {
+            QTest::mouseMove(window_, from + inwards * i / (3 * kMoves));
+            QSignalSpy frame{window_, &QQuickWindow::frameSwapped};
+            QCoreApplication::processEvents(QEventLoop::AllEvents, 10);
+            frame.wait(50);
+        }
+        const auto elapsed = static_cast<double>(whole.elapsed());
+        const double used = 1e3 * static_cast<double>(std::clock() - begin) / CLOCKS_PER_SEC;
+        const auto drafts = plans.count();
+        QTest::mouseRelease(window_, Qt::LeftButton, {}, from + inwards / 3);
+        disconnect(connection);
+        std::ranges::sort(gaps);
+        QVERIFY(!gaps.empty());
+        qInfo("%.0f ms, %.0f ms of processor time, %lld drafts, %zu frames; gap between frames median %.1f ms, 95 %% %.1f ms, longest %.1f ms",
+              elapsed, used, static_cast<long long>(drafts), gaps.size(), gaps[gaps.size() / 2], gaps[gaps.size() * 95 / 100], gaps.back());
+        QTRY_VERIFY_WITH_TIMEOUT(session_->hasPlan() && !session_->isDraft() && session_->state() == PlanSession::State::Ready, 60000);
+    }
     void theMapIsPannedAndZoomed() {
         openSample(QStringLiteral("Home Field"));
         const QPoint middle = middleOf(*map());

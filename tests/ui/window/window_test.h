@@ -10,6 +10,7 @@
 #include <QQmlApplicationEngine>
 #include <QQuickItem>
 #include <QQuickWindow>
+#include <QSettings>
 #include <QStandardPaths>
 #include <QTest>
 
@@ -94,6 +95,8 @@ private slots:
         prepareWindow();
     }
     void init() {
+        // As on the first start: what an earlier test switched off is on again.
+        QSettings{}.clear();
         session_ = std::make_unique<PlanSession>();
         engine_ = std::make_unique<QQmlApplicationEngine>();
         engine_->setInitialProperties({{QStringLiteral("session"), QVariant::fromValue(session_.get())}});

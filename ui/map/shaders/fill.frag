@@ -1,5 +1,6 @@
 #version 440
 
+// A plain area; hatch.frag draws a hatched one.
 layout(location = 0) in vec2 pixel;
 layout(location = 0) out vec4 fragColor;
 
@@ -10,12 +11,5 @@ layout(std140, binding = 0) uniform buf {
 };
 
 void main() {
-    float cover = 1.0;
-    if (hatch.y > 0.0) {
-        float phase = mod((pixel.x + pixel.y) * 0.70710678, hatch.y);
-        float away = min(phase, hatch.y - phase);
-        // The ground of a hatched area is filled lightly.
-        cover = 0.22 + 0.78 * clamp((hatch.z * 0.5 - away) * hatch.w + 0.5, 0.0, 1.0);
-    }
-    fragColor = color * cover;
+    fragColor = color;
 }

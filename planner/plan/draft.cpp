@@ -1,0 +1,63 @@
+#include "planner/plan/draft.h"
+
+#include "planner/decomposition/decomposition.h"
+#include "planner/headland/finishing_passes.h"
+#include "planner/headland/headland_passes.h"
+#include "planner/headland/methods.h"
+#include "planner/plan/general_parameters.h"
+#include "planner/plan/method_registry.h"
+#include "planner/swaths/methods.h"
+#include "planner/turns/best_feasible.h"
+#include "planner/turns/dubins.h"
+#include "planner/turns/reeds_shepp.h"
+
+#include <algorithm>
+#include <array>
+
+namespace furrow {
+
+namespace {
+
+void choose(Settings& settings, std::string_view stage, std::string_view method) {
+    const auto info = std::ranges::find(stages(), stage, &StageInfo::id);
+    settings.set(*info->method, std::string{method}).value();
+}
+
+/// Methods that try many headings.
+bool searchesHeading(const Settings& settings) {
+    return std::ranges::contains(std::array{kExactMethod.run, kBruteForceMethod.run, kOksanenMethod.run},
+                                 swathMethod(settings));
+}
+
+}  // namespace
+
+PlanRequest draftOf(PlanRequest request, const Plan* before) {
+    Settings& settings = request.settings;
+    request.draft = true;
+    if (searchesHeading(settings)) {
+        if (before != nullptr) {
+            choose(settings, "swaths", kFixedHeadingMethod.info.id);
+            settings.set(kAngle, inDegrees(before->swaths.heading)).value();
+        } else {
+            choose(settings, "swaths", kLongestEdgeMethod.info.id);
+        }
+    }
+    settings.clear(kCellHeading);
+    const bool ownWidth = settings.isSet(kHeadlandWidth) || settings.isSet(kHeadlandPasses);
+    if (headlandMethod(settings) == kConstantWidthMethod.run && before != nullptr && !ownWidth &&
+        before->headland.width > metres(0.0)) {
+        // As wide as the passes make it that are left out.
+        settings.set(kHeadlandWidth, before->headland.width.si()).value();
+    }
+    settings.set(kHeadlandDriven, false).value();
+    settings.set(kHeadlandFinish, false).value();
+    settings.set(kStayInside, false).value();
+    if (turnMethod(settings) == kBestFeasibleMethod.run) {
+        const auto& spec = request.machine.spec();
+        const bool reverses = spec.tractor.canReverse && spec.implement.canReverse;
+        choose(settings, "path", reverses ? kReedsSheppMethod.info.id : kDubinsMethod.info.id);
+    }
+    return request;
+}
+
+}  // namespace furrow

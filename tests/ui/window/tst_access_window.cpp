@@ -1,0 +1,164 @@
+#include "tests/ui/window/window_test.h"
+
+#include <QAccessible>
+#include <QSet>
+
+using namespace furrow;
+using namespace furrow::test;
+
+/// The window for those who use no mouse, read no screen, or work with a finger in a glove.
+class TestAccessWindow : public WindowTest {
+    Q_OBJECT
+
+    static bool isControl(const QQuickItem& item) {
+        return item.inherits("QQuickAbstractButton") || item.inherits("QQuickTextInput") || item.inherits("QQuickSlider") ||
+               item.inherits("QQuickComboBox");
+    }
+    /// Every control that is seen below an item.
+    static void collect(QQuickItem* below, std::vector<QQuickItem*>& controls) {
+        if (!below->isVisible()) {
+            return;
+        }
+        if (isControl(*below) && below->isEnabled() && below->width() > 0.0) {
+            controls.push_back(below);
+        }
+        // A combo box shows itself; what it is made of is no control of its own.
+        if (!below->inherits("QQuickComboBox")) {
+            for (QQuickItem* child : below->childItems()) {
+                collect(child, controls);
+            }
+        }
+    }
+    static QString described(const QQuickItem& item) {
+        return QStringLiteral("%1 \"%2\" %3x%4").arg(QLatin1String{item.metaObject()->className()}, item.objectName()).arg(item.width()).arg(item.height());
+    }
+    void check(const char* page) {
+        std::vector<QQuickItem*> controls;
+        collect(window_->contentItem(), controls);
+        QVERIFY(!controls.empty());
+        QStringList unnamed;
+        QStringList small;
+        for (QQuickItem* control : controls) {
+            QAccessibleInterface* accessible = QAccessible::queryAccessibleInterface(control);
+            if (accessible == nullptr || accessible->text(QAccessible::Name).isEmpty()) {
+                unnamed << described(*control);
+            }
+            // 9 mm at 96 pixels an inch.
+            const auto* mask = qobject_cast<QQuickItem*>(control->containmentMask());
+            if ((mask != nullptr ? mask->height() : control->height()) < 34.0) {
+                small << described(*control);
+            }
+        }
+        QVERIFY2(unnamed.isEmpty(), qPrintable(QStringLiteral("%1, without a name: %2").arg(QLatin1String{page}, unnamed.join(QStringLiteral("; ")))));
+        QVERIFY2(small.isEmpty(), qPrintable(QStringLiteral("%1, too small: %2").arg(QLatin1String{page}, small.join(QStringLiteral("; ")))));
+    }
+
+private slots:
+    void everyControlHasANameAndRoomForAFinger() {
+        check("empty");
+        openSample(QStringLiteral("Home Field"));
+        check("plan");
+        for (int row = 0; row < session_->steps()->rowCount(); ++row) {
+            const QString step = session_->steps()->data(session_->steps()->index(row), StepsModel::StepIdRole).toString();
+            item(QStringLiteral("stepsPanel"))->setProperty("openStep", step);
+            waitForRest(*item(QStringLiteral("step.") + step));
+            check(qPrintable(step));
+        }
+        click(QStringLiteral("layersTool"));
+        check("layers");
+        key(Qt::Key_L, Qt::ControlModifier);
+        key(Qt::Key_K, Qt::ControlModifier);
+        check("palette");
+        key(Qt::Key_Escape);
+        key(Qt::Key_F1);
+        check("keys");
+        key(Qt::Key_Escape);
+        click(QStringLiteral("exportButton"));
+        QTRY_VERIFY(item(QStringLiteral("export.write")) != nullptr && item(QStringLiteral("export.write"))->isVisible());
+        check("export");
+        key(Qt::Key_Escape);
+    }
+    void theTabKeyReachesEverythingAndComesBack() {
+        openSample(QStringLiteral("Home Field"));
+        key(Qt::Key_Tab);
+        QSet<QString> reached;
+        QQuickItem* first = window_->activeFocusItem();
+        int steps = 0;
+        do {
+            reached << window_->activeFocusItem()->objectName();
+            QVERIFY2(window_->activeFocusItem()->isVisible(), qPrintable(described(*window_->activeFocusItem())));
+            key(Qt::Key_Tab);
+            ++steps;
+        } while (window_->activeFocusItem() != first && steps < 200);
+        QVERIFY2(steps < 200, "the tab key runs in no circle");
+        for (const char* name : {"openButton", "exportButton", "searchButton", "themeSwitch", "drawTool", "layersTool",
+                                 "step.headland", "editLayer", "finding.0"}) {
+            QVERIFY2(reached.contains(QLatin1String{name}), qPrintable(QStringLiteral("%1 is not among %2").arg(QLatin1String{name}, QStringList{reached.values()}.join(u' '))));
+        }
+    }
+    void theTourIsTakenAndLeft() {
+        click(QStringLiteral("searchButton"));
+        type(QStringLiteral("tour"));
+        key(Qt::Key_Return);
+        QTRY_VERIFY(item(QStringLiteral("tour"))->isVisible());
+        check("tour");
+        picture(QStringLiteral("tour-1"));
+        const QVariant pages = item(QStringLiteral("tour"))->property("pages");
+        int page = 1;
+        while (item(QStringLiteral("tour"))->isVisible()) {
+            click(QStringLiteral("tour.next"));
+            if (page == 1) {
+                QTRY_COMPARE_WITH_TIMEOUT(session_->state(), PlanSession::State::Ready, 30000);
+                QCOMPARE(session_->fieldName(), QStringLiteral("Home Field"));
+            }
+            ++page;
+            if (item(QStringLiteral("tour"))->isVisible()) {
+                picture(QStringLiteral("tour-%1").arg(page));
+            }
+            QVERIFY(page < 20);
+        }
+        QCOMPARE(page - 1, 6);
+        // Again, and left with Esc at the second page.
+        click(QStringLiteral("searchButton"));
+        type(QStringLiteral("tour"));
+        key(Qt::Key_Return);
+        QTRY_VERIFY(item(QStringLiteral("tour"))->isVisible());
+        click(QStringLiteral("tour.next"));
+        key(Qt::Key_Escape);
+        QTRY_VERIFY(!item(QStringLiteral("tour"))->isVisible());
+    }
+    void picturesOfEveryTheme_data() {
+        QTest::addColumn<QString>("name");
+        QTest::addColumn<int>("mode");
+        QTest::addColumn<QSize>("size");
+        for (const QSize size : {QSize{1440, 900}, QSize{1000, 700}}) {
+            for (const auto& [name, mode] : {std::pair{"light", 1}, {"dark", 2}, {"sunlight", 3}}) {
+                const QString row = QStringLiteral("%1-%2").arg(QLatin1String{name}).arg(size.width());
+                QTest::newRow(qPrintable(row)) << row << mode << size;
+            }
+        }
+    }
+    /// For people to look at.
+    void picturesOfEveryTheme() {
+        QFETCH(QString, name);
+        QFETCH(int, mode);
+        QFETCH(QSize, size);
+        engine_->singletonInstance<QObject*>("Furrow.Controls", "Theme")->setProperty("forced", mode);
+        window_->resize(size);
+        openSample(QStringLiteral("Three Ponds"));
+        picture(QStringLiteral("plan-") + name);
+        click(QStringLiteral("layersTool"));
+        item(QStringLiteral("layerSwitches"))->setProperty("coverage", true);
+        item(QStringLiteral("layerSwitches"))->setProperty("overlap", true);
+        item(QStringLiteral("layerSwitches"))->setProperty("wheels", true);
+        QTRY_VERIFY(item(QStringLiteral("layersPanel"))->isVisible());
+        picture(QStringLiteral("layers-") + name);
+        click(QStringLiteral("layersPanel.close"));
+        item(QStringLiteral("stepsPanel"))->setProperty("openStep", QStringLiteral("swaths"));
+        waitForRest(*item(QStringLiteral("step.swaths")));
+        picture(QStringLiteral("swaths-") + name);
+    }
+};
+
+QTEST_MAIN(TestAccessWindow)
+#include "tst_access_window.moc"
