@@ -12,6 +12,16 @@
     </message>
 </context>
 <context>
+    <name>ExportStickPage</name>
+    <message numerus="yes">
+        <source>and %n more</source>
+        <translation>
+            <numerusform>and %n more</numerusform>
+            <numerusform>and %n more</numerusform>
+        </translation>
+    </message>
+</context>
+<context>
     <name>FieldChooser</name>
     <message numerus="yes">
         <source>Which of the %n field(s)?</source>

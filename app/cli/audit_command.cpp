@@ -65,7 +65,7 @@ void printReport(const WrittenPlan& plan, const AuditReport& report) {
         const Finding& finding = report.findings[i].finding;
         const GeoPoint place = plan.frame.toGeo(finding.place);
         std::println("  {} {:3}  {}{}{} ({:.6f}, {:.6f})", finding.severity == Severity::Blocking ? "!" : " ",
-                     i + 1, finding.text, finding.suggestion.empty() ? "" : " ", finding.suggestion,
+                     i + 1, finding.text.text(), finding.suggestion.empty() ? "" : " ", finding.suggestion.text(),
                      place.lonDeg, place.latDeg);
     }
 }

@@ -40,7 +40,7 @@ Result<std::vector<FieldContent>> fieldsFrom(const ConvertArguments& arguments, 
         return std::unexpected(imported.error());
     }
     const auto tell = [&notes](const Note& note) {
-        notes.push_back(note.where.empty() ? note.text : std::format("{} ({})", note.text, note.where));
+        notes.push_back(note.where.empty() ? note.text.text() : std::format("{} ({})", note.text.text(), note.where.text()));
     };
     for (const Note& note : imported->notes) {
         tell(note);
@@ -73,7 +73,7 @@ Result<std::vector<FieldContent>> fieldsFrom(const ConvertArguments& arguments, 
             continue;
         }
         for (const Note& repair : field->repairs()) {
-            tell({std::format("'{}': {}", content.field.name, repair.text), repair.where, {}});
+            tell({std::format("'{}': {}", content.field.name, repair.text.text()), repair.where, {}});
         }
         content.field = field->source();
         content.area = field->area();

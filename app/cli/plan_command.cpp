@@ -83,7 +83,7 @@ void printPlan(const Plan& plan, const WrittenFiles& written, const Terminal* te
         const Finding& finding = plan.findings[i];
         const GeoPoint place = plan.field().frame().toGeo(finding.place);
         std::println("  {} {:3}  {} {} ({:.6f}, {:.6f})", finding.severity == Severity::Blocking ? "!" : " ",
-                     i + 1, finding.text, finding.suggestion, place.lonDeg, place.latDeg);
+                     i + 1, finding.text.text(), finding.suggestion.text(), place.lonDeg, place.latDeg);
     }
     if (plan.findings.size() > kMostShown) {
         std::println("       and {} more in summary.json", plan.findings.size() - kMostShown);

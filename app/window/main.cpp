@@ -2,6 +2,7 @@
 #include "app/window/self_test.h"
 #include "ui/plan/plan_session.h"
 #include "ui/shell/window_tools.h"
+#include "ui/text/display.h"
 
 #include <QCommandLineParser>
 #include <QGuiApplication>
@@ -9,6 +10,7 @@
 #include <QQuickWindow>
 #include <QStandardPaths>
 
+#include <algorithm>
 #include <cstdio>
 
 namespace {
@@ -18,6 +20,8 @@ struct Arguments {
     QString fieldId;
     QString screenshot;
     QString theme;
+    QString language;
+    QString units;
     QSize size;
     bool selfTest = false;
 };
@@ -42,12 +46,17 @@ Arguments argumentsOf(const QGuiApplication& application) {
     const QCommandLineOption size{QStringLiteral("size"), QStringLiteral("Size of the window."), QStringLiteral("WxH")};
     const QCommandLineOption theme{QStringLiteral("colours"), QStringLiteral("light, dark or sunlight, this time only."),
                                    QStringLiteral("NAME")};
-    parser.addOptions({fieldId, selfTest, screenshot, size, theme});
+    const QCommandLineOption language{QStringLiteral("language"), QStringLiteral("en, de, nl, fr, es, pt_BR or pt_PT, this time only."),
+                                      QStringLiteral("CODE")};
+    const QCommandLineOption units{QStringLiteral("units"), QStringLiteral("metric or imperial, this time only."), QStringLiteral("NAME")};
+    parser.addOptions({fieldId, selfTest, screenshot, size, theme, language, units});
     parser.process(application);
     return {.file = parser.positionalArguments().value(0),
             .fieldId = parser.value(fieldId),
             .screenshot = parser.value(screenshot),
             .theme = parser.value(theme),
+            .language = parser.value(language),
+            .units = parser.value(units),
             .size = sizeFrom(parser.value(size)),
             .selfTest = parser.isSet(selfTest)};
 }
@@ -69,6 +78,9 @@ int main(int argc, char* argv[]) {
         furrow::countMessages();
     }
 
+    furrow::Display::instance().force(arguments.language,
+                                      static_cast<furrow::Display::Units>(std::max<qsizetype>(
+                                          QStringList{QString{}, QStringLiteral("metric"), QStringLiteral("imperial")}.indexOf(arguments.units), 0)));
     furrow::PlanSession session;
     QQmlApplicationEngine engine;
     const bool forPeople = arguments.screenshot.isEmpty() && !arguments.selfTest;

@@ -4,7 +4,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <format>
 #include <set>
 #include <tuple>
 #include <utility>
@@ -19,23 +18,12 @@ constexpr double kMissedShare = 0.01;
 constexpr double kMissedPieceM2 = 100.0;
 constexpr std::size_t kMostMissedPieces = 20;
 
-std::string capitalised(std::string text) {
-    if (!text.empty() && text.front() >= 'a' && text.front() <= 'z') {
-        text.front() = static_cast<char>(text.front() - 'a' + 'A');
-    }
-    return text;
+Message areaText(Area area) {
+    return area < squareMetres(1000.0) ? message("{:.0f} m²", area.si())
+                                       : message("{:.2f} ha", inHectares(area));
 }
 
-std::string areaText(Area area) {
-    return area < squareMetres(1000.0) ? std::format("{:.0f} m²", area.si())
-                                       : std::format("{:.2f} ha", inHectares(area));
-}
-
-std::string passName(SegmentKind kind, int number) {
-    return std::format("{} {}", kind == SegmentKind::HeadlandPass ? "headland pass" : "swath", number);
-}
-
-std::string segmentName(const AuditInput& input, std::size_t index) {
+Message segmentName(const AuditInput& input, std::size_t index) {
     const PathSegment& segment = input.segments[index];
     switch (segment.kind) {
         case SegmentKind::Swath:
@@ -43,14 +31,16 @@ std::string segmentName(const AuditInput& input, std::size_t index) {
         case SegmentKind::Refill: return "the way to refill";
         default: break;
     }
-    const std::string what = segment.kind == SegmentKind::Transfer ? "transfer" : "turn";
+    const bool transfer = segment.kind == SegmentKind::Transfer;
     for (std::size_t before = index; before > 0; --before) {
         const PathSegment& worked = input.segments[before - 1];
         if (worked.implementDown && worked.number > 0) {
-            return std::format("the {} after {}", what, passName(worked.kind, worked.number));
+            const Message pass = passName(worked.kind, worked.number);
+            return transfer ? message("the transfer after {}", pass) : message("the turn after {}", pass);
         }
     }
-    return std::format("the {} at {:.0f} m", what, segment.samples.front().sM);
+    const double atM = segment.samples.front().sM;
+    return transfer ? message("the transfer at {:.0f} m", atM) : message("the turn at {:.0f} m", atM);
 }
 
 /// A place inside: the middle of the longest cut at half height.
@@ -96,7 +86,7 @@ public:
     }
 
 private:
-    void add(Severity severity, std::string kind, Point place, std::string text, std::string suggestion,
+    void add(Severity severity, std::string kind, Point place, Message text, Message suggestion,
              std::optional<std::size_t> segment = std::nullopt) {
         findings_.push_back({{.severity = severity,
                               .kind = std::move(kind),
@@ -106,7 +96,7 @@ private:
                              segment});
     }
 
-    std::string named(std::size_t segment) const { return capitalised(segmentName(input_, segment)); }
+    Message named(std::size_t segment) const { return segmentName(input_, segment).capitalised(); }
 
     void reportClearance() {
         if (measured_.clearance == nullptr) {
@@ -125,21 +115,22 @@ private:
             found_.insert(i);
             if (at.beyondLand) {
                 add(Severity::Blocking, "outside", at.place,
-                    std::format("{} leaves the field by {:.2f} m.", named(i), -at.clearanceM),
+                    message("{} leaves the field by {:.2f} m.", named(i), -at.clearanceM),
                     "Make the headland wider, or choose tighter turns.", i);
             } else {
                 add(Severity::Blocking, "obstacle", at.place,
-                    std::format("{} crosses an obstacle, by {:.2f} m.", named(i), -at.clearanceM),
+                    message("{} crosses an obstacle, by {:.2f} m.", named(i), -at.clearanceM),
                     "Try another direction of the swaths, or plan the sides of the obstacle apart.", i);
             }
         }
         if (allowed.count > 0) {
             add(Severity::Note, "outside", allowed.place,
-                std::format("{} {} the field or {} an obstacle, by up to {:.2f} m, as this plan allows.",
-                            allowed.count == 1 ? named(allowed.segment)
-                                               : std::format("{} swaths and turns", allowed.count),
-                            allowed.count == 1 ? "leaves" : "leave", allowed.count == 1 ? "crosses" : "cross",
-                            allowed.worst),
+                allowed.count == 1
+                    ? message("{} leaves the field or crosses an obstacle, by up to {:.2f} m, as this plan allows.",
+                              named(allowed.segment), allowed.worst)
+                    : message("{} swaths and turns leave the field or cross an obstacle, by up to {:.2f} m, as this "
+                              "plan allows.",
+                              allowed.count, allowed.worst),
                 "Switch \"Stay inside\" on to keep them inside.");
         }
     }
@@ -149,8 +140,8 @@ private:
             const PathSegment& segment = input_.segments[i];
             if (!segment.drivable && !found_.contains(i)) {
                 add(Severity::Blocking, "undrivable", segment.samples[segment.samples.size() / 2].position,
-                    std::format("{} cannot be driven: {}.", named(i),
-                                segment.reason.empty() ? "the plan gives no reason" : segment.reason),
+                    message("{} cannot be driven: {}.", named(i),
+                                segment.reason.empty() ? Message{"the plan gives no reason"} : segment.reason),
                     "Make the headland wider, or choose other turns.", i);
             }
         }
@@ -159,7 +150,7 @@ private:
     void reportCurvature() {
         for (const auto& [segment, tight] : measured_.kinematics.tooTight) {
             add(Severity::Blocking, "curvature", tight.place,
-                std::format("{} bends with a radius of {:.2f} m; this machine needs {:.2f} m.",
+                message("{} bends with a radius of {:.2f} m; this machine needs {:.2f} m.",
                             named(segment), 1.0 / tight.worst, input_.machine->minTurningRadius().si()),
                 "Plan again with this machine's turning radius.", segment);
         }
@@ -179,18 +170,18 @@ private:
             switch (each.kind) {
                 case Break::Kind::Gap:
                     add(Severity::Blocking, "missing-turn", each.place,
-                        std::format("Nothing leads to the start of {}, {:.1f} m away.",
+                        message("Nothing leads to the start of {}, {:.1f} m away.",
                                     segmentName(input_, each.segment), each.size),
                         "Plan the turn that is missing here.", each.segment);
                     break;
                 case Break::Kind::Jump:
                     add(Severity::Blocking, "jump", each.place,
-                        std::format("{} jumps by {:.2f} m.", named(each.segment), each.size),
+                        message("{} jumps by {:.2f} m.", named(each.segment), each.size),
                         "Plan again; the path was changed or cut here.", each.segment);
                     break;
                 default:
                     add(Severity::Blocking, "heading", each.place,
-                        std::format("{} moves {:.0f} degrees off where the machine points.",
+                        message("{} moves {:.0f} degrees off where the machine points.",
                                     named(each.segment), inDegrees(radians(each.size))),
                         "Plan again; the heading or the gear is wrong here.", each.segment);
             }
@@ -198,9 +189,9 @@ private:
         if (onTheSpot.count > 0) {
             const bool can = measured_.shape.turnsOnTheSpot;
             add(can ? Severity::Note : Severity::Blocking, "heading-jump", onTheSpot.place,
-                std::format("The machine turns on the spot in {} {}, by up to {:.0f} degrees{}.",
-                            onTheSpot.count, onTheSpot.count == 1 ? "place" : "places",
-                            inDegrees(radians(onTheSpot.worst)), can ? "" : "; it cannot"),
+                message(can ? "The machine turns on the spot in {}, by up to {:.0f} degrees."
+                            : "The machine turns on the spot in {}, by up to {:.0f} degrees; it cannot.",
+                        placesOf(onTheSpot.count), inDegrees(radians(onTheSpot.worst))),
                 can ? "" : "Choose forward curves, or a machine that can.",
                 can ? std::nullopt : std::optional{onTheSpot.segment});
         }
@@ -214,8 +205,9 @@ private:
         const bool implementCan = !measured_.shape.trailingM || input_.machine->spec().implement.canReverse;
         if (!tractorCan || !implementCan) {
             add(Severity::Blocking, "reverse", measured_.kinematics.reversedPlace,
-                std::format("{:.0f} m are driven in reverse; {} cannot.", measured_.kinematics.reversedM,
-                            tractorCan ? "the trailed implement" : "this machine"),
+                message(tractorCan ? "{:.0f} m are driven in reverse; the trailed implement cannot."
+                                   : "{:.0f} m are driven in reverse; this machine cannot.",
+                        measured_.kinematics.reversedM),
                 "Choose forward curves.");
         }
     }
@@ -229,10 +221,11 @@ private:
             const PlannedPass& pass = input_.passes[i];
             add(Severity::Blocking, pass.kind == SegmentKind::HeadlandPass ? "dropped-pass" : "dropped-swath",
                 pass.line[pass.line.size() / 2],
-                std::format("{} is planned, but {} of it is driven with the implement down.",
-                            capitalised(passName(pass.kind, pass.number)),
-                            shares[i] == 0.0 ? std::string{"nothing"}
-                                             : std::format("only {:.0f} %", 100.0 * shares[i])),
+                shares[i] == 0.0
+                    ? message("{} is planned, but nothing of it is driven with the implement down.",
+                              passName(pass.kind, pass.number).capitalised())
+                    : message("{} is planned, but only {:.0f} % of it is driven with the implement down.",
+                              passName(pass.kind, pass.number).capitalised(), 100.0 * shares[i]),
                 "Plan again; the path lacks this pass.");
         }
     }
@@ -248,14 +241,14 @@ private:
             }
             ++told;
             add(Severity::Blocking, "missed", placeInside(piece),
-                std::format("{} in one piece are not worked.", areaText(area(piece))),
+                message("{} in one piece are not worked.", areaText(area(piece))),
                 "Try another direction of the swaths, or let the last pass overlap.");
         }
         if (told == 0 && tooMuch && !swept.dropped.empty()) {
             add(Severity::Blocking, "missed", placeInside(swept.dropped.front()),
-                std::format("{} are not worked, {:.1f} % of the field, in {} {}; this is the largest.",
-                            areaText(swept.droppedArea), 100.0 * (swept.droppedArea / area(input_.workable)),
-                            swept.dropped.size(), swept.dropped.size() == 1 ? "piece" : "pieces"),
+                message("{} are not worked, {:.1f} % of the field, in {}; this is the largest.",
+                        areaText(swept.droppedArea), 100.0 * (swept.droppedArea / area(input_.workable)),
+                        counted("{} piece", "{} pieces", swept.dropped.size())),
                 "Try another direction of the swaths, or let the last pass overlap.");
         }
     }
@@ -266,15 +259,17 @@ private:
             return;
         }
         add(Severity::Note, "headland-not-worked", placeInside(swept.strip.front()),
-            std::format("The headland strip, {}, is not worked by this plan{}.", areaText(swept.stripArea),
-                        swept.laneEnds > squareMetres(0.5)
-                            ? std::format(", nor are {} at the ends of the swaths beside it",
-                                          areaText(swept.laneEnds))
-                            : ""),
+            swept.laneEnds > squareMetres(0.5)
+                ? message("The headland strip, {}, is not worked by this plan, nor are {} at the ends of the swaths "
+                          "beside it.",
+                          areaText(swept.stripArea), areaText(swept.laneEnds))
+                : message("The headland strip, {}, is not worked by this plan.", areaText(swept.stripArea)),
             "Work it along the boundary, before or after the swaths.");
     }
 
-    void noteTrouble(const Trouble& trouble, std::string kind, std::string text, std::string suggestion) {
+    static Message placesOf(std::size_t count) { return counted("{} place", "{} places", count); }
+
+    void noteTrouble(const Trouble& trouble, std::string kind, Message text, Message suggestion) {
         if (trouble.count > 0) {
             add(Severity::Note, std::move(kind), trouble.place, std::move(text), std::move(suggestion));
         }
@@ -283,26 +278,24 @@ private:
     void reportNotes() {
         const Kinematics& found = measured_.kinematics;
         noteTrouble(found.rate, "curvature-rate",
-                    std::format("The steering has to turn faster than this machine can in {} {}.",
-                                found.rate.count, found.rate.count == 1 ? "place" : "places"),
+                    message("The steering has to turn faster than this machine can in {}.",
+                            placesOf(found.rate.count)),
                     "Slow down or stop there to steer, or choose turns with continuous curvature.");
         noteTrouble(found.mismatch, "stated-curvature",
-                    std::format("The stated curvature differs from the path in {} {}, by up to {:.3f} 1/m.",
-                                found.mismatch.count, found.mismatch.count == 1 ? "place" : "places",
-                                found.mismatch.worst),
+                    message("The stated curvature differs from the path in {}, by up to {:.3f} 1/m.",
+                            placesOf(found.mismatch.count), found.mismatch.worst),
                     "Plan again, or trust the positions.");
         noteTrouble(
             found.speed, "speed",
-            std::format("The stated speed is up to {:.2f} m/s above the machine's.", found.speed.worst),
+            message("The stated speed is up to {:.2f} m/s above the machine's.", found.speed.worst),
             "Lower the speeds, or correct the machine's.");
         noteTrouble(
             found.lateral, "lateral-acceleration",
-            std::format("Curves are driven with up to {:.1f} m/s² sideways; the machine's limit is less.",
+            message("Curves are driven with up to {:.1f} m/s² sideways; the machine's limit is less.",
                         found.lateral.worst),
             "Drive the curves more slowly.");
         noteTrouble(found.time, "time",
-                    std::format("Time and way do not fit the speed in {} {}.", found.time.count,
-                                found.time.count == 1 ? "place" : "places"),
+                    message("Time and way do not fit the speed in {}.", placesOf(found.time.count)),
                     "Plan again; the times were changed.");
         noteCrossedLanes();
         noteHitchAngle();
@@ -313,7 +306,7 @@ private:
         // One lane may be driven over at its end.
         if (traffic.onWorkedM + traffic.onUnworkedM > 1.5 * measured_.shape.operatingWidthM) {
             add(Severity::Note, "lanes-crossed", traffic.longestPlace,
-                std::format(
+                message(
                     "With the implement up, {:.0f} m are driven over worked land and {:.0f} m over land "
                     "that is worked later; {} is the longest.",
                     traffic.onWorkedM, traffic.onUnworkedM, segmentName(input_, traffic.longestSegment)),
@@ -333,9 +326,9 @@ private:
                 }
             }
             noteTrouble(angle, "hitch-angle",
-                        std::format("The hitch bends by {:.0f} degrees in {} {}; {:.0f} are allowed.",
-                                    inDegrees(radians(angle.worst)), angle.count,
-                                    angle.count == 1 ? "turn" : "turns", inDegrees(radians(limit))),
+                        message("The hitch bends by {:.0f} degrees in {}; {:.0f} are allowed.",
+                                inDegrees(radians(angle.worst)), counted("{} turn", "{} turns", angle.count),
+                                inDegrees(radians(limit))),
                         "Choose wider turns.");
         }
     }

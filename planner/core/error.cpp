@@ -5,11 +5,11 @@ namespace furrow {
 std::string Error::line() const {
     std::string text;
     if (!where.empty()) {
-        text += where + ": ";
+        text += where.text() + ": ";
     }
-    text += what;
+    text += what.text();
     if (!remedy.empty()) {
-        text += "; " + remedy;
+        text += "; " + remedy.text();
     }
     return text;
 }

@@ -1,6 +1,7 @@
 #pragma once
 
 #include "planner/core/geo_point.h"
+#include "planner/core/message.h"
 
 #include <optional>
 #include <string>
@@ -19,9 +20,9 @@ enum class ErrorCode {
 /// A failed operation, told in three parts: what, where, and what to do about it.
 struct Error {
     ErrorCode code = ErrorCode::InputRefused;
-    std::string what;               ///< one sentence without its final stop
-    std::string where;              ///< file, part, vertex or setting; empty where there is no place
-    std::string remedy;             ///< what the user can do; empty where nothing is known to help
+    Message what;               ///< one sentence without its final stop
+    Message where;              ///< file, part, vertex or setting; empty where there is no place
+    Message remedy;             ///< what the user can do; empty where nothing is known to help
     std::optional<GeoPoint> place;  ///< on the map, where it has one
 
     /// All three parts in one line, as the command line prints it.
@@ -35,8 +36,8 @@ Error cancelled();
 
 /// Something that worked, but that the user should know: a repaired boundary, a narrower headland.
 struct Note {
-    std::string text;
-    std::string where;
+    Message text;
+    Message where;
     std::optional<GeoPoint> place;
 
     friend bool operator==(const Note&, const Note&) = default;

@@ -1,7 +1,6 @@
 #include "planner/core/text_file.h"
 
 #include <algorithm>
-#include <format>
 
 namespace furrow {
 
@@ -10,10 +9,10 @@ std::string_view withoutByteOrderMark(std::string_view text) {
     return text.starts_with(kByteOrderMark) ? text.substr(kByteOrderMark.size()) : text;
 }
 
-std::string lineAndColumn(std::string_view text, std::size_t offset) {
+Message lineAndColumn(std::string_view text, std::size_t offset) {
     const std::string_view before = text.substr(0, std::min(offset, text.size()));
     const std::size_t lineBreak = before.rfind('\n');
-    return std::format("line {}, column {}", std::ranges::count(before, '\n') + 1,
+    return message("line {}, column {}", std::ranges::count(before, '\n') + 1,
                        before.size() - (lineBreak == std::string_view::npos ? 0 : lineBreak + 1) + 1);
 }
 

@@ -1,5 +1,7 @@
 #pragma once
 
+#include "planner/core/message.h"
+
 #include <cstddef>
 #include <string>
 #include <string_view>
@@ -10,6 +12,6 @@ namespace furrow {
 std::string_view withoutByteOrderMark(std::string_view text);
 
 /// "line 2, column 29": where an offset from 0 is, both counted from 1 as editors do.
-std::string lineAndColumn(std::string_view text, std::size_t offset);
+Message lineAndColumn(std::string_view text, std::size_t offset);
 
 }  // namespace furrow

@@ -253,7 +253,7 @@ std::string comparisonText(const ComparisonReport& report) {
                         report.format, report.tracks.size(), report.tracks.size() == 1 ? "track" : "tracks",
                         comparison.samples, 100.0 * comparison.matchedShare(), report.radius.si());
     for (const Note& note : report.notes) {
-        text += std::format("Note      {}\n", note.text);
+        text += std::format("Note      {}\n", note.text.text());
     }
     text += std::format("\n{:<16} {:>9} {:>8} {:>8} {:>8} {:>8}  km/h (planned)\n", "Beside the plan, m",
                         "positions", "median", "95 %", "largest", "mean");

@@ -3,7 +3,6 @@
 #include "planner/geometry/geos_bridge.h"
 
 #include <algorithm>
-#include <format>
 #include <iterator>
 #include <utility>
 
@@ -43,7 +42,7 @@ bool isSpike(Point before, Point tip, Point after) {
 
 class Repair {
 public:
-    Repair(const LocalFrame& frame, std::string what, const JobContext& job)
+    Repair(const LocalFrame& frame, Message what, const JobContext& job)
         : frame_{frame}, what_{std::move(what)}, job_{job} {}
 
     Result<RepairedBoundary> run(const std::vector<GeoPolygon>& parts) {
@@ -82,9 +81,8 @@ public:
             }
         }
         if (reversed_ > 0) {
-            note(std::format("{} the wrong way round and {} turned",
-                             reversed_ == 1 ? "1 ring ran" : std::format("{} rings ran", reversed_),
-                             reversed_ == 1 ? "was" : "were"),
+            note(counted("{} ring ran the wrong way round and was turned",
+                         "{} rings ran the wrong way round and were turned", reversed_),
                  parts.front().outer.front());
         }
         result.repairs = std::move(repairs_);
@@ -92,19 +90,19 @@ public:
     }
 
 private:
-    Error refused(std::string what, std::string remedy, std::optional<GeoPoint> place,
-                  std::string where) const {
+    Error refused(Message what, Message remedy, std::optional<GeoPoint> place,
+                  Message where) const {
         return {.code = ErrorCode::InputRefused,
                 .what = std::move(what),
-                .where = where.empty() ? what_ : what_ + ", " + where,
+                .where = where.empty() ? what_ : message("{}, {}", what_, where),
                 .remedy = std::move(remedy),
                 .place = place};
     }
 
-    void note(std::string text, GeoPoint place) { repairs_.push_back({std::move(text), what_, place}); }
+    void note(Message text, GeoPoint place) { repairs_.push_back({std::move(text), what_, place}); }
 
     Result<TwinPolygon> cleanedPolygon(const GeoPolygon& polygon, std::size_t index, std::size_t count) {
-        const std::string part = count > 1 ? std::format("part {}", index + 1) : std::string{};
+        const Message part = count > 1 ? message("part {}", index + 1) : Message{};
         TwinPolygon cleaned{.outer = cleanedRing(polygon.outer, true), .holes = {}};
         const auto place = polygon.outer.empty() ? std::nullopt : std::optional{polygon.outer.front()};
         if (cleaned.outer.local.size() < 3) {
@@ -117,7 +115,7 @@ private:
         for (std::size_t i = 0; i < polygon.holes.size(); ++i) {
             TwinRing hole = cleanedRing(polygon.holes[i], false);
             if (hole.local.size() < 3 || std::abs(signedAreaM2(hole.local)) < kNoAreaM2) {
-                note(std::format("hole {} encloses no area and was left out", i + 1),
+                note(message("hole {} encloses no area and was left out", i + 1),
                      polygon.holes[i].empty() ? polygon.outer.front() : polygon.holes[i].front());
                 continue;
             }
@@ -189,13 +187,12 @@ private:
             cleaned.local.push_back(local[index]);
         }
         if (doubled > 0) {
-            note(std::format("{} {} given twice and taken once", doubled,
-                             doubled == 1 ? "point was" : "points were"),
+            note(counted("{} point was given twice and taken once", "{} points were given twice and taken once",
+                         doubled),
                  ring[firstDoubled]);
         }
         if (spikes > 0) {
-            note(std::format("{} {} without area {} removed", spikes, spikes == 1 ? "spike" : "spikes",
-                             spikes == 1 ? "was" : "were"),
+            note(counted("{} spike without area was removed", "{} spikes without area were removed", spikes),
                  ring[firstSpike]);
         }
         if ((signedAreaM2(cleaned.local) > 0.0) != outer) {
@@ -277,7 +274,7 @@ private:
         const GeoPoint place = frame_.toGeo((*problem)->place);
         if (std::abs(signedM2 - enclosedM2) > sliverM2) {
             return std::unexpected(
-                refused(std::format("the line crosses itself at {:.7f}, {:.7f}", place.lonDeg, place.latDeg),
+                refused(message("the line crosses itself at {:.7f}, {:.7f}", place.lonDeg, place.latDeg),
                         "move one of the points there, so that it is clear which side is field", place, ""));
         }
         note("the line touches or crosses itself by a sliver; taken apart there", place);
@@ -295,13 +292,13 @@ private:
             if (m2 >= sliverM2) {
                 return false;
             }
-            note(std::format("a sliver of {:.2f} m² was left out", m2), frame_.toGeo(polygon.outer.front()));
+            note(message("a sliver of {:.2f} m² was left out", m2), frame_.toGeo(polygon.outer.front()));
             return true;
         });
     }
 
     const LocalFrame& frame_;
-    std::string what_;
+    Message what_;
     const JobContext& job_;
     std::vector<Note> repairs_;
     int reversed_ = 0;

@@ -6,7 +6,6 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
-#include <format>
 #include <functional>
 #include <iterator>
 #include <utility>
@@ -19,7 +18,7 @@ constexpr double kLargestExtentM = 100e3;
 constexpr std::size_t kMostVertices = 1'000'000;
 constexpr Length kBufferTolerance = metres(0.01);
 
-Error refused(const FieldSource& source, std::string where, std::string what, std::string remedy,
+Error refused(const FieldSource& source, Message where, Message what, Message remedy,
               std::optional<GeoPoint> place = std::nullopt) {
     std::string from = source.origin.empty() ? source.name : source.origin;
     if (!from.empty() && !where.empty()) {
@@ -35,7 +34,7 @@ Error refused(const FieldSource& source, std::string where, std::string what, st
 Result<void> checkCoordinates(const FieldSource& source, const GeoRing& ring, const std::string& ringName) {
     for (std::size_t i = 0; i < ring.size(); ++i) {
         const GeoPoint point = ring[i];
-        const std::string where = std::format("{}, point {}", ringName, i + 1);
+        const Message where = message("{}, point {}", ringName, i + 1);
         if (!std::isfinite(point.lonDeg) || !std::isfinite(point.latDeg)) {
             return std::unexpected(refused(source, where, "a coordinate is not a number",
                                            "correct or delete this point in the file"));
@@ -43,7 +42,7 @@ Result<void> checkCoordinates(const FieldSource& source, const GeoRing& ring, co
         if (std::abs(point.lonDeg) > 180.0 || std::abs(point.latDeg) > 90.0) {
             return std::unexpected(
                 refused(source, where,
-                        std::format("{}, {} is outside longitude -180 to 180 and latitude -90 to 90",
+                        message("{}, {} is outside longitude -180 to 180 and latitude -90 to 90",
                                     point.lonDeg, point.latDeg),
                         "check the file's coordinate system"));
         }
@@ -54,7 +53,7 @@ Result<void> checkCoordinates(const FieldSource& source, const GeoRing& ring, co
 Result<void> checkCoordinates(const FieldSource& source, const GeoPolygon& polygon, const std::string& name) {
     Result<void> checked = checkCoordinates(source, polygon.outer, name);
     for (std::size_t i = 0; checked && i < polygon.holes.size(); ++i) {
-        checked = checkCoordinates(source, polygon.holes[i], std::format("{}, hole {}", name, i + 1));
+        checked = checkCoordinates(source, polygon.holes[i], message("{}, hole {}", name, i + 1));
     }
     return checked;
 }
@@ -62,7 +61,7 @@ Result<void> checkCoordinates(const FieldSource& source, const GeoPolygon& polyg
 Result<void> checkSource(const FieldSource& source) {
     std::size_t vertices = 0;
     for (std::size_t i = 0; i < source.parts.size(); ++i) {
-        if (auto checked = checkCoordinates(source, source.parts[i], std::format("part {}", i + 1));
+        if (auto checked = checkCoordinates(source, source.parts[i], message("part {}", i + 1));
             !checked) {
             return checked;
         }
@@ -72,7 +71,7 @@ Result<void> checkSource(const FieldSource& source) {
         }
     }
     for (std::size_t i = 0; i < source.obstacles.size(); ++i) {
-        const std::string name = std::format("obstacle {}", i + 1);
+        const Message name = message("obstacle {}", i + 1);
         if (auto checked = checkCoordinates(source, source.obstacles[i].outline, name); !checked) {
             return checked;
         }
@@ -84,12 +83,12 @@ Result<void> checkSource(const FieldSource& source) {
     }
     for (std::size_t i = 0; i < source.gates.size(); ++i) {
         if (auto checked =
-                checkCoordinates(source, GeoRing{source.gates[i].position}, std::format("gate {}", i + 1));
+                checkCoordinates(source, GeoRing{source.gates[i].position}, message("gate {}", i + 1));
             !checked) {
             return checked;
         }
         if (!(source.gates[i].width >= metres(0.0)) || !std::isfinite(source.gates[i].width.si())) {
-            return std::unexpected(refused(source, std::format("gate {}", i + 1), "its width is not a length",
+            return std::unexpected(refused(source, message("gate {}", i + 1), "its width is not a length",
                                            "give a width of 0 m or more"));
         }
     }
@@ -98,7 +97,7 @@ Result<void> checkSource(const FieldSource& source) {
             refused(source, "boundary accuracy", "it is not a length", "give 0 m or more"));
     }
     if (vertices > kMostVertices) {
-        return std::unexpected(refused(source, "", std::format("the boundary has {} points", vertices),
+        return std::unexpected(refused(source, "", message("the boundary has {} points", vertices),
                                        "simplify it to at most a million"));
     }
     if (source.parts.empty() || source.parts.front().outer.empty()) {
@@ -157,8 +156,8 @@ Result<void> checkExtent(const FieldSource& source, const LocalFrame& frame) {
             const FarPoint far = farthestPoint(source);
             const GeoPoint place = source.parts[far.part].outer[far.index];
             return std::unexpected(refused(
-                source, std::format("part {}, point {}", far.part + 1, far.index + 1),
-                std::format("the field is more than 100 km across; {}, {} is farthest from the others",
+                source, message("part {}, point {}", far.part + 1, far.index + 1),
+                message("the field is more than 100 km across; {}, {} is farthest from the others",
                             place.lonDeg, place.latDeg),
                 "check the coordinate system, correct this point, or split the field", place));
         }
@@ -198,8 +197,8 @@ Result<Field> Field::create(const FieldSource& source, const JobContext& job) {
     field.drivable_ = field.boundary_;
     for (std::size_t i = 0; i < source.obstacles.size(); ++i) {
         const Obstacle& obstacle = source.obstacles[i];
-        const std::string name = obstacle.name.empty() ? std::format("obstacle {}", i + 1)
-                                                       : std::format("obstacle '{}'", obstacle.name);
+        const Message name = obstacle.name.empty() ? message("obstacle {}", i + 1)
+                                                       : message("obstacle '{}'", obstacle.name);
         auto outline = repairBoundary({obstacle.outline}, *frame, name, job);
         if (!outline) {
             return withOrigin(outline.error());

@@ -73,7 +73,7 @@ Result<LocalFrame> LocalFrame::fromProjString(std::string_view proj) {
     const auto longitude = number("+lon_0=");
     if (!proj.contains("+proj=tmerc") || !latitude || !longitude) {
         return std::unexpected(Error{.code = ErrorCode::InputRefused,
-                                     .what = std::format("'{}' is no local frame", proj),
+                                     .what = message("'{}' is no local frame", proj),
                                      .where = {},
                                      .remedy = "give a transverse Mercator with +lat_0 and +lon_0"});
     }

@@ -137,7 +137,7 @@ MultiPolygon fromGeos(const GEOSGeometry* geometry) {
 
 Error failed() {
     return {.code = ErrorCode::InputRefused,
-            .what = "the shape could not be computed with (" + context().message + ")",
+            .what = message("the shape could not be computed with ({})", context().message),
             .remedy = "check the boundary for crossings"};
 }
 
@@ -214,7 +214,7 @@ Result<MultiPolygon> combined(const MultiPolygon& a, const MultiPolygon& b, cons
 
 Error notALine(const std::string& wkt) {
     return {.code = ErrorCode::InputRefused,
-            .what = "'" + wkt + "' is not a line",
+            .what = message("'{}' is not a line", wkt),
             .where = {},
             .remedy = "write it like LINESTRING (4.1 52.0, 4.2 52.0)"};
 }

@@ -6,7 +6,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <format>
 
 namespace furrow {
 
@@ -86,12 +85,11 @@ Result<Headland> constantWidth(const HeadlandTask& task, const JobContext& job) 
         return std::unexpected(nothingLeft(margin));
     }
     if (headland.width < wanted) {
-        const std::string left = headland.passes == 0
-                                     ? std::string{"there is none"}
-                                     : std::format("it is {:.1f} m with {} {}", headland.width.si(),
-                                                   headland.passes, headland.passes == 1 ? "pass" : "passes");
         headland.notes.push_back(
-            {std::format("The field is too narrow for {:.1f} m of headland; {}", wanted.si(), left),
+            {headland.passes == 0
+                 ? message("The field is too narrow for {:.1f} m of headland; there is none", wanted.si())
+                 : message("The field is too narrow for {:.1f} m of headland; it is {:.1f} m with {}", wanted.si(),
+                           headland.width.si(), counted("{} pass", "{} passes", headland.passes)),
              "headland",
              {}});
     }

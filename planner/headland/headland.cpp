@@ -1,12 +1,11 @@
 #include "planner/headland/headland.h"
 
-#include <format>
 
 namespace furrow {
 
 Error nothingLeft(Length margin) {
     return {.code = ErrorCode::InputRefused,
-            .what = std::format("{} m of margin leaves nothing of the field to work", margin.si()),
+            .what = message("{} m of margin leaves nothing of the field to work", margin.si()),
             .where = "field.margin_m",
             .remedy = "give a smaller margin or check the obstacles"};
 }

@@ -26,7 +26,7 @@ int goOn(double /*share*/, const char* /*message*/, void* job) {
 }
 
 Error damaged(const std::string& where, const std::string& reason) {
-    return readFailed(where, reason.empty() ? "a part of it cannot be read" : "a part of it is damaged: " + reason,
+    return readFailed(where, reason.empty() ? Message{"a part of it cannot be read"} : message("a part of it is damaged: {}", reason),
                       "copy or export the file again");
 }
 

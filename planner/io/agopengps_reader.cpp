@@ -9,7 +9,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <format>
 #include <utility>
 
 namespace furrow {
@@ -94,7 +93,7 @@ public:
         }
         const auto start = startFix(*text);
         if (!start) {
-            return std::unexpected(inputRefused(std::format("{}, Field.txt", name_), "the line after StartFix is no place",
+            return std::unexpected(inputRefused(message("{}, Field.txt", name_), "the line after StartFix is no place",
                                                 "it needs latitude and longitude, as in 52.09,5.66"));
         }
         plane_ = AgOpenGpsPlane{*start};
@@ -120,8 +119,8 @@ public:
     }
 
 private:
-    void tell(std::string_view file, std::string text) {
-        imported_.notes.push_back({std::move(text), file.empty() ? name_ : std::format("{}, {}", name_, file)});
+    void tell(std::string_view file, Message text) {
+        imported_.notes.push_back({std::move(text), file.empty() ? Message{name_} : message("{}, {}", name_, file)});
     }
 
     std::optional<GeoPoint> startFix(std::string_view text) {
@@ -209,7 +208,7 @@ private:
     }
 
     Error damaged(const char* file, const Text& lines) const {
-        return inputRefused(std::format("{}, {}, line {}", name_, file, lines.lineNumber()),
+        return inputRefused(message("{}, {}, line {}", name_, file, lines.lineNumber()),
                             "the file is damaged here", "save the field again, or remove this file");
     }
 
@@ -225,7 +224,7 @@ private:
         while (const auto count = lines.count()) {
             const auto points = lines.points(*count);
             if (!points) {
-                tell("Headland.txt", std::format("the headland is left out: line {} is damaged", lines.lineNumber()));
+                tell("Headland.txt", message("the headland is left out: line {} is damaged", lines.lineNumber()));
                 return;
             }
             if (points->size() >= 3) {
@@ -271,7 +270,7 @@ private:
             const auto points = count ? lines.points(*count) : std::nullopt;
             if (!heading || !a || !b || !nudge || !mode || !visible || !points) {
                 tell("TrackLines.txt",
-                     std::format("the lines from line {} on are left out: it is damaged", lines.lineNumber()));
+                     message("the lines from line {} on are left out: it is damaged", lines.lineNumber()));
                 return;
             }
             if (*mode == kAbMode) {
@@ -280,7 +279,7 @@ private:
             } else if (points->size() >= 2) {
                 addCurve(*name, *points);
             } else {
-                tell("TrackLines.txt", std::format("'{}' is left out: its kind {} is not known", *name, *mode));
+                tell("TrackLines.txt", message("'{}' is left out: its kind {} is not known", *name, *mode));
             }
         }
     }
@@ -299,7 +298,7 @@ private:
             const bool good = heading && std::isfinite(*heading) && east && std::abs(*east) < kFarthestM && north &&
                               std::abs(*north) < kFarthestM;
             if (!good) {
-                tell("ABLines.txt", std::format("line {} is left out: it is damaged", lines.lineNumber()));
+                tell("ABLines.txt", message("line {} is left out: it is damaged", lines.lineNumber()));
                 continue;
             }
             content_.lines.push_back({.kind = GuidanceKind::APlus,
@@ -321,7 +320,7 @@ private:
             const auto points = count ? lines.points(*count) : std::nullopt;
             if (!heading || !points) {
                 tell("CurveLines.txt",
-                     std::format("the curves from line {} on are left out: it is damaged", lines.lineNumber()));
+                     message("the curves from line {} on are left out: it is damaged", lines.lineNumber()));
                 return;
             }
             if (points->size() >= 2) {
@@ -406,7 +405,7 @@ Result<ImportedFields> readAgOpenGpsFolder(const FileFolder& folder, const std::
         auto read = readAgOpenGps(field, file);
         if (!read) {
             first = first.what.empty() ? read.error() : first;
-            all.notes.push_back({std::format("the field '{}' is left out: {}", field, read.error().what), name});
+            all.notes.push_back({message("the field '{}' is left out: {}", field, read.error().what), name});
             continue;
         }
         std::ranges::move(read->fields, std::back_inserter(all.fields));

@@ -318,7 +318,7 @@ private:
             }
         }
         if (reversed > 0) {
-            made.notes.push_back(std::format(
+            made.notes.push_back(message(
                 "AgOpenGPS drives recorded paths forwards only, and this one reverses {} times: its {} forward "
                 "stretches are 'Part 01.rec' and so on, RecPath.txt is the first; {} under 5 m are left out.",
                 reversed, stretches.size(), all - stretches.size()));
@@ -346,10 +346,11 @@ Result<FormatFiles> writeAgOpenGps(const ExportJob& job) {
             FieldFolder{content, part, folder}.write(job, job.plan != nullptr && part == 0, made);
         }
         if (content.field.parts.size() > 1) {
-            made.notes.push_back(std::format(
-                "AgOpenGPS keeps one outline to a field: the {} parts of '{}' are fields of their own{}.",
-                content.field.parts.size(), content.field.name,
-                job.plan == nullptr ? "" : ", and the whole path is in the first"));
+            made.notes.push_back(message(
+                job.plan == nullptr ? "AgOpenGPS keeps one outline to a field: the {} parts of '{}' are fields of their own."
+                                    : "AgOpenGPS keeps one outline to a field: the {} parts of '{}' are fields of their "
+                                      "own, and the whole path is in the first.",
+                content.field.parts.size(), content.field.name));
         }
     }
     return made;

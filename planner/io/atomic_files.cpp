@@ -16,7 +16,7 @@ namespace fs = std::filesystem;
 
 Error writeFailed(const fs::path& path, std::error_code reason) {
     return {.code = ErrorCode::WriteFailed,
-            .what = "could not be written: " + reason.message(),
+            .what = message("could not be written: {}", reason.message()),
             .where = path.string(),
             .remedy = reason == std::errc::no_space_on_device ? "free some space or choose another folder"
                                                               : "check that the folder can be written to"};

@@ -17,15 +17,11 @@ namespace {
 
 constexpr std::size_t kFieldsListed = 20;
 
-Error usage(std::string what, std::string remedy) {
+Error usage(Message what, Message remedy) {
     return {.code = ErrorCode::Usage, .what = std::move(what), .where = "field", .remedy = std::move(remedy)};
 }
 
-std::string counted(std::size_t count, std::string_view one, std::string_view many) {
-    return std::format("{} {}", count, count == 1 ? one : many);
-}
-
-std::string described(const FieldSource& field, std::size_t number) {
+Message described(const FieldSource& field, std::size_t number) {
     std::string text = std::format("{}", number);
     if (field.id != text) {
         text += " " + field.id;
@@ -33,24 +29,24 @@ std::string described(const FieldSource& field, std::size_t number) {
     if (!field.name.empty() && field.name != field.id) {
         text += std::format(" '{}'", field.name);
     }
-    return std::format("{} ({:.2f} ha)", text, inHectares(areaOf(field)));
+    return message("{} ({:.2f} ha)", text, inHectares(areaOf(field)));
 }
 
-std::string listed(std::span<const FieldSource> fields) {
-    std::string text;
+Message listed(std::span<const FieldSource> fields) {
+    Message text;
     for (std::size_t i = 0; i < std::min(fields.size(), kFieldsListed); ++i) {
-        text += (i == 0 ? "" : ", ") + described(fields[i], i + 1);
+        text = i == 0 ? described(fields[i], i + 1) : message("{}, {}", text, described(fields[i], i + 1));
     }
     if (fields.size() > kFieldsListed) {
-        text += std::format(" and {} more", fields.size() - kFieldsListed);
+        text = message("{} and {} more", text, fields.size() - kFieldsListed);
     }
     return text;
 }
 
 Error noBoundary(const std::string& name, std::size_t lines) {
     return inputRefused(name,
-                        std::format("there is no field boundary in it, only {}",
-                                    counted(lines, "open line", "open lines")),
+                        message("there is no field boundary in it, only {}",
+                                    counted("{} open line", "{} open lines", lines)),
                         "export the field with its boundary");
 }
 
@@ -77,7 +73,7 @@ Result<FieldSource> pickField(std::span<const FieldSource> fields, std::optional
         if (fields.size() == 1) {
             return fields.front();
         }
-        return std::unexpected(usage(std::format("the file has {} fields: {}", fields.size(), listed(fields)),
+        return std::unexpected(usage(message("the file has {} fields: {}", fields.size(), listed(fields)),
                                      "choose one by its number, id or name with --field-id"));
     }
     const std::string_view wanted = *fieldId;
@@ -95,8 +91,8 @@ Result<FieldSource> pickField(std::span<const FieldSource> fields, std::optional
                 numbers += std::format("{}{}", numbers.empty() ? "" : ", ", i + 1);
             }
         }
-        return std::unexpected(usage(std::format("several fields are called '{}'", wanted),
-                                     std::format("choose one by its number in the file: {}", numbers)));
+        return std::unexpected(usage(message("several fields are called '{}'", wanted),
+                                     message("choose one by its number in the file: {}", numbers)));
     }
     std::size_t number = 0;
     const auto [end, error] = std::from_chars(wanted.data(), wanted.data() + wanted.size(), number);
@@ -111,10 +107,10 @@ Result<FieldSource> pickField(std::span<const FieldSource> fields, std::optional
     }
     const std::string nearest = nearestName(wanted, names);
     return std::unexpected(
-        usage(std::format("there is no field '{}' in the file", wanted),
+        usage(message("there is no field '{}' in the file", wanted),
               nearest.empty()
-                  ? std::format("it has {}: {}", counted(fields.size(), "field", "fields"), listed(fields))
-                  : std::format("did you mean '{}'?", nearest)));
+                  ? message("it has {}: {}", counted("{} field", "{} fields", fields.size()), listed(fields))
+                  : message("did you mean '{}'?", nearest)));
 }
 
 Area areaOf(const FieldSource& field) {

@@ -53,7 +53,7 @@ std::vector<BoundarySource> sourcesInZip(const std::string& path, const std::str
     }
     std::vector<BoundarySource> sources;
     for (const std::string& entry : sure.empty() ? perhaps : sure) {
-        sources.push_back({root + "/" + entry, std::format("{}, {}", name, entry)});
+        sources.push_back({root + "/" + entry, message("{}, {}", name, entry)});
     }
     return sources;
 }

@@ -5,7 +5,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <format>
 #include <limits>
 
 namespace furrow {
@@ -49,8 +48,8 @@ bool isThere(const GeoRing& hole, const std::vector<const FieldContent*>& fields
 
 }  // namespace
 
-std::vector<std::string> contentDifferences(std::span<const FieldContent> meant, const ImportedFields& read) {
-    std::vector<std::string> differences;
+std::vector<Message> contentDifferences(std::span<const FieldContent> meant, const ImportedFields& read) {
+    std::vector<Message> differences;
     for (const FieldContent& content : meant) {
         std::vector<const FieldContent*> found;
         for (const GeoPolygon& part : content.field.parts) {
@@ -60,7 +59,7 @@ std::vector<std::string> contentDifferences(std::span<const FieldContent> meant,
                 });
             });
             if (same == read.fields.end()) {
-                differences.push_back(std::format("a part of the boundary of '{}' is missing or another", content.field.name));
+                differences.push_back(message("a part of the boundary of '{}' is missing or another", content.field.name));
             } else if (!std::ranges::contains(found, &*same)) {
                 found.push_back(&*same);
             }
@@ -68,7 +67,7 @@ std::vector<std::string> contentDifferences(std::span<const FieldContent> meant,
         for (const GeoPolygon& part : content.field.parts) {
             for (const GeoRing& hole : part.holes) {
                 if (!isThere(hole, found)) {
-                    differences.push_back(std::format("a hole of '{}' is missing or another", content.field.name));
+                    differences.push_back(message("a hole of '{}' is missing or another", content.field.name));
                 }
             }
         }
@@ -78,7 +77,7 @@ std::vector<std::string> contentDifferences(std::span<const FieldContent> meant,
                                       other->lines, [](const GuidanceLine& line) { return !line.name.empty(); })));
         }
         if (!found.empty() && most < content.lines.size()) {
-            differences.push_back(std::format("{} of {} guidance lines of '{}' are there", most, content.lines.size(),
+            differences.push_back(message("{} of {} guidance lines of '{}' are there", most, content.lines.size(),
                                               content.field.name));
         }
     }

@@ -13,6 +13,6 @@ namespace furrow {
 /// More points on the same outline, parts that became fields, and what the format has no place for are no
 /// differences. Empty for what was meant.
 /// Cost: linear in the points, times the parts.
-std::vector<std::string> contentDifferences(std::span<const FieldContent> meant, const ImportedFields& read);
+std::vector<Message> contentDifferences(std::span<const FieldContent> meant, const ImportedFields& read);
 
 }  // namespace furrow

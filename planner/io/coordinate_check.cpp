@@ -111,7 +111,7 @@ private:
     bool bad() {
         bad_ = true;
         if (feature_ > 0) {
-            place_ = std::format("feature {}", feature_);
+            place_ = message("feature {}", feature_);
         }
         // Among positions a member that is none counts itself; inside one the arrays around it count.
         if (levels_.back().hasArrays) {
@@ -169,12 +169,12 @@ Result<void> checkGeoJson(std::string_view text, const std::string& name, bool o
     nlohmann::json::sax_parse(text, &check);
     if (check.foundBad()) {
         return std::unexpected(
-            inputRefused(check.place().empty() ? name : std::format("{}, {}", name, check.place()),
+            inputRefused(check.place().empty() ? Message{name} : message("{}, {}", name, check.place()),
                          "a coordinate is not a number", "give each point as [longitude, latitude]"));
     }
     if (!opened && check.brokeOff()) {
         return std::unexpected(readFailed(
-            std::format("{}, {}", name, lineAndColumn(text, check.brokeOffAt())),
+            message("{}, {}", name, lineAndColumn(text, check.brokeOffAt())),
             "this is not JSON from here on", "the file may be cut off or damaged; export it again"));
     }
     return {};
@@ -184,7 +184,7 @@ Result<void> checkDegrees(const VectorFeature& feature, const std::string& where
     if (const auto point = firstOutOfRange(feature)) {
         return std::unexpected(
             inputRefused(where,
-                         std::format("{:.3f}, {:.3f} is no longitude and latitude, and the file does not say "
+                         message("{:.3f}, {:.3f} is no longitude and latitude, and the file does not say "
                                      "which coordinate system it uses",
                                      point->lonDeg, point->latDeg),
                          "add the .prj file that belongs to it, or export the field again in WGS84"));

@@ -35,7 +35,7 @@ struct ExportJob {
 /// What one format makes of a job.
 struct FormatFiles {
     std::vector<FileToWrite> files;  ///< paths below the folder that is written to
-    std::vector<std::string> notes;  ///< what the receiver will not find in them, or should know
+    std::vector<Message> notes;  ///< what the receiver will not find in them, or should know
 };
 
 /// The common signature of all formats.

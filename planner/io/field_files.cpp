@@ -5,7 +5,6 @@
 #include "planner/io/gdal_writer.h"
 
 #include <algorithm>
-#include <format>
 #include <ranges>
 #include <string>
 #include <utility>
@@ -16,7 +15,7 @@ namespace {
 
 namespace fs = std::filesystem;
 
-Error noFormat(std::string what) {
+Error noFormat(Message what) {
     std::string known;
     for (const FormatInfo& format : formats()) {
         if (format.writesFields) {
@@ -26,7 +25,7 @@ Error noFormat(std::string what) {
     return {.code = ErrorCode::Usage,
             .what = std::move(what),
             .where = "OUT",
-            .remedy = "give a file name with an ending, or --format with one of: " + known};
+            .remedy = message("give a file name with an ending, or --format with one of: {}", known)};
 }
 
 Result<const FormatInfo*> formatFor(const fs::path& out, std::optional<std::string_view> formatId) {
@@ -42,7 +41,7 @@ Result<const FormatInfo*> formatFor(const fs::path& out, std::optional<std::stri
     if (!wanted.empty()) {
         const auto known = std::ranges::find(formats(), wanted, &FormatInfo::id);
         if (known == formats().end() || !known->writesFields) {
-            return std::unexpected(noFormat(std::format("fields cannot be written as '{}'", wanted)));
+            return std::unexpected(noFormat(message("fields cannot be written as '{}'", wanted)));
         }
         return &*known;
     }
@@ -57,7 +56,7 @@ Result<const FormatInfo*> formatFor(const fs::path& out, std::optional<std::stri
             }
         }
     }
-    return std::unexpected(noFormat(std::format("'{}' does not say which format is wanted", out.filename().string())));
+    return std::unexpected(noFormat(message("'{}' does not say which format is wanted", out.filename().string())));
 }
 
 /// Where the files of a format go for the name that was given.

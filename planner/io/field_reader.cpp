@@ -9,7 +9,6 @@
 
 #include <algorithm>
 #include <array>
-#include <format>
 #include <iterator>
 #include <system_error>
 #include <utility>
@@ -41,10 +40,10 @@ public:
             add(all_, *std::move(read));
             any_ = true;
         } else if (first_) {
-            all_.notes.push_back({"left out: " + read.error().what, where});
+            all_.notes.push_back({message("left out: {}", read.error().what), where});
         } else {
             first_ = read.error();
-            all_.notes.push_back({"left out: " + first_->what, where});
+            all_.notes.push_back({message("left out: {}", first_->what), where});
         }
     }
     Result<ImportedFields> result() && {
@@ -91,7 +90,7 @@ Result<ImportedFields> readAgGps(const FileFolder& folder, const FileFolder::Ent
         if (lines) {
             read->fields.front().lines = *std::move(lines);
         } else {
-            read->notes.push_back({"the swaths are left out: " + lines.error().what, folder.placeOf(*swaths)});
+            read->notes.push_back({message("the swaths are left out: {}", lines.error().what), folder.placeOf(*swaths)});
         }
     }
     return read;

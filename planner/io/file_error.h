@@ -8,7 +8,7 @@
 namespace furrow {
 
 /// A file that could not be read: not there, not readable, damaged.
-inline Error readFailed(std::string where, std::string what, std::string remedy) {
+inline Error readFailed(Message where, Message what, Message remedy) {
     return {.code = ErrorCode::ReadFailed,
             .what = std::move(what),
             .where = std::move(where),
@@ -16,7 +16,7 @@ inline Error readFailed(std::string where, std::string what, std::string remedy)
 }
 
 /// A file that was read and holds what cannot be planned with.
-inline Error inputRefused(std::string where, std::string what, std::string remedy) {
+inline Error inputRefused(Message where, Message what, Message remedy) {
     return {.code = ErrorCode::InputRefused,
             .what = std::move(what),
             .where = std::move(where),

@@ -124,7 +124,7 @@ Result<std::vector<FileFolder::Entry>> entriesUnder(const std::string& root, con
     }
     VSICloseDir(listing);
     if (tooMany) {
-        return std::unexpected(inputRefused(where, std::format("it holds more than {} files", kMostEntries),
+        return std::unexpected(inputRefused(where, message("it holds more than {} files", kMostEntries),
                                             "give the folder of one recording"));
     }
     if (packedBytes && bytes > kHarmlessBytes && bytes / kMostExpansion > *packedBytes) {
@@ -195,8 +195,8 @@ const FileFolder::Entry* FileFolder::find(std::string_view folder, std::string_v
 }
 
 std::string FileFolder::placeOf(const Entry& entry) const {
-    return entry.folder.empty() ? std::format("{}, {}", name_, entry.name)
-                                : std::format("{}, {}/{}", name_, entry.folder, entry.name);
+    return entry.folder.empty() ? message("{}, {}", name_, entry.name)
+                                : message("{}, {}/{}", name_, entry.folder, entry.name);
 }
 
 Result<std::string> FileFolder::read(const Entry& entry) const {

@@ -7,7 +7,6 @@
 #include "planner/io/robot_writers.h"
 #include "planner/io/text_writers.h"
 
-#include <format>
 #include <string>
 
 namespace furrow {
@@ -80,9 +79,9 @@ Result<const FormatInfo*> findPlanFormat(std::string_view id) {
         }
     }
     return std::unexpected(Error{.code = ErrorCode::Usage,
-                                 .what = std::format("plans cannot be written as '{}'", id),
+                                 .what = message("plans cannot be written as '{}'", id),
                                  .where = "--format",
-                                 .remedy = "use one or more of: " + known});
+                                 .remedy = message("use one or more of: {}", known)});
 }
 
 }  // namespace furrow

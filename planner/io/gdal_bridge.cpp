@@ -19,7 +19,6 @@
 #include <algorithm>
 #include <charconv>
 #include <cmath>
-#include <format>
 #include <limits>
 #include <memory>
 #include <mutex>
@@ -109,7 +108,7 @@ public:
             const char* name = source->GetName();
             return std::unexpected(
                 inputRefused(where,
-                             std::format("its coordinate system '{}' cannot be turned into WGS84",
+                             message("its coordinate system '{}' cannot be turned into WGS84",
                                          name == nullptr ? "" : name),
                              "export the field again in WGS84 (longitude and latitude)"));
         }
@@ -375,7 +374,7 @@ Result<void> readLayer(OGRLayer& layer, const BoundarySource& source, const Gdal
     }
     if (messages.failed()) {
         return std::unexpected(readFailed(source.name,
-                                          std::format("the file is damaged ({})", messages.failure()),
+                                          message("the file is damaged ({})", messages.failure()),
                                           "export or copy it again"));
     }
     return {};
@@ -403,7 +402,7 @@ Result<void> readWkt(const BoundarySource& source, const Reading& reading) {
         if (reading.job.stopRequested()) {
             return std::unexpected(cancelled());
         }
-        const std::string place = std::format("{}, {}", source.name, lineAndColumn(*text, at));
+        const Message place = message("{}, {}", source.name, lineAndColumn(*text, at));
         OGRSpatialReference system;
         if (inSmallLetters(std::string_view{*text}.substr(at, 5)) == "srid=") {
             int code = 0;
@@ -462,7 +461,7 @@ Result<void> readLoosePolygons(const BoundarySource& source, const Reading& read
     pugi::xml_document document;
     if (const pugi::xml_parse_result parsed = document.load_buffer(text->data(), text->size()); !parsed) {
         return std::unexpected(readFailed(
-            std::format("{}, {}", source.name, lineAndColumn(*text, static_cast<std::size_t>(parsed.offset))),
+            message("{}, {}", source.name, lineAndColumn(*text, static_cast<std::size_t>(parsed.offset))),
             "this is not XML from here on", "the file may be cut off or damaged; export it again"));
     }
     const auto nameColumn = std::ranges::find(reading.attributes, "name") - reading.attributes.begin();
@@ -472,7 +471,7 @@ Result<void> readLoosePolygons(const BoundarySource& source, const Reading& read
         const std::unique_ptr<OGRGeometry> geometry{OGRGeometryFactory::createFromGML(gml.str().c_str())};
         if (!geometry) {
             return std::unexpected(inputRefused(
-                std::format("{}, {}", source.name,
+                message("{}, {}", source.name,
                             lineAndColumn(*text, static_cast<std::size_t>(found.node().offset_debug()))),
                 "this polygon cannot be read", "check its coordinates"));
         }
@@ -523,7 +522,7 @@ Result<void> readSource(const BoundarySource& source, const Reading& reading) {
         }
         return std::unexpected(readFailed(
             source.name,
-            messages.failed() ? std::format("no boundary can be read from this file ({})", messages.failure())
+            messages.failed() ? message("no boundary can be read from this file ({})", messages.failure())
                               : "this is no boundary file that can be read",
             std::string{kBoundaryFormats}));
     }

@@ -20,7 +20,7 @@ namespace furrow {
 
 namespace {
 
-Error writeFailed(std::string what) {
+Error writeFailed(Message what) {
     return {.code = ErrorCode::WriteFailed, .what = std::move(what), .where = "", .remedy = "choose another format"};
 }
 
@@ -173,7 +173,7 @@ Result<std::vector<FileToWrite>> vectorFiles(VectorFormat format, const std::str
         return std::unexpected(cancelled());
     }
     if (!good) {
-        return std::unexpected(writeFailed(std::format("{} cannot be made: {}", name, messages.failure())));
+        return std::unexpected(writeFailed(message("{} cannot be made: {}", name, messages.failure())));
     }
     std::vector<std::string> names;
     const CPLStringList listed{VSIReadDir(memory.path().c_str())};
@@ -204,7 +204,7 @@ Result<std::string> zipOf(std::span<const FileToWrite> files) {
         good = CPLCloseZip(zip) == CE_None && good;
     }
     if (!good) {
-        return std::unexpected(writeFailed(std::format("the zip cannot be made: {}", messages.failure())));
+        return std::unexpected(writeFailed(message("the zip cannot be made: {}", messages.failure())));
     }
     return memory.bytes("out.zip");
 }
@@ -232,7 +232,7 @@ Result<std::vector<std::pair<double, double>>> UtmZone::project(std::span<const 
         y.push_back(point.latDeg);
     }
     if (!transform || (!x.empty() && transform->Transform(x.size(), x.data(), y.data()) == 0)) {
-        return std::unexpected(writeFailed(std::format("a point has no place in EPSG:{}", epsg)));
+        return std::unexpected(writeFailed(message("a point has no place in EPSG:{}", epsg)));
     }
     std::vector<std::pair<double, double>> projected;
     for (std::size_t i = 0; i < x.size(); ++i) {

@@ -77,7 +77,7 @@ public:
         }
         dropTwins();
         for (const auto& [what, count] : skipped_) {
-            notes.push_back({std::format("left out: {} {}", count, what), where_});
+            notes.push_back({message("left out: {} {}", count, Message{what}), where_});
         }
         std::ranges::move(notes_, std::back_inserter(notes));
         return std::move(field_);
@@ -85,13 +85,13 @@ public:
 
 private:
     void skip(const char* what) { ++skipped_[what]; }
-    void tell(std::string text) { notes_.push_back({std::move(text), where_}); }
+    void tell(Message text) { notes_.push_back({std::move(text), where_}); }
 
     std::optional<GeoPoint> pointOf(pugi::xml_node node) {
         const auto lat = decimal(attribute(node, "C"));
         const auto lon = decimal(attribute(node, "D"));
         if (!lat || !lon || std::abs(*lat) > 90.0 || std::abs(*lon) > 180.0) {
-            tell(std::format("'{}', '{}' is no latitude and longitude; what it belongs to was left out",
+            tell(message("'{}', '{}' is no latitude and longitude; what it belongs to was left out",
                              attribute(node, "C"), attribute(node, "D")));
             return std::nullopt;
         }
@@ -171,10 +171,9 @@ private:
             }
         }
         if (openRings_ > 0) {
-            field_.field.repairs.push_back({.text = std::format("{} did not end where {} and {} closed",
-                                                                openRings_ == 1 ? "1 ring" : std::format("{} rings", openRings_),
-                                                                openRings_ == 1 ? "it began" : "they began",
-                                                                openRings_ == 1 ? "was" : "were"),
+            field_.field.repairs.push_back({.text = counted("{} ring did not end where it began and was closed",
+                                                            "{} rings did not end where they began and were closed",
+                                                            openRings_),
                                             .where = "the boundary"});
         }
     }
@@ -338,7 +337,7 @@ Result<std::unique_ptr<pugi::xml_document>> parsed(std::string_view xml, const s
     auto document = std::make_unique<pugi::xml_document>();
     if (const auto result = document->load_buffer(xml.data(), xml.size()); !result) {
         return std::unexpected(readFailed(
-            std::format("{}, {}", where, lineAndColumn(xml, static_cast<std::size_t>(result.offset))),
+            message("{}, {}", where, lineAndColumn(xml, static_cast<std::size_t>(result.offset))),
             "this is not XML from here on", "the file may be cut off or damaged; copy or export it again"));
     }
     return document;
@@ -372,13 +371,13 @@ Result<ImportedFields> readIsoxml(std::string_view xml, const std::string& where
             continue;  // only these hold fields
         }
         if (++parts > kMostParts) {
-            return std::unexpected(inputRefused(where, std::format("it has more than {} parts", kMostParts),
+            return std::unexpected(inputRefused(where, message("it has more than {} parts", kMostParts),
                                                 "export fewer fields at once"));
         }
         const auto text = part(name);
         auto document = text ? parsed(*text, name) : std::unexpected(text.error());
         if (!document) {
-            imported.notes.push_back({std::format("the part {} is left out: {}", name, document.error().what), where});
+            imported.notes.push_back({message("the part {} is left out: {}", name, document.error().what), where});
             continue;
         }
         roots.push_back((*document)->child("XFC"));
@@ -395,7 +394,7 @@ Result<ImportedFields> readIsoxml(std::string_view xml, const std::string& where
                 imported.fields.push_back(std::move(content));
                 continue;
             }
-            imported.notes.push_back({std::format("the field '{}' has no boundary", content.field.name), where});
+            imported.notes.push_back({message("the field '{}' has no boundary", content.field.name), where});
             std::ranges::move(content.lines, std::back_inserter(imported.looseLines));
         }
     }

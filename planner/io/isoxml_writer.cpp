@@ -214,10 +214,10 @@ FormatFiles writeVersion(const ExportJob& job, IsoxmlVersion version) {
     std::string text = isoxmlText(job.fields, version, job.options);
     FormatFiles made;
     for (const std::string& problem : isoxmlProblems(text, job.fields)) {
-        made.notes.push_back("Terminals may refuse the task data: " + problem + ".");
+        made.notes.push_back(message("Terminals may refuse the task data: {}.", problem));
     }
     if (text.size() > kOldTerminalsBytes) {
-        made.notes.push_back(std::format("The task data has {:.1f} MB; old terminals take at most 2 MB.",
+        made.notes.push_back(message("The task data has {:.1f} MB; old terminals take at most 2 MB.",
                                          static_cast<double>(text.size()) / 1e6));
     }
     made.files.push_back({"TASKDATA/TASKDATA.XML", [text = std::move(text)] { return text; }});

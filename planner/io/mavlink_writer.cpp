@@ -79,10 +79,10 @@ std::vector<MissionItem> missionOf(const Plan& plan) {
     return items;
 }
 
-std::vector<std::string> notesOn(const std::vector<MissionItem>& items) {
-    std::vector<std::string> notes{"Relay 1 is on where the implement works."};
+std::vector<Message> notesOn(const std::vector<MissionItem>& items) {
+    std::vector<Message> notes{"Relay 1 is on where the implement works."};
     if (items.size() > kManyItems) {
-        notes.push_back(std::format(
+        notes.push_back(message(
             "The mission has {} items; controllers without a memory card hold about {}.", items.size(), kManyItems));
     }
     return notes;

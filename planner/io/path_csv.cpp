@@ -65,7 +65,7 @@ public:
             const auto found = std::ranges::find(names, kColumns[i]);
             if (found == names.end()) {
                 return std::unexpected(
-                    damagedPlan(where_ + ", line 1", std::format("there is no column {}", kColumns[i])));
+                    damagedPlan(where_ + ", line 1", message("there is no column {}", kColumns[i])));
             }
             at_[i] = static_cast<std::size_t>(found - names.begin());
         }
@@ -73,7 +73,7 @@ public:
     }
 
     Result<void> readRow(std::string_view line, std::size_t number) {
-        const std::string place = std::format("{}, line {}", where_, number);
+        const Message place = message("{}, line {}", where_, number);
         const std::vector<std::string_view> cells = cellsOf(line);
         std::array<double, kNumbers> value{};
         for (std::size_t i = 0; i < value.size(); ++i) {
@@ -81,13 +81,13 @@ public:
             const auto [end, error] = std::from_chars(cell.data(), cell.data() + cell.size(), value[i]);
             if (error != std::errc{} || end != cell.data() + cell.size() || !std::isfinite(value[i])) {
                 return std::unexpected(
-                    damagedPlan(place, std::format("{} is '{}', which is no number", kColumns[i], cell)));
+                    damagedPlan(place, message("{} is '{}', which is no number", kColumns[i], cell)));
             }
         }
         const std::string_view kindId = at_[kKind] < cells.size() ? cells[at_[kKind]] : std::string_view{};
         const auto kind = segmentKindFrom(kindId);
         if (!kind) {
-            return std::unexpected(damagedPlan(place, std::format("'{}' is no kind of segment", kindId)));
+            return std::unexpected(damagedPlan(place, message("'{}' is no kind of segment", kindId)));
         }
         if (path.segments.empty() || value[kOrder] != order_) {
             order_ = value[kOrder];
@@ -160,7 +160,7 @@ Result<Path> readPathCsv(std::string_view text, const std::string& where) {
         table.path.segments, [](const PathSegment& segment) { return segment.samples.size() < 2; });
     if (single != table.path.segments.end()) {
         return std::unexpected(damagedPlan(
-            where, std::format("segment {} has one sample only", single - table.path.segments.begin())));
+            where, message("segment {} has one sample only", single - table.path.segments.begin())));
     }
     return std::move(table.path);
 }

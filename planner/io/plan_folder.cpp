@@ -15,7 +15,7 @@ namespace fs = std::filesystem;
 namespace {
 
 Result<WrittenFiles> written(const fs::path& folder, const std::vector<FileToWrite>& files,
-                             std::vector<std::string> notes, const JobContext& job) {
+                             std::vector<Message> notes, const JobContext& job) {
     return writeTogether(folder, files, job).transform([&notes](std::vector<fs::path> paths) {
         return WrittenFiles{std::move(paths), std::move(notes)};
     });
@@ -43,7 +43,7 @@ Result<WrittenFiles> writePlanFolder(const Plan& plan, const fs::path& folder,
     }
     const FieldContent content = contentOf(plan, options);
     std::vector<FileToWrite> files{{"summary.json", [&plan] { return planSummaryJson(plan); }}};
-    std::vector<std::string> notes;
+    std::vector<Message> notes;
     for (const FormatInfo* format : wanted) {
         auto made = format->writer({.fields = {&content, 1}, .plan = &plan, .options = options, .job = job});
         if (!made) {

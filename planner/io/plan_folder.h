@@ -19,7 +19,7 @@ std::span<const std::string_view> standardPlanFormats();
 /// What an export came to.
 struct WrittenFiles {
     std::vector<std::filesystem::path> files;
-    std::vector<std::string> notes;  ///< what a receiver will not find, or should know
+    std::vector<Message> notes;  ///< what a receiver will not find, or should know
 };
 
 /// Writes a plan to a folder: summary.json always, and each format's files at its place (see FormatInfo). The

@@ -2,7 +2,6 @@
 
 #include "planner/io/file_folder.h"
 
-#include <format>
 #include <utility>
 
 namespace furrow {
@@ -29,7 +28,7 @@ GeoPolygon polygonOf(const Json& rings) {
 
 }  // namespace
 
-Error damagedPlan(const std::string& where, std::string what) {
+Error damagedPlan(Message where, Message what) {
     return {.code = ErrorCode::InputRefused,
             .what = std::move(what),
             .where = where,
@@ -54,7 +53,7 @@ Result<Json> planJson(const std::filesystem::path& path) {
     try {
         return Json::parse(*text);
     } catch (const Json::parse_error& error) {
-        return std::unexpected(damagedPlan(path.string(), std::format("it is not JSON (byte {})", error.byte)));
+        return std::unexpected(damagedPlan(path.string(), message("it is not JSON (byte {})", error.byte)));
     }
 }
 

@@ -15,7 +15,7 @@ namespace furrow {
 // members are missing or of another kind.
 
 /// InputRefused: a file of a plan that is not as Furrow writes it.
-Error damagedPlan(const std::string& where, std::string what);
+Error damagedPlan(Message where, Message what);
 
 /// ReadFailed: not there or not readable.
 Result<std::string> planFileBytes(const std::filesystem::path& path);

@@ -10,7 +10,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <format>
 #include <iterator>
 #include <optional>
 #include <string_view>
@@ -112,7 +111,7 @@ public:
             }
         } catch (const Json::exception&) {
             return std::unexpected(
-                damagedPlan(std::format("{}, feature {}", origin_, number), "it is not what a plan's is"));
+                damagedPlan(message("{}, feature {}", origin_, number), "it is not what a plan's is"));
         }
         std::ranges::stable_sort(segments, {}, &OrderedSegment::order);
         std::ranges::stable_sort(swaths, {}, &SwathFeature::order);
@@ -255,7 +254,7 @@ Result<WrittenPlan> readPlan(const fs::path& path, const JobContext& job) {
             }
         } else {
             return std::unexpected(damagedPlan(
-                path.string(), std::format("path.csv has {} segments and plan.geojson {}",
+                path.string(), message("path.csv has {} segments and plan.geojson {}",
                                            plan.segments.size(), features.segments.size())));
         }
     } else {

@@ -27,7 +27,7 @@ struct CloseDataset {
 };
 using Dataset = std::unique_ptr<GDALDataset, CloseDataset>;
 
-Error readFailed(const std::filesystem::path& path, std::string what) {
+Error readFailed(const std::filesystem::path& path, Message what) {
     return {.code = ErrorCode::ReadFailed,
             .what = std::move(what),
             .where = path.string(),

@@ -13,7 +13,6 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
-#include <format>
 #include <memory>
 #include <optional>
 #include <utility>
@@ -172,13 +171,13 @@ Result<ImportedFields> readRasterMask(const std::filesystem::path& path, const J
     const Dataset raster{GDALDataset::Open(std::filesystem::absolute(path).c_str(), GDAL_OF_RASTER | GDAL_OF_READONLY,
                                            kDrivers, nullptr, nullptr)};
     if (!raster || raster->GetRasterCount() == 0) {
-        return std::unexpected(readFailed(name, std::format("the picture cannot be read ({})", messages.failure()),
+        return std::unexpected(readFailed(name, message("the picture cannot be read ({})", messages.failure()),
                                           "export it again"));
     }
     const int width = raster->GetRasterXSize();
     const int height = raster->GetRasterYSize();
     if (static_cast<double>(width) * height > kMostPixels) {
-        return std::unexpected(inputRefused(name, std::format("it has {} by {} pixels", width, height),
+        return std::unexpected(inputRefused(name, message("it has {} by {} pixels", width, height),
                                             "give a picture of at most 100 million pixels"));
     }
     const auto placing = Placing::of(*raster, name);
@@ -222,7 +221,7 @@ Result<ImportedFields> readRasterMask(const std::filesystem::path& path, const J
                                             "worked pixels need a value other than 0"));
     }
     if (small > 0) {
-        imported.notes.push_back({std::format("{} small patches of worked pixels are left out", small), name});
+        imported.notes.push_back({message("{} small patches of worked pixels are left out", small), name});
     }
     imported.fields.push_back(std::move(content));
     return imported;

@@ -92,7 +92,7 @@ Result<std::string> databaseOf(const std::vector<NavPath>& paths) {
         good ? sqlite3_serialize(opened, "main", &size, 0) : nullptr, &sqlite3_free};
     if (!bytes) {
         return std::unexpected(Error{.code = ErrorCode::WriteFailed,
-                                     .what = std::format("the recording cannot be made: {}", sqlite3_errmsg(opened)),
+                                     .what = message("the recording cannot be made: {}", sqlite3_errmsg(opened)),
                                      .where = "rosbag2",
                                      .remedy = "choose the format rosbag2-mcap"});
     }
@@ -181,7 +181,7 @@ Result<FormatFiles> writeCoverageGoal(const ExportJob& job) {
     const Plan& plan = *job.plan;
     FormatFiles made;
     if (plan.field().boundary().size() > 1) {
-        made.notes.push_back(std::format("A goal of opennav_coverage has one outline: {} of {} parts are left out.",
+        made.notes.push_back(message("A goal of opennav_coverage has one outline: {} of {} parts are left out.",
                                          plan.field().boundary().size() - 1, plan.field().boundary().size()));
     }
     const bool driven = plan.headland.width > metres(0.0);

@@ -28,7 +28,7 @@ constexpr std::string_view kMcapMagic{"\x89MCAP0\r\n", 8};
 using Wants = std::function<bool(std::string_view)>;
 using Visit = std::function<Result<void>(const BagMessage&)>;
 
-Error damaged(const std::string& where, std::string what) {
+Error damaged(Message where, Message what) {
     return {.code = ErrorCode::ReadFailed,
             .what = std::move(what),
             .where = where,
@@ -37,7 +37,7 @@ Error damaged(const std::string& where, std::string what) {
 
 Error tooLarge(const std::string& where, std::uint64_t bytes) {
     return {.code = ErrorCode::InputRefused,
-            .what = std::format("a part of it states {} bytes, more than 256 MiB", bytes),
+            .what = message("a part of it states {} bytes, more than 256 MiB", bytes),
             .where = where,
             .remedy = "record the positions without pictures and point clouds"};
 }
@@ -188,7 +188,7 @@ private:
         } else if (!compression.empty()) {
             return std::unexpected(
                 Error{.code = ErrorCode::InputRefused,
-                      .what = std::format("its compression '{}' is not known", compression),
+                      .what = message("its compression '{}' is not known", compression),
                       .where = where_,
                       .remedy = "record with zstd, lz4 or no compression"});
         }
@@ -295,7 +295,7 @@ Result<void> visitSqlite(const fs::path& path, const Wants& wants, const Visit& 
         return std::unexpected(
             job.stopRequested()
                 ? cancelled()
-                : damaged(where, std::format("it is no rosbag2 that can be read ({})",
+                : damaged(where, message("it is no rosbag2 that can be read ({})",
                                              database ? sqlite3_errmsg(database.get()) : "no memory")));
     };
     if (status != SQLITE_OK) {

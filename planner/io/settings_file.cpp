@@ -4,7 +4,6 @@
 
 #include <nlohmann/json.hpp>
 
-#include <format>
 #include <fstream>
 #include <iterator>
 
@@ -47,7 +46,7 @@ Result<void> applyValue(Settings& settings, const std::string& key, const Json& 
     }
     if (!applied) {
         Error error = applied.error();
-        error.where = std::format("{}, {}", origin, error.where);
+        error.where = message("{}, {}", origin, error.where);
         return std::unexpected(error);
     }
     return {};
@@ -69,7 +68,7 @@ Result<void> applyObject(Settings& settings, const std::string& prefix, const Js
 }  // namespace
 
 Result<void> applySettingsJson(Settings& settings, std::string_view json, std::string_view origin) {
-    const auto refused = [&](std::string what) {
+    const auto refused = [&](Message what) {
         return std::unexpected(Error{.code = ErrorCode::InputRefused,
                                      .what = std::move(what),
                                      .where = std::string{origin},
@@ -80,7 +79,7 @@ Result<void> applySettingsJson(Settings& settings, std::string_view json, std::s
         return parsed.is_object() ? applyObject(settings, "", parsed, origin)
                                   : refused("it is not a JSON object");
     } catch (const Json::parse_error& error) {
-        return refused(std::format("it is not JSON (byte {})", error.byte));
+        return refused(message("it is not JSON (byte {})", error.byte));
     }
 }
 

@@ -8,7 +8,6 @@
 #include <algorithm>
 #include <cerrno>
 #include <cstring>
-#include <format>
 #include <fstream>
 #include <sstream>
 #include <system_error>
@@ -24,12 +23,12 @@ Error failed(ErrorCode code, const fs::path& path, int reason) {
     const std::string why = std::generic_category().message(reason);
     if (isGone(reason)) {
         return {.code = code,
-                .what = std::format("the stick does not answer any more ({})", why),
+                .what = message("the stick does not answer any more ({})", why),
                 .where = path.string(),
                 .remedy = "was it pulled out? Plug it in again and write once more"};
     }
     return {.code = code,
-            .what = std::format("{}: {}", code == ErrorCode::WriteFailed ? "could not be written" : "could not be read", why),
+            .what = message(code == ErrorCode::WriteFailed ? "could not be written: {}" : "could not be read: {}", why),
             .where = path.string(),
             .remedy = reason == ENOSPC  ? "free some space on the stick"
                       : reason == EROFS ? "take off the write protection of the stick"

@@ -20,7 +20,7 @@ constexpr const char* kTemporary = "FURROW.TMP";
 // Folders and tables take room, too.
 constexpr std::uintmax_t kSpareBytes = 256 * 1024;
 
-Error refused(ErrorCode code, std::string what, std::string remedy) {
+Error refused(ErrorCode code, Message what, Message remedy) {
     return {.code = code, .what = std::move(what), .where = "stick", .remedy = std::move(remedy)};
 }
 
@@ -69,7 +69,7 @@ Result<void> compare(const StickVolume& stick, const std::vector<Content>& conte
         }
         if (*read != content.bytes) {
             return std::unexpected(refused(ErrorCode::WriteFailed,
-                                           std::format("{} reads back other bytes than were written", content.path.string()),
+                                           message("{} reads back other bytes than were written", content.path.string()),
                                            "the stick is damaged: use another one"));
         }
     }
@@ -135,7 +135,7 @@ Result<void> checkRoom(const StickVolume& stick, const std::vector<Content>& con
     const std::uintmax_t needed = bytes + kSpareBytes + kLargestBlock * contents.size();
     if (info->freeBytes < needed) {
         return std::unexpected(refused(ErrorCode::WriteFailed,
-                                       std::format("the stick has {:.1f} MB free, and {:.1f} MB are needed",
+                                       message("the stick has {:.1f} MB free, and {:.1f} MB are needed",
                                                    static_cast<double>(info->freeBytes) / 1e6,
                                                    static_cast<double>(needed) / 1e6),
                                        "free some space on it, or use another one"));
@@ -162,10 +162,10 @@ Result<bool> compareContent(const StickVolume& stick, const std::vector<fs::path
         }
         std::ranges::move(read->fields, std::back_inserter(all.fields));
     }
-    const std::vector<std::string> differences = contentDifferences(meant, all);
+    const std::vector<Message> differences = contentDifferences(meant, all);
     if (!differences.empty()) {
         return std::unexpected(refused(ErrorCode::WriteFailed,
-                                       std::format("what is on the stick is not the plan: {}", differences.front()),
+                                       message("what is on the stick is not the plan: {}", differences.front()),
                                        "use another terminal's format, and report this"));
     }
     return true;
@@ -173,17 +173,17 @@ Result<bool> compareContent(const StickVolume& stick, const std::vector<fs::path
 
 }  // namespace
 
-std::vector<std::string> stickWarnings(const VolumeInfo& info) {
-    std::vector<std::string> warnings;
+std::vector<Message> stickWarnings(const VolumeInfo& info) {
+    std::vector<Message> warnings;
     constexpr std::string_view kUnknownToTerminals[] = {"exfat", "ntfs", "ntfs3", "fuseblk", "ext2",
                                                         "ext3",  "ext4", "btrfs", "xfs",     "hfsplus", "apfs"};
     if (std::ranges::contains(kUnknownToTerminals, info.fileSystem)) {
-        warnings.push_back(std::format(
+        warnings.push_back(message(
             "Most terminals read FAT32 only; this stick has {}. Format it as FAT32.",
             info.fileSystem == "fuseblk" || info.fileSystem.starts_with("ntfs") ? "NTFS" : info.fileSystem));
     }
     if (info.partitions > 1) {
-        warnings.push_back(std::format("This stick has {} partitions; terminals see the first one only, if any.", info.partitions));
+        warnings.push_back(message("This stick has {} partitions; terminals see the first one only, if any.", info.partitions));
     }
     return warnings;
 }
@@ -197,7 +197,7 @@ std::vector<fs::path> stickConflicts(const StickVolume& stick, const FormatFiles
 Result<StickReport> writeToStick(StickVolume& stick, const FormatFiles& files, std::span<const FieldContent> meant,
                                  bool replace, const JobContext& job) {
     if (const auto there = stickConflicts(stick, files); !there.empty() && !replace) {
-        return std::unexpected(refused(ErrorCode::Usage, std::format("{} is on the stick already", there.front().string()),
+        return std::unexpected(refused(ErrorCode::Usage, message("{} is on the stick already", there.front().string()),
                                        "allow it to be kept as a backup"));
     }
     StickReport report{.notes = files.notes};

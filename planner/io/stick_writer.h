@@ -13,7 +13,7 @@ namespace furrow {
 
 /// What stands in the way of a terminal reading this stick: a file system it does not know, several partitions.
 /// Sentences for people; empty for a good stick.
-std::vector<std::string> stickWarnings(const VolumeInfo& info);
+std::vector<Message> stickWarnings(const VolumeInfo& info);
 
 /// What would be replaced: folders and files that are there already, below the root of the stick.
 std::vector<std::filesystem::path> stickConflicts(const StickVolume& stick, const FormatFiles& files);
@@ -24,7 +24,7 @@ struct StickReport {
     std::vector<std::filesystem::path> backups;  ///< what was there before, under its new name
     std::uintmax_t bytes = 0;
     bool contentCompared = false;  ///< the files were also parsed again; not for formats that are only written
-    std::vector<std::string> notes;
+    std::vector<Message> notes;
 };
 
 /// Writes files to a stick so that either all of it is there and right, or nothing under its final name:

@@ -5,7 +5,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <format>
 #include <optional>
 #include <utility>
 #include <vector>
@@ -28,17 +27,17 @@ Result<std::vector<VectorFeature>> fieldsFromRows(const std::vector<VectorFeatur
         const VectorFeature& row = rows[i];
         const std::string lonText = firstAttribute(row, kLongitudeNames);
         const std::string latText = firstAttribute(row, kLatitudeNames);
-        const std::string where = std::format("{}, row {}", file, i + 1);
+        const Message where = message("{}, row {}", file, i + 1);
         const std::optional<double> lon = numberOf(lonText);
         const std::optional<double> lat = numberOf(latText);
         if (!lon || !lat) {
             return std::unexpected(
-                inputRefused(where, std::format("'{}', '{}' is no longitude and latitude", lonText, latText),
+                inputRefused(where, message("'{}', '{}' is no longitude and latitude", lonText, latText),
                              "give both in degrees, or remove the row"));
         }
         if (std::isfinite(*lon) && std::isfinite(*lat) && (std::abs(*lon) > 180.0 || std::abs(*lat) > 90.0)) {
             return std::unexpected(
-                inputRefused(where, std::format("{:.3f}, {:.3f} is no longitude and latitude", *lon, *lat),
+                inputRefused(where, message("{:.3f}, {:.3f} is no longitude and latitude", *lon, *lat),
                              "give the points in degrees (WGS84), longitude in lon and latitude in lat"));
         }
         const bool sameField = i > 0 && (!idsGroup || idOf(row) == idOf(rows[i - 1]));
@@ -84,8 +83,8 @@ Result<void> readTable(VectorFile& file, const std::string& name) {
             const std::string wkt = firstAttribute(file.features[i], kWktNames);
             if (!file.features[i].hasGeometry() && !wkt.empty()) {
                 return std::unexpected(
-                    inputRefused(std::format("{}, row {}", name, i + 1),
-                                 std::format("'{}' is not well-known text", wkt.substr(0, 40)),
+                    inputRefused(message("{}, row {}", name, i + 1),
+                                 message("'{}' is not well-known text", wkt.substr(0, 40)),
                                  "write POLYGON((lon lat, lon lat, ...))"));
             }
         }

@@ -4,7 +4,6 @@
 #include "planner/plan/plan.h"
 #include "planner/settings/settings.h"
 
-#include <format>
 #include <string>
 #include <utility>
 #include <vector>
@@ -85,9 +84,9 @@ Result<const Terminal*> findTerminal(std::string_view id) {
     const std::string nearest = nearestName(id, ids);
     return std::unexpected(Error{
         .code = ErrorCode::Usage,
-        .what = std::format("there is no terminal '{}'", id),
+        .what = message("there is no terminal '{}'", id),
         .where = "--terminal",
-        .remedy = nearest.empty() ? "use one of: " + listed : std::format("did you mean '{}'?", nearest)});
+        .remedy = nearest.empty() ? message("use one of: {}", listed) : message("did you mean '{}'?", nearest)});
 }
 
 Result<FormatFiles> terminalFiles(const Terminal& terminal, const Plan& plan, const JobContext& job) {

@@ -38,8 +38,8 @@ Result<Length> lengthIn(const VectorFeature& feature, std::string_view name, con
     }
     const std::optional<double> number = numberOf(text);
     if (!number || !std::isfinite(*number) || *number < 0.0) {
-        return std::unexpected(inputRefused(std::format("{}, {}", where, name),
-                                            std::format("'{}' is no length", text),
+        return std::unexpected(inputRefused(message("{}, {}", where, name),
+                                            message("'{}' is no length", text),
                                             "give metres, 0 or more"));
     }
     return metres(*number);
@@ -78,14 +78,13 @@ double distanceDeg(const FieldSource& field, GeoPoint point) {
 }
 
 /// What is said of rings that a file left open; they are closed as they are read.
-std::optional<Note> noteOfOpenRings(const VectorFeature& feature, std::string where) {
+std::optional<Note> noteOfOpenRings(const VectorFeature& feature, Message where) {
     const std::size_t count = feature.openRings.size();
     if (count == 0) {
         return std::nullopt;
     }
-    return Note{.text = count == 1
-                            ? std::string{"1 ring did not end where it began and was closed"}
-                            : std::format("{} rings did not end where they began and were closed", count),
+    return Note{.text = counted("{} ring did not end where it began and was closed",
+                                "{} rings did not end where they began and were closed", count),
                 .where = std::move(where),
                 .place = feature.openRings.front()};
 }
@@ -93,20 +92,20 @@ std::optional<Note> noteOfOpenRings(const VectorFeature& feature, std::string wh
 Result<void> addObstacle(const VectorFeature& feature, std::vector<FieldContent>& fields,
                          const std::string& file) {
     const std::string name = nameOf(feature);
-    const std::string where = std::format("{}, obstacle {}", file, name);
+    const Message where = message("{}, obstacle {}", file, name);
     const Result<Length> buffer = lengthIn(feature, "buffer_m", where);
     if (!buffer) {
         return std::unexpected(buffer.error());
     }
     const std::string& passable = attribute(feature, "passable");
     std::optional<Note> note =
-        noteOfOpenRings(feature, name.empty() ? "an obstacle" : std::format("obstacle '{}'", name));
+        noteOfOpenRings(feature, name.empty() ? Message{"an obstacle"} : message("obstacle '{}'", name));
     for (const GeoPolygon& outline : feature.polygons) {
         auto owner =
             std::ranges::find_if(fields, [&](const FieldContent& content) { return touches(content.field, outline); });
         if (owner == fields.end() && fields.size() > 1) {
             return std::unexpected(
-                inputRefused(where, std::format("it lies in none of the {} fields", fields.size()),
+                inputRefused(where, message("it lies in none of the {} fields", fields.size()),
                              "remove it from the file, or add its field"));
         }
         if (owner == fields.end()) {
@@ -126,7 +125,7 @@ Result<void> addObstacle(const VectorFeature& feature, std::vector<FieldContent>
 Result<void> addGate(const VectorFeature& feature, std::vector<FieldContent>& fields,
                      const std::string& file) {
     const std::string name = nameOf(feature);
-    const Result<Length> width = lengthIn(feature, "width_m", std::format("{}, gate {}", file, name));
+    const Result<Length> width = lengthIn(feature, "width_m", message("{}, gate {}", file, name));
     if (!width) {
         return std::unexpected(width.error());
     }
@@ -154,10 +153,6 @@ Result<FieldSource> fieldFrom(VectorFeature& feature, const std::string& file) {
     return field;
 }
 
-std::string counted(std::size_t count, std::string_view one, std::string_view many) {
-    return std::format("{} {}", count, count == 1 ? one : many);
-}
-
 Error noPolygon(const VectorFile& file, const std::string& name) {
     std::size_t points = 0;
     std::size_t lines = 0;
@@ -165,17 +160,20 @@ Error noPolygon(const VectorFile& file, const std::string& name) {
         points += feature.points.size();
         lines += feature.openLines.size();
     }
-    std::string found;
+    Message found;
     if (points > 0) {
-        found += counted(points, "point", "points");
+        found = counted("{} point", "{} points", points);
     }
     if (lines > 0) {
-        found += (found.empty() ? "" : " and ") + counted(lines, "open line", "open lines");
+        const Message open = counted("{} open line", "{} open lines", lines);
+        found = found.empty() ? open : message("{} and {}", found, open);
     }
     if (found.empty() && !file.features.empty()) {
-        found = counted(file.features.size(), "entry without a shape", "entries without a shape");
+        found = counted("{} entry without a shape", "{} entries without a shape", file.features.size());
     }
-    return inputRefused(name, "there is no field boundary in it" + (found.empty() ? "" : ", only " + found),
+    return inputRefused(name,
+                        found.empty() ? Message{"there is no field boundary in it"}
+                                      : message("there is no field boundary in it, only {}", found),
                         "export the boundary as a polygon");
 }
 
@@ -270,7 +268,7 @@ void closeTracks(VectorFeature& feature, std::vector<Note>& notes, const std::st
         if (line.size() < kFewestPoints || gap > kRoundTripShare * lengthM(line)) {
             return false;
         }
-        notes.push_back({std::format("a track that ended {:.1f} m from where it began was closed", gap), name,
+        notes.push_back({message("a track that ended {:.1f} m from where it began was closed", gap), name,
                          line.front()});
         feature.polygons.push_back({.outer = std::move(line), .holes = {}});
         return true;

@@ -2,7 +2,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <format>
 
 namespace furrow {
 
@@ -14,10 +13,10 @@ constexpr double kLengthsToComeIntoLine = 1.5;
 /// From straight wheels to full lock, for a machine that does not say.
 constexpr Duration kFullLockTime = seconds(2.0);
 
-Error refused(std::string_view key, std::string what, std::string remedy) {
+Error refused(std::string_view key, Message what, Message remedy) {
     return {.code = ErrorCode::InputRefused,
             .what = std::move(what),
-            .where = std::format("machine, {}", key),
+            .where = message("machine, {}", key),
             .remedy = std::move(remedy)};
 }
 
@@ -57,7 +56,7 @@ Result<Machine> Machine::create(const MachineSpec& spec) {
         const bool largeEnough = requirement.mayBeZero ? requirement.value >= 0.0 : requirement.value > 0.0;
         if (!std::isfinite(requirement.value) || !largeEnough) {
             return std::unexpected(
-                refused(requirement.key, std::format("{} cannot be worked with", requirement.value),
+                refused(requirement.key, message("{} cannot be worked with", requirement.value),
                         requirement.mayBeZero ? "give a number of 0 or more" : "give a number above 0"));
         }
     }
@@ -77,7 +76,7 @@ Result<Machine> Machine::create(const MachineSpec& spec) {
         if (!(*tractor.maxSteeringAngle > degrees(0.0) && *tractor.maxSteeringAngle < degrees(90.0))) {
             return std::unexpected(
                 refused("max_steering_angle_deg",
-                        std::format("{} degrees cannot be steered", inDegrees(*tractor.maxSteeringAngle)),
+                        message("{} degrees cannot be steered", inDegrees(*tractor.maxSteeringAngle)),
                         "give an angle above 0 and below 90 degrees"));
         }
     }

@@ -289,10 +289,10 @@ constexpr MachineKey kKeys[] = {
                                                    "Litres of fuel per hour of turns and transfers."),
 };
 
-Error refused(std::string_view origin, std::string_view place, std::string what, std::string remedy) {
+Error refused(std::string_view origin, const Message& place, Message what, Message remedy) {
     return {.code = ErrorCode::InputRefused,
             .what = std::move(what),
-            .where = place.empty() ? std::string{origin} : std::format("{}, {}", origin, place),
+            .where = place.empty() ? Message{origin} : message("{}, {}", origin, place),
             .remedy = std::move(remedy)};
 }
 
@@ -302,10 +302,10 @@ Error unknownKey(std::string_view origin, std::string_view key) {
         known.push_back(entry.key);
     }
     const std::string nearest = nearestName(key, known);
-    return refused(origin, key, std::format("there is no '{}' in a machine", key),
+    return refused(origin, key, message("there is no '{}' in a machine", key),
                    nearest.empty()
                        ? "remove it; keys look like operating_width_m, vehicle_width_m, can_reverse"
-                       : std::format("did you mean '{}'?", nearest));
+                       : message("did you mean '{}'?", nearest));
 }
 
 std::string joined(std::span<const std::string_view> words) {
@@ -317,14 +317,14 @@ std::string joined(std::span<const std::string_view> words) {
 }
 
 // What a key wants, as a remedy: "give a number in m".
-std::string wanted(const MachineKey& key) {
+Message wanted(const MachineKey& key) {
     switch (key.kind) {
         case MachineKeyKind::Flag: return "give true or false";
         case MachineKeyKind::Text:
-            return key.choices.empty() ? "give a text in quotes" : "give " + joined(key.choices);
+            return key.choices.empty() ? Message{"give a text in quotes"} : message("give {}", joined(key.choices));
         case MachineKeyKind::Number: break;
     }
-    return key.unit.empty() ? "give a number" : std::format("give a number in {}", key.unit);
+    return key.unit.empty() ? "give a number" : message("give a number in {}", key.unit);
 }
 
 Result<MachineValue> valueOf(const MachineKey& key, const nlohmann::json& json, std::string_view origin) {
@@ -353,7 +353,7 @@ Result<MachineValue> valueOf(const MachineKey& key, const nlohmann::json& json, 
     }
     return std::unexpected(
         refused(origin, key.key,
-                std::format("{} does not fit here",
+                message("{} does not fit here",
                             json.dump(-1, ' ', false, nlohmann::json::error_handler_t::replace)),
                 wanted(key)));
 }
@@ -425,13 +425,13 @@ Result<Machine> parseMachine(std::string_view json, std::string_view origin) {
         spec.id = spec.name;
     }
     return Machine::create(spec).transform_error([origin](Error error) {
-        error.where = std::format("{}: {}", origin, error.where);
+        error.where = message("{}: {}", origin, error.where);
         return error;
     });
 }
 
 Result<Machine> readMachineFile(const std::filesystem::path& path) {
-    const auto unreadable = [&path](std::string what, std::string remedy) {
+    const auto unreadable = [&path](Message what, Message remedy) {
         return std::unexpected(Error{.code = ErrorCode::ReadFailed,
                                      .what = std::move(what),
                                      .where = path.string(),

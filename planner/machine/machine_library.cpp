@@ -51,10 +51,11 @@ Result<Machine> findMachine(std::string_view idOrName) {
     const std::string nearest = nearestName(wanted, candidates);
     return std::unexpected(Error{
         .code = ErrorCode::Usage,
-        .what = std::format("there is no machine '{}'", idOrName),
+        .what = message("there is no machine '{}'", idOrName),
         .where = "machine",
-        .remedy = std::format("{}use one of: {}; or give a machine file (.json)",
-                              nearest.empty() ? "" : std::format("did you mean '{}'? ", nearest), known)});
+        .remedy = nearest.empty()
+                      ? message("use one of: {}; or give a machine file (.json)", known)
+                      : message("did you mean '{}'? use one of: {}; or give a machine file (.json)", nearest, known)});
 }
 
 }  // namespace furrow

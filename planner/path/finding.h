@@ -1,5 +1,6 @@
 #pragma once
 
+#include "planner/core/message.h"
 #include "planner/geometry/point.h"
 
 #include <string>
@@ -13,8 +14,8 @@ struct Finding {
     Severity severity = Severity::Note;
     std::string kind;  ///< "outside", "obstacle", "headland", "repair" ...
     Point place;
-    std::string text;        ///< what and why
-    std::string suggestion;  ///< what would mend it
+    Message text;        ///< what and why
+    Message suggestion;  ///< what would mend it
 
     friend bool operator==(const Finding&, const Finding&) = default;
 };

@@ -6,7 +6,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <format>
 #include <limits>
 #include <numbers>
 
@@ -92,10 +91,10 @@ Result<std::optional<RoutePlace>> routePlace(const Field& field, const Settings&
             names += (names.empty() ? "" : ", ") + gate.name;
         }
         return std::unexpected(Error{.code = ErrorCode::Usage,
-                                     .what = std::format("there is no gate '{}'", given),
+                                     .what = message("there is no gate '{}'", given),
                                      .where = std::string{parameter.key},
-                                     .remedy = names.empty() ? "give a point such as POINT (4.1 52.0)"
-                                                             : "give one of " + names + " or a point such as POINT (4.1 52.0)"});
+                                     .remedy = names.empty() ? Message{"give a point such as POINT (4.1 52.0)"}
+                                                             : message("give one of {} or a point such as POINT (4.1 52.0)", names)});
     }
     const RoutePlace place{field.frame().toLocal({points->front().x, points->front().y}), std::nullopt};
     const PreparedArea inside{field.drivable()};

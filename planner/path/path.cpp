@@ -1,7 +1,6 @@
 #include "planner/path/path.h"
 
 #include <algorithm>
-#include <format>
 
 namespace furrow {
 
@@ -114,8 +113,12 @@ const PathSegment* Path::workAfter(std::size_t segment) const {
     return nullptr;
 }
 
-std::string nameOf(const PathSegment& segment) {
-    return std::format("{} {}", segment.kind == SegmentKind::HeadlandPass ? "headland pass" : "swath", segment.number);
+Message nameOf(const PathSegment& segment) {
+    return passName(segment.kind, segment.number);
+}
+
+Message passName(SegmentKind kind, int number) {
+    return kind == SegmentKind::HeadlandPass ? message("headland pass {}", number) : message("swath {}", number);
 }
 
 }  // namespace furrow

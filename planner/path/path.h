@@ -1,5 +1,6 @@
 #pragma once
 
+#include "planner/core/message.h"
 #include "planner/geometry/point.h"
 #include "planner/turns/turn.h"
 #include "planner/units/quantity.h"
@@ -38,7 +39,7 @@ struct PathSegment {
     Gear gear = Gear::Forward;
     bool implementDown = false;
     bool drivable = true;
-    std::string reason;  ///< why it is not drivable
+    Message reason;  ///< why it is not drivable
     std::vector<PathSample> samples;
 
     Length length() const { return metres(samples.back().sM - samples.front().sM); }
@@ -47,7 +48,8 @@ struct PathSegment {
 };
 
 /// "swath 3", "headland pass 1": how findings name a stretch.
-std::string nameOf(const PathSegment& segment);
+Message nameOf(const PathSegment& segment);
+Message passName(SegmentKind kind, int number);
 
 /// The whole drivable line; consecutive segments share their end and start.
 struct Path {

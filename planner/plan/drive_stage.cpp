@@ -16,9 +16,7 @@
 
 #include <algorithm>
 #include <array>
-#include <cctype>
 #include <chrono>
-#include <format>
 #include <iterator>
 #include <optional>
 #include <span>
@@ -35,27 +33,25 @@ constexpr Area kMayStayInOnePiece = squareMetres(95.0);
 constexpr int kFinishingRounds = 3;
 
 /// "The way from swath 3 to swath 4", "Headland pass 1".
-std::string nameOfWay(const Path& path, std::size_t segment) {
+Message nameOfWay(const Path& path, std::size_t segment) {
     if (path.segments[segment].implementDown) {
-        std::string name = nameOf(path.segments[segment]);
-        name.front() = static_cast<char>(std::toupper(name.front()));
-        return name;
+        return nameOf(path.segments[segment]).capitalised();
     }
     const PathSegment* const before = path.workBefore(segment);
     const PathSegment* const after = path.workAfter(segment);
-    return std::format("The way from {} to {}", before == nullptr ? "the start" : nameOf(*before),
-                       after == nullptr ? "the end" : nameOf(*after));
+    return message("The way from {} to {}", before == nullptr ? Message{"the start"} : nameOf(*before),
+                       after == nullptr ? Message{"the end"} : nameOf(*after));
 }
 
 Finding blockedFinding(const Path& path, const BlockedConnection& blocked, const Headland& headland,
                        const Machine& machine) {
-    const std::string way = nameOfWay(path, blocked.segment);
+    const Message way = nameOfWay(path, blocked.segment);
     if (blocked.obstacle) {
         return {
             .severity = Severity::Blocking,
             .kind = "obstacle",
             .place = blocked.place,
-            .text = way + " crosses an obstacle.",
+            .text = message("{} crosses an obstacle.", way),
             .suggestion = "Try another direction of the swaths, or plan the sides of the obstacle apart."};
     }
     const double needed = (headland.width + blocked.outside).si();
@@ -63,18 +59,18 @@ Finding blockedFinding(const Path& path, const BlockedConnection& blocked, const
     // not.
     const bool widerHeadlandHelps =
         blocked.outside < 3.0 * machine.minTurningRadius() + machine.operatingWidth();
-    std::string suggestion = "The field bends inwards here: try another direction of the swaths.";
+    Message suggestion = "The field bends inwards here: try another direction of the swaths.";
     if (!headland.notes.empty()) {
         suggestion =
             "The field is too narrow for this machine to turn in: turn outside, or take a smaller machine.";
     } else if (widerHeadlandHelps) {
-        suggestion = std::format("A headland of {:.0f} m may make room ({:.1f} m now).", std::ceil(needed),
+        suggestion = message("A headland of {:.0f} m may make room ({:.1f} m now).", std::ceil(needed),
                                  headland.width.si());
     }
     return {.severity = Severity::Blocking,
             .kind = "outside",
             .place = blocked.place,
-            .text = std::format("{} leaves the field by {:.1f} m.", way, blocked.outside.si()),
+            .text = message("{} leaves the field by {:.1f} m.", way, blocked.outside.si()),
             .suggestion = std::move(suggestion)};
 }
 
@@ -100,9 +96,9 @@ std::vector<Leg> layOut(const Plan& plan, const MultiPolygon& drivable) {
     return legs;
 }
 
-std::string blockedReason(const BlockedConnection& blocked) {
-    return blocked.obstacle ? "crosses an obstacle"
-                            : std::format("leaves the field by {:.2f} m", blocked.outside.si());
+Message blockedReason(const BlockedConnection& blocked) {
+    return blocked.obstacle ? Message{"crosses an obstacle"}
+                            : message("leaves the field by {:.2f} m", blocked.outside.si());
 }
 
 /// The planner's own words come first: they know what was tried. The audit adds what they leave out.
@@ -132,21 +128,21 @@ std::vector<Finding> addGateWays(std::vector<Leg>& legs, const std::array<std::o
     if (legs.empty()) {
         return findings;
     }
-    const auto tell = [&](const RoutePlace& place, std::string_view way) {
-        const std::string name = place.gate && !place.gate->name.empty() ? place.gate->name : "this place";
+    const auto tell = [&](const RoutePlace& place, std::string_view said) {
+        const Message name = place.gate && !place.gate->name.empty() ? Message{place.gate->name} : Message{"this place"};
         findings.push_back({.severity = Severity::Blocking,
                             .kind = "gate",
                             .place = place.position,
-                            .text = std::format("The machine does not get {} at {}.", way, name),
+                            .text = message(said, name),
                             .suggestion = place.gate ? "Make the gate wider, or take another." : "Choose another place."});
     };
     if (const auto& start = places[0]) {
         const auto in = wayIn(*start, field, rig, legs.front().line.start.position);
-        in ? static_cast<void>(legs.insert(legs.begin(), *in)) : tell(*start, "in");
+        in ? static_cast<void>(legs.insert(legs.begin(), *in)) : tell(*start, "The machine does not get in at {}.");
     }
     if (const auto& end = places[1]) {
         const auto out = wayOut(*end, field, rig, legs.back().line.end().position);
-        out ? legs.push_back(*out) : tell(*end, "out");
+        out ? legs.push_back(*out) : tell(*end, "The machine does not get out at {}.");
     }
     return findings;
 }

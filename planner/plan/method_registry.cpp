@@ -17,7 +17,6 @@
 
 #include <algorithm>
 #include <array>
-#include <format>
 
 namespace furrow {
 
@@ -221,10 +220,10 @@ Result<const Parameter*> findParameter(std::string_view key) {
     }
     const std::string nearest = nearestName(key, keys);
     return std::unexpected(Error{.code = ErrorCode::Usage,
-                                 .what = std::format("there is no setting '{}'", key),
+                                 .what = message("there is no setting '{}'", key),
                                  .where = "settings",
                                  .remedy = nearest.empty() ? "furrow-cli list methods shows all of them"
-                                                           : std::format("did you mean '{}'?", nearest)});
+                                                           : message("did you mean '{}'?", nearest)});
 }
 
 Result<void> applySetting(Settings& settings, std::string_view key, std::string_view text) {

@@ -12,7 +12,6 @@
 
 #include <algorithm>
 #include <chrono>
-#include <format>
 #include <optional>
 
 namespace furrow {
@@ -60,14 +59,14 @@ Result<void> checkThatItFits(const Field& field, const Machine& machine, Length 
     if (!room) {
         return std::unexpected(room.error());
     }
-    const std::string withMargin =
-        margin > metres(0.0) ? std::format(" and twice {:.2f} m of margin", margin.si()) : "";
-    std::string what;
+    const Message withMargin =
+        margin > metres(0.0) ? message(" and twice {:.2f} m of margin", margin.si()) : Message{};
+    Message what;
     if (room->empty()) {
-        what = std::format("the field is nowhere as wide as the machine ({:.2f} m{})",
+        what = message("the field is nowhere as wide as the machine ({:.2f} m{})",
                            std::min(width, length).si(), withMargin);
     } else if (!mayHoldLine(*room, std::max(width, length) - std::min(width, length))) {
-        what = std::format("the machine ({:.2f} m wide, {:.2f} m long{}) fits nowhere into the field", width.si(),
+        what = message("the machine ({:.2f} m wide, {:.2f} m long{}) fits nowhere into the field", width.si(),
                            length.si(), withMargin);
     } else {
         return {};
@@ -197,7 +196,7 @@ Result<std::shared_ptr<const Plan>> makePlan(const PlanRequest& request, const J
             plan->findings.push_back({.severity = Severity::Note,
                                       .kind = note.where,
                                       .place = note.place ? field.frame().toLocal(*note.place) : middle,
-                                      .text = note.text + ".",
+                                      .text = message("{}.", note.text),
                                       .suggestion = ""});
         }
     }
@@ -205,7 +204,7 @@ Result<std::shared_ptr<const Plan>> makePlan(const PlanRequest& request, const J
         plan->findings.push_back({.severity = Severity::Note,
                                   .kind = "repair",
                                   .place = repair.place ? field.frame().toLocal(*repair.place) : middle,
-                                  .text = std::format("Repaired in {}: {}.", repair.where, repair.text),
+                                  .text = message("Repaired in {}: {}.", repair.where, repair.text),
                                   .suggestion = ""});
     }
     plan->timings.total = seconds(std::chrono::duration<double>(Clock::now() - begin).count());

@@ -24,8 +24,8 @@ namespace fs = std::filesystem;
 
 Error writeFailed(const fs::path& path) {
     return {.code = ErrorCode::WriteFailed,
-            .what = "changes cannot be kept for the case of a crash: " +
-                    std::error_code{errno, std::generic_category()}.message(),
+            .what = message("changes cannot be kept for the case of a crash: {}",
+                            std::error_code{errno, std::generic_category()}.message()),
             .where = path.string(),
             .remedy = "save the project, and free some space"};
 }

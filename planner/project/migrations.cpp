@@ -2,7 +2,6 @@
 
 #include "planner/io/file_error.h"
 
-#include <format>
 
 namespace furrow {
 
@@ -12,13 +11,13 @@ Result<OrderedJson> migrated(OrderedJson document, int version, std::span<const 
     if (version > newest) {
         return std::unexpected(
             inputRefused(origin,
-                         std::format("this project was saved by a newer Furrow (format {}, this one knows {})",
+                         message("this project was saved by a newer Furrow (format {}, this one knows {})",
                                      version, newest),
                          "open it with a newer Furrow; the file was left as it is"));
     }
     if (version < 1) {
         return std::unexpected(
-            inputRefused(origin, std::format("there is no project format {}", version), "restore a copy of the file"));
+            inputRefused(origin, message("there is no project format {}", version), "restore a copy of the file"));
     }
     for (const Migration step : steps.subspan(static_cast<std::size_t>(version - 1))) {
         step(document);

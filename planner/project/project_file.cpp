@@ -135,9 +135,9 @@ bool isProject(std::string_view text) {
 }
 
 Result<OpenedProject> parseProject(std::string_view text, const std::string& origin) {
-    const auto damaged = [&origin](const std::string& what) {
+    const auto damaged = [&origin](const Message& what) {
         return std::unexpected(
-            inputRefused(origin, "this project file is damaged: " + what, "restore a copy of the file"));
+            inputRefused(origin, message("this project file is damaged: {}", what), "restore a copy of the file"));
     };
     try {
         OrderedJson document = OrderedJson::parse(withoutByteOrderMark(text));
@@ -156,7 +156,7 @@ Result<OpenedProject> parseProject(std::string_view text, const std::string& ori
         }
         return opened;
     } catch (const OrderedJson::parse_error& error) {
-        return damaged("it is not JSON at " + lineAndColumn(text, error.byte == 0 ? 0 : error.byte - 1));
+        return damaged(message("it is not JSON at {}", lineAndColumn(text, error.byte == 0 ? 0 : error.byte - 1)));
     } catch (const OrderedJson::exception& error) {
         return damaged(error.what());
     }

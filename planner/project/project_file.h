@@ -23,7 +23,7 @@ struct OpenedProject {
     /// Which bytes it was read from; see fingerprint().
     std::string fingerprint;
     /// What could not be used as it is; it is kept all the same and written again.
-    std::vector<std::string> notes;
+    std::vector<Message> notes;
 };
 
 /// Of these bytes; two files with equal ones hold the same.

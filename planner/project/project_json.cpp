@@ -5,7 +5,6 @@
 #include "planner/plan/method_registry.h"
 
 #include <algorithm>
-#include <format>
 
 namespace furrow {
 
@@ -198,7 +197,7 @@ FieldPlan planFrom(const OrderedJson& json, Notes& notes) {
     if (const auto machine = parseMachine(textOf(known), called)) {
         plan.machine = *machine;
     } else if (!known.empty()) {
-        notes.push_back(std::format("{}: its machine cannot be used: {}", called, machine.error().what));
+        notes.push_back(message("{}: its machine cannot be used: {}", called, machine.error().what));
         unknown.update(known);
     }
     if (!unknown.empty()) {
@@ -210,7 +209,7 @@ FieldPlan planFrom(const OrderedJson& json, Notes& notes) {
     for (const auto& [key, value] : settings.items()) {
         if (const auto applied = applySetting(plan.settings, key, value); !applied) {
             unused[key] = value;
-            notes.push_back(std::format("{}: the setting {} is not used: {}", called, key, applied.error().what));
+            notes.push_back(message("{}: the setting {} is not used: {}", called, key, applied.error().what));
         }
     }
     if (!unused.empty()) {

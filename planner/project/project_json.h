@@ -11,7 +11,7 @@ namespace furrow {
 // what nlohmann throws where members are missing or of another kind.
 
 /// What could not be used as it is and was kept all the same.
-using Notes = std::vector<std::string>;
+using Notes = std::vector<Message>;
 
 /// The features of a field: itself, its obstacles, its gates.
 OrderedJson featuresOf(const ProjectField& field);

@@ -3,7 +3,6 @@
 #include <algorithm>
 #include <cstdint>
 #include <cstdlib>
-#include <format>
 #include <string>
 #include <vector>
 
@@ -11,7 +10,7 @@ namespace furrow {
 
 namespace {
 
-Error refused(std::string what, std::string remedy) {
+Error refused(Message what, Message remedy) {
     return {.code = ErrorCode::InputRefused,
             .what = std::move(what),
             .where = std::string{kOrder.key},
@@ -19,13 +18,13 @@ Error refused(std::string what, std::string remedy) {
 }
 
 /// The first few of these numbers as text.
-std::string listed(const std::vector<int>& numbers) {
+Message listed(const std::vector<int>& numbers) {
     constexpr std::size_t kShown = 5;
     std::string text;
     for (std::size_t i = 0; i < std::min(kShown, numbers.size()); ++i) {
         text += (i == 0 ? "" : ", ") + std::to_string(numbers[i]);
     }
-    return numbers.size() > kShown ? std::format("{} and {} more", text, numbers.size() - kShown) : text;
+    return numbers.size() > kShown ? message("{} and {} more", text, numbers.size() - kShown) : Message{text};
 }
 
 Result<Route> customOrder(const RouteTask& task, const JobContext& job) {
@@ -37,13 +36,13 @@ Result<Route> customOrder(const RouteTask& task, const JobContext& job) {
     Route route;
     for (const int number : task.settings.numbers(kOrder)) {
         if (number == 0 || number < -count || number > count) {
-            return std::unexpected(refused(std::format("there is no swath {}", std::abs(std::int64_t{number})),
-                                           std::format("use the numbers from 1 to {}", count)));
+            return std::unexpected(refused(message("there is no swath {}", std::abs(std::int64_t{number})),
+                                           message("use the numbers from 1 to {}", count)));
         }
         const auto swath = static_cast<std::size_t>(std::abs(number) - 1);
         if (driven[swath]) {
             return std::unexpected(
-                refused(std::format("swath {} is named twice", std::abs(number)), "name each swath once"));
+                refused(message("swath {} is named twice", std::abs(number)), "name each swath once"));
         }
         driven[swath] = true;
         route.steps.push_back({.swath = swath, .reversed = number < 0});
@@ -55,7 +54,7 @@ Result<Route> customOrder(const RouteTask& task, const JobContext& job) {
         }
     }
     if (!missing.empty()) {
-        return std::unexpected(refused(std::format("{} of {} swaths are not in the order: {}", missing.size(), count,
+        return std::unexpected(refused(message("{} of {} swaths are not in the order: {}", missing.size(), count,
                                                    listed(missing)),
                                        "name each swath once, with a minus where it is driven backwards"));
     }

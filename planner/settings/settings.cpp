@@ -15,15 +15,15 @@ namespace furrow {
 
 namespace {
 
-std::string_view unitText(ParameterKind kind) {
-    switch (kind) {
-        case ParameterKind::Length: return " m";
-        case ParameterKind::Angle: return " degrees";
-        default: return "";
+Message rangeText(const Parameter& parameter) {
+    switch (parameter.kind) {
+        case ParameterKind::Length: return message("give a number from {} to {} m", parameter.min, parameter.max);
+        case ParameterKind::Angle: return message("give a number from {} to {} degrees", parameter.min, parameter.max);
+        default: return message("give a number from {} to {}", parameter.min, parameter.max);
     }
 }
 
-Error refused(const Parameter& parameter, std::string what, std::string remedy) {
+Error refused(const Parameter& parameter, Message what, Message remedy) {
     return {.code = ErrorCode::InputRefused,
             .what = std::move(what),
             .where = std::string{parameter.key},
@@ -31,13 +31,12 @@ Error refused(const Parameter& parameter, std::string what, std::string remedy) 
 }
 
 Result<void> checkNumber(const Parameter& parameter, double number) {
-    const std::string range =
-        std::format("give a number from {} to {}{}", parameter.min, parameter.max, unitText(parameter.kind));
+    const Message range = rangeText(parameter);
     if (!std::isfinite(number) || number < parameter.min || number > parameter.max) {
-        return std::unexpected(refused(parameter, std::format("{} is out of range", number), range));
+        return std::unexpected(refused(parameter, message("{} is out of range", number), range));
     }
     if (parameter.kind == ParameterKind::Count && number != std::floor(number)) {
-        return std::unexpected(refused(parameter, std::format("{} is not a whole number", number), range));
+        return std::unexpected(refused(parameter, message("{} is not a whole number", number), range));
     }
     return {};
 }
@@ -51,9 +50,9 @@ Result<void> checkChoice(const Parameter& parameter, std::string_view id) {
         known += (known.empty() ? "" : ", ") + std::string{choice.id};
     }
     return std::unexpected(Error{.code = ErrorCode::Usage,
-                                 .what = std::format("there is no '{}'", id),
+                                 .what = message("there is no '{}'", id),
                                  .where = std::string{parameter.key},
-                                 .remedy = "use one of: " + known});
+                                 .remedy = message("use one of: {}", known)});
 }
 
 /// Whole numbers divided by commas, blanks allowed; nothing where it is not that.
@@ -129,9 +128,9 @@ std::optional<std::vector<GeoPoint>> parsedLine(const std::string& text) {
 }  // namespace
 
 Result<void> Settings::set(const Parameter& parameter, const SettingValue& value) {
-    const auto wrongKind = [&](std::string_view wanted) {
-        return std::unexpected(refused(parameter, std::format("'{}' is not {}", settingText(value), wanted),
-                                       std::format("give {}", wanted)));
+    const auto wrongKind = [&](const Message& wanted) {
+        return std::unexpected(refused(parameter, message("'{}' is not {}", settingText(value), wanted),
+                                       message("give {}", wanted)));
     };
     Result<void> checked;
     if (std::holds_alternative<Auto>(value)) {

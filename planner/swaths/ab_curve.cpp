@@ -5,7 +5,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <format>
 #include <numbers>
 
 namespace furrow {
@@ -40,9 +39,9 @@ Result<PickedEdge> pickedEdge(const Field& field, int number) {
     }
     if (!found) {
         return std::unexpected(Error{.code = ErrorCode::InputRefused,
-                                     .what = std::format("there is no edge {}", number),
+                                     .what = message("there is no edge {}", number),
                                      .where = std::string{kEdge.key},
-                                     .remedy = std::format("give a number from 0 to {}", count - 1)});
+                                     .remedy = message("give a number from 0 to {}", count - 1)});
     }
     return std::move(*found);
 }

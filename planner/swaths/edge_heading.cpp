@@ -2,7 +2,6 @@
 #include "planner/swaths/methods.h"
 
 #include <cmath>
-#include <format>
 #include <optional>
 
 namespace furrow {
@@ -42,9 +41,9 @@ Result<Angle> edgeHeading(const Field& field, int number) {
     });
     if (!edge) {
         return std::unexpected(Error{.code = ErrorCode::InputRefused,
-                                     .what = std::format("there is no edge {}", number),
+                                     .what = message("there is no edge {}", number),
                                      .where = std::string{kEdge.key},
-                                     .remedy = std::format("give a number from 0 to {}", count - 1)});
+                                     .remedy = message("give a number from 0 to {}", count - 1)});
     }
     return radians(std::atan2(edge->y, edge->x));
 }

@@ -2,7 +2,6 @@
 #include "planner/swaths/methods.h"
 
 #include <cmath>
-#include <format>
 
 namespace furrow {
 
@@ -11,11 +10,11 @@ namespace {
 // A direction cannot be told from two points that are closer.
 constexpr double kShortestLineM = 1.0;
 
-Error lineMissing(std::string_view method, std::string_view wanted, std::string_view example) {
+Error lineMissing(std::string_view method, const Message& wanted, std::string_view example) {
     return {.code = ErrorCode::Usage,
-            .what = std::format("{} needs {}", method, wanted),
+            .what = message("{} needs {}", method, wanted),
             .where = std::string{kLine.key},
-            .remedy = std::format("give it as WKT in WGS84, {}", example)};
+            .remedy = message("give it as WKT in WGS84, {}", example)};
 }
 
 // A swath that is off its lane by more was moved to the edge, or spread.
@@ -50,7 +49,7 @@ Result<SwathSet> abLine(const SwathTask& task, const JobContext& job) {
     const Point way = task.field.frame().toLocal(line[1]) - a;
     if (norm(way) < kShortestLineM) {
         return std::unexpected(Error{.code = ErrorCode::InputRefused,
-                                     .what = std::format("A and B are {:.2f} m apart", norm(way)),
+                                     .what = message("A and B are {:.2f} m apart", norm(way)),
                                      .where = std::string{kLine.key},
                                      .remedy = "give two points at least 1 m apart",
                                      .place = line[0]});

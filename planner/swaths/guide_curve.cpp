@@ -2,7 +2,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <format>
 #include <limits>
 #include <numbers>
 
@@ -169,7 +168,7 @@ Result<GuideLine> guideCurve(const Polyline& points, Length radius, Length reach
     if (const auto crossing = crossingOf(line)) {
         return std::unexpected(Error{
             .code = ErrorCode::InputRefused,
-            .what = std::format("the curve crosses itself, {:.0f} m from its start", distance(*crossing, line.front())),
+            .what = message("the curve crosses itself, {:.0f} m from its start", distance(*crossing, line.front())),
             .where = std::string{where},
             .remedy = "give a curve that does not, or plan its parts apart"});
     }
@@ -178,7 +177,7 @@ Result<GuideLine> guideCurve(const Polyline& points, Length radius, Length reach
     if (result.size() != 1) {
         return std::unexpected(Error{
             .code = ErrorCode::InputRefused,
-            .what = std::format("the curve bends more sharply than this machine can follow ({:.1f} m of radius)", radius.si()),
+            .what = message("the curve bends more sharply than this machine can follow ({:.1f} m of radius)", radius.si()),
             .where = std::string{where},
             .remedy = "give a gentler curve, or one without a turn back"});
     }

@@ -5,7 +5,6 @@
 #include "planner/units/angle.h"
 
 #include <algorithm>
-#include <format>
 
 namespace furrow {
 
@@ -32,7 +31,7 @@ Result<SwathSpacing> spacingFor(const SwathTask& task, std::optional<Point> anch
         .anchor = anchor};
     if (spacing.overlap >= spacing.width) {
         return std::unexpected(Error{.code = ErrorCode::InputRefused,
-                                     .what = std::format("an overlap of {} m leaves nothing of {} m",
+                                     .what = message("an overlap of {} m leaves nothing of {} m",
                                                          spacing.overlap.si(), spacing.width.si()),
                                      .where = std::string{kOverlap.key},
                                      .remedy = "give less than the operating width"});
@@ -42,7 +41,7 @@ Result<SwathSpacing> spacingFor(const SwathTask& task, std::optional<Point> anch
 
 Error tooManyTracks(const SwathSpacing& spacing) {
     return {.code = ErrorCode::InputRefused,
-            .what = std::format("{} m for each swath makes over a million swaths", (spacing.width - spacing.overlap).si()),
+            .what = message("{} m for each swath makes over a million swaths", (spacing.width - spacing.overlap).si()),
             .where = "operating_width_m",
             .remedy = "check the operating width and the overlap"};
 }

@@ -5,7 +5,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <format>
 #include <limits>
 #include <numbers>
 
@@ -90,7 +89,7 @@ Result<SwathSet> pivot(const SwathTask& task, const JobContext& job) {
     }
     auto set = swathsOnLines(lines, task, job);
     if (set && leftOut > 0) {
-        set->notes.push_back({.text = std::format("{} circle(s) within {:.1f} m of the centre are tighter than this machine can "
+        set->notes.push_back({.text = message("{} circle(s) within {:.1f} m of the centre are tighter than this machine can "
                                                   "follow and are left out",
                                                   leftOut, tightestM),
                               .where = "swaths",

@@ -8,7 +8,7 @@ T.CheckBox {
     property color swatch: "transparent"
     property bool hasSwatch: false
 
-    implicitWidth: 200
+    implicitWidth: 26 + (hasSwatch ? 26 : 0) + label.implicitWidth
     implicitHeight: Theme.controlHeight
     focusPolicy: Qt.StrongFocus
     Accessible.name: root.text
@@ -50,6 +50,8 @@ T.CheckBox {
             color: root.swatch
         }
         BodyText {
+            id: label
+
             anchors { left: line.right; leftMargin: root.hasSwatch ? 10 : 0; right: parent.right; verticalCenter: parent.verticalCenter }
             text: root.text
             elide: Text.ElideRight

@@ -8,6 +8,8 @@ T.ComboBox {
 
     /// What is chosen here, for screen readers.
     required property string name
+    /// Which of them it is; holds when the names become others, as in another language.
+    property int chosen: 0
 
     implicitWidth: 200
     implicitHeight: Theme.controlHeight
@@ -17,6 +19,8 @@ T.ComboBox {
     font.family: Theme.family
     font.pixelSize: Theme.bodySize
     wheelEnabled: false
+    currentIndex: root.chosen
+    onModelChanged: root.currentIndex = Qt.binding(() => root.chosen)
     Accessible.name: root.name
 
     background: Rectangle {

@@ -7,5 +7,5 @@ T.Action {
     /// Found by these words, too.
     property string keywords: ""
     /// As people read the keys.
-    property string keysText: shortcut ? shortcut.toString() : ""
+    property string keysText: shortcut ? shortcut.toString().replace("Ctrl", qsTr("Ctrl")).replace("Shift", qsTr("Shift")) : ""
 }

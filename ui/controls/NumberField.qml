@@ -1,7 +1,9 @@
 import QtQuick
 import QtQuick.Templates as T
+import Furrow.Text
 
-/// A number with its unit. Point and comma are both understood; arrow keys and the wheel step; Enter commits.
+/// A quantity in the user's unit, in SI units for the one who uses the field. Units of either system, point and comma
+/// are understood; arrow keys and the wheel step; Enter commits. What is refused is said below the field.
 T.TextField {
     id: root
 
@@ -12,10 +14,13 @@ T.TextField {
     property double to: 1000000
     property double step: 1
     property int decimals: 1
-    property string unitText: ""
+    property int kind: QuantityText.Number
+    readonly property string unitText: (Display.revision, QuantityText.unit(kind))
+    /// Why the text is refused.
+    readonly property string complaint: text.length > 0 ? (Display.revision, QuantityText.complaint(text, kind, from, to, decimals)) : ""
     /// Shown instead of a number where the planner chooses it; empty where the value counts.
     property string autoText: ""
-    readonly property bool wrong: text.length > 0 && (!NumberText.isNumber(text) || NumberText.number(text) < from || NumberText.number(text) > to)
+    readonly property bool wrong: complaint.length > 0
 
     signal committed(newValue: double)
     signal cleared()
@@ -30,14 +35,14 @@ T.TextField {
     selectedTextColor: Theme.accentInk
     placeholderTextColor: Theme.muted
     selectByMouse: true
-    inputMethodHints: Qt.ImhFormattedNumbersOnly
+    inputMethodHints: Qt.ImhPreferNumbers
     font {
         family: Theme.family
         pixelSize: Theme.bodySize
         features: ({ "tnum": 1 })
     }
     Accessible.name: root.name
-    Accessible.description: root.unitText
+    Accessible.description: root.wrong ? root.complaint : root.unitText
 
     background: Rectangle {
         radius: Theme.radius
@@ -63,6 +68,7 @@ T.TextField {
     onValueChanged: root.showValue()
     onAutoTextChanged: root.showValue()
     onDecimalsChanged: root.showValue()
+    onKindChanged: root.showValue()
     onActiveFocusChanged: {
         if (activeFocus)
             selectAll();
@@ -81,6 +87,34 @@ T.TextField {
     }
     Component.onCompleted: showValue()
 
+    Connections {
+        target: Display
+        function onChanged(): void {
+            root.showValue();
+        }
+    }
+    Rectangle {
+        objectName: root.objectName + ".complaint"
+        z: 1
+        y: root.height + 4
+        width: Math.max(root.width, 200)
+        height: told.implicitHeight + 12
+        visible: root.activeFocus && root.wrong
+        radius: Theme.radius
+        color: Theme.failureGround
+        border.width: Theme.hairline
+        border.color: Theme.failure
+
+        BodyText {
+            id: told
+
+            anchors { left: parent.left; right: parent.right; margins: 8; verticalCenter: parent.verticalCenter }
+            text: root.complaint
+            color: Theme.failure
+            font.pixelSize: Theme.labelSize
+            wrapMode: Text.WordWrap
+        }
+    }
     WheelHandler {
         enabled: root.activeFocus
         acceptedDevices: PointerDevice.Mouse | PointerDevice.TouchPad
@@ -88,11 +122,12 @@ T.TextField {
     }
 
     function showValue(): void {
-        root.text = root.autoText.length > 0 ? "" : NumberText.text(root.value, root.decimals);
+        root.text = root.autoText.length > 0 ? "" : QuantityText.text(root.value, root.kind, root.decimals);
     }
     function stepBy(direction: int): void {
-        const shown = NumberText.isNumber(root.text) ? NumberText.number(root.text) : root.value;
-        const next = Math.round((shown + direction * root.step) / root.step) * root.step;
+        const shown = QuantityText.isValue(root.text, root.kind) ? QuantityText.value(root.text, root.kind) : root.value;
+        const by = QuantityText.roundStep(root.step, root.kind);
+        const next = Math.round((shown + direction * by) / by) * by;
         root.committed(Math.min(root.to, Math.max(root.from, next)));
     }
     function commit(): void {
@@ -106,9 +141,9 @@ T.TextField {
             root.showValue();
             return;
         }
-        const typed = NumberText.number(root.text);
-        if (root.autoText.length > 0 || NumberText.text(typed, root.decimals) !== NumberText.text(root.value, root.decimals))
-            root.committed(typed);
+        // A value that only looks as before stays as exact as it is.
+        if (root.autoText.length > 0 || root.text !== QuantityText.text(root.value, root.kind, root.decimals))
+            root.committed(Math.min(root.to, Math.max(root.from, QuantityText.value(root.text, root.kind))));
         root.showValue();
     }
 }

@@ -6,7 +6,7 @@ import QtQuick.Templates as T
 T.Menu {
     id: root
 
-    implicitWidth: 280
+    implicitWidth: widest() + leftPadding + rightPadding
     implicitHeight: contentItem.implicitHeight + topPadding + bottomPadding
     padding: 4
     margins: 4
@@ -29,5 +29,12 @@ T.Menu {
         interactive: Window.window ? contentHeight > Window.window.height - 24 : false
         clip: true
         currentIndex: root.currentIndex
+    }
+
+    function widest(): real {
+        let width = 0;
+        for (let i = 0; i < root.count; ++i)
+            width = Math.max(width, root.itemAt(i)?.implicitWidth ?? 0);
+        return Math.max(width, 272);
     }
 }

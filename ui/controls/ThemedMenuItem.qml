@@ -7,7 +7,7 @@ T.MenuItem {
 
     readonly property string keysText: action?.keysText ?? ""
 
-    implicitWidth: 272
+    implicitWidth: Math.max(272, 28 + label.implicitWidth + 12 + keys.implicitWidth + 34)
     implicitHeight: Theme.controlHeight
     Accessible.name: root.text
 
@@ -30,6 +30,8 @@ T.MenuItem {
             visible: root.checkable && root.checked
         }
         BodyText {
+            id: label
+
             anchors { left: parent.left; leftMargin: 28; right: keys.left; rightMargin: 12; verticalCenter: parent.verticalCenter }
             text: root.text
             elide: Text.ElideRight

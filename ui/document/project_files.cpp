@@ -1,5 +1,7 @@
 #include "ui/document/project_files.h"
 
+#include "ui/text/display.h"
+
 #include <QDir>
 #include <QFileInfo>
 #include <QRegularExpression>
@@ -26,14 +28,6 @@ QString fromPath(const std::filesystem::path& path) {
     return QString::fromStdU16String(path.u16string());
 }
 
-QString sentence(const std::string& text) {
-    QString begun = QString::fromStdString(text);
-    if (!begun.isEmpty()) {
-        begun[0] = begun[0].toUpper();
-    }
-    return begun;
-}
-
 QString nameOf(const QString& path) {
     return QFileInfo{path}.completeBaseName();
 }
@@ -53,6 +47,7 @@ ProjectFiles::ProjectFiles(Document& document, QObject* parent)
     connect(&document_, &Document::projectChanged, this, wait);
     connect(&document_, &Document::historyChanged, this, wait);
     connect(&saver_, &JobRunner::busyChanged, this, &ProjectFiles::savingChanged);
+    connect(&Display::instance(), &Display::changed, this, &ProjectFiles::messageChanged);
 }
 
 ProjectFiles::~ProjectFiles() {
@@ -117,9 +112,10 @@ bool ProjectFiles::recover() {
         useJournal(std::move(*journal));
         setPath(fromPath(history->file), history->savedFingerprint);
         document_.begin(*history);
-        tell(Trouble::Restored,
-             path_.isEmpty() ? tr("Your last work was not saved. Here it is again.")
-                             : tr("Changes of “%1” were not saved. Here they are again.").arg(name()));
+        tell(Trouble::Restored, [unnamed = path_.isEmpty(), name = name()] {
+            return unnamed ? tr("Your last work was not saved. Here it is again.")
+                           : tr("Changes of “%1” were not saved. Here they are again.").arg(name);
+        });
         return true;
     }
     return false;
@@ -145,7 +141,8 @@ bool ProjectFiles::open(const QString& path, OpenedProject opened) {
         kept->file = toPath(whole);
         document_.begin(*kept);
         if (kept->isUnsaved()) {
-            tell(Trouble::Restored, tr("Changes of “%1” were not saved. Here they are again.").arg(name()));
+            tell(Trouble::Restored,
+                 [name = name()] { return tr("Changes of “%1” were not saved. Here they are again.").arg(name); });
         }
         return true;
     }
@@ -154,15 +151,17 @@ bool ProjectFiles::open(const QString& path, OpenedProject opened) {
     history.saved = 0;
     document_.begin(history);
     if (!opened.notes.empty()) {
-        QStringList lines;
-        std::ranges::transform(opened.notes, std::back_inserter(lines), sentence);
-        tell(Trouble::Notes, lines.join(QLatin1Char('\n')), tr("It is kept in the file all the same."));
+        tell(
+            Trouble::Notes, [notes = opened.notes] { return sentences(notes).join(QLatin1Char('\n')); },
+            [] { return tr("It is kept in the file all the same."); });
     }
     if (kept && kept->isUnsaved()) {
         // The file is another one by now. What was not saved becomes a change of it, to be undone or kept.
         document_.change(tr("Restore changes that were not saved"), Project{*kept->current()});
-        tell(Trouble::Restored, tr("Another program changed “%1” while changes of yours were not saved. Yours are "
-                                   "shown; undo shows the file.").arg(name()));
+        tell(Trouble::Restored, [name = name()] {
+            return tr("Another program changed “%1” while changes of yours were not saved. Yours are "
+                      "shown; undo shows the file.").arg(name);
+        });
     }
     return true;
 }
@@ -212,8 +211,10 @@ void ProjectFiles::take(const QString& path, const std::shared_ptr<const Project
         return;
     }
     if (changedOnDisk) {
-        tell(Trouble::ChangedOnDisk, tr("Another program has changed “%1” since it was opened here.").arg(nameOf(path)),
-             tr("Save over it, or save yours under another name."));
+        tell(
+            Trouble::ChangedOnDisk,
+            [name = nameOf(path)] { return tr("Another program has changed “%1” since it was opened here.").arg(name); },
+            [] { return tr("Save over it, or save yours under another name."); });
         return;
     }
     bool kept = true;
@@ -322,20 +323,24 @@ void ProjectFiles::setPath(const QString& path, const std::string& fingerprint) 
     emit pathChanged();
 }
 
-void ProjectFiles::tell(Trouble trouble, const QString& message, const QString& remedy) {
-    if (trouble == trouble_ && message == message_ && remedy == remedy_) {
+void ProjectFiles::tell(Trouble trouble, Said message, Said remedy) {
+    if (trouble == trouble_ && text(message) == text(message_) && text(remedy) == text(remedy_)) {
         return;
     }
     trouble_ = trouble;
-    message_ = message;
-    remedy_ = remedy;
+    message_ = std::move(message);
+    remedy_ = std::move(remedy);
     emit messageChanged();
 }
 
 void ProjectFiles::tell(Trouble trouble, const Error& error) {
-    const QString where = QString::fromStdString(error.where);
-    tell(trouble, where.isEmpty() ? sentence(error.what) : tr("%1: %2").arg(QFileInfo{where}.fileName(), sentence(error.what)),
-         sentence(error.remedy));
+    tell(
+        trouble,
+        [error] {
+            const QString where = shown(error.where);
+            return where.isEmpty() ? sentence(error.what) : tr("%1: %2").arg(QFileInfo{where}.fileName(), sentence(error.what));
+        },
+        [remedy = error.remedy] { return sentence(remedy); });
 }
 
 }  // namespace furrow

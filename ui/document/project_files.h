@@ -4,6 +4,7 @@
 #include "planner/project/project_file.h"
 #include "ui/document/document.h"
 #include "ui/jobs/job_runner.h"
+#include "ui/text/message_text.h"
 
 #include <QObject>
 #include <QTimer>
@@ -51,8 +52,8 @@ public:
     QString name() const;
     bool isSaving() const { return saver_.isBusy(); }
     Trouble trouble() const { return trouble_; }
-    QString message() const { return message_; }
-    QString remedy() const { return remedy_; }
+    QString message() const { return text(message_); }
+    QString remedy() const { return text(remedy_); }
 
     /// Journals go to this folder; without one, none is kept.
     void keepIn(const QString& folder);
@@ -93,7 +94,7 @@ private:
     void write(const QString& path, bool overwrite);
     void take(const QString& path, const std::shared_ptr<const Project>& project, Result<std::string> written,
               bool changedOnDisk);
-    void tell(Trouble trouble, const QString& message = {}, const QString& remedy = {});
+    void tell(Trouble trouble, Said message = {}, Said remedy = {});
     void tell(Trouble trouble, const Error& error);
     void setPath(const QString& path, const std::string& fingerprint);
     /// Of a project file, or of none; nothing, with the message, where it cannot be had.
@@ -107,8 +108,8 @@ private:
     QString path_;
     std::string fingerprint_;
     Trouble trouble_ = Trouble::None;
-    QString message_;
-    QString remedy_;
+    Said message_;
+    Said remedy_;
     /// Written by the keeper's thread, and by this one at the end.
     struct Journal {
         std::mutex mutex;

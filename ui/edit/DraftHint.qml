@@ -1,6 +1,7 @@
 import QtQuick
 import QtPositioning
 import Furrow.Controls
+import Furrow.Text
 
 /// What to do while something is drawn, and fields to type the next edge into.
 Rectangle {
@@ -37,7 +38,7 @@ Rectangle {
             visible: root.editor.draftCount > 0
             width: 108
             name: qsTr("Length of the next edge")
-            unitText: qsTr("m")
+            kind: QuantityText.Length
             from: 0
             to: 100000
             decimals: 2
@@ -52,7 +53,7 @@ Rectangle {
             visible: root.editor.draftCount > 0
             width: 100
             name: qsTr("Direction of the next edge")
-            unitText: qsTr("°")
+            kind: QuantityText.Angle
             from: 0
             to: 360
             decimals: 1
@@ -70,7 +71,6 @@ Rectangle {
             objectName: "draft.freehand"
             anchors.verticalCenter: parent.verticalCenter
             visible: root.editor.draftCount === 0 && root.editor.tool !== FieldEditor.Gate
-            implicitWidth: 92
             text: qsTr("By hand")
             checked: root.editor.freehand
             onToggled: root.editor.freehand = checked
@@ -91,9 +91,7 @@ Rectangle {
     }
 
     function addTyped(): void {
-        const typedLength = NumberText.number(length.text);
-        const typedBearing = NumberText.number(bearing.text);
-        if (NumberText.isNumber(length.text) && NumberText.isNumber(bearing.text))
-            root.editor.addPointBy(typedLength, typedBearing);
+        if (QuantityText.isValue(length.text, QuantityText.Length) && QuantityText.isValue(bearing.text, QuantityText.Angle))
+            root.editor.addPointBy(QuantityText.value(length.text, QuantityText.Length), QuantityText.value(bearing.text, QuantityText.Angle));
     }
 }

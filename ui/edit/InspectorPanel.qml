@@ -56,7 +56,7 @@ Column {
             required property string text
             required property int kind
             required property real number
-            required property string unit
+            required property int quantity
             required property int decimals
             required property real from
             required property real to
@@ -95,7 +95,7 @@ Column {
                     objectName: "inspector.number." + row.index
                     name: row.label
                     value: row.number
-                    unitText: row.unit
+                    kind: row.quantity
                     decimals: row.decimals
                     from: row.from
                     to: row.to

@@ -2,6 +2,7 @@
 
 #include "planner/units/angle.h"
 #include "ui/plan/plan_session.h"
+#include "ui/text/display.h"
 
 #include <algorithm>
 
@@ -10,6 +11,7 @@ namespace furrow {
 void Inspector::setEditor(FieldEditor* editor) {
     editor_ = editor;
     connect(editor_, &FieldEditor::selectionChanged, this, &Inspector::follow);
+    connect(&Display::instance(), &Display::changed, this, &Inspector::follow);
     follow();
     emit editorChanged();
 }
@@ -58,7 +60,7 @@ QVariant Inspector::data(const QModelIndex& index, int role) const {
                                     : row.field == InspectorField::Name ? Kind::Text
                                                                         : Kind::Number);
         case NumberRole: return row.number;
-        case UnitRole: return row.unit;
+        case QuantityRole: return row.quantity;
         case DecimalsRole: return row.decimals;
         case FromRole: return row.from;
         case ToRole: return row.to;
@@ -68,7 +70,7 @@ QVariant Inspector::data(const QModelIndex& index, int role) const {
 
 QHash<int, QByteArray> Inspector::roleNames() const {
     return {{LabelRole, "label"}, {TextRole, "text"}, {KindRole, "kind"}, {NumberRole, "number"},
-            {UnitRole, "unit"}, {DecimalsRole, "decimals"}, {FromRole, "from"}, {ToRole, "to"}};
+            {QuantityRole, "quantity"}, {DecimalsRole, "decimals"}, {FromRole, "from"}, {ToRole, "to"}};
 }
 
 void Inspector::setNumber(int row, double number) {

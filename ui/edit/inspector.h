@@ -24,7 +24,7 @@ class Inspector : public QAbstractListModel {
 public:
     enum class Kind { Figure, Number, Text };
     Q_ENUM(Kind)
-    enum Role { LabelRole = Qt::UserRole + 1, TextRole, KindRole, NumberRole, UnitRole, DecimalsRole, FromRole, ToRole };
+    enum Role { LabelRole = Qt::UserRole + 1, TextRole, KindRole, NumberRole, QuantityRole, DecimalsRole, FromRole, ToRole };
 
     explicit Inspector(QObject* parent = nullptr) : QAbstractListModel{parent} {}
 

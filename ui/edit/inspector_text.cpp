@@ -1,8 +1,10 @@
 #include "ui/edit/inspector_text.h"
 
 #include "planner/editing/outline_edits.h"
+#include "planner/plan/method_registry.h"
 #include "planner/units/angle.h"
-#include "ui/plan/unit_text.h"
+#include "ui/text/message_text.h"
+#include "ui/text/unit_text.h"
 
 #include <QCoreApplication>
 
@@ -21,16 +23,16 @@ struct Words {
 constexpr double kLongestEdgeM = 100000.0;
 
 InspectorRow figure(const QString& label, const QString& text) {
-    return {.label = label, .text = text, .unit = {}};
+    return {.label = label, .text = text};
 }
 
-InspectorRow numberRow(const QString& label, InspectorField field, double number, const QString& unit, int decimals,
+InspectorRow numberRow(const QString& label, InspectorField field, double number, QuantityText::Kind quantity, int decimals,
                        double from, double to) {
-    return {.label = label, .text = {}, .field = field, .number = number, .unit = unit, .decimals = decimals, .from = from, .to = to};
+    return {.label = label, .text = {}, .field = field, .number = number, .quantity = quantity, .decimals = decimals, .from = from, .to = to};
 }
 
 InspectorRow nameRow(const std::string& name) {
-    return {.label = Words::tr("Name"), .text = fromStd(name), .field = InspectorField::Name, .unit = {}};
+    return {.label = Words::tr("Name"), .text = fromStd(name), .field = InspectorField::Name};
 }
 
 QString nameOf(const OutlineId& id) {
@@ -48,6 +50,17 @@ double bearingDegOf(Point way) {
     return bearing < 0.0 ? bearing + 360.0 : bearing;
 }
 
+/// Of a method, where the turn is one alone.
+QString nameOfTurn(std::string_view id) {
+    for (const StageInfo& stage : stages()) {
+        const auto method = std::ranges::find(stage.methods, id, &MethodInfo::id);
+        if (stage.id == "path" && method != stage.methods.end()) {
+            return shown(method->name);
+        }
+    }
+    return Words::tr("Several moves");
+}
+
 Area areaOf(const Outline& outline) {
     return Area::fromSi(std::abs(signedAreaM2(outline.points)));
 }
@@ -57,8 +70,8 @@ InspectorText vertexText(const Outline& outline, std::size_t vertex) {
     text.title = Words::tr("Point %1 of the %2").arg(vertex + 1).arg(nameOf(outline.id));
     const bool end = !outline.closed && (vertex == 0 || vertex + 1 == outline.points.size());
     text.sentence = Words::tr("Drag it on the map, move it by arrow keys, or type where it is.");
-    text.rows = {numberRow(Words::tr("Latitude"), InspectorField::Latitude, outline.places[vertex].latDeg, Words::tr("°"), 8, -90.0, 90.0),
-                 numberRow(Words::tr("Longitude"), InspectorField::Longitude, outline.places[vertex].lonDeg, Words::tr("°"), 8, -180.0, 180.0)};
+    text.rows = {numberRow(Words::tr("Latitude"), InspectorField::Latitude, outline.places[vertex].latDeg, QuantityText::Angle, 8, -90.0, 90.0),
+                 numberRow(Words::tr("Longitude"), InspectorField::Longitude, outline.places[vertex].lonDeg, QuantityText::Angle, 8, -180.0, 180.0)};
     if (!end) {
         text.rows.push_back(figure(Words::tr("Angle"), Words::tr("%1°").arg(numberText(inDegrees(cornerAngle(outline, vertex)), 1))));
     }
@@ -73,8 +86,8 @@ InspectorText edgeText(const Outline& outline, std::size_t edge) {
                         ? Words::tr("One swath lies on it, the others beside it. Drag it or its ends, or type its direction.")
                         : Words::tr("Drag it to move it sideways; the dot in its middle makes another point.");
     text.isEdge = outline.id.kind != OutlineKind::Guide;
-    text.rows = {numberRow(Words::tr("Length"), InspectorField::EdgeLength, norm(way), Words::tr("m"), 2, 0.01, kLongestEdgeM),
-                 numberRow(Words::tr("Direction"), InspectorField::EdgeBearing, bearingDegOf(way), Words::tr("°"), 2, 0.0, 360.0)};
+    text.rows = {numberRow(Words::tr("Length"), InspectorField::EdgeLength, norm(way), QuantityText::Length, 2, 0.01, kLongestEdgeM),
+                 numberRow(Words::tr("Direction"), InspectorField::EdgeBearing, bearingDegOf(way), QuantityText::Angle, 2, 0.0, 360.0)};
     return text;
 }
 
@@ -84,7 +97,7 @@ InspectorText obstacleText(const Outline& outline, const Obstacle& obstacle) {
     text.sentence = obstacle.passable ? Words::tr("It is not worked, but may be driven on.")
                                       : Words::tr("It is not worked, and nothing drives nearer than its buffer.");
     text.rows = {nameRow(obstacle.name),
-                 numberRow(Words::tr("Buffer"), InspectorField::Buffer, obstacle.buffer.si(), Words::tr("m"), 2, 0.0, 1000.0),
+                 numberRow(Words::tr("Buffer"), InspectorField::Buffer, obstacle.buffer.si(), QuantityText::Length, 2, 0.0, 1000.0),
                  figure(Words::tr("Area"), areaText(areaOf(outline)))};
     text.passable = obstacle.passable;
     return text;
@@ -123,7 +136,7 @@ InspectorText segmentText(const Plan& plan, std::size_t index) {
             text.title = Words::tr("Turn from %1 to %2").arg(called(before), called(after));
             text.sentence = segment.gear == Gear::Reverse ? Words::tr("%1 in reverse, in %2.").arg(length, time)
                                                           : Words::tr("%1 with the implement up, in %2.").arg(length, time);
-            text.rows.push_back(figure(Words::tr("Kind"), fromStd(segment.turnType)));
+            text.rows.push_back(figure(Words::tr("Kind"), nameOfTurn(segment.turnType)));
             break;
         case SegmentKind::Transfer:
         case SegmentKind::Refill:
@@ -133,7 +146,7 @@ InspectorText segmentText(const Plan& plan, std::size_t index) {
             break;
     }
     if (!segment.drivable) {
-        text.sentence = Words::tr("It cannot be driven like this: %1.").arg(fromStd(segment.reason));
+        text.sentence = Words::tr("It cannot be driven like this: %1.").arg(shown(segment.reason));
     }
     return text;
 }
@@ -153,7 +166,7 @@ InspectorText gateText(const Gate& gate) {
     text.title = gate.name.empty() ? Words::tr("Gate") : fromStd(gate.name);
     text.sentence = Words::tr("Here the machine may enter and leave the field. Drag it along the boundary.");
     text.rows = {nameRow(gate.name),
-                 numberRow(Words::tr("Width"), InspectorField::GateWidth, gate.width.si(), Words::tr("m"), 2, 0.0, 100.0)};
+                 numberRow(Words::tr("Width"), InspectorField::GateWidth, gate.width.si(), QuantityText::Length, 2, 0.0, 100.0)};
     return text;
 }
 
@@ -205,9 +218,9 @@ std::optional<InspectorText> inspectorText(const Selection& selection, const Fie
             if (plan != nullptr && index < plan->findings.size()) {
                 InspectorText text;
                 text.title = Words::tr("Finding %1").arg(index + 1);
-                text.sentence = fromStd(plan->findings[index].text);
+                text.sentence = shown(plan->findings[index].text);
                 if (!plan->findings[index].suggestion.empty()) {
-                    text.sentence += QLatin1Char('\n') + fromStd(plan->findings[index].suggestion);
+                    text.sentence += QLatin1Char('\n') + shown(plan->findings[index].suggestion);
                 }
                 return text;
             }

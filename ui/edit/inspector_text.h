@@ -3,6 +3,7 @@
 #include "planner/editing/field_shape.h"
 #include "planner/plan/plan.h"
 #include "ui/edit/selection.h"
+#include "ui/text/quantity_text.h"
 
 #include <QString>
 
@@ -20,7 +21,7 @@ struct InspectorRow {
     QString text;
     InspectorField field = InspectorField::None;
     double number = 0.0;
-    QString unit;
+    QuantityText::Kind quantity = QuantityText::Number;
     int decimals = 2;
     double from = 0.0;
     double to = 0.0;

@@ -2,6 +2,7 @@ pragma ComponentBehavior: Bound
 import QtQuick
 import QtQuick.Window
 import Furrow.Controls
+import Furrow.Text
 
 /// One layer of imagery: shown or not, how strong, its place in the order, and what is wrong with its file.
 Column {
@@ -107,7 +108,7 @@ Column {
         x: 26
         width: parent.width - 26
         visible: root.contourStep > 0
-        text: qsTr("Contour lines every %L1 m").arg(root.contourStep)
+        text: qsTr("Contour lines every %1").arg((Display.revision, QuantityText.scaleText(root.contourStep)))
     }
     CheckRow {
         objectName: "imagery.%1.tms".arg(root.index)

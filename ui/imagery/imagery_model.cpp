@@ -1,8 +1,9 @@
 #include "ui/imagery/imagery_model.h"
 
-#include "planner/io/file_error.h"
 #include "planner/project/project_edits.h"
 #include "ui/map/map_frame.h"
+#include "ui/text/display.h"
+#include "ui/text/unit_text.h"
 
 #include <QDateTime>
 #include <QFileInfo>
@@ -22,17 +23,9 @@ std::filesystem::path toPath(const std::string& path) {
     return path;
 }
 
-QString sentence(const std::string& text) {
-    QString begun = QString::fromStdString(text);
-    if (!begun.isEmpty()) {
-        begun[0] = begun[0].toUpper();
-    }
-    return begun;
-}
-
 /// Tells one state of a file from another; 0 where it is not there.
 qint64 stampOf(const std::string& path) {
-    const QFileInfo file{QString::fromStdString(path)};
+    const QFileInfo file{fromStd(path)};
     return file.exists() ? file.lastModified().toMSecsSinceEpoch() ^ (file.size() << 20) : 0;
 }
 
@@ -53,6 +46,12 @@ ImageryModel::ImageryModel(Document& document, QObject* parent) : QAbstractListM
     connect(&document_, &Document::projectChanged, this, &ImageryModel::follow);
     connect(&store_, &TileStore::opened, this, &ImageryModel::take);
     connect(&store_, &TileStore::failed, this, &ImageryModel::takeFailure);
+    connect(&Display::instance(), &Display::changed, this, [this] {
+        if (count() > 0) {
+            emit dataChanged(index(0), index(count() - 1));
+        }
+        emit messageChanged();
+    });
 }
 
 int ImageryModel::rowCount(const QModelIndex& parent) const {
@@ -67,8 +66,8 @@ QVariant ImageryModel::data(const QModelIndex& index, int role) const {
     const Imagery* imagery = store_.imagery(row.sheet);
     switch (role) {
         case Qt::DisplayRole:
-        case NameRole: return QString::fromStdString(row.layer.name);
-        case PathRole: return QString::fromStdString(row.layer.path);
+        case NameRole: return fromStd(row.layer.name);
+        case PathRole: return fromStd(row.layer.path);
         case ShownRole: return row.layer.visible;
         case OpacityRole: return row.layer.opacity;
         case StateRole: return QVariant::fromValue(row.state);
@@ -128,12 +127,12 @@ void ImageryModel::add(const QStringList& paths) {
         return [this, good = std::move(good), bad, announced] {
             tell({}, {});
             if (bad) {
-                tell(tr("%1: %2").arg(QFileInfo{QString::fromStdString(bad->where)}.fileName(), sentence(bad->what)),
-                     sentence(bad->remedy));
+                tell([what = bad->what, name = QFileInfo{fromStd(bad->where.text())}.fileName()] { return tr("%1: %2").arg(name, sentence(what)); },
+                     [remedy = bad->remedy] { return sentence(remedy); });
             }
             if (!good.empty()) {
                 announced_ = announced;
-                const QString text = good.size() == 1 ? tr("Add %1").arg(QString::fromStdString(good.front().name))
+                const QString text = good.size() == 1 ? tr("Add %1").arg(fromStd(good.front().name))
                                                       : tr("Add imagery");
                 document_.change(text, withImagery(*document_.project(), good));
             }
@@ -154,7 +153,7 @@ void ImageryModel::change(int row, const QString& text, const std::function<void
 
 void ImageryModel::remove(int row) {
     if (has(row)) {
-        document_.change(tr("Remove %1").arg(QString::fromStdString(rows_[indexOf(row)].layer.name)),
+        document_.change(tr("Remove %1").arg(fromStd(rows_[indexOf(row)].layer.name)),
                          withoutImageryLayer(*document_.project(), indexOf(row)));
     }
 }
@@ -234,7 +233,7 @@ void ImageryModel::follow() {
             const int place = static_cast<int>(rows_.size() - i);
             beginInsertRows({}, place, place);
             Row row{.layer = layers[i], .sheet = 0, .state = State::Opening, .error = {}, .stamp = 0, .announce = false};
-            row.announce = announced_.removeAll(QString::fromStdString(layers[i].path)) > 0;
+            row.announce = announced_.removeAll(fromStd(layers[i].path)) > 0;
             open(row);
             rows_.insert(rows_.begin() + static_cast<std::ptrdiff_t>(i), std::move(row));
             endInsertRows();
@@ -308,7 +307,10 @@ void ImageryModel::watch() {
         }
         if (stamp == 0) {
             row.state = State::Failed;
-            row.error = readFailed(row.layer.path, "the file is not there any more", "put it back, or remove the layer");
+            row.error = {.code = ErrorCode::ReadFailed,
+                         .what = "the file is not there any more",
+                         .where = row.layer.path,
+                         .remedy = "put it back, or remove the layer"};
             row.stamp = 0;
         } else {
             // It came back, or another picture is there under the same name.
@@ -323,10 +325,10 @@ void ImageryModel::changed(std::size_t index) {
     emit dataChanged(row, row);
 }
 
-void ImageryModel::tell(const QString& message, const QString& remedy) {
-    if (message != message_ || remedy != remedy_) {
-        message_ = message;
-        remedy_ = remedy;
+void ImageryModel::tell(Said message, Said remedy) {
+    if (text(message) != text(message_) || text(remedy) != text(remedy_)) {
+        message_ = std::move(message);
+        remedy_ = std::move(remedy);
         emit messageChanged();
     }
 }

@@ -3,6 +3,7 @@
 #include "ui/document/document.h"
 #include "ui/imagery/tile_store.h"
 #include "ui/jobs/job_runner.h"
+#include "ui/text/message_text.h"
 
 #include <QAbstractListModel>
 #include <QGeoRectangle>
@@ -45,8 +46,8 @@ public:
     QHash<int, QByteArray> roleNames() const override;
 
     int count() const { return rowCount(); }
-    QString message() const { return message_; }
-    QString remedy() const { return remedy_; }
+    QString message() const { return text(message_); }
+    QString remedy() const { return text(remedy_); }
     TileStore& store() { return store_; }
     /// What is drawn, lowest first.
     std::vector<ImagerySheet> sheets() const;
@@ -96,7 +97,7 @@ private:
     void takeFailure(int sheet, const Error& error);
     void changed(std::size_t index);
     void watch();
-    void tell(const QString& message, const QString& remedy);
+    void tell(Said message, Said remedy);
     /// Of a row of the model, in rows_ and in the project; out of range for none.
     std::size_t indexOf(int row) const { return rows_.size() - 1 - static_cast<std::size_t>(row); }
     int rowOf(std::size_t index) const { return static_cast<int>(rows_.size() - 1 - index); }
@@ -107,8 +108,8 @@ private:
     JobRunner reader_;
     std::vector<Row> rows_;
     QTimer watch_;
-    QString message_;
-    QString remedy_;
+    Said message_;
+    Said remedy_;
     /// Paths that were added last: the camera goes there when the first of them is open.
     QStringList announced_;
 };

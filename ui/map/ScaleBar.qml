@@ -1,13 +1,13 @@
 import QtQuick
 import Furrow.Controls
+import Furrow.Text
 
 /// A round length and how long it is on the map.
 Rectangle {
     id: root
 
     required property MapCamera camera
-    // The call alone would not be made again when the camera moves.
-    readonly property real metres: camera.metresPerPixel > 0 ? camera.roundLengthFor(120) : 1
+    readonly property real metres: (Display.revision, QuantityText.roundLengthBelow(120 * camera.metresPerPixel))
 
     objectName: "scaleBar"
     width: 148
@@ -21,7 +21,7 @@ Rectangle {
         id: label
 
         anchors { horizontalCenter: bar.horizontalCenter; bottom: bar.top; bottomMargin: 1 }
-        text: root.metres >= 1000 ? qsTr("%1 km").arg(Number(root.metres / 1000).toLocaleString(Qt.locale(), "f", 0)) : qsTr("%1 m").arg(root.metres >= 1 ? root.metres : root.metres.toFixed(2))
+        text: (Display.revision, QuantityText.scaleText(root.metres))
         font.pixelSize: Theme.labelSize
     }
     Item {

@@ -121,17 +121,6 @@ void MapCamera::fit(const QGeoRectangle& area, double left, double top, double r
            zoom, animated);
 }
 
-double MapCamera::roundLengthFor(double pixels) const {
-    const double most = pixels * metresPerPixel();
-    const double power = std::pow(10.0, std::floor(std::log10(most)));
-    for (const double factor : {5.0, 2.0}) {
-        if (factor * power <= most) {
-            return factor * power;
-        }
-    }
-    return power;
-}
-
 void MapCamera::moveTo(WorldPoint center, double zoom, bool animated) {
     animation_.stop();
     // A movement over many screens would only be a blur.

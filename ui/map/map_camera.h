@@ -53,8 +53,6 @@ public:
     /// Shows all of `area` inside the item less these margins.
     Q_INVOKABLE void fit(const QGeoRectangle& area, double left, double top, double right, double bottom,
                          bool animated);
-    /// The longest round length whose bar is at most this wide.
-    Q_INVOKABLE double roundLengthFor(double pixels) const;
 
 signals:
     void changed();

@@ -2,7 +2,9 @@
 
 #include "planner/io/format_registry.h"
 #include "planner/io/plan_folder.h"
-#include "ui/plan/unit_text.h"
+#include "ui/text/display.h"
+#include "ui/text/message_text.h"
+#include "ui/text/unit_text.h"
 
 #include <QDir>
 #include <QRegularExpression>
@@ -32,6 +34,10 @@ ExportModel::ExportModel(QObject* parent) : QAbstractListModel{parent} {
         const auto standard = standardPlanFormats();
         checked_.push_back(std::ranges::find(standard, format.id) != standard.end());
     }
+    connect(&Display::instance(), &Display::changed, this, [this] {
+        emit dataChanged(index(0), index(rowCount() - 1));
+        emit stateChanged();
+    });
 }
 
 void ExportModel::setPlan(std::shared_ptr<const Plan> plan) {
@@ -52,8 +58,8 @@ QVariant ExportModel::data(const QModelIndex& index, int role) const {
     }
     switch (role) {
         case Qt::DisplayRole:
-        case NameRole: return fromStd(formatAt(index.row()).name);
-        case HintRole: return fromStd(formatAt(index.row()).carries);
+        case NameRole: return shown(formatAt(index.row()).name);
+        case HintRole: return shown(formatAt(index.row()).carries);
         case CheckedRole: return static_cast<bool>(checked_[static_cast<std::size_t>(index.row())]);
         default: return {};
     }
@@ -89,22 +95,22 @@ void ExportModel::writeTo(const QString& folder) {
             ids.push_back(formatAt(row).id);
         }
     }
-    setState(State::Writing, tr("Writing …"));
+    setState(State::Writing, [] { return tr("Writing …"); });
     const std::filesystem::path path{QDir::cleanPath(folder.trimmed()).toStdU16String()};
     runner_.submit([this, plan = plan_, path, ids](const JobContext& job) -> JobRunner::Delivery {
         auto written = writePlanFolder(*plan, path, ids, job);
         return [this, written = std::move(written), path] {
             if (written) {
-                notes_.clear();
-                for (const std::string& note : written->notes) {
-                    notes_ << fromStd(note);
-                }
-                setState(State::Done, tr("%n file(s) written to %1", nullptr, static_cast<int>(written->files.size()))
-                                          .arg(QString::fromStdU16String(path.u16string())));
+                notes_ = written->notes;
+                setState(State::Done, [count = static_cast<int>(written->files.size()),
+                                       place = QString::fromStdU16String(path.u16string())] {
+                    return tr("%n file(s) written to %1", nullptr, count).arg(place);
+                });
             } else {
                 const Error& error = written.error();
-                setState(State::Failed, fromStd(error.where.empty() ? error.what : error.what + " (" + error.where + ")"),
-                         fromStd(error.remedy));
+                const Message what = error.where.empty() ? error.what : furrow::message("{} ({})", error.what, error.where);
+                setState(
+                    State::Failed, [what] { return sentence(what); }, [remedy = error.remedy] { return sentence(remedy); });
             }
         };
     });
@@ -115,10 +121,10 @@ void ExportModel::clear() {
     setState(State::Idle);
 }
 
-void ExportModel::setState(State state, const QString& message, const QString& remedy) {
+void ExportModel::setState(State state, Said message, Said remedy) {
     state_ = state;
-    message_ = message;
-    remedy_ = remedy;
+    message_ = std::move(message);
+    remedy_ = std::move(remedy);
     emit stateChanged();
 }
 

@@ -3,6 +3,7 @@
 #include "planner/plan/plan.h"
 #include "ui/jobs/job_runner.h"
 #include "ui/plan/stick_export.h"
+#include "ui/text/message_text.h"
 
 #include <QAbstractListModel>
 #include <QUrl>
@@ -34,9 +35,9 @@ public:
     void setPlan(std::shared_ptr<const Plan> plan);
 
     State state() const { return state_; }
-    QString message() const { return message_; }
-    QString remedy() const { return remedy_; }
-    QStringList notes() const { return notes_; }
+    QString message() const { return text(message_); }
+    QString remedy() const { return text(remedy_); }
+    QStringList notes() const { return sentences(notes_); }
     StickExport* stick() { return &stick_; }
 
     int rowCount(const QModelIndex& parent = {}) const override;
@@ -56,14 +57,14 @@ signals:
     void stateChanged();
 
 private:
-    void setState(State state, const QString& message = {}, const QString& remedy = {});
+    void setState(State state, Said message = {}, Said remedy = {});
 
     std::shared_ptr<const Plan> plan_;
     std::vector<bool> checked_;
     State state_ = State::Idle;
-    QString message_;
-    QString remedy_;
-    QStringList notes_;
+    Said message_;
+    Said remedy_;
+    std::vector<Message> notes_;
     StickExport stick_;
     JobRunner runner_;
 };

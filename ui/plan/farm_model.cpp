@@ -2,7 +2,9 @@
 
 #include "planner/io/boundary_import.h"
 #include "planner/project/project_edits.h"
-#include "ui/plan/unit_text.h"
+#include "ui/text/display.h"
+#include "ui/text/message_text.h"
+#include "ui/text/unit_text.h"
 
 #include <algorithm>
 #include <utility>
@@ -12,7 +14,7 @@ namespace furrow {
 namespace {
 
 QString nameOf(const FieldPlan& plan) {
-    const QString name = fromStd(plan.name.empty() ? plan.machine.name() : plan.name);
+    const QString name = plan.name.empty() ? shown(plan.machine.name()) : fromStd(plan.name);
     return plan.season.empty() ? name : FarmModel::tr("%1 · %2").arg(name, fromStd(plan.season));
 }
 
@@ -21,6 +23,7 @@ QString nameOf(const FieldPlan& plan) {
 FarmModel::FarmModel(Document& document, QObject* parent) : QObject{parent}, document_{document} {
     connect(&document_, &Document::projectChanged, this, &FarmModel::follow);
     connect(&document_, &Document::dragEnded, this, &FarmModel::follow);
+    connect(&Display::instance(), &Display::changed, this, &FarmModel::follow);
     follow();
 }
 

@@ -2,9 +2,18 @@
 
 #include "planner/io/boundary_import.h"
 #include "ui/plan/field_outline.h"
-#include "ui/plan/unit_text.h"
+#include "ui/text/display.h"
+#include "ui/text/unit_text.h"
 
 namespace furrow {
+
+FieldChoiceModel::FieldChoiceModel(QObject* parent) : QAbstractListModel{parent} {
+    connect(&Display::instance(), &Display::changed, this, [this] {
+        if (rowCount() > 0) {
+            emit dataChanged(index(0), index(rowCount() - 1));
+        }
+    });
+}
 
 void FieldChoiceModel::show(std::vector<FieldSource> fields) {
     beginResetModel();

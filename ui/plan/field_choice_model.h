@@ -19,7 +19,7 @@ class FieldChoiceModel : public QAbstractListModel {
 public:
     enum Role { NameRole = Qt::UserRole + 1, AreaRole, OutlineRole };
 
-    explicit FieldChoiceModel(QObject* parent = nullptr) : QAbstractListModel{parent} {}
+    explicit FieldChoiceModel(QObject* parent = nullptr);
 
     void show(std::vector<FieldSource> fields);
     int count() const { return static_cast<int>(fields_.size()); }

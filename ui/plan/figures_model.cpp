@@ -1,6 +1,6 @@
 #include "ui/plan/figures_model.h"
 
-#include "ui/plan/unit_text.h"
+#include "ui/text/unit_text.h"
 
 namespace furrow {
 

@@ -1,10 +1,20 @@
 #include "ui/plan/findings_model.h"
 
-#include "ui/plan/unit_text.h"
+#include "ui/text/display.h"
+#include "ui/text/message_text.h"
+#include "ui/text/unit_text.h"
 
 #include <algorithm>
 
 namespace furrow {
+
+FindingsModel::FindingsModel(QObject* parent) : QAbstractListModel{parent} {
+    connect(&Display::instance(), &Display::changed, this, [this] {
+        if (rowCount() > 0) {
+            emit dataChanged(index(0), index(rowCount() - 1));
+        }
+    });
+}
 
 void FindingsModel::show(const std::vector<Finding>& findings, const std::vector<QGeoCoordinate>& places) {
     if (findings == findings_ && places == places_) {
@@ -55,8 +65,8 @@ QVariant FindingsModel::data(const QModelIndex& index, int role) const {
     switch (role) {
         case NumberRole: return index.row() + 1;
         case Qt::DisplayRole:
-        case TextRole: return fromStd(finding.text);
-        case SuggestionRole: return fromStd(finding.suggestion);
+        case TextRole: return shown(finding.text);
+        case SuggestionRole: return shown(finding.suggestion);
         case BlockingRole: return finding.severity == Severity::Blocking;
         case PlaceRole: return QVariant::fromValue(placeOf(index.row()));
         default: return {};

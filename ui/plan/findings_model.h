@@ -24,7 +24,7 @@ class FindingsModel : public QAbstractListModel {
 public:
     enum Role { NumberRole = Qt::UserRole + 1, TextRole, SuggestionRole, BlockingRole, PlaceRole };
 
-    explicit FindingsModel(QObject* parent = nullptr) : QAbstractListModel{parent} {}
+    explicit FindingsModel(QObject* parent = nullptr);
 
     /// `places` are those of the findings, in their order.
     void show(const std::vector<Finding>& findings, const std::vector<QGeoCoordinate>& places);

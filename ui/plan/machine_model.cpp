@@ -2,7 +2,11 @@
 
 #include "planner/machine/machine_file.h"
 #include "planner/machine/machine_library.h"
-#include "ui/plan/unit_text.h"
+#include "planner/units/unit_system.h"
+#include "ui/text/display.h"
+#include "ui/text/message_text.h"
+#include "ui/text/quantity_text.h"
+#include "ui/text/unit_text.h"
 
 #include <algorithm>
 #include <array>
@@ -15,15 +19,13 @@ namespace {
 constexpr std::array<std::string_view, 6> kShownKeys{"operating_width_m",  "vehicle_width_m",   "min_turning_radius_m",
                                                      "raised_width_m", "working_speed_mps", "turning_speed_mps"};
 
-constexpr double kKmhPerMps = 3.6;
-
-/// People drive km/h.
-double factorOf(const MachineKey& key) {
-    return key.unit == "m/s" ? kKmhPerMps : 1.0;
+QuantityText::Kind quantityOf(const MachineKey& key) {
+    return key.unit == "m/s" ? QuantityText::Speed : key.unit == "m" ? QuantityText::Length : QuantityText::Number;
 }
 
+/// Half a km/h, a decimetre.
 double stepOf(const MachineKey& key) {
-    return key.unit == "m/s" ? 0.5 : 0.1;
+    return key.unit == "m/s" ? 0.5 * kKilometrePerHourMps : 0.1;
 }
 
 /// What stands for a number that is not given.
@@ -46,12 +48,16 @@ MachineModel::MachineModel(QObject* parent) : QAbstractListModel{parent}, machin
             keys_.push_back(&*key);
         }
     }
+    connect(&Display::instance(), &Display::changed, this, [this] {
+        emit dataChanged(index(0), index(rowCount() - 1));
+        emit machineChanged();
+    });
 }
 
 QStringList MachineModel::library() const {
     QStringList names;
     for (const Machine& machine : machineLibrary()) {
-        names << fromStd(machine.name());
+        names << shown(machine.name());
     }
     return names;
 }
@@ -75,7 +81,7 @@ bool MachineModel::isChanged() const {
 }
 
 QString MachineModel::name() const {
-    return fromStd(machine_.name());
+    return shown(machine_.name());
 }
 
 void MachineModel::reset() {
@@ -93,17 +99,17 @@ QVariant MachineModel::data(const QModelIndex& index, int role) const {
     const MachineKey& key = *keys_[static_cast<std::size_t>(index.row())];
     const MachineValue given = key.get(machine_.spec());
     const auto* number = std::get_if<double>(&given);
-    const double shown = number != nullptr ? *number : impliedNumber(key, machine_).value_or(0.0);
+    const double held = number != nullptr ? *number : impliedNumber(key, machine_).value_or(0.0);
     switch (role) {
         case KeyRole: return fromStd(key.key);
         case Qt::DisplayRole:
-        case NameRole: return fromStd(key.name);
-        case DescriptionRole: return fromStd(key.description);
-        case ValueRole: return shown * factorOf(key);
-        case AutoTextRole: return number != nullptr ? QString{} : tr("auto · %1").arg(numberText(shown * factorOf(key), 1));
-        case UnitRole: return key.unit == "m/s" ? tr("km/h") : fromStd(key.unit);
-        case FromRole: return key.min * factorOf(key);
-        case ToRole: return key.max * factorOf(key);
+        case NameRole: return shown(key.name);
+        case DescriptionRole: return shown(key.description);
+        case ValueRole: return held;
+        case AutoTextRole: return number != nullptr ? QString{} : tr("auto · %1").arg(QuantityText{}.text(held, quantityOf(key), 1));
+        case QuantityRole: return quantityOf(key);
+        case FromRole: return key.min;
+        case ToRole: return key.max;
         case StepRole: return stepOf(key);
         case DecimalsRole: return key.unit == "m/s" ? 1 : 2;
         default: return {};
@@ -112,7 +118,7 @@ QVariant MachineModel::data(const QModelIndex& index, int role) const {
 
 QHash<int, QByteArray> MachineModel::roleNames() const {
     return {{KeyRole, "key"},   {NameRole, "name"}, {DescriptionRole, "description"}, {ValueRole, "value"},
-            {AutoTextRole, "autoText"}, {UnitRole, "unit"}, {FromRole, "from"}, {ToRole, "to"},
+            {AutoTextRole, "autoText"}, {QuantityRole, "quantity"}, {FromRole, "from"}, {ToRole, "to"},
             {StepRole, "step"}, {DecimalsRole, "decimals"}};
 }
 
@@ -122,9 +128,9 @@ void MachineModel::setNumber(int row, double value) {
     }
     const MachineKey& key = *keys_[static_cast<std::size_t>(row)];
     MachineSpec spec = machine_.spec();
-    key.set(spec, MachineValue{value / factorOf(key)});
+    key.set(spec, MachineValue{value});
     const Result<Machine> made = Machine::create(spec);
-    const QString problem = made ? QString{} : fromStd(made.error().what);
+    const QString problem = made ? QString{} : sentence(made.error().what);
     if (problem != problem_) {
         problem_ = problem;
         emit problemChanged();

@@ -17,7 +17,7 @@ class MachineModel : public QAbstractListModel {
     Q_OBJECT
     QML_ELEMENT
     QML_UNCREATABLE("belongs to a session")
-    Q_PROPERTY(QStringList library READ library CONSTANT FINAL)
+    Q_PROPERTY(QStringList library READ library NOTIFY machineChanged FINAL)
     Q_PROPERTY(int libraryIndex READ libraryIndex WRITE setLibraryIndex NOTIFY machineChanged FINAL)
     /// The numbers differ from those of the library.
     Q_PROPERTY(bool changed READ isChanged NOTIFY machineChanged FINAL)
@@ -31,7 +31,7 @@ public:
         DescriptionRole,
         ValueRole,
         AutoTextRole,
-        UnitRole,
+        QuantityRole,
         FromRole,
         ToRole,
         StepRole,
@@ -54,7 +54,7 @@ public:
     QVariant data(const QModelIndex& index, int role) const override;
     QHash<int, QByteArray> roleNames() const override;
 
-    /// In the unit of the row. A value that no machine can have is refused and `problem` says why.
+    /// In SI units. A value that no machine can have is refused and `problem` says why.
     Q_INVOKABLE void setNumber(int row, double value);
     /// Back to the machine of the library.
     Q_INVOKABLE void reset();

@@ -1,6 +1,9 @@
 #include "ui/plan/parameter_model.h"
 
-#include "ui/plan/unit_text.h"
+#include "ui/text/display.h"
+#include "ui/text/message_text.h"
+#include "ui/text/quantity_text.h"
+#include "ui/text/unit_text.h"
 
 #include <QStringList>
 
@@ -49,10 +52,10 @@ int decimalsOf(const Parameter& parameter) {
     return parameter.min < 0.1 && !isDirection(parameter) ? 2 : 1;
 }
 
-QString unitOf(const Parameter& parameter) {
+QuantityText::Kind quantityOf(const Parameter& parameter) {
     switch (parameter.kind) {
-        case ParameterKind::Length: return QStringLiteral("m");
-        case ParameterKind::Angle: return QStringLiteral("°");
+        case ParameterKind::Length: return QuantityText::Length;
+        case ParameterKind::Angle: return QuantityText::Angle;
         case ParameterKind::Count:
         case ParameterKind::Choice:
         case ParameterKind::Flag:
@@ -62,7 +65,7 @@ QString unitOf(const Parameter& parameter) {
         case ParameterKind::Place:
         case ParameterKind::Numbers: break;
     }
-    return {};
+    return QuantityText::Number;
 }
 
 /// The numbers that a plan filled in for "auto".
@@ -82,6 +85,10 @@ std::size_t choiceIndex(const Parameter& parameter, const Settings& settings) {
 
 }  // namespace
 
+ParameterModel::ParameterModel(QObject* parent) : QAbstractListModel{parent} {
+    connect(&Display::instance(), &Display::changed, this, &ParameterModel::refresh);
+}
+
 void ParameterModel::show(const std::vector<const Parameter*>& parameters, const Settings& settings, const Plan* plan) {
     const bool same = parameters == parameters_;
     auto used = usedNumbers(plan);
@@ -98,7 +105,13 @@ void ParameterModel::show(const std::vector<const Parameter*>& parameters, const
     widthM_ = widthM;
     if (!same) {
         endResetModel();
-    } else if (!parameters_.empty()) {
+    } else {
+        refresh();
+    }
+}
+
+void ParameterModel::refresh() {
+    if (!parameters_.empty()) {
         emit dataChanged(index(0), index(rowCount() - 1));
     }
 }
@@ -121,8 +134,8 @@ QVariant ParameterModel::value(const Parameter& parameter, int role) const {
     const bool isNumber = kindOf(parameter) == Kind::Number || kindOf(parameter) == Kind::Direction;
     switch (role) {
         case KeyRole: return fromStd(parameter.key);
-        case NameRole: return fromStd(parameter.name);
-        case DescriptionRole: return fromStd(parameter.description);
+        case NameRole: return shown(parameter.name);
+        case DescriptionRole: return shown(parameter.description);
         case KindRole: return static_cast<int>(kindOf(parameter));
         case ValueRole: {
             if (!isNumber) {
@@ -135,9 +148,9 @@ QVariant ParameterModel::value(const Parameter& parameter, int role) const {
             if (!automatic) {
                 return QString{};
             }
-            return used == used_.end() ? tr("auto") : tr("auto · %1").arg(numberText(used->second, decimalsOf(parameter)));
+            return used == used_.end() ? tr("auto") : tr("auto · %1").arg(QuantityText{}.text(used->second, quantityOf(parameter), decimalsOf(parameter)));
         case CanBeAutoRole: return parameter.canBeAuto;
-        case UnitRole: return unitOf(parameter);
+        case QuantityRole: return quantityOf(parameter);
         case FromRole: return isDirection(parameter) ? 0.0 : parameter.min;
         case ToRole: return isDirection(parameter) ? 180.0 : parameter.max;
         case StepRole: return parameter.step;
@@ -150,14 +163,14 @@ QVariant ParameterModel::value(const Parameter& parameter, int role) const {
         case ChoicesRole: {
             QStringList names;
             std::ranges::transform(parameter.choices, std::back_inserter(names),
-                                   [](const Choice& choice) { return fromStd(choice.name); });
+                                   [](const Choice& choice) { return shown(choice.name); });
             return names;
         }
         case ChoiceIndexRole:
             return kindOf(parameter) == Kind::Choice ? static_cast<int>(choiceIndex(parameter, settings_)) : -1;
         case ChoiceHintRole:
             return kindOf(parameter) == Kind::Choice
-                       ? fromStd(parameter.choices[choiceIndex(parameter, settings_)].description)
+                       ? shown(parameter.choices[choiceIndex(parameter, settings_)].description)
                        : QString{};
         case CheckedRole: return kindOf(parameter) == Kind::Flag && settings_.flag(parameter);
         case TextRole: return kindOf(parameter) == Kind::Text ? fromStd(settingText(set)) : QString{};
@@ -169,7 +182,7 @@ QHash<int, QByteArray> ParameterModel::roleNames() const {
     return {{KeyRole, "key"},           {NameRole, "name"},
             {DescriptionRole, "description"}, {KindRole, "kind"},
             {ValueRole, "value"},       {AutoTextRole, "autoText"},
-            {CanBeAutoRole, "canBeAuto"}, {UnitRole, "unit"},
+            {CanBeAutoRole, "canBeAuto"}, {QuantityRole, "quantity"},
             {FromRole, "from"},         {ToRole, "to"},
             {StepRole, "step"},         {DecimalsRole, "decimals"},
             {SliderToRole, "sliderTo"}, {ChoicesRole, "choices"},

@@ -28,7 +28,7 @@ public:
         ValueRole,
         AutoTextRole,   ///< what is shown while the planner chooses; empty where a value is set
         CanBeAutoRole,
-        UnitRole,
+        QuantityRole,
         FromRole,
         ToRole,
         StepRole,
@@ -41,7 +41,7 @@ public:
         TextRole,  ///< of lines and lists, as the settings hold them
     };
 
-    explicit ParameterModel(QObject* parent = nullptr) : QAbstractListModel{parent} {}
+    explicit ParameterModel(QObject* parent = nullptr);
 
     /// Shows these settings with the values of `settings`; `plan` may be null.
     void show(const std::vector<const Parameter*>& parameters, const Settings& settings, const Plan* plan);
@@ -66,6 +66,7 @@ signals:
 private:
     const Parameter& at(int row) const { return *parameters_[static_cast<std::size_t>(row)]; }
     QVariant value(const Parameter& parameter, int role) const;
+    void refresh();
 
     std::vector<const Parameter*> parameters_;
     Settings settings_;

@@ -8,7 +8,9 @@
 #include "planner/plan/method_registry.h"
 #include "planner/project/project_edits.h"
 #include "planner/settings/operation.h"
-#include "ui/plan/unit_text.h"
+#include "ui/text/display.h"
+#include "ui/text/message_text.h"
+#include "ui/text/unit_text.h"
 
 #include <QDir>
 #include <QFile>
@@ -90,6 +92,12 @@ PlanSession::PlanSession(QObject* parent) : QObject{parent}, samples_{sampleFiel
         connect(runner, &JobRunner::slowChanged, this, &PlanSession::progressChanged);
         connect(runner, &JobRunner::progressChanged, this, &PlanSession::progressChanged);
     }
+    connect(&Display::instance(), &Display::changed, this, [this] {
+        showModels();
+        emit textsChanged();
+        emit fieldChanged();
+        updateState();
+    });
     showModels();
 }
 
@@ -107,7 +115,7 @@ QString PlanSession::fieldName() const {
 QStringList PlanSession::sampleNames() const {
     QStringList names;
     for (const SampleField& sample : samples_) {
-        names << sample.name;
+        names << shown(sample.name.toStdString());
     }
     return names;
 }
@@ -139,23 +147,20 @@ QString PlanSession::problem() const {
     if (!error_) {
         return {};
     }
-    QString what = fromStd(error_->what);
-    if (!what.isEmpty()) {
-        what[0] = what[0].toUpper();
-    }
-    return what;
+    return sentence(error_->what);
 }
 
 QString PlanSession::problemWhere() const {
-    return error_ ? fromStd(error_->where) : QString{};
+    if (!error_) {
+        return {};
+    }
+    // A setting by the name it has in the panel.
+    const auto parameter = findParameter(error_->where.text());
+    return parameter ? shown((*parameter)->name) : shown(error_->where);
 }
 
 QString PlanSession::problemRemedy() const {
-    QString remedy = error_ ? fromStd(error_->remedy) : QString{};
-    if (!remedy.isEmpty()) {
-        remedy[0] = remedy[0].toUpper();
-    }
-    return remedy;
+    return error_ ? sentence(error_->remedy) : QString{};
 }
 
 QGeoCoordinate PlanSession::problemPlace() const {
@@ -404,7 +409,7 @@ void PlanSession::changeSetting(const Parameter* parameter, const SettingValue& 
             changed.clear(*findParameter(entry.key).value());
         }
     }
-    document_.change(tr("Change %1").arg(fromStd(parameter->name)),
+    document_.change(tr("Change: %1").arg(shown(parameter->name)),
                      withPlan(*document_.project(), machine_.machine(), changed), fromStd(parameter->key),
                      live ? Document::Follows::More : Document::Follows::Nothing);
 }

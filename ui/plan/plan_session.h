@@ -45,7 +45,7 @@ class PlanSession : public QObject {
     Q_PROPERTY(QString problemWhere READ problemWhere NOTIFY stateChanged FINAL)
     Q_PROPERTY(QString problemRemedy READ problemRemedy NOTIFY stateChanged FINAL)
     Q_PROPERTY(QGeoCoordinate problemPlace READ problemPlace NOTIFY stateChanged FINAL)
-    Q_PROPERTY(QStringList sampleNames READ sampleNames CONSTANT FINAL)
+    Q_PROPERTY(QStringList sampleNames READ sampleNames NOTIFY textsChanged FINAL)
     Q_PROPERTY(furrow::FarmModel* farm READ farm CONSTANT FINAL)
     Q_PROPERTY(furrow::ImageryModel* imagery READ imagery CONSTANT FINAL)
     Q_PROPERTY(furrow::RecentFiles* recent READ recent CONSTANT FINAL)
@@ -115,6 +115,8 @@ public:
 
 signals:
     void stateChanged();
+    /// Language or units are others.
+    void textsChanged();
     void fieldChanged();
     void planChanged();
     void drawingChanged();

@@ -1,6 +1,7 @@
 #include "ui/plan/recent_files.h"
 
 #include "ui/plan/field_outline.h"
+#include "ui/text/display.h"
 
 #include <QDir>
 #include <QFile>
@@ -16,6 +17,14 @@ namespace furrow {
 
 namespace {
 constexpr qsizetype kMostEntries = 10;
+}
+
+RecentFiles::RecentFiles(QObject* parent) : QAbstractListModel{parent} {
+    connect(&Display::instance(), &Display::changed, this, [this] {
+        if (rowCount() > 0) {
+            emit dataChanged(index(0), index(rowCount() - 1));
+        }
+    });
 }
 
 void RecentFiles::keepIn(const QString& file) {

@@ -20,7 +20,7 @@ class RecentFiles : public QAbstractListModel {
 public:
     enum Role { PathRole = Qt::UserRole + 1, NameRole, FolderRole, FieldsRole, OutlineRole };
 
-    explicit RecentFiles(QObject* parent = nullptr) : QAbstractListModel{parent} {}
+    explicit RecentFiles(QObject* parent = nullptr);
 
     /// Where the list is kept; without a place it lasts as long as the program.
     void keepIn(const QString& file);

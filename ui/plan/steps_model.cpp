@@ -1,7 +1,9 @@
 #include "ui/plan/steps_model.h"
 
 #include "planner/plan/method_registry.h"
-#include "ui/plan/unit_text.h"
+#include "ui/text/display.h"
+#include "ui/text/message_text.h"
+#include "ui/text/unit_text.h"
 
 #include <QStringList>
 
@@ -36,7 +38,7 @@ std::vector<const Parameter*> parametersOf(const StageInfo& stage, const Setting
 
 QString methodName(const StageInfo& stage, const Settings& settings) {
     const auto method = std::ranges::find(stage.methods, settings.choice(*stage.method), &MethodInfo::id);
-    return method == stage.methods.end() ? QString{} : fromStd(method->name);
+    return method == stage.methods.end() ? QString{} : shown(method->name);
 }
 
 int blockingCount(const Plan& plan) {
@@ -83,17 +85,19 @@ StepsModel::Status statusOf(std::string_view stage, const Plan& plan) {
 }  // namespace
 
 StepsModel::StepsModel(QObject* parent) : QAbstractListModel{parent} {
-    const auto add = [this](QString id, QString name, const std::vector<const Parameter*>& parameters) {
+    const auto add = [this](QString id, std::string_view name, const std::vector<const Parameter*>& parameters) {
         auto* model = new ParameterModel{this};
         model->show(parameters, {}, nullptr);
         connect(model, &ParameterModel::changeRequested, this, &StepsModel::changeRequested);
-        steps_.push_back({std::move(id), std::move(name), {}, {}, Status::None, model});
+        steps_.push_back({std::move(id), name, {}, {}, Status::None, model});
     };
+    // Names of the steps follow the language by themselves, what is in them when it is shown again.
+    connect(&Display::instance(), &Display::changed, this, [this] { emit dataChanged(index(0), index(rowCount() - 1)); });
     const auto general = generalParameters();
-    add(QStringLiteral("field"), tr("Field"), {general.begin(), general.end()});
-    add(QStringLiteral("machine"), tr("Machine"), {});
+    add(QStringLiteral("field"), "Field", {general.begin(), general.end()});
+    add(QStringLiteral("machine"), "Machine", {});
     for (const StageInfo& stage : stages()) {
-        add(fromStd(stage.id), fromStd(stage.name), parametersOf(stage, {}));
+        add(fromStd(stage.id), stage.name, parametersOf(stage, {}));
     }
 }
 
@@ -120,7 +124,7 @@ void StepsModel::show(const Field* field, const Machine& machine, const Settings
     first.parameters->show({general.begin(), general.end()}, settings, plan);
 
     Step& second = steps_[1];
-    second.choice = fromStd(machine.name());
+    second.choice = shown(machine.name());
     const Tractor& tractor = machine.spec().tractor;
     second.result = QStringList{tr("%1 wide").arg(metresText(machine.operatingWidth(), 1)),
                                 tr("%1 radius").arg(metresText(machine.minTurningRadius(), 1)),
@@ -156,7 +160,9 @@ QVariant StepsModel::data(const QModelIndex& index, int role) const {
         case StepIdRole: return step.id;
         case NumberRole: return index.row() + 1;
         case Qt::DisplayRole:
-        case NameRole: return step.name;
+        case NameRole:
+            // The planner has no stages of these names.
+            return index.row() == 0 ? tr("Field") : index.row() == 1 ? tr("Machine") : shown(step.name);
         case ChoiceRole: return step.choice;
         case ResultRole: return step.result;
         case StatusRole: return static_cast<int>(step.status);

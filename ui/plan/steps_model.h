@@ -44,7 +44,7 @@ signals:
 private:
     struct Step {
         QString id;
-        QString name;
+        std::string_view name;
         QString choice;
         QString result;
         Status status = Status::None;

@@ -2,7 +2,9 @@
 
 #include "planner/io/stick_writer.h"
 #include "planner/io/terminals.h"
-#include "ui/plan/unit_text.h"
+#include "ui/text/display.h"
+#include "ui/text/message_text.h"
+#include "ui/text/unit_text.h"
 
 #include <QDir>
 #include <QFileInfo>
@@ -88,6 +90,12 @@ QString joined(const std::vector<std::filesystem::path>& paths) {
 
 StickExport::StickExport(QObject* parent) : QAbstractListModel{parent}, lister_{pluggedIn} {
     timer_.setInterval(kLookEveryMs);
+    connect(this, &StickExport::terminalChanged, this, &StickExport::textsChanged);
+    connect(&Display::instance(), &Display::changed, this, [this] {
+        emit textsChanged();
+        emit examined();
+        emit stateChanged();
+    });
     connect(&timer_, &QTimer::timeout, this, &StickExport::refresh);
     connect(&runner_, &JobRunner::progressChanged, this, &StickExport::progressChanged);
     // The terminal of last time, or the one that most stand for.
@@ -125,7 +133,7 @@ void StickExport::setLooking(bool looking) {
 QStringList StickExport::terminalNames() const {
     QStringList names;
     for (const Terminal* terminal : stickTerminals()) {
-        names << fromStd(terminal->name);
+        names << shown(terminal->name);
     }
     return names;
 }
@@ -142,7 +150,7 @@ void StickExport::setTerminal(int index) {
 }
 
 QString StickExport::shows() const {
-    return fromStd(stickTerminals()[static_cast<std::size_t>(terminal_)]->shows);
+    return shown(stickTerminals()[static_cast<std::size_t>(terminal_)]->shows);
 }
 
 void StickExport::setCurrent(int row) {
@@ -244,11 +252,9 @@ void StickExport::examine() {
     const bool isFolder = chosen().isFolder;
     runner_.submit([this, plan = plan_, root, terminal, isFolder](const JobContext& job) -> JobRunner::Delivery {
         const auto stick = openStick(root);
-        QStringList warnings;
+        std::vector<Message> warnings;
         if (const auto info = stick->info(); info && !isFolder) {
-            for (const std::string& warning : stickWarnings(*info)) {
-                warnings << fromStd(warning);
-            }
+            warnings = stickWarnings(*info);
         }
         const auto files = terminalFiles(*terminal, *plan, job);
         const QString replaces = files ? joined(stickConflicts(*stick, *files)) : QString{};
@@ -267,7 +273,7 @@ void StickExport::write(bool replace) {
     const std::filesystem::path root{chosen().root.toStdU16String()};
     const bool isFolder = chosen().isFolder;
     const Terminal* terminal = stickTerminals()[static_cast<std::size_t>(terminal_)];
-    setState(State::Writing, tr("Writing …"));
+    setState(State::Writing, [] { return tr("Writing …"); });
     runner_.submit([this, plan = plan_, root, terminal, isFolder, replace](const JobContext& job) -> JobRunner::Delivery {
         const std::vector<FieldContent> meant{contentOf(*plan, terminal->options)};
         const auto stick = openStick(root);
@@ -277,24 +283,23 @@ void StickExport::write(bool replace) {
         return [this, isFolder, report = std::move(report)] {
             if (!report) {
                 const Error& error = report.error();
-                setState(error.code == ErrorCode::Cancelled ? State::Idle : State::Failed, fromStd(error.what), fromStd(error.remedy));
+                setState(
+                    error.code == ErrorCode::Cancelled ? State::Idle : State::Failed,
+                    [what = error.what] { return sentence(what); }, [remedy = error.remedy] { return sentence(remedy); });
                 examine();
                 return;
             }
             written_.clear();
-            notes_.clear();
             for (const std::filesystem::path& file : report->files) {
                 written_ << QString::fromStdU16String(file.u16string());
             }
-            for (const std::string& note : report->notes) {
-                notes_ << fromStd(note);
-            }
-            if (!report->backups.empty()) {
-                notes_ << tr("What was there before is kept as %1.").arg(joined(report->backups));
-            }
-            const QString checked = report->contentCompared ? tr("every byte was read back, and the plan read from there is this plan.")
-                                                            : tr("every byte was read back and is as written.");
-            setState(State::Done, (isFolder ? tr("Written: %1") : tr("Safe to unplug: %1")).arg(checked));
+            notes_ = report->notes;
+            backups_ = joined(report->backups);
+            setState(State::Done, [isFolder, compared = report->contentCompared] {
+                const QString checked = compared ? tr("every byte was read back, and the plan read from there is this plan.")
+                                                 : tr("every byte was read back and is as written.");
+                return (isFolder ? tr("Written: %1") : tr("Safe to unplug: %1")).arg(checked);
+            });
         };
     });
 }
@@ -310,15 +315,22 @@ void StickExport::cancel() {
 void StickExport::clear() {
     written_.clear();
     notes_.clear();
+    backups_.clear();
     setState(State::Idle);
 }
 
-void StickExport::setState(State state, const QString& message, const QString& remedy) {
-    // The planner's errors are sentences without their beginning and end.
-    const auto begun = [](const QString& text) { return text.isEmpty() ? text : text.front().toUpper() + text.sliced(1); };
+QStringList StickExport::notes() const {
+    QStringList lines = sentences(notes_);
+    if (!backups_.isEmpty()) {
+        lines << tr("What was there before is kept as %1.").arg(backups_);
+    }
+    return lines;
+}
+
+void StickExport::setState(State state, Said message, Said remedy) {
     state_ = state;
-    message_ = begun(message);
-    remedy_ = begun(remedy);
+    message_ = std::move(message);
+    remedy_ = std::move(remedy);
     emit stateChanged();
 }
 

@@ -2,6 +2,7 @@
 
 #include "planner/plan/plan.h"
 #include "ui/jobs/job_runner.h"
+#include "ui/text/message_text.h"
 
 #include <QAbstractListModel>
 #include <QStringList>
@@ -22,9 +23,9 @@ class StickExport : public QAbstractListModel {
     QML_UNCREATABLE("belongs to a session")
     Q_PROPERTY(bool looking READ looking WRITE setLooking NOTIFY lookingChanged FINAL)
     Q_PROPERTY(int count READ count NOTIFY countChanged FINAL)
-    Q_PROPERTY(QStringList terminalNames READ terminalNames CONSTANT FINAL)
+    Q_PROPERTY(QStringList terminalNames READ terminalNames NOTIFY textsChanged FINAL)
     Q_PROPERTY(int terminal READ terminal WRITE setTerminal NOTIFY terminalChanged FINAL)
-    Q_PROPERTY(QString shows READ shows NOTIFY terminalChanged FINAL)
+    Q_PROPERTY(QString shows READ shows NOTIFY textsChanged FINAL)
     Q_PROPERTY(int current READ current WRITE setCurrent NOTIFY currentChanged FINAL)
     /// What terminals cannot read about the chosen stick.
     Q_PROPERTY(QStringList warnings READ warnings NOTIFY examined FINAL)
@@ -70,13 +71,13 @@ public:
     QString shows() const;
     int current() const { return current_; }
     void setCurrent(int row);
-    QStringList warnings() const { return warnings_; }
+    QStringList warnings() const { return sentences(warnings_); }
     QString replaces() const { return replaces_; }
     State state() const { return state_; }
-    QString message() const { return message_; }
-    QString remedy() const { return remedy_; }
+    QString message() const { return text(message_); }
+    QString remedy() const { return text(remedy_); }
     QStringList written() const { return written_; }
-    QStringList notes() const { return notes_; }
+    QStringList notes() const;
     double progress() const { return runner_.progress(); }
 
     int rowCount(const QModelIndex& parent = {}) const override;
@@ -96,6 +97,8 @@ signals:
     void lookingChanged();
     void countChanged();
     void terminalChanged();
+    /// Another terminal, or another language.
+    void textsChanged();
     void currentChanged();
     void examined();
     void stateChanged();
@@ -107,7 +110,7 @@ private:
     void refresh();
     /// What stands in the way, worked out in the background.
     void examine();
-    void setState(State state, const QString& message = {}, const QString& remedy = {});
+    void setState(State state, Said message = {}, Said remedy = {});
 
     std::shared_ptr<const Plan> plan_;
     std::vector<Stick> sticks_;
@@ -116,13 +119,14 @@ private:
     QTimer timer_;
     int terminal_ = 0;
     int current_ = -1;
-    QStringList warnings_;
+    std::vector<Message> warnings_;
     QString replaces_;
     State state_ = State::Idle;
-    QString message_;
-    QString remedy_;
+    Said message_;
+    Said remedy_;
     QStringList written_;
-    QStringList notes_;
+    std::vector<Message> notes_;
+    QString backups_;  ///< what was there before, under its new names
     JobRunner runner_;
 };
 

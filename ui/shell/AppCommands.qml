@@ -22,6 +22,7 @@ QtObject {
     signal renamePlanRequested()
     signal paletteRequested()
     signal keysRequested()
+    signal preferencesRequested()
     signal tourRequested()
     signal quitRequested()
     signal panelRequested()
@@ -317,6 +318,14 @@ QtObject {
         LayerCommand { layer: "missed"; text: qsTr("Layer: missed"); keywords: qsTr("gap uncovered") },
         LayerCommand { layer: "wheels"; text: qsTr("Layer: driven over often"); keywords: qsTr("wheel passes traffic compaction") },
         LayerCommand { layer: "findings"; text: qsTr("Layer: findings") },
+        Command {
+            objectName: "command.preferences"
+            group: root.viewGroup
+            text: qsTr("Language and units…")
+            shortcut: "Ctrl+,"
+            keywords: qsTr("preferences settings metric imperial feet acres")
+            onTriggered: root.preferencesRequested()
+        },
         Command {
             objectName: "command.light"
             group: root.viewGroup

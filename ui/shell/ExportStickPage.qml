@@ -39,7 +39,7 @@ Column {
             width: parent.width
             name: qsTr("Terminal")
             model: root.stick.terminalNames
-            currentIndex: root.stick.terminal
+            chosen: root.stick.terminal
             enabled: !root.writing
             onActivated: (index) => root.stick.terminal = index
         }

@@ -40,7 +40,7 @@ Column {
             width: parent.width
             name: qsTr("Sample field")
             model: root.session.sampleNames
-            currentIndex: -1
+            chosen: -1
             displayText: qsTr("Add one to look at")
             onActivated: index => root.session.openSample(index)
         }

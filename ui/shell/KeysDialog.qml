@@ -18,7 +18,7 @@ ThemedDialog {
 
     objectName: "keysDialog"
     title: qsTr("Keys and mouse")
-    width: 780
+    width: Math.min(980, (parent ? parent.width : 980) - 40)
     closePolicy: ThemedDialog.CloseOnEscape | ThemedDialog.CloseOnPressOutside
 
     Grid {
@@ -33,20 +33,20 @@ ThemedDialog {
             property string keys
             property string what
 
-            width: (780 - 48 - 24) / 2
+            width: (root.width - 48 - 24) / 2
             height: 20
             Accessible.role: Accessible.StaticText
             Accessible.name: qsTr("%1: %2").arg(keys).arg(what)
 
             BodyText {
-                width: 128
+                width: 168
                 text: parent.keys
                 color: Theme.muted
                 elide: Text.ElideRight
             }
             BodyText {
-                x: 136
-                width: parent.width - 136
+                x: 176
+                width: parent.width - 176
                 text: parent.what
                 elide: Text.ElideRight
             }
@@ -60,7 +60,8 @@ ThemedDialog {
                 required property Command modelData
 
                 keys: modelData.keysText
-                what: modelData.text
+                // Without what would be undone just now.
+                what: modelData.text.split(":")[0].trim()
             }
         }
         Repeater {
@@ -75,6 +76,7 @@ ThemedDialog {
         }
     }
     PushButton {
+        objectName: "keysDialog.close"
         anchors.right: parent.right
         text: qsTr("Close")
         primary: true

@@ -21,6 +21,13 @@ Grid {
     /// All of the user's imagery, and the map from the network.
     property bool imagery: true
     property bool online: false
+    /// Wide enough for every name.
+    readonly property real wanted: {
+        let widest = 0;
+        for (let i = 0; i < root.children.length; ++i)
+            widest = Math.max(widest, root.children[i].implicitWidth);
+        return root.columns * widest + (root.columns - 1) * root.columnSpacing;
+    }
 
     readonly property Settings stored: Settings {
         category: "layers"

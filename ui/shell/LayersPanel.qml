@@ -19,7 +19,7 @@ Rectangle {
 
     objectName: "layersPanel"
     visible: open
-    width: 340
+    width: Math.max(340, layers.wanted + 36)
     height: Math.min(room, column.height + 32)
     radius: Theme.cardRadius
     color: Theme.panel

@@ -36,7 +36,7 @@ Column {
             width: parent.width
             name: qsTr("Machine")
             model: root.machine.library
-            currentIndex: root.machine.libraryIndex
+            chosen: root.machine.libraryIndex
             displayText: currentIndex < 0 ? root.machine.name : currentText
             onActivated: index => root.machine.libraryIndex = index
         }
@@ -56,7 +56,7 @@ Column {
                 required property string name
                 required property real value
                 required property string autoText
-                required property string unit
+                required property int quantity
                 required property real from
                 required property real to
                 required property real step
@@ -76,7 +76,7 @@ Column {
                     name: entry.name
                     value: entry.value
                     autoText: entry.autoText
-                    unitText: entry.unit
+                    kind: entry.quantity
                     from: entry.from
                     to: entry.to
                     step: entry.step

@@ -111,6 +111,7 @@ ApplicationWindow {
         onRenamePlanRequested: root.askName(qsTr("Rename the plan"), root.session.farm.planName, root.session.farm.season, true, (name, season) => root.session.farm.renamePlan(name, season))
         onPaletteRequested: palette.open()
         onKeysRequested: keysDialog.open()
+        onPreferencesRequested: preferencesDialog.open()
         onTourRequested: tour.start()
         onQuitRequested: root.close()
         onPanelRequested: root.panelWanted = !root.panelWanted
@@ -132,6 +133,11 @@ ApplicationWindow {
 
         anchors.centerIn: Overlay.overlay
         commands: appCommands.all
+    }
+    PreferencesDialog {
+        id: preferencesDialog
+
+        anchors.centerIn: Overlay.overlay
     }
     ScaleSetting {
         id: scaleSetting

@@ -2,6 +2,7 @@ pragma ComponentBehavior: Bound
 import QtQuick
 import Furrow.Controls
 import Furrow.Plan
+import Furrow.Text
 
 /// One setting of a step: its name above, below it the field that suits its kind.
 Column {
@@ -16,7 +17,7 @@ Column {
     required property real value
     required property string autoText
     required property bool canBeAuto
-    required property string unit
+    required property int quantity
     required property real from
     required property real to
     required property real step
@@ -28,10 +29,20 @@ Column {
     required property bool checked
     required property string text
     /// Needs the whole width of the panel.
-    readonly property bool wide: kind === ParameterModel.Flag || kind === ParameterModel.Text || sliderTo > 0 || kind === ParameterModel.Choice && index === 0
+    readonly property bool wide: kind === ParameterModel.Flag || kind === ParameterModel.Text || sliderTo > 0 || longTexts || kind === ParameterModel.Choice && index === 0
+    /// What half the panel could not show, in this language.
+    readonly property bool longTexts: metrics.advanceWidth(name) > 150 || choices.some(choice => metrics.advanceWidth(choice) > 96)
 
     spacing: 5
 
+    FontMetrics {
+        id: metrics
+
+        font {
+            family: Theme.family
+            pixelSize: Theme.bodySize
+        }
+    }
     Item {
         width: parent.width
         height: 16
@@ -84,7 +95,7 @@ Column {
             to: root.to
             step: root.step
             decimals: root.decimals
-            unitText: root.unit
+            kind: root.quantity
             onCommitted: newValue => root.parameters.setNumber(root.index, newValue)
             onCleared: if (root.canBeAuto) root.parameters.setAuto(root.index)
         }
@@ -97,7 +108,7 @@ Column {
             name: root.name
             from: root.from
             to: root.sliderTo
-            stepSize: root.step
+            stepSize: (Display.revision, QuantityText.roundStep(root.step, root.quantity))
             value: root.value
             property bool dragged: false
 
@@ -119,7 +130,7 @@ Column {
             objectName: root.key
             name: root.name
             model: root.choices
-            currentIndex: root.choiceIndex
+            chosen: root.choiceIndex
             onActivated: chosen => root.parameters.setChoice(root.index, chosen)
         }
     }

@@ -1,13 +1,13 @@
 #include "ui/shell/window_tools.h"
 
+#include "ui/text/display.h"
+
 #include <QDir>
 #include <QFontDatabase>
 #include <QGuiApplication>
-#include <QLocale>
 #include <QQuickStyle>
 #include <QQuickWindow>
 #include <QSettings>
-#include <QTranslator>
 
 namespace furrow {
 
@@ -30,12 +30,7 @@ void prepareWindow() {
     for (const QString& file : fonts.entryList()) {
         QFontDatabase::addApplicationFont(fonts.filePath(file));
     }
-    auto* translator = new QTranslator{QCoreApplication::instance()};
-    // English plurals where there is no translation for the user's language.
-    if (translator->load(QLocale{}, QStringLiteral("furrow"), QStringLiteral("_"), QStringLiteral(":/furrow/translations")) ||
-        translator->load(QStringLiteral(":/furrow/translations/furrow_en.qm"))) {
-        QCoreApplication::installTranslator(translator);
-    }
+    Display::instance();
     QFont font{QStringLiteral("Inter")};
     font.setPixelSize(13);
     QGuiApplication::setFont(font);

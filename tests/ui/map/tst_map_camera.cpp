@@ -81,23 +81,6 @@ private slots:
         camera.zoomAt({500.0, 350.0}, 60.0, false);
         QCOMPARE(camera.zoomLevel(), MapCamera::kMaxZoom);
     }
-    void roundLengths_data() {
-        QTest::addColumn<double>("zoom");
-        for (double zoom = 3.0; zoom < 23.0; zoom += 0.37) {
-            QTest::addRow("zoom %.2f", zoom) << zoom;
-        }
-    }
-    void roundLengths() {
-        QFETCH(double, zoom);
-        MapCamera camera;
-        camera.setViewport({600.0, 400.0});
-        camera.centreOn(QGeoCoordinate{52.0, 5.0}, zoom, false);
-        const double metres = camera.roundLengthFor(120.0);
-        const double pixels = metres / camera.metresPerPixel();
-        QVERIFY(pixels <= 120.0 + 1e-6 && pixels >= 120.0 / 2.5 - 1e-6);
-        const double first = metres / std::pow(10.0, std::floor(std::log10(metres) + 1e-9));
-        QVERIFY(std::abs(first - 1.0) < 1e-6 || std::abs(first - 2.0) < 1e-6 || std::abs(first - 5.0) < 1e-6);
-    }
     void simplifiedLinesStayNear() {
         std::vector<MapPoint> arc;
         for (int i = 0; i <= 900; ++i) {

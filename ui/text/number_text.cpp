@@ -1,12 +1,11 @@
-#include "ui/controls/number_text.h"
+#include "ui/text/number_text.h"
 
-#include <QLocale>
 #include <QRegularExpression>
 
 namespace furrow {
 
 std::optional<double> parsedNumber(const QString& text) {
-    static const QRegularExpression pattern{QStringLiteral(R"(^\s*([+-]?(?:\d+(?:[.,]\d*)?|[.,]\d+))\s*[^\d\s.,]*\s*$)")};
+    static const QRegularExpression pattern{QStringLiteral(R"(^\s*([+-]?(?:\d+(?:[.,]\d*)?|[.,]\d+))\s*$)")};
     const QRegularExpressionMatch match = pattern.match(text);
     if (!match.hasMatch()) {
         return std::nullopt;
@@ -14,12 +13,6 @@ std::optional<double> parsedNumber(const QString& text) {
     bool ok = false;
     const double value = match.captured(1).replace(QLatin1Char(','), QLatin1Char('.')).toDouble(&ok);
     return ok ? std::optional{value} : std::nullopt;
-}
-
-QString NumberText::text(double value, int decimals) const {
-    QLocale locale;
-    locale.setNumberOptions(QLocale::OmitGroupSeparator);
-    return locale.toString(value, 'f', decimals);
 }
 
 }  // namespace furrow

@@ -4,14 +4,23 @@
 
 #include <QString>
 
+#include <string_view>
+
 namespace furrow {
 
-/// Quantities as people read them, in the user's locale: hectares, metres or kilometres, km/h, hours.
+/// Quantities as people read them, in the user's locale and units: hectares or acres, metres or feet, kilometres or
+/// miles, km/h or mph, hours.
 QString areaText(Area area);
 QString lengthText(Length length);
-/// With this many decimals, always in metres.
+/// With this many decimals, always in metres or feet.
 QString metresText(Length length, int decimals);
+/// In metres or feet, without decimals that are zero.
+QString shortLengthText(Length length);
+/// Always in square metres or square feet, or in hectares or acres.
+QString squareMetresText(Area area, int decimals);
+QString hectaresText(Area area, int decimals);
 QString speedText(Speed speed);
+QString accelerationText(Acceleration acceleration, int decimals);
 QString durationText(Duration duration);
 QString percentText(double share, int decimals = 0);
 QString numberText(double value, int decimals);

@@ -1,0 +1,5509 @@
+<?xml version="1.0" encoding="utf-8"?>
+<!DOCTYPE TS>
+<TS version="2.1" language="de_DE" sourcelanguage="en">
+<context>
+    <name>AppCommands</name>
+    <message>
+        <source>File</source>
+        <translation>Datei</translation>
+    </message>
+    <message>
+        <source>Edit</source>
+        <translation>Bearbeiten</translation>
+    </message>
+    <message>
+        <source>Field</source>
+        <translation>Schlag</translation>
+    </message>
+    <message>
+        <source>Plan</source>
+        <translation>Plan</translation>
+    </message>
+    <message>
+        <source>View</source>
+        <translation>Ansicht</translation>
+    </message>
+    <message>
+        <source>Help</source>
+        <translation>Hilfe</translation>
+    </message>
+    <message>
+        <source>New project</source>
+        <translation>Neues Projekt</translation>
+    </message>
+    <message>
+        <source>farm</source>
+        <translation>betrieb</translation>
+    </message>
+    <message>
+        <source>Open…</source>
+        <translation>Öffnen …</translation>
+    </message>
+    <message>
+        <source>boundary import project</source>
+        <translation>feldgrenze import projekt</translation>
+    </message>
+    <message>
+        <source>Save</source>
+        <translation>Speichern</translation>
+    </message>
+    <message>
+        <source>Save as…</source>
+        <translation>Speichern unter …</translation>
+    </message>
+    <message>
+        <source>Export the plan…</source>
+        <translation>Plan exportieren …</translation>
+    </message>
+    <message>
+        <source>ISOXML USB terminal</source>
+        <translation>ISOXML USB terminal</translation>
+    </message>
+    <message>
+        <source>Quit</source>
+        <translation>Beenden</translation>
+    </message>
+    <message>
+        <source>Undo: %1</source>
+        <translation>Rückgängig: %1</translation>
+    </message>
+    <message>
+        <source>Undo</source>
+        <translation>Rückgängig</translation>
+    </message>
+    <message>
+        <source>Redo: %1</source>
+        <translation>Wiederholen: %1</translation>
+    </message>
+    <message>
+        <source>Redo</source>
+        <translation>Wiederholen</translation>
+    </message>
+    <message>
+        <source>Delete what is selected</source>
+        <translation>Auswahl löschen</translation>
+    </message>
+    <message>
+        <source>Del</source>
+        <translation>Entf</translation>
+    </message>
+    <message>
+        <source>Select the next point</source>
+        <translation>Nächsten Punkt auswählen</translation>
+    </message>
+    <message>
+        <source>Space</source>
+        <translation>Leertaste</translation>
+    </message>
+    <message>
+        <source>Find a command…</source>
+        <translation>Befehl suchen …</translation>
+    </message>
+    <message>
+        <source>Draw a field</source>
+        <translation>Schlag zeichnen</translation>
+    </message>
+    <message>
+        <source>boundary polygon</source>
+        <translation>feldgrenze polygon</translation>
+    </message>
+    <message>
+        <source>Draw a hole</source>
+        <translation>Aussparung zeichnen</translation>
+    </message>
+    <message>
+        <source>Draw an obstacle</source>
+        <translation>Hindernis zeichnen</translation>
+    </message>
+    <message>
+        <source>pond tree pole wet</source>
+        <translation>teich baum mast nass</translation>
+    </message>
+    <message>
+        <source>Draw an AB line</source>
+        <translation>AB-Linie zeichnen</translation>
+    </message>
+    <message>
+        <source>guidance curve direction</source>
+        <translation>leitlinie kurve richtung</translation>
+    </message>
+    <message>
+        <source>Add a gate</source>
+        <translation>Zufahrt hinzufügen</translation>
+    </message>
+    <message>
+        <source>entry road</source>
+        <translation>einfahrt weg</translation>
+    </message>
+    <message>
+        <source>Select and change</source>
+        <translation>Auswählen und ändern</translation>
+    </message>
+    <message>
+        <source>Rename the field…</source>
+        <translation>Schlag umbenennen …</translation>
+    </message>
+    <message>
+        <source>Remove the field</source>
+        <translation>Schlag entfernen</translation>
+    </message>
+    <message>
+        <source>delete</source>
+        <translation>löschen</translation>
+    </message>
+    <message>
+        <source>Next field</source>
+        <translation>Nächster Schlag</translation>
+    </message>
+    <message>
+        <source>Add a plan…</source>
+        <translation>Plan hinzufügen …</translation>
+    </message>
+    <message>
+        <source>season operation copy</source>
+        <translation>saison arbeitsgang kopie</translation>
+    </message>
+    <message>
+        <source>Rename the plan…</source>
+        <translation>Plan umbenennen …</translation>
+    </message>
+    <message>
+        <source>Remove the plan</source>
+        <translation>Plan entfernen</translation>
+    </message>
+    <message>
+        <source>Plan again</source>
+        <translation>Neu planen</translation>
+    </message>
+    <message>
+        <source>Show the whole field</source>
+        <translation>Ganzen Schlag zeigen</translation>
+    </message>
+    <message>
+        <source>Closer</source>
+        <translation>Näher heran</translation>
+    </message>
+    <message>
+        <source>zoom in</source>
+        <translation>vergrößern zoom</translation>
+    </message>
+    <message>
+        <source>Further away</source>
+        <translation>Weiter weg</translation>
+    </message>
+    <message>
+        <source>zoom out</source>
+        <translation>verkleinern zoom</translation>
+    </message>
+    <message>
+        <source>Results panel</source>
+        <translation>Ergebnisse</translation>
+    </message>
+    <message>
+        <source>Layer: boundary</source>
+        <translation>Ebene: Feldgrenze</translation>
+    </message>
+    <message>
+        <source>Layer: headland</source>
+        <translation>Ebene: Vorgewende</translation>
+    </message>
+    <message>
+        <source>Layer: swaths</source>
+        <translation>Ebene: Spuren</translation>
+    </message>
+    <message>
+        <source>Layer: turns</source>
+        <translation>Ebene: Wendungen</translation>
+    </message>
+    <message>
+        <source>Layer: driving direction</source>
+        <translation>Ebene: Fahrtrichtung</translation>
+    </message>
+    <message>
+        <source>Layer: order numbers</source>
+        <translation>Ebene: Reihenfolge</translation>
+    </message>
+    <message>
+        <source>Layer: findings</source>
+        <translation>Ebene: Hinweise</translation>
+    </message>
+    <message>
+        <source>Language and units…</source>
+        <translation>Sprache und Einheiten …</translation>
+    </message>
+    <message>
+        <source>preferences settings metric imperial feet acres</source>
+        <translation>einstellungen metrisch imperial fuß acre</translation>
+    </message>
+    <message>
+        <source>Light colours</source>
+        <translation>Helle Farben</translation>
+    </message>
+    <message>
+        <source>theme</source>
+        <translation>farbschema</translation>
+    </message>
+    <message>
+        <source>Dark colours</source>
+        <translation>Dunkle Farben</translation>
+    </message>
+    <message>
+        <source>theme night</source>
+        <translation>farbschema nacht</translation>
+    </message>
+    <message>
+        <source>Sunlight colours</source>
+        <translation>Farben für Sonnenlicht</translation>
+    </message>
+    <message>
+        <source>theme contrast</source>
+        <translation>farbschema kontrast</translation>
+    </message>
+    <message>
+        <source>Keys and mouse</source>
+        <translation>Tasten und Maus</translation>
+    </message>
+    <message>
+        <source>shortcuts help</source>
+        <translation>tastenkürzel hilfe</translation>
+    </message>
+    <message>
+        <source>Everything at %1 %</source>
+        <translation>Alles auf %1 %</translation>
+    </message>
+    <message>
+        <source>size scaling zoom large text</source>
+        <translation>Größe Skalierung Zoom große Schrift</translation>
+    </message>
+    <message>
+        <source>Add imagery…</source>
+        <translation>Luftbild hinzufügen…</translation>
+    </message>
+    <message>
+        <source>GeoTIFF MBTiles aerial photo satellite background heights elevation</source>
+        <translation>GeoTIFF MBTiles Luftbild Satellit Hintergrund Höhen Gelände</translation>
+    </message>
+    <message>
+        <source>Add a folder of tiles…</source>
+        <translation>Ordner mit Kacheln hinzufügen…</translation>
+    </message>
+    <message>
+        <source>imagery XYZ TMS</source>
+        <translation>Luftbild XYZ TMS</translation>
+    </message>
+    <message>
+        <source>Layers</source>
+        <translation>Ebenen</translation>
+    </message>
+    <message>
+        <source>imagery map background</source>
+        <translation>Luftbild Karte Hintergrund</translation>
+    </message>
+    <message>
+        <source>Layer: imagery</source>
+        <translation>Ebene: Luftbild</translation>
+    </message>
+    <message>
+        <source>Layer: OpenStreetMap from the network</source>
+        <translation>Ebene: OpenStreetMap aus dem Netz</translation>
+    </message>
+    <message>
+        <source>online tiles</source>
+        <translation>online Kacheln</translation>
+    </message>
+    <message>
+        <source>Layer: coverage</source>
+        <translation>Ebene: bearbeitete Fläche</translation>
+    </message>
+    <message>
+        <source>Layer: worked twice</source>
+        <translation>Ebene: doppelt bearbeitet</translation>
+    </message>
+    <message>
+        <source>overlap</source>
+        <translation>Überlappung</translation>
+    </message>
+    <message>
+        <source>Layer: missed</source>
+        <translation>Ebene: Fehlstellen</translation>
+    </message>
+    <message>
+        <source>gap uncovered</source>
+        <translation>Lücke unbearbeitet</translation>
+    </message>
+    <message>
+        <source>Layer: driven over often</source>
+        <translation>Ebene: oft überfahren</translation>
+    </message>
+    <message>
+        <source>wheel passes traffic compaction</source>
+        <translation>Radspuren Überfahrten Verdichtung</translation>
+    </message>
+    <message>
+        <source>Take the tour</source>
+        <translation>Rundgang starten</translation>
+    </message>
+    <message>
+        <source>help introduction first start</source>
+        <translation>Hilfe Einführung erster Start</translation>
+    </message>
+</context>
+<context>
+    <name>Command</name>
+    <message>
+        <source>Ctrl</source>
+        <translation>Strg</translation>
+    </message>
+    <message>
+        <source>Shift</source>
+        <translation>Umschalt</translation>
+    </message>
+</context>
+<context>
+    <name>CommandPalette</name>
+    <message>
+        <source>Search commands</source>
+        <translation>Befehle suchen</translation>
+    </message>
+    <message>
+        <source>%1: %2</source>
+        <translation>%1: %2</translation>
+    </message>
+    <message>
+        <source>There is no such command</source>
+        <translation>Diesen Befehl gibt es nicht</translation>
+    </message>
+</context>
+<context>
+    <name>DraftHint</name>
+    <message>
+        <source>Click the first corner of the field</source>
+        <translation>Auf die erste Ecke des Schlags klicken</translation>
+    </message>
+    <message>
+        <source>Click the first corner of the hole</source>
+        <translation>Auf die erste Ecke der Aussparung klicken</translation>
+    </message>
+    <message>
+        <source>Click the first corner of the obstacle</source>
+        <translation>Auf die erste Ecke des Hindernisses klicken</translation>
+    </message>
+    <message>
+        <source>Click on the boundary where the gate is</source>
+        <translation>Auf der Feldgrenze klicken, wo die Zufahrt ist</translation>
+    </message>
+    <message>
+        <source>Click where the AB line begins</source>
+        <translation>Klicken, wo die AB-Linie beginnt</translation>
+    </message>
+    <message>
+        <source>Press and trace it with the pointer</source>
+        <translation>Drücken und mit dem Zeiger nachfahren</translation>
+    </message>
+    <message>
+        <source>Length of the next edge</source>
+        <translation>Länge der nächsten Kante</translation>
+    </message>
+    <message>
+        <source>Direction of the next edge</source>
+        <translation>Richtung der nächsten Kante</translation>
+    </message>
+    <message>
+        <source>Add</source>
+        <translation>Hinzufügen</translation>
+    </message>
+    <message>
+        <source>By hand</source>
+        <translation>Freihand</translation>
+    </message>
+    <message>
+        <source>Cancel</source>
+        <translation>Abbrechen</translation>
+    </message>
+    <message>
+        <source>Finish</source>
+        <translation>Fertig</translation>
+    </message>
+    <message>
+        <source>Close boundary</source>
+        <translation>Grenze schließen</translation>
+    </message>
+</context>
+<context>
+    <name>EmptyState</name>
+    <message>
+        <source>Which field?</source>
+        <translation>Welcher Schlag?</translation>
+    </message>
+    <message>
+        <source>Open its boundary, or drop the file anywhere on this window. Shapefile, GeoJSON, KML, GeoPackage, GML and others are understood, zipped or not.</source>
+        <translation>Feldgrenze öffnen oder die Datei irgendwo in dieses Fenster ziehen. Shapefile, GeoJSON, KML, GeoPackage, GML und andere werden gelesen, auch gezippt.</translation>
+    </message>
+    <message>
+        <source>Open a file…</source>
+        <translation>Datei öffnen …</translation>
+    </message>
+    <message>
+        <source>Draw it</source>
+        <translation>Zeichnen</translation>
+    </message>
+    <message>
+        <source>Or try one of these</source>
+        <translation>Oder einen von diesen ausprobieren</translation>
+    </message>
+    <message>
+        <source>Sample field %1</source>
+        <translation>Beispielschlag %1</translation>
+    </message>
+</context>
+<context>
+    <name>ExportDialog</name>
+    <message>
+        <source>Export the plan</source>
+        <translation>Plan exportieren</translation>
+    </message>
+    <message>
+        <source>USB stick</source>
+        <translation>USB-Stick</translation>
+    </message>
+    <message>
+        <source>Files in a folder</source>
+        <translation>Dateien in einem Ordner</translation>
+    </message>
+    <message numerus="yes">
+        <source>%n place(s) in this plan cannot be driven as drawn. The files say so too.</source>
+        <translation>
+            <numerusform>%n Stelle in diesem Plan ist so nicht fahrbar. Das steht auch in den Dateien.</numerusform>
+            <numerusform>%n Stellen in diesem Plan sind so nicht fahrbar. Das steht auch in den Dateien.</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>Close</source>
+        <translation>Schließen</translation>
+    </message>
+    <message>
+        <source>Cancel</source>
+        <translation>Abbrechen</translation>
+    </message>
+    <message>
+        <source>Writing …</source>
+        <translation>Wird geschrieben …</translation>
+    </message>
+    <message>
+        <source>Write to the stick</source>
+        <translation>Auf den Stick schreiben</translation>
+    </message>
+    <message>
+        <source>Write files</source>
+        <translation>Dateien schreiben</translation>
+    </message>
+</context>
+<context>
+    <name>ExportFolderPage</name>
+    <message>
+        <source>Folder</source>
+        <translation>Ordner</translation>
+    </message>
+    <message>
+        <source>Choose…</source>
+        <translation>Auswählen …</translation>
+    </message>
+    <message>
+        <source>Folder for the plan</source>
+        <translation>Ordner für den Plan</translation>
+    </message>
+</context>
+<context>
+    <name>ExportStickPage</name>
+    <message>
+        <source>Terminal</source>
+        <translation>Terminal</translation>
+    </message>
+    <message>
+        <source>Stick</source>
+        <translation>Stick</translation>
+    </message>
+    <message>
+        <source>No USB stick is plugged in. It appears here when it is; or choose a folder to carry the files yourself.</source>
+        <translation>Kein USB-Stick eingesteckt. Sobald einer steckt, erscheint er hier; oder einen Ordner wählen und die Dateien selbst übertragen.</translation>
+    </message>
+    <message>
+        <source>Another folder…</source>
+        <translation>Anderer Ordner …</translation>
+    </message>
+    <message>
+        <source>%1 is on it already.</source>
+        <translation>%1 ist schon darauf.</translation>
+    </message>
+    <message>
+        <source>It will not be deleted: it is kept under another name.</source>
+        <translation>Es wird nicht gelöscht, sondern unter anderem Namen behalten.</translation>
+    </message>
+    <message>
+        <source>Keep it as a backup and write the plan</source>
+        <translation>Als Sicherung behalten und den Plan schreiben</translation>
+    </message>
+    <message numerus="yes">
+        <source>and %n more</source>
+        <translation>
+            <numerusform>und %n weitere</numerusform>
+            <numerusform>und %n weitere</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>Folder in the place of a stick</source>
+        <translation>Ordner anstelle eines Sticks</translation>
+    </message>
+</context>
+<context>
+    <name>FieldActions</name>
+    <message>
+        <source>Open file…</source>
+        <translation>Datei öffnen …</translation>
+    </message>
+    <message>
+        <source>Draw</source>
+        <translation>Zeichnen</translation>
+    </message>
+    <message>
+        <source>Sample field</source>
+        <translation>Beispielschlag</translation>
+    </message>
+    <message>
+        <source>Add one to look at</source>
+        <translation>Einen zum Ansehen hinzufügen</translation>
+    </message>
+</context>
+<context>
+    <name>FieldChooser</name>
+    <message numerus="yes">
+        <source>Which of the %n field(s)?</source>
+        <translation>
+            <numerusform>Ist es dieser %n Schlag?</numerusform>
+            <numerusform>Welcher der %n Schläge?</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>Open none of them</source>
+        <translation>Keinen davon öffnen</translation>
+    </message>
+    <message>
+        <source>Open all of them</source>
+        <translation>Alle öffnen</translation>
+    </message>
+    <message>
+        <source>%1, %2</source>
+        <translation>%1, %2</translation>
+    </message>
+</context>
+<context>
+    <name>FilesNotice</name>
+    <message>
+        <source>Keep</source>
+        <translation>Behalten</translation>
+    </message>
+    <message>
+        <source>OK</source>
+        <translation>OK</translation>
+    </message>
+    <message>
+        <source>Throw away</source>
+        <translation>Verwerfen</translation>
+    </message>
+    <message>
+        <source>Save over it</source>
+        <translation>Überschreiben</translation>
+    </message>
+    <message>
+        <source>Save as…</source>
+        <translation>Speichern unter …</translation>
+    </message>
+    <message>
+        <source>Later</source>
+        <translation>Später</translation>
+    </message>
+</context>
+<context>
+    <name>FindingRow</name>
+    <message>
+        <source>Finding %1: %2 %3</source>
+        <translation>Hinweis %1: %2 %3</translation>
+    </message>
+</context>
+<context>
+    <name>ImageryList</name>
+    <message>
+        <source>Your own pictures and heights: GeoTIFF, MBTiles or a folder of tiles. They stay on this computer.</source>
+        <translation>Ihre eigenen Bilder und Höhen: GeoTIFF, MBTiles oder ein Ordner mit Kacheln. Sie bleiben auf diesem Rechner.</translation>
+    </message>
+    <message>
+        <source>Add files…</source>
+        <translation>Dateien hinzufügen…</translation>
+    </message>
+    <message>
+        <source>Add a folder of tiles…</source>
+        <translation>Ordner mit Kacheln hinzufügen…</translation>
+    </message>
+</context>
+<context>
+    <name>ImageryNotice</name>
+    <message>
+        <source>OK</source>
+        <translation>OK</translation>
+    </message>
+</context>
+<context>
+    <name>ImageryRow</name>
+    <message>
+        <source>Show all of %1</source>
+        <translation>%1 ganz zeigen</translation>
+    </message>
+    <message>
+        <source>Move %1 up</source>
+        <translation>%1 nach oben</translation>
+    </message>
+    <message>
+        <source>Move %1 down</source>
+        <translation>%1 nach unten</translation>
+    </message>
+    <message>
+        <source>Remove %1</source>
+        <translation>%1 entfernen</translation>
+    </message>
+    <message>
+        <source>How strong %1 is</source>
+        <translation>Deckkraft von %1</translation>
+    </message>
+    <message>
+        <source>Opening …</source>
+        <translation>Wird geöffnet …</translation>
+    </message>
+    <message>
+        <source>Contour lines every %1</source>
+        <translation>Höhenlinien alle %1</translation>
+    </message>
+    <message>
+        <source>Rows count from the south (TMS)</source>
+        <translation>Zeilen zählen von Süden (TMS)</translation>
+    </message>
+    <message>
+        <source>Try again</source>
+        <translation>Erneut versuchen</translation>
+    </message>
+</context>
+<context>
+    <name>Inspector</name>
+    <message>
+        <source>Name</source>
+        <translation>Name</translation>
+    </message>
+    <message>
+        <source>boundary</source>
+        <translation>Feldgrenze</translation>
+    </message>
+    <message>
+        <source>hole</source>
+        <translation>Aussparung</translation>
+    </message>
+    <message>
+        <source>obstacle</source>
+        <translation>Hindernis</translation>
+    </message>
+    <message>
+        <source>guidance line</source>
+        <translation>Leitlinie</translation>
+    </message>
+    <message>
+        <source>Several moves</source>
+        <translation>Mehrere Züge</translation>
+    </message>
+    <message>
+        <source>Point %1 of the %2</source>
+        <translation>Punkt %1 (%2)</translation>
+    </message>
+    <message>
+        <source>Drag it on the map, move it by arrow keys, or type where it is.</source>
+        <translation>Auf der Karte ziehen, mit den Pfeiltasten verschieben oder die Lage eintippen.</translation>
+    </message>
+    <message>
+        <source>Latitude</source>
+        <translation>Breitengrad</translation>
+    </message>
+    <message>
+        <source>Longitude</source>
+        <translation>Längengrad</translation>
+    </message>
+    <message>
+        <source>Angle</source>
+        <translation>Winkel</translation>
+    </message>
+    <message>
+        <source>%1°</source>
+        <translation>%1°</translation>
+    </message>
+    <message>
+        <source>AB line</source>
+        <translation>AB-Linie</translation>
+    </message>
+    <message>
+        <source>Edge %1 of the %2</source>
+        <translation>Kante %1 (%2)</translation>
+    </message>
+    <message>
+        <source>One swath lies on it, the others beside it. Drag it or its ends, or type its direction.</source>
+        <translation>Eine Spur liegt darauf, die anderen daneben. Die Linie oder ihre Enden ziehen oder die Richtung eintippen.</translation>
+    </message>
+    <message>
+        <source>Drag it to move it sideways; the dot in its middle makes another point.</source>
+        <translation>Ziehen verschiebt sie seitlich; der Punkt in ihrer Mitte macht einen weiteren Eckpunkt.</translation>
+    </message>
+    <message>
+        <source>Length</source>
+        <translation>Länge</translation>
+    </message>
+    <message>
+        <source>Direction</source>
+        <translation>Richtung</translation>
+    </message>
+    <message>
+        <source>Obstacle</source>
+        <translation>Hindernis</translation>
+    </message>
+    <message>
+        <source>It is not worked, but may be driven on.</source>
+        <translation>Es wird nicht bearbeitet, darf aber überfahren werden.</translation>
+    </message>
+    <message>
+        <source>It is not worked, and nothing drives nearer than its buffer.</source>
+        <translation>Es wird nicht bearbeitet, und nichts fährt näher heran als sein Abstand.</translation>
+    </message>
+    <message>
+        <source>Buffer</source>
+        <translation>Abstand</translation>
+    </message>
+    <message>
+        <source>Area</source>
+        <translation>Fläche</translation>
+    </message>
+    <message>
+        <source>the end</source>
+        <translation>Ende</translation>
+    </message>
+    <message>
+        <source>swath %1</source>
+        <translation>Spur %1</translation>
+    </message>
+    <message>
+        <source>pass %1</source>
+        <translation>Vorgewendespur %1</translation>
+    </message>
+    <message>
+        <source>Time</source>
+        <translation>Zeit</translation>
+    </message>
+    <message>
+        <source>Swath %1</source>
+        <translation>Spur %1</translation>
+    </message>
+    <message>
+        <source>It is worked as number %1 of %2, %3 long, in %4.</source>
+        <translation>Sie wird als Nummer %1 von %2 bearbeitet, %3 lang, in %4.</translation>
+    </message>
+    <message>
+        <source>Width</source>
+        <translation>Breite</translation>
+    </message>
+    <message>
+        <source>Headland pass %1</source>
+        <translation>Vorgewendespur %1</translation>
+    </message>
+    <message>
+        <source>Counted from the outside; %1 are worked here in %2.</source>
+        <translation>Von außen gezählt; %1 werden hier in %2 bearbeitet.</translation>
+    </message>
+    <message>
+        <source>Turn from %1 to %2</source>
+        <translation>Wendung: %1 → %2</translation>
+    </message>
+    <message>
+        <source>%1 in reverse, in %2.</source>
+        <translation>%1 rückwärts, in %2.</translation>
+    </message>
+    <message>
+        <source>%1 with the implement up, in %2.</source>
+        <translation>%1 mit ausgehobenem Gerät, in %2.</translation>
+    </message>
+    <message>
+        <source>Kind</source>
+        <translation>Art</translation>
+    </message>
+    <message>
+        <source>Way from %1 to %2</source>
+        <translation>Weg: %1 → %2</translation>
+    </message>
+    <message>
+        <source>%1 without working, in %2.</source>
+        <translation>%1 ohne Arbeit, in %2.</translation>
+    </message>
+    <message>
+        <source>It cannot be driven like this: %1.</source>
+        <translation>So ist es nicht fahrbar: %1.</translation>
+    </message>
+    <message>
+        <source>Cell %1</source>
+        <translation>Teilfläche %1</translation>
+    </message>
+    <message numerus="yes">
+        <source>A piece of the mainland whose %n swath(s) are driven together.</source>
+        <translation>
+            <numerusform>Ein Stück der Innenfläche mit %n Spur.</numerusform>
+            <numerusform>Ein Stück der Innenfläche, dessen %n Spuren zusammen gefahren werden.</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>Swaths</source>
+        <translation>Spuren</translation>
+    </message>
+    <message>
+        <source>Gate</source>
+        <translation>Zufahrt</translation>
+    </message>
+    <message>
+        <source>Here the machine may enter and leave the field. Drag it along the boundary.</source>
+        <translation>Hier darf die Maschine in den Schlag und hinaus. Entlang der Feldgrenze ziehen.</translation>
+    </message>
+    <message>
+        <source>Guidance curve</source>
+        <translation>Leitkurve</translation>
+    </message>
+    <message>
+        <source>The swaths lie beside it. Drag its points, or delete it.</source>
+        <translation>Die Spuren liegen daneben. Die Punkte ziehen oder die Kurve löschen.</translation>
+    </message>
+    <message>
+        <source>Points</source>
+        <translation>Punkte</translation>
+    </message>
+    <message>
+        <source>Hole</source>
+        <translation>Aussparung</translation>
+    </message>
+    <message>
+        <source>It is no part of the field. Drag it, or its points and edges.</source>
+        <translation>Sie gehört nicht zum Schlag. Sie selbst, ihre Punkte oder Kanten ziehen.</translation>
+    </message>
+    <message>
+        <source>Finding %1</source>
+        <translation>Hinweis %1</translation>
+    </message>
+</context>
+<context>
+    <name>InspectorPanel</name>
+    <message>
+        <source>selected</source>
+        <translation>ausgewählt</translation>
+    </message>
+    <message>
+        <source>%1: %2</source>
+        <translation>%1: %2</translation>
+    </message>
+    <message>
+        <source>May be driven on</source>
+        <translation>Darf überfahren werden</translation>
+    </message>
+    <message>
+        <source>Swaths along it</source>
+        <translation>Spuren daran entlang</translation>
+    </message>
+    <message>
+        <source>Delete</source>
+        <translation>Löschen</translation>
+    </message>
+</context>
+<context>
+    <name>KeysDialog</name>
+    <message>
+        <source>Drag the map, wheel</source>
+        <translation>Karte ziehen, Mausrad</translation>
+    </message>
+    <message>
+        <source>move, zoom</source>
+        <translation>verschieben, zoomen</translation>
+    </message>
+    <message>
+        <source>Arrows, + and −</source>
+        <translation>Pfeile, + und −</translation>
+    </message>
+    <message>
+        <source>move the selection or the map, zoom</source>
+        <translation>Auswahl oder Karte verschieben, zoomen</translation>
+    </message>
+    <message>
+        <source>, and .</source>
+        <translation>, und .</translation>
+    </message>
+    <message>
+        <source>the point before, the next point</source>
+        <translation>voriger, nächster Punkt</translation>
+    </message>
+    <message>
+        <source>Enter</source>
+        <translation>Eingabe</translation>
+    </message>
+    <message>
+        <source>finish drawing; type into the inspector</source>
+        <translation>Zeichnung beenden; im Inspektor eintippen</translation>
+    </message>
+    <message>
+        <source>Alt</source>
+        <translation>Alt</translation>
+    </message>
+    <message>
+        <source>no snapping while it is held</source>
+        <translation>kein Einrasten, solange gedrückt</translation>
+    </message>
+    <message>
+        <source>Esc</source>
+        <translation>Esc</translation>
+    </message>
+    <message>
+        <source>stop what was begun</source>
+        <translation>abbrechen, was begonnen wurde</translation>
+    </message>
+    <message>
+        <source>Keys and mouse</source>
+        <translation>Tasten und Maus</translation>
+    </message>
+    <message>
+        <source>%1: %2</source>
+        <translation>%1: %2</translation>
+    </message>
+    <message>
+        <source>Close</source>
+        <translation>Schließen</translation>
+    </message>
+</context>
+<context>
+    <name>LayerSwitches</name>
+    <message>
+        <source>Boundary</source>
+        <translation>Feldgrenze</translation>
+    </message>
+    <message>
+        <source>Headland</source>
+        <translation>Vorgewende</translation>
+    </message>
+    <message>
+        <source>Swaths</source>
+        <translation>Spuren</translation>
+    </message>
+    <message>
+        <source>Order numbers</source>
+        <translation>Reihenfolge</translation>
+    </message>
+    <message>
+        <source>Findings</source>
+        <translation>Hinweise</translation>
+    </message>
+    <message>
+        <source>Imagery</source>
+        <translation>Luftbild</translation>
+    </message>
+    <message>
+        <source>Path</source>
+        <translation>Fahrweg</translation>
+    </message>
+    <message>
+        <source>Directions</source>
+        <translation>Richtungen</translation>
+    </message>
+    <message>
+        <source>Coverage</source>
+        <translation>Bearbeitet</translation>
+    </message>
+    <message>
+        <source>Worked twice</source>
+        <translation>Doppelt bearbeitet</translation>
+    </message>
+    <message>
+        <source>Missed</source>
+        <translation>Fehlstellen</translation>
+    </message>
+    <message>
+        <source>Wheel passes</source>
+        <translation>Überfahrten</translation>
+    </message>
+</context>
+<context>
+    <name>LayersPanel</name>
+    <message>
+        <source>Layers</source>
+        <translation>Ebenen</translation>
+    </message>
+    <message>
+        <source>Close the layers</source>
+        <translation>Ebenen schließen</translation>
+    </message>
+    <message>
+        <source>Imagery</source>
+        <translation>Luftbild</translation>
+    </message>
+    <message>
+        <source>From the network</source>
+        <translation>Aus dem Netz</translation>
+    </message>
+    <message>
+        <source>OpenStreetMap</source>
+        <translation>OpenStreetMap</translation>
+    </message>
+    <message>
+        <source>Asks openstreetmap.org for what is in view. Off, nothing leaves this computer.</source>
+        <translation>Fragt openstreetmap.org nach dem, was zu sehen ist. Ausgeschaltet verlässt nichts diesen Rechner.</translation>
+    </message>
+</context>
+<context>
+    <name>MachineFields</name>
+    <message>
+        <source>Machine</source>
+        <translation>Maschine</translation>
+    </message>
+    <message>
+        <source>Back to the original</source>
+        <translation>Zurück zum Original</translation>
+    </message>
+</context>
+<context>
+    <name>Main</name>
+    <message>
+        <source>%1%2 – Furrow</source>
+        <translation>%1%2 – Furrow</translation>
+    </message>
+    <message>
+        <source>Furrow</source>
+        <translation>Furrow</translation>
+    </message>
+    <message>
+        <source>Rename the field</source>
+        <translation>Schlag umbenennen</translation>
+    </message>
+    <message>
+        <source>Add a plan</source>
+        <translation>Plan hinzufügen</translation>
+    </message>
+    <message>
+        <source>Rename the plan</source>
+        <translation>Plan umbenennen</translation>
+    </message>
+    <message>
+        <source>Everything at %1 %</source>
+        <translation>Alles auf %1 %</translation>
+    </message>
+    <message>
+        <source>This holds from the next start of Furrow.</source>
+        <translation>Das gilt ab dem nächsten Start von Furrow.</translation>
+    </message>
+    <message>
+        <source>OK</source>
+        <translation>OK</translation>
+    </message>
+</context>
+<context>
+    <name>MapPage</name>
+    <message>
+        <source>Map</source>
+        <translation>Karte</translation>
+    </message>
+</context>
+<context>
+    <name>MapToolBar</name>
+    <message>
+        <source>Select and change (V)</source>
+        <translation>Auswählen und ändern (V)</translation>
+    </message>
+    <message>
+        <source>Draw a field (B)</source>
+        <translation>Schlag zeichnen (B)</translation>
+    </message>
+    <message>
+        <source>Draw a hole (H)</source>
+        <translation>Aussparung zeichnen (H)</translation>
+    </message>
+    <message>
+        <source>Draw an obstacle (O)</source>
+        <translation>Hindernis zeichnen (O)</translation>
+    </message>
+    <message>
+        <source>Draw an AB line (L)</source>
+        <translation>AB-Linie zeichnen (L)</translation>
+    </message>
+    <message>
+        <source>Add a gate (G)</source>
+        <translation>Zufahrt hinzufügen (G)</translation>
+    </message>
+    <message>
+        <source>Show the whole field (F)</source>
+        <translation>Ganzen Schlag zeigen (F)</translation>
+    </message>
+    <message>
+        <source>Closer (+)</source>
+        <translation>Näher heran (+)</translation>
+    </message>
+    <message>
+        <source>Further away (−)</source>
+        <translation>Weiter weg (−)</translation>
+    </message>
+    <message>
+        <source>Layers (Ctrl+L)</source>
+        <translation>Ebenen (Strg+L)</translation>
+    </message>
+</context>
+<context>
+    <name>NameDialog</name>
+    <message>
+        <source>Name</source>
+        <translation>Name</translation>
+    </message>
+    <message>
+        <source>Season</source>
+        <translation>Saison</translation>
+    </message>
+    <message>
+        <source>Cancel</source>
+        <translation>Abbrechen</translation>
+    </message>
+    <message>
+        <source>OK</source>
+        <translation>OK</translation>
+    </message>
+</context>
+<context>
+    <name>OnlineMap</name>
+    <message>
+        <source>© OpenStreetMap contributors</source>
+        <translation>© OpenStreetMap-Mitwirkende</translation>
+    </message>
+</context>
+<context>
+    <name>ParameterField</name>
+    <message>
+        <source>Auto</source>
+        <translation>Auto</translation>
+    </message>
+    <message>
+        <source>%1: let Furrow choose</source>
+        <translation>%1: Furrow wählen lassen</translation>
+    </message>
+</context>
+<context>
+    <name>Planner</name>
+    <message>
+        <source> and twice %1 of margin</source>
+        <translation> und zweimal %1 Sicherheitsabstand</translation>
+    </message>
+    <message>
+        <source>%1 and %2</source>
+        <translation>%1 und %2</translation>
+    </message>
+    <message>
+        <source>%1 and %2 more</source>
+        <translation>%1 und %2 weitere</translation>
+    </message>
+    <message>
+        <source>%1 are driven in reverse; the trailed implement cannot.</source>
+        <translation>%1 werden rückwärts gefahren; das gezogene Gerät kann das nicht.</translation>
+    </message>
+    <message>
+        <source>%1 are driven in reverse; this machine cannot.</source>
+        <translation>%1 werden rückwärts gefahren; diese Maschine kann das nicht.</translation>
+    </message>
+    <message>
+        <source>%1 are not worked, %2 of the field, in %3; this is the largest.</source>
+        <translation>%1 werden nicht bearbeitet, %2 des Schlags, in %3; dies ist die größte Fehlstelle.</translation>
+    </message>
+    <message>
+        <source>%1 bends with a radius of %2; this machine needs %3.</source>
+        <translation>%1 hat Kurven mit %2 Radius; diese Maschine braucht %3.</translation>
+    </message>
+    <message>
+        <source>%1 cannot be driven: %2.</source>
+        <translation>%1 ist nicht fahrbar: %2.</translation>
+    </message>
+    <message>
+        <source>%1 cannot be made: %2</source>
+        <translation>%1 kann nicht erstellt werden: %2</translation>
+    </message>
+    <message>
+        <source>%1 cannot be steered</source>
+        <translation>%1 lassen sich nicht lenken</translation>
+    </message>
+    <message>
+        <source>%1 cannot be worked with</source>
+        <translation>mit %1 lässt sich nicht arbeiten</translation>
+    </message>
+    <message>
+        <source>%1 circle(s) within %2 of the centre are tighter than this machine can follow and are left out</source>
+        <translation>%1 Kreis(e) innerhalb von %2 um die Mitte sind enger, als diese Maschine folgen kann, und fallen weg</translation>
+    </message>
+    <message>
+        <source>%1 crosses an obstacle, by %2.</source>
+        <translation>%1 quert ein Hindernis, um %2.</translation>
+    </message>
+    <message>
+        <source>%1 crosses an obstacle.</source>
+        <translation>%1 quert ein Hindernis.</translation>
+    </message>
+    <message>
+        <source>%1 does not fit here</source>
+        <translation>%1 passt hier nicht</translation>
+    </message>
+    <message>
+        <source>%1 for each swath makes over a million swaths</source>
+        <translation>%1 je Spur ergibt über eine Million Spuren</translation>
+    </message>
+    <message>
+        <source>%1 in one piece are not worked.</source>
+        <translation>%1 an einem Stück werden nicht bearbeitet.</translation>
+    </message>
+    <message>
+        <source>%1 is not a whole number</source>
+        <translation>%1 ist keine ganze Zahl</translation>
+    </message>
+    <message>
+        <source>%1 is on the stick already</source>
+        <translation>%1 ist schon auf dem Stick</translation>
+    </message>
+    <message>
+        <source>%1 is out of range</source>
+        <translation>%1 liegt außerhalb des Bereichs</translation>
+    </message>
+    <message>
+        <source>%1 is planned, but nothing of it is driven with the implement down.</source>
+        <translation>%1 ist geplant, aber nichts davon wird mit abgesenktem Gerät gefahren.</translation>
+    </message>
+    <message>
+        <source>%1 is planned, but only %2 of it is driven with the implement down.</source>
+        <translation>%1 ist geplant, aber nur %2 davon werden mit abgesenktem Gerät gefahren.</translation>
+    </message>
+    <message>
+        <source>%1 jumps by %2.</source>
+        <translation>%1 springt um %2.</translation>
+    </message>
+    <message>
+        <source>%1 leaves the field by %2.</source>
+        <translation>%1 verlässt den Schlag um %2.</translation>
+    </message>
+    <message>
+        <source>%1 leaves the field or crosses an obstacle, by up to %2, as this plan allows.</source>
+        <translation>%1 verlässt den Schlag oder quert ein Hindernis, um bis zu %2, wie in diesem Plan erlaubt.</translation>
+    </message>
+    <message>
+        <source>%1 moves %2 off where the machine points.</source>
+        <translation>%1 fährt %2 anders, als die Maschine zeigt.</translation>
+    </message>
+    <message>
+        <source>%1 needs %2</source>
+        <translation>%1 braucht: %2</translation>
+    </message>
+    <message>
+        <source>%1 of %2 guidance lines of &apos;%3&apos; are there</source>
+        <translation>%1 von %2 Leitlinien von „%3“ sind da</translation>
+    </message>
+    <message>
+        <source>%1 of %2 swaths are not in the order: %3</source>
+        <translation>%1 von %2 Spuren fehlen in der Reihenfolge: %3</translation>
+    </message>
+    <message>
+        <source>%1 of margin leaves nothing of the field to work</source>
+        <translation>%1 Sicherheitsabstand lassen vom Schlag nichts zum Bearbeiten übrig</translation>
+    </message>
+    <message>
+        <source>%1 reads back other bytes than were written</source>
+        <translation>%1 liefert andere Bytes zurück, als geschrieben wurden</translation>
+    </message>
+    <message>
+        <source>%1 small patches of worked pixels are left out</source>
+        <translation>%1 kleine Flecken bearbeiteter Pixel werden weggelassen</translation>
+    </message>
+    <message>
+        <source>%1 swaths and turns leave the field or cross an obstacle, by up to %2, as this plan allows.</source>
+        <translation>%1 Spuren und Wendungen verlassen den Schlag oder queren ein Hindernis, um bis zu %2, wie in diesem Plan erlaubt.</translation>
+    </message>
+    <message>
+        <source>%1, %2 is no longitude and latitude</source>
+        <translation>%1, %2 ist keine Länge und Breite</translation>
+    </message>
+    <message>
+        <source>%1, %2 is no longitude and latitude, and the file does not say which coordinate system it uses</source>
+        <translation>%1, %2 ist keine Länge und Breite, und die Datei sagt nicht, welches Koordinatensystem sie hat</translation>
+    </message>
+    <message>
+        <source>%1, %2 is outside longitude -180 to 180 and latitude -90 to 90</source>
+        <translation>%1, %2 liegt außerhalb von Länge -180 bis 180 und Breite -90 bis 90</translation>
+    </message>
+    <message>
+        <source>%1, %2, line %3</source>
+        <translation>%1, %2, Zeile %3</translation>
+    </message>
+    <message>
+        <source>%1, feature %2</source>
+        <translation>%1, Objekt %2</translation>
+    </message>
+    <message>
+        <source>%1, gate %2</source>
+        <translation>%1, Zufahrt %2</translation>
+    </message>
+    <message>
+        <source>%1, hole %2</source>
+        <translation>%1, Aussparung %2</translation>
+    </message>
+    <message>
+        <source>%1, obstacle %2</source>
+        <translation>%1, Hindernis %2</translation>
+    </message>
+    <message>
+        <source>%1, point %2</source>
+        <translation>%1, Punkt %2</translation>
+    </message>
+    <message>
+        <source>%1, row %2</source>
+        <translation>%1, Zeile %2</translation>
+    </message>
+    <message>
+        <source>%1: its machine cannot be used: %2</source>
+        <translation>%1: die Maschine kann nicht verwendet werden: %2</translation>
+    </message>
+    <message>
+        <source>%1: the setting %2 is not used: %3</source>
+        <translation>%1: die Einstellung %2 wird nicht verwendet: %3</translation>
+    </message>
+    <message numerus="yes">
+        <source>%n entries without a shape</source>
+        <translation>
+            <numerusform>%n Eintrag ohne Form</numerusform>
+            <numerusform>%n Einträge ohne Form</numerusform>
+        </translation>
+    </message>
+    <message numerus="yes">
+        <source>%n fields</source>
+        <translation>
+            <numerusform>%n Schlag</numerusform>
+            <numerusform>%n Schläge</numerusform>
+        </translation>
+    </message>
+    <message numerus="yes">
+        <source>%n open lines</source>
+        <translation>
+            <numerusform>%n offene Linie</numerusform>
+            <numerusform>%n offene Linien</numerusform>
+        </translation>
+    </message>
+    <message numerus="yes">
+        <source>%n passes</source>
+        <translation>
+            <numerusform>%n Spur</numerusform>
+            <numerusform>%n Spuren</numerusform>
+        </translation>
+    </message>
+    <message numerus="yes">
+        <source>%n pieces</source>
+        <translation>
+            <numerusform>%n Stück</numerusform>
+            <numerusform>%n Stücken</numerusform>
+        </translation>
+    </message>
+    <message numerus="yes">
+        <source>%n places</source>
+        <translation>
+            <numerusform>%n Stelle</numerusform>
+            <numerusform>%n Stellen</numerusform>
+        </translation>
+    </message>
+    <message numerus="yes">
+        <source>%n points</source>
+        <translation>
+            <numerusform>%n Punkt</numerusform>
+            <numerusform>%n Punkte</numerusform>
+        </translation>
+    </message>
+    <message numerus="yes">
+        <source>%n points were given twice and taken once</source>
+        <translation>
+            <numerusform>%n Punkt war doppelt und zählt einmal</numerusform>
+            <numerusform>%n Punkte waren doppelt und zählen einmal</numerusform>
+        </translation>
+    </message>
+    <message numerus="yes">
+        <source>%n rings did not end where they began and were closed</source>
+        <translation>
+            <numerusform>%n Ring endete nicht, wo er begann, und wurde geschlossen</numerusform>
+            <numerusform>%n Ringe endeten nicht, wo sie begannen, und wurden geschlossen</numerusform>
+        </translation>
+    </message>
+    <message numerus="yes">
+        <source>%n rings ran the wrong way round and were turned</source>
+        <translation>
+            <numerusform>%n Ring lief falsch herum und wurde umgedreht</numerusform>
+            <numerusform>%n Ringe liefen falsch herum und wurden umgedreht</numerusform>
+        </translation>
+    </message>
+    <message numerus="yes">
+        <source>%n spikes without area were removed</source>
+        <translation>
+            <numerusform>%n Spitze ohne Fläche wurde entfernt</numerusform>
+            <numerusform>%n Spitzen ohne Fläche wurden entfernt</numerusform>
+        </translation>
+    </message>
+    <message numerus="yes">
+        <source>%n turns</source>
+        <translation>
+            <numerusform>%n Wendung</numerusform>
+            <numerusform>%n Wendungen</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>&apos;%1&apos; is left out: its kind %2 is not known</source>
+        <translation>„%1“ wird weggelassen: die Art %2 ist nicht bekannt</translation>
+    </message>
+    <message>
+        <source>&apos;%1&apos; is no length</source>
+        <translation>„%1“ ist keine Länge</translation>
+    </message>
+    <message>
+        <source>&apos;%1&apos; is no local frame</source>
+        <translation>„%1“ ist kein lokales Koordinatensystem</translation>
+    </message>
+    <message>
+        <source>&apos;%1&apos; is not %2</source>
+        <translation>„%1“ ist nicht: %2</translation>
+    </message>
+    <message>
+        <source>&apos;%1&apos; is not a line</source>
+        <translation>„%1“ ist keine Linie</translation>
+    </message>
+    <message>
+        <source>&apos;%1&apos; is not well-known text</source>
+        <translation>„%1“ ist kein Well-known text</translation>
+    </message>
+    <message>
+        <source>&apos;%1&apos;, &apos;%2&apos; is no latitude and longitude; what it belongs to was left out</source>
+        <translation>„%1“, „%2“ ist keine Breite und Länge; was dazu gehört, wurde weggelassen</translation>
+    </message>
+    <message>
+        <source>&apos;%1&apos;, &apos;%2&apos; is no longitude and latitude</source>
+        <translation>„%1“, „%2“ ist keine Länge und Breite</translation>
+    </message>
+    <message>
+        <source>A and B are %1 apart</source>
+        <translation>A und B liegen %1 auseinander</translation>
+    </message>
+    <message>
+        <source>A bulb to both sides; for swaths nearer than two turning radii.</source>
+        <translation>Nach beiden Seiten ausgebaucht; für Spuren, die näher als zwei Wenderadien liegen.</translation>
+    </message>
+    <message>
+        <source>A bulb to one side and straight back; for swaths nearer than two turning radii.</source>
+        <translation>Nach einer Seite ausgebaucht und gerade zurück; für Spuren, die näher als zwei Wenderadien liegen.</translation>
+    </message>
+    <message>
+        <source>A cell gets a heading of its own where that saves time.</source>
+        <translation>Eine Teilfläche erhält eine eigene Fahrtrichtung, wo das Zeit spart.</translation>
+    </message>
+    <message>
+        <source>A file of lines: planted rows, or the tramlines of a plan.</source>
+        <translation>Eine Datei mit Linien: gepflanzte Reihen oder die Fahrgassen eines Plans.</translation>
+    </message>
+    <message>
+        <source>A gate&apos;s name or a point; the first gate where nothing is given.</source>
+        <translation>Name einer Zufahrt oder ein Punkt; die erste Zufahrt, wo nichts angegeben ist.</translation>
+    </message>
+    <message>
+        <source>A goal of opennav_coverage has one outline: %1 of %2 parts are left out.</source>
+        <translation>Ein Ziel von opennav_coverage hat einen Umriss: %1 von %2 Teilen fehlen.</translation>
+    </message>
+    <message>
+        <source>A headland of %1 may make room (%2 now).</source>
+        <translation>Ein Vorgewende von %1 schafft vielleicht Platz (jetzt %2).</translation>
+    </message>
+    <message>
+        <source>A raster of heights in metres that covers the field, such as a GeoTIFF.</source>
+        <translation>Ein Höhenraster in Metern, das den Schlag abdeckt, zum Beispiel ein GeoTIFF.</translation>
+    </message>
+    <message>
+        <source>A robot with ROS 2</source>
+        <translation>Ein Roboter mit ROS 2</translation>
+    </message>
+    <message>
+        <source>A snake within each cluster of swaths, cluster after cluster.</source>
+        <translation>Eine Schlange in jeder Gruppe von Spuren, Gruppe nach Gruppe.</translation>
+    </message>
+    <message>
+        <source>A strip of the same width along the boundary and around obstacles, for turning.</source>
+        <translation>Ein gleich breiter Streifen entlang der Feldgrenze und um Hindernisse, zum Wenden.</translation>
+    </message>
+    <message>
+        <source>A+</source>
+        <translation>A+</translation>
+    </message>
+    <message>
+        <source>AB curve</source>
+        <translation>AB-Kurve</translation>
+    </message>
+    <message>
+        <source>AB line</source>
+        <translation>AB-Linie</translation>
+    </message>
+    <message>
+        <source>Across the slope: beside a line of equal height, and a new one where that no longer fits.</source>
+        <translation>Quer zum Hang: neben einer Höhenlinie, und einer neuen, wo das nicht mehr passt.</translation>
+    </message>
+    <message>
+        <source>After the mainland</source>
+        <translation>Nach der Innenfläche</translation>
+    </message>
+    <message>
+        <source>AgBot</source>
+        <translation>AgBot</translation>
+    </message>
+    <message>
+        <source>AgGPS folder</source>
+        <translation>AgGPS-Ordner</translation>
+    </message>
+    <message>
+        <source>AgOpenGPS 6, import of ISOXML</source>
+        <translation>AgOpenGPS 6, ISOXML-Import</translation>
+    </message>
+    <message>
+        <source>AgOpenGPS drives recorded paths forwards only, and this one reverses %1 times: its %2 forward stretches are &apos;Part 01.rec&apos; and so on, RecPath.txt is the first; %3 under 5 m are left out.</source>
+        <translation>AgOpenGPS fährt aufgezeichnete Wege nur vorwärts, und dieser fährt %1-mal rückwärts: seine %2 Vorwärtsstücke sind &apos;Part 01.rec&apos; und so weiter, RecPath.txt ist das erste; %3 unter 5 m fehlen.</translation>
+    </message>
+    <message>
+        <source>AgOpenGPS field</source>
+        <translation>AgOpenGPS-Schlag</translation>
+    </message>
+    <message>
+        <source>AgOpenGPS keeps one outline to a field: the %1 parts of &apos;%2&apos; are fields of their own, and the whole path is in the first.</source>
+        <translation>AgOpenGPS kennt einen Umriss je Schlag: die %1 Teile von „%2“ sind eigene Schläge, und der ganze Fahrweg liegt im ersten.</translation>
+    </message>
+    <message>
+        <source>AgOpenGPS keeps one outline to a field: the %1 parts of &apos;%2&apos; are fields of their own.</source>
+        <translation>AgOpenGPS kennt einen Umriss je Schlag: die %1 Teile von „%2“ sind eigene Schläge.</translation>
+    </message>
+    <message>
+        <source>All swaths along the edge of the boundary that you pick.</source>
+        <translation>Alle Spuren entlang der ausgewählten Kante der Feldgrenze.</translation>
+    </message>
+    <message>
+        <source>All swaths along the longest straight edge of the mainland.</source>
+        <translation>Alle Spuren entlang der längsten geraden Kante der Innenfläche.</translation>
+    </message>
+    <message>
+        <source>All swaths in the direction that you type.</source>
+        <translation>Alle Spuren in der eingetippten Richtung.</translation>
+    </message>
+    <message>
+        <source>Along an edge</source>
+        <translation>Entlang einer Kante</translation>
+    </message>
+    <message>
+        <source>Along rows that are there already, or between them.</source>
+        <translation>Entlang von Reihen, die schon da sind, oder zwischen ihnen.</translation>
+    </message>
+    <message>
+        <source>Along the boundary</source>
+        <translation>An der Feldgrenze entlang</translation>
+    </message>
+    <message>
+        <source>Along the contours</source>
+        <translation>Entlang der Höhenlinien</translation>
+    </message>
+    <message>
+        <source>Along the direction of travel.</source>
+        <translation>In Fahrtrichtung.</translation>
+    </message>
+    <message>
+        <source>Along the headland</source>
+        <translation>Am Vorgewende entlang</translation>
+    </message>
+    <message>
+        <source>Along the line from A to B; one swath lies on it.</source>
+        <translation>Entlang der Linie von A nach B; eine Spur liegt darauf.</translation>
+    </message>
+    <message>
+        <source>Along the longest edge</source>
+        <translation>Entlang der längsten Kante</translation>
+    </message>
+    <message>
+        <source>An older ISOBUS terminal</source>
+        <translation>Ein älteres ISOBUS-Terminal</translation>
+    </message>
+    <message>
+        <source>Another ISOBUS terminal</source>
+        <translation>Ein anderes ISOBUS-Terminal</translation>
+    </message>
+    <message>
+        <source>Anywhere</source>
+        <translation>Überall</translation>
+    </message>
+    <message>
+        <source>Arc, straight, arc; for swaths at least two turning radii apart.</source>
+        <translation>Bogen, Gerade, Bogen; für Spuren, die mindestens zwei Wenderadien auseinander liegen.</translation>
+    </message>
+    <message>
+        <source>As few as possible</source>
+        <translation>So wenige wie möglich</translation>
+    </message>
+    <message>
+        <source>As few swaths, and so turns, as possible.</source>
+        <translation>So wenige Spuren, und damit Wendungen, wie möglich.</translation>
+    </message>
+    <message>
+        <source>At obstacles</source>
+        <translation>An Hindernissen</translation>
+    </message>
+    <message>
+        <source>At the left edge</source>
+        <translation>Am linken Rand</translation>
+    </message>
+    <message>
+        <source>At the right edge</source>
+        <translation>Am rechten Rand</translation>
+    </message>
+    <message>
+        <source>At the start of the first swath.</source>
+        <translation>Am Anfang der ersten Spur.</translation>
+    </message>
+    <message>
+        <source>Before the mainland</source>
+        <translation>Vor der Innenfläche</translation>
+    </message>
+    <message>
+        <source>Beside a curve of your own, or beside the edges around the one that you pick.</source>
+        <translation>Neben einer eigenen Kurve oder neben den Kanten um die ausgewählte.</translation>
+    </message>
+    <message>
+        <source>Best heading</source>
+        <translation>Beste Fahrtrichtung</translation>
+    </message>
+    <message>
+        <source>Best of all headings</source>
+        <translation>Beste aller Richtungen</translation>
+    </message>
+    <message>
+        <source>Best that fits</source>
+        <translation>Beste, die passt</translation>
+    </message>
+    <message>
+        <source>Between the fixed and the steered axle.</source>
+        <translation>Zwischen der starren und der gelenkten Achse.</translation>
+    </message>
+    <message>
+        <source>Between the headings that are tried.</source>
+        <translation>Zwischen den Richtungen, die versucht werden.</translation>
+    </message>
+    <message>
+        <source>Between the rows</source>
+        <translation>Zwischen den Reihen</translation>
+    </message>
+    <message>
+        <source>Boundaries in longitude and latitude.</source>
+        <translation>Feldgrenzen in Länge und Breite.</translation>
+    </message>
+    <message>
+        <source>Boundaries, also field files of Fields2Cover and GAOS.</source>
+        <translation>Feldgrenzen, auch Schlagdateien von Fields2Cover und GAOS.</translation>
+    </message>
+    <message>
+        <source>Boundaries.</source>
+        <translation>Feldgrenzen.</translation>
+    </message>
+    <message>
+        <source>Boundary and guidance lines for Trimble and FM displays; no driving order.</source>
+        <translation>Feldgrenze und Leitlinien für Trimble- und FM-Displays; keine Reihenfolge.</translation>
+    </message>
+    <message>
+        <source>Boundary, headland, heading and order; the robot lays swaths and turns itself.</source>
+        <translation>Feldgrenze, Vorgewende, Fahrtrichtung und Reihenfolge; Spuren und Wendungen legt der Roboter selbst.</translation>
+    </message>
+    <message>
+        <source>Boundary, holes, headland, guidance lines, and the whole driven path as a recorded path.</source>
+        <translation>Feldgrenze, Aussparungen, Vorgewende, Leitlinien und der ganze Fahrweg als aufgezeichneter Weg.</translation>
+    </message>
+    <message>
+        <source>Boundary, holes, obstacles and guidance lines for older terminals; no headland, no driving order.</source>
+        <translation>Feldgrenze, Aussparungen, Hindernisse und Leitlinien für ältere Terminals; kein Vorgewende, keine Reihenfolge.</translation>
+    </message>
+    <message>
+        <source>Boundary, holes, obstacles, gates, headland and guidance lines for terminals; no driving order.</source>
+        <translation>Feldgrenze, Aussparungen, Hindernisse, Zufahrten, Vorgewende und Leitlinien für Terminals; keine Reihenfolge.</translation>
+    </message>
+    <message>
+        <source>Boundary, holes, obstacles, headland, swaths and path in metres of the UTM zone.</source>
+        <translation>Feldgrenze, Aussparungen, Hindernisse, Vorgewende, Spuren und Fahrweg in Metern der UTM-Zone.</translation>
+    </message>
+    <message>
+        <source>Boundary, obstacles, gates, headland, swaths and path, to look at.</source>
+        <translation>Feldgrenze, Hindernisse, Zufahrten, Vorgewende, Spuren und Fahrweg zum Ansehen.</translation>
+    </message>
+    <message>
+        <source>Boundary, obstacles, gates, headland, swaths, path and findings; for maps and programs.</source>
+        <translation>Feldgrenze, Hindernisse, Zufahrten, Vorgewende, Spuren, Fahrweg und Hinweise; für Karten und Programme.</translation>
+    </message>
+    <message>
+        <source>Boundary, obstacles, gates, mainland, swaths and path as layers for a GIS.</source>
+        <translation>Feldgrenze, Hindernisse, Zufahrten, Innenfläche, Spuren und Fahrweg als Ebenen für ein GIS.</translation>
+    </message>
+    <message>
+        <source>Boundary, obstacles, gates, mainland, swaths and path, a shapefile of each.</source>
+        <translation>Feldgrenze, Hindernisse, Zufahrten, Innenfläche, Spuren und Fahrweg, je ein Shapefile.</translation>
+    </message>
+    <message>
+        <source>Bringing the crop in: headland first, swaths overlap a little.</source>
+        <translation>Ernte einbringen: Vorgewende zuerst, Spuren überlappen etwas.</translation>
+    </message>
+    <message>
+        <source>CSV table</source>
+        <translation>CSV-Tabelle</translation>
+    </message>
+    <message>
+        <source>Can reverse</source>
+        <translation>Kann rückwärts fahren</translation>
+    </message>
+    <message>
+        <source>Can turn in place</source>
+        <translation>Kann auf der Stelle drehen</translation>
+    </message>
+    <message>
+        <source>Carried by the tractor, or pulled on a hitch and following its own track.</source>
+        <translation>Vom Schlepper getragen oder an einer Anhängung gezogen mit eigener Spur.</translation>
+    </message>
+    <message>
+        <source>Cells</source>
+        <translation>Teilflächen</translation>
+    </message>
+    <message>
+        <source>Centre line</source>
+        <translation>Mittellinie</translation>
+    </message>
+    <message>
+        <source>Check that the machine stays inside the field while it turns.</source>
+        <translation>Prüfen, ob die Maschine beim Wenden im Schlag bleibt.</translation>
+    </message>
+    <message>
+        <source>Choose another place.</source>
+        <translation>Eine andere Stelle wählen.</translation>
+    </message>
+    <message>
+        <source>Choose forward curves, or a machine that can.</source>
+        <translation>Vorwärtskurven wählen oder eine Maschine, die es kann.</translation>
+    </message>
+    <message>
+        <source>Choose forward curves.</source>
+        <translation>Vorwärtskurven wählen.</translation>
+    </message>
+    <message>
+        <source>Choose wider turns.</source>
+        <translation>Weitere Wendungen wählen.</translation>
+    </message>
+    <message>
+        <source>Circles</source>
+        <translation>Kreise</translation>
+    </message>
+    <message>
+        <source>Clockwise</source>
+        <translation>Im Uhrzeigersinn</translation>
+    </message>
+    <message>
+        <source>Cluster</source>
+        <translation>Gruppe</translation>
+    </message>
+    <message>
+        <source>Combine harvester, 7.5 m header</source>
+        <translation>Mähdrescher, Schneidwerk 7,5 m</translation>
+    </message>
+    <message>
+        <source>Corners</source>
+        <translation>Ecken</translation>
+    </message>
+    <message>
+        <source>Counter-clockwise</source>
+        <translation>Gegen den Uhrzeigersinn</translation>
+    </message>
+    <message>
+        <source>Crop protection: headland first, ways along the headland.</source>
+        <translation>Pflanzenschutz: Vorgewende zuerst, Wege am Vorgewende entlang.</translation>
+    </message>
+    <message>
+        <source>Curves are driven with up to %1 sideways; the machine&apos;s limit is less.</source>
+        <translation>Kurven werden mit bis zu %1 quer gefahren; die Grenze der Maschine ist niedriger.</translation>
+    </message>
+    <message>
+        <source>Curves with reversing</source>
+        <translation>Kurven mit Rückwärtsfahrt</translation>
+    </message>
+    <message>
+        <source>Curves with reversing, smooth steering</source>
+        <translation>Kurven mit Rückwärtsfahrt, sanft gelenkt</translation>
+    </message>
+    <message>
+        <source>Cut along the swaths at every corner.</source>
+        <translation>An jeder Ecke entlang der Spuren geteilt.</translation>
+    </message>
+    <message>
+        <source>Cut along the swaths where an obstacle or a bay begins or ends.</source>
+        <translation>Entlang der Spuren geteilt, wo ein Hindernis oder eine Bucht beginnt oder endet.</translation>
+    </message>
+    <message>
+        <source>Cut where an obstacle or a bay begins or ends, and joined again where one follows on the other.</source>
+        <translation>Geteilt, wo ein Hindernis oder eine Bucht beginnt oder endet, und wieder verbunden, wo eine auf die andere folgt.</translation>
+    </message>
+    <message>
+        <source>Cutting grass: headland first, swaths overlap a little.</source>
+        <translation>Gras mähen: Vorgewende zuerst, Spuren überlappen etwas.</translation>
+    </message>
+    <message>
+        <source>DXF drawing</source>
+        <translation>DXF-Zeichnung</translation>
+    </message>
+    <message>
+        <source>Direction</source>
+        <translation>Richtung</translation>
+    </message>
+    <message>
+        <source>Drawn out until the whole width is covered, as far as there is room.</source>
+        <translation>Verlängert, bis die ganze Breite bearbeitet ist, soweit Platz ist.</translation>
+    </message>
+    <message>
+        <source>Drilling or planting: headland last, ways along the headland.</source>
+        <translation>Drillen oder Legen: Vorgewende zuletzt, Wege am Vorgewende entlang.</translation>
+    </message>
+    <message>
+        <source>Drive</source>
+        <translation>Fahren</translation>
+    </message>
+    <message>
+        <source>Drive along the headland where the crop or the seedbed must not be driven on.</source>
+        <translation>Entlang des Vorgewendes fahren, wo Bestand oder Saatbett nicht befahren werden dürfen.</translation>
+    </message>
+    <message>
+        <source>Drive the curves more slowly.</source>
+        <translation>Die Kurven langsamer fahren.</translation>
+    </message>
+    <message>
+        <source>Drives the path from waypoint to waypoint, rounding corners its own way; relay 1 is on where the implement works. Not tested on the machine by us.</source>
+        <translation>Fährt von Wegpunkt zu Wegpunkt und rundet Ecken auf seine Weise; Relais 1 ist ein, wo das Gerät arbeitet. Von uns nicht an der Maschine geprüft.</translation>
+    </message>
+    <message>
+        <source>Drives the whole path, turns included, as a recorded path; stretches in reverse gear are left to the driver. Shows boundary, headland and guidance lines. Copy the field&apos;s folder to Documents/AgOpenGPS/Fields.</source>
+        <translation>Fährt den ganzen Weg mit Wendungen als aufgezeichneten Weg; Stücke im Rückwärtsgang bleiben dem Fahrer. Zeigt Feldgrenze, Vorgewende und Leitlinien. Den Ordner des Schlags nach Documents/AgOpenGPS/Fields kopieren.</translation>
+    </message>
+    <message>
+        <source>Each its own</source>
+        <translation>Jede ihre eigene</translation>
+    </message>
+    <message>
+        <source>Edge</source>
+        <translation>Kante</translation>
+    </message>
+    <message>
+        <source>Edge directions and every tenth of a degree, refined; says when nothing better exists.</source>
+        <translation>Richtungen der Kanten und jedes Zehntelgrad, verfeinert; sagt, wenn es nichts Besseres gibt.</translation>
+    </message>
+    <message>
+        <source>End</source>
+        <translation>Ende</translation>
+    </message>
+    <message>
+        <source>Ends</source>
+        <translation>Enden</translation>
+    </message>
+    <message>
+        <source>Every how many swaths a wider machine will drive again; 0 for none.</source>
+        <translation>Nach wie vielen Spuren eine breitere Maschine wieder fährt; 0 für keine.</translation>
+    </message>
+    <message>
+        <source>Every sample of the path; without a plan boundaries as WKT, or as points.</source>
+        <translation>Jeder Punkt des Fahrwegs; ohne Plan Feldgrenzen als WKT oder als Punkte.</translation>
+    </message>
+    <message>
+        <source>Every second swath on the way out, the others on the way back.</source>
+        <translation>Jede zweite Spur auf dem Hinweg, die anderen auf dem Rückweg.</translation>
+    </message>
+    <message>
+        <source>Every swath after its neighbour, back and forth.</source>
+        <translation>Jede Spur nach ihrer Nachbarin, hin und zurück.</translation>
+    </message>
+    <message>
+        <source>Fendt One, Vario terminal</source>
+        <translation>Fendt One, Varioterminal</translation>
+    </message>
+    <message>
+        <source>Fertiliser or manure: headland first, ways along the headland.</source>
+        <translation>Dünger oder Gülle: Vorgewende zuerst, Wege am Vorgewende entlang.</translation>
+    </message>
+    <message>
+        <source>Fertiliser spreader, 36 m</source>
+        <translation>Düngerstreuer, 36 m</translation>
+    </message>
+    <message>
+        <source>Fewest swaths</source>
+        <translation>Wenigste Spuren</translation>
+    </message>
+    <message>
+        <source>Field robot, 1.5 m weeder</source>
+        <translation>Feldroboter, Hacke 1,5 m</translation>
+    </message>
+    <message>
+        <source>Finish corners</source>
+        <translation>Ecken fertig bearbeiten</translation>
+    </message>
+    <message>
+        <source>First tramline</source>
+        <translation>Erste Fahrgasse</translation>
+    </message>
+    <message>
+        <source>Fishtail</source>
+        <translation>Schwalbenschwanz-Wendung</translation>
+    </message>
+    <message>
+        <source>Five-furrow mounted plough, 2.5 m</source>
+        <translation>Fünfschar-Anbaupflug, 2,5 m</translation>
+    </message>
+    <message>
+        <source>Forward arc, straight back, forward arc; little room for near swaths.</source>
+        <translation>Bogen vorwärts, gerade zurück, Bogen vorwärts; wenig Platz für nahe Spuren.</translation>
+    </message>
+    <message>
+        <source>Forward curves</source>
+        <translation>Vorwärtskurven</translation>
+    </message>
+    <message>
+        <source>Forward curves, smooth steering</source>
+        <translation>Vorwärtskurven, sanft gelenkt</translation>
+    </message>
+    <message>
+        <source>Forward, back with the wheels the other way, forward again.</source>
+        <translation>Vorwärts, rückwärts mit Gegeneinschlag, wieder vorwärts.</translation>
+    </message>
+    <message>
+        <source>Forwards and backwards, the wheels turned no faster than the machine can (clothoids).</source>
+        <translation>Vorwärts und rückwärts, die Räder nicht schneller eingeschlagen, als die Maschine kann (Klothoiden).</translation>
+    </message>
+    <message>
+        <source>From clear of the ground to working depth.</source>
+        <translation>Von frei vom Boden bis zur Arbeitstiefe.</translation>
+    </message>
+    <message>
+        <source>From inside out</source>
+        <translation>Von innen nach außen</translation>
+    </message>
+    <message>
+        <source>From outside in</source>
+        <translation>Von außen nach innen</translation>
+    </message>
+    <message>
+        <source>From the boundary to the mainland; holds as many passes as fit.</source>
+        <translation>Von der Feldgrenze bis zur Innenfläche; fasst so viele Spuren, wie hineinpassen.</translation>
+    </message>
+    <message>
+        <source>From the fixed axle to the hitch, negative behind the axle.</source>
+        <translation>Von der starren Achse zur Anhängung, negativ hinter der Achse.</translation>
+    </message>
+    <message>
+        <source>From the fixed axle to the middle of the working parts, negative behind the axle.</source>
+        <translation>Von der starren Achse zur Mitte der Werkzeuge, negativ hinter der Achse.</translation>
+    </message>
+    <message>
+        <source>From the fixed axle to the tractor&apos;s rear end.</source>
+        <translation>Von der starren Achse bis zum Heck des Schleppers.</translation>
+    </message>
+    <message>
+        <source>From the tractor&apos;s nose to its rear end.</source>
+        <translation>Von der Nase des Schleppers bis zum Heck.</translation>
+    </message>
+    <message>
+        <source>From working depth to clear of the ground.</source>
+        <translation>Von der Arbeitstiefe bis frei vom Boden.</translation>
+    </message>
+    <message>
+        <source>Front and rear mower, 9 m</source>
+        <translation>Front- und Heckmähwerk, 9 m</translation>
+    </message>
+    <message>
+        <source>Fuel at work</source>
+        <translation>Kraftstoff bei der Arbeit</translation>
+    </message>
+    <message>
+        <source>Fuel in turns</source>
+        <translation>Kraftstoff in Wendungen</translation>
+    </message>
+    <message>
+        <source>Full spacing; the last swath is moved back to the edge.</source>
+        <translation>Voller Abstand; die letzte Spur wird an den Rand gerückt.</translation>
+    </message>
+    <message>
+        <source>Full spacing; what does not fit stays uncovered, where it costs least.</source>
+        <translation>Voller Abstand; was nicht passt, bleibt liegen, wo es am wenigsten kostet.</translation>
+    </message>
+    <message>
+        <source>Full width</source>
+        <translation>Volle Breite</translation>
+    </message>
+    <message>
+        <source>Gets the whole path as nav_msgs/Path, and stretches in one gear each where it reverses.</source>
+        <translation>Erhält den ganzen Fahrweg als nav_msgs/Path, und je ein Stück pro Gang, wo er rückwärts fährt.</translation>
+    </message>
+    <message>
+        <source>Given direction</source>
+        <translation>Vorgegebene Richtung</translation>
+    </message>
+    <message>
+        <source>Great Field</source>
+        <translation>Großes Feld</translation>
+    </message>
+    <message>
+        <source>Half way in</source>
+        <translation>Auf halber Breite</translation>
+    </message>
+    <message>
+        <source>Halving the step</source>
+        <translation>Schritt halbieren</translation>
+    </message>
+    <message>
+        <source>Harvest</source>
+        <translation>Ernte</translation>
+    </message>
+    <message>
+        <source>Heading</source>
+        <translation>Fahrtrichtung</translation>
+    </message>
+    <message>
+        <source>Headland</source>
+        <translation>Vorgewende</translation>
+    </message>
+    <message>
+        <source>Headland first or last.</source>
+        <translation>Vorgewende zuerst oder zuletzt.</translation>
+    </message>
+    <message>
+        <source>Heights</source>
+        <translation>Höhen</translation>
+    </message>
+    <message>
+        <source>Hitch offset</source>
+        <translation>Lage der Anhängung</translation>
+    </message>
+    <message>
+        <source>Home Field</source>
+        <translation>Hausfeld</translation>
+    </message>
+    <message>
+        <source>How far a trailed implement may swing to one side.</source>
+        <translation>Wie weit ein gezogenes Gerät nach einer Seite schwenken darf.</translation>
+    </message>
+    <message>
+        <source>How far the steered wheels turn to one side.</source>
+        <translation>Wie weit die gelenkten Räder nach einer Seite einschlagen.</translation>
+    </message>
+    <message>
+        <source>How fast the curvature may change along the path; from the steering rate where it is not given.</source>
+        <translation>Wie schnell sich die Krümmung entlang des Fahrwegs ändern darf; aus der Lenkgeschwindigkeit, wo sie nicht angegeben ist.</translation>
+    </message>
+    <message>
+        <source>How fast the steered wheels turn.</source>
+        <translation>Wie schnell die gelenkten Räder einschlagen.</translation>
+    </message>
+    <message>
+        <source>How headland passes get round corners.</source>
+        <translation>Wie Vorgewendespuren um Ecken kommen.</translation>
+    </message>
+    <message>
+        <source>How much neighbouring swaths overlap.</source>
+        <translation>Wie weit benachbarte Spuren überlappen.</translation>
+    </message>
+    <message>
+        <source>How the direction of the swaths is found.</source>
+        <translation>Wie die Fahrtrichtung gefunden wird.</translation>
+    </message>
+    <message>
+        <source>How the machine gets from one swath to the next.</source>
+        <translation>Wie die Maschine von einer Spur zur nächsten kommt.</translation>
+    </message>
+    <message>
+        <source>How the mainland is divided; the swaths of a cell are driven together.</source>
+        <translation>Wie die Innenfläche geteilt wird; die Spuren einer Teilfläche werden zusammen gefahren.</translation>
+    </message>
+    <message>
+        <source>Implement can reverse</source>
+        <translation>Gerät kann rückwärts</translation>
+    </message>
+    <message>
+        <source>Implement length</source>
+        <translation>Gerätelänge</translation>
+    </message>
+    <message>
+        <source>Implement offset</source>
+        <translation>Lage des Geräts</translation>
+    </message>
+    <message>
+        <source>In WGS84: A and B of a line, a curve, A alone with a direction, or a pivot&apos;s centre.</source>
+        <translation>In WGS84: A und B einer Linie, eine Kurve, A allein mit einer Richtung oder die Mitte einer Kreisberegnung.</translation>
+    </message>
+    <message>
+        <source>In which order the headland passes are driven.</source>
+        <translation>In welcher Reihenfolge die Vorgewendespuren gefahren werden.</translation>
+    </message>
+    <message>
+        <source>In which order the swaths are driven.</source>
+        <translation>In welcher Reihenfolge die Spuren gefahren werden.</translation>
+    </message>
+    <message>
+        <source>Largest acceleration</source>
+        <translation>Größte Beschleunigung</translation>
+    </message>
+    <message>
+        <source>Largest curvature rate</source>
+        <translation>Größte Krümmungsänderung</translation>
+    </message>
+    <message>
+        <source>Largest hitch angle</source>
+        <translation>Größter Knickwinkel</translation>
+    </message>
+    <message>
+        <source>Largest lateral acceleration</source>
+        <translation>Größte Querbeschleunigung</translation>
+    </message>
+    <message>
+        <source>Largest speed in turns.</source>
+        <translation>Größte Geschwindigkeit in Wendungen.</translation>
+    </message>
+    <message>
+        <source>Largest steering angle</source>
+        <translation>Größter Lenkwinkel</translation>
+    </message>
+    <message>
+        <source>Last pass</source>
+        <translation>Letzte Spur</translation>
+    </message>
+    <message>
+        <source>Lateral offset</source>
+        <translation>Seitlicher Versatz</translation>
+    </message>
+    <message>
+        <source>Least overlap</source>
+        <translation>Wenigste Überlappung</translation>
+    </message>
+    <message>
+        <source>Least time</source>
+        <translation>Wenigste Zeit</translation>
+    </message>
+    <message>
+        <source>Leaves some swaths out at each turn and comes back for them.</source>
+        <translation>Lässt bei jeder Wendung Spuren aus und holt sie nach.</translation>
+    </message>
+    <message>
+        <source>Left out</source>
+        <translation>Ausgelassen</translation>
+    </message>
+    <message>
+        <source>Limits the speed in tight bends.</source>
+        <translation>Begrenzt die Geschwindigkeit in engen Kurven.</translation>
+    </message>
+    <message>
+        <source>Line</source>
+        <translation>Linie</translation>
+    </message>
+    <message>
+        <source>Lines in WGS84 along which the mainland is cut; they have to run right through it.</source>
+        <translation>Linien in WGS84, an denen die Innenfläche geteilt wird; sie müssen ganz hindurchgehen.</translation>
+    </message>
+    <message>
+        <source>Litres of fuel per hour of turns and transfers.</source>
+        <translation>Liter Kraftstoff je Stunde in Wendungen und Überfahrten.</translation>
+    </message>
+    <message>
+        <source>Litres of fuel per hour of work.</source>
+        <translation>Liter Kraftstoff je Arbeitsstunde.</translation>
+    </message>
+    <message>
+        <source>Long Strip</source>
+        <translation>Langer Streifen</translation>
+    </message>
+    <message>
+        <source>Loop</source>
+        <translation>Schleife</translation>
+    </message>
+    <message>
+        <source>Lower the speeds, or correct the machine&apos;s.</source>
+        <translation>Die Geschwindigkeiten senken oder die der Maschine berichtigen.</translation>
+    </message>
+    <message>
+        <source>MAVLink waypoints</source>
+        <translation>MAVLink-Wegpunkte</translation>
+    </message>
+    <message>
+        <source>Make the gate wider, or take another.</source>
+        <translation>Die Zufahrt breiter machen oder eine andere nehmen.</translation>
+    </message>
+    <message>
+        <source>Make the headland wider, or choose other turns.</source>
+        <translation>Das Vorgewende breiter machen oder andere Wendungen wählen.</translation>
+    </message>
+    <message>
+        <source>Make the headland wider, or choose tighter turns.</source>
+        <translation>Das Vorgewende breiter machen oder engere Wendungen wählen.</translation>
+    </message>
+    <message>
+        <source>Margin</source>
+        <translation>Sicherheitsabstand</translation>
+    </message>
+    <message>
+        <source>Most covered</source>
+        <translation>Meiste Fläche</translation>
+    </message>
+    <message>
+        <source>Most terminals read FAT32 only; this stick has %1. Format it as FAT32.</source>
+        <translation>Die meisten Terminals lesen nur FAT32; dieser Stick hat %1. Als FAT32 formatieren.</translation>
+    </message>
+    <message>
+        <source>Mounted cultivator, 6 m</source>
+        <translation>Anbaugrubber, 6 m</translation>
+    </message>
+    <message>
+        <source>Mounted drill, 12 m</source>
+        <translation>Anbaudrillmaschine, 12 m</translation>
+    </message>
+    <message>
+        <source>Mounting</source>
+        <translation>Anbau</translation>
+    </message>
+    <message>
+        <source>Mowing</source>
+        <translation>Mähen</translation>
+    </message>
+    <message>
+        <source>Name</source>
+        <translation>Name</translation>
+    </message>
+    <message>
+        <source>No headland</source>
+        <translation>Kein Vorgewende</translation>
+    </message>
+    <message>
+        <source>Nothing leads to the start of %1, %2 away.</source>
+        <translation>Zum %2 entfernten Anfang führt kein Weg: %1.</translation>
+    </message>
+    <message>
+        <source>Number of the boundary&apos;s edge, from 0 in the order of its points; for curves with all around it up to a corner of 35 degrees within a width, or a bend of 90 in all.</source>
+        <translation>Nummer der Kante der Feldgrenze, ab 0 in der Folge ihrer Punkte; bei Kurven mit allen ringsum bis zu einer Ecke von 35 Grad innerhalb einer Breite oder einer Biegung von insgesamt 90.</translation>
+    </message>
+    <message>
+        <source>Of the four corners and both ways the one with the quickest turns.</source>
+        <translation>Von den vier Ecken und beiden Richtungen die mit den schnellsten Wendungen.</translation>
+    </message>
+    <message>
+        <source>Of the middle of the operating width, positive to the left.</source>
+        <translation>Der Mitte der Arbeitsbreite, positiv nach links.</translation>
+    </message>
+    <message>
+        <source>Of the swaths.</source>
+        <translation>Der Spuren.</translation>
+    </message>
+    <message>
+        <source>Off: the strip is kept for turning only.</source>
+        <translation>Aus: der Streifen dient nur zum Wenden.</translation>
+    </message>
+    <message>
+        <source>Omega turn</source>
+        <translation>Omega-Wendung</translation>
+    </message>
+    <message>
+        <source>On the rows</source>
+        <translation>Auf den Reihen</translation>
+    </message>
+    <message>
+        <source>On the rows, or between them.</source>
+        <translation>Auf den Reihen oder dazwischen.</translation>
+    </message>
+    <message>
+        <source>On the spot</source>
+        <translation>Auf der Stelle</translation>
+    </message>
+    <message>
+        <source>One for all</source>
+        <translation>Eine für alle</translation>
+    </message>
+    <message>
+        <source>One piece</source>
+        <translation>Ein Stück</translation>
+    </message>
+    <message>
+        <source>Operating width</source>
+        <translation>Arbeitsbreite</translation>
+    </message>
+    <message>
+        <source>Operation</source>
+        <translation>Arbeitsgang</translation>
+    </message>
+    <message>
+        <source>Orchard tractor with 1.5 m sprayer</source>
+        <translation>Obstbauschlepper mit Sprühgerät 1,5 m</translation>
+    </message>
+    <message>
+        <source>Order</source>
+        <translation>Reihenfolge</translation>
+    </message>
+    <message>
+        <source>Overlap</source>
+        <translation>Überlappung</translation>
+    </message>
+    <message>
+        <source>Overlaps its neighbour</source>
+        <translation>Überlappt ihre Nachbarin</translation>
+    </message>
+    <message>
+        <source>P turn</source>
+        <translation>P-Wendung</translation>
+    </message>
+    <message>
+        <source>Passes</source>
+        <translation>Spuren</translation>
+    </message>
+    <message>
+        <source>Plan again with this machine&apos;s turning radius.</source>
+        <translation>Mit dem Wenderadius dieser Maschine neu planen.</translation>
+    </message>
+    <message>
+        <source>Plan again, or trust the positions.</source>
+        <translation>Neu planen oder den Positionen vertrauen.</translation>
+    </message>
+    <message>
+        <source>Plan again; the heading or the gear is wrong here.</source>
+        <translation>Neu planen; Richtung oder Gang stimmen hier nicht.</translation>
+    </message>
+    <message>
+        <source>Plan again; the path lacks this pass.</source>
+        <translation>Neu planen; im Fahrweg fehlt diese Spur.</translation>
+    </message>
+    <message>
+        <source>Plan again; the path was changed or cut here.</source>
+        <translation>Neu planen; der Fahrweg wurde hier geändert oder abgeschnitten.</translation>
+    </message>
+    <message>
+        <source>Plan again; the times were changed.</source>
+        <translation>Neu planen; die Zeiten wurden geändert.</translation>
+    </message>
+    <message>
+        <source>Plan the turn that is missing here.</source>
+        <translation>Die hier fehlende Wendung planen.</translation>
+    </message>
+    <message>
+        <source>Power harrow and drill, 3 m</source>
+        <translation>Kreiselegge mit Drillmaschine, 3 m</translation>
+    </message>
+    <message>
+        <source>Prefer</source>
+        <translation>Bevorzugen</translation>
+    </message>
+    <message>
+        <source>Protobuf message</source>
+        <translation>Protobuf-Nachricht</translation>
+    </message>
+    <message>
+        <source>QGroundControl plan</source>
+        <translation>QGroundControl-Plan</translation>
+    </message>
+    <message>
+        <source>Racetrack</source>
+        <translation>Rundkurs</translation>
+    </message>
+    <message>
+        <source>Raised width</source>
+        <translation>Breite ausgehoben</translation>
+    </message>
+    <message>
+        <source>Rate</source>
+        <translation>Menge</translation>
+    </message>
+    <message>
+        <source>Rear overhang</source>
+        <translation>Hinterer Überhang</translation>
+    </message>
+    <message>
+        <source>Recorded path</source>
+        <translation>Aufgezeichneter Weg</translation>
+    </message>
+    <message>
+        <source>Relay 1 is on where the implement works.</source>
+        <translation>Relais 1 ist ein, wo das Gerät arbeitet.</translation>
+    </message>
+    <message>
+        <source>Repaired in %1: %2.</source>
+        <translation>Repariert (%1): %2.</translation>
+    </message>
+    <message>
+        <source>Reverse</source>
+        <translation>Rückwärts</translation>
+    </message>
+    <message>
+        <source>Reverse speed</source>
+        <translation>Rückwärtsgeschwindigkeit</translation>
+    </message>
+    <message>
+        <source>Round and round the centre of a pivot, from the rim inwards.</source>
+        <translation>Rundherum um die Mitte einer Kreisberegnung, vom Rand nach innen.</translation>
+    </message>
+    <message>
+        <source>Round and round, with half of the swaths between the way out and the way back.</source>
+        <translation>Rundherum, mit der Hälfte der Spuren zwischen Hin- und Rückweg.</translation>
+    </message>
+    <message>
+        <source>Round the field</source>
+        <translation>Um den Schlag</translation>
+    </message>
+    <message>
+        <source>Rounded</source>
+        <translation>Abgerundet</translation>
+    </message>
+    <message>
+        <source>Route</source>
+        <translation>Fahrroute</translation>
+    </message>
+    <message>
+        <source>Rows</source>
+        <translation>Reihen</translation>
+    </message>
+    <message>
+        <source>Rows that are left out, numbered from 1 as in the file; between rows, that on the right.</source>
+        <translation>Reihen, die wegbleiben, ab 1 gezählt wie in der Datei; zwischen Reihen die rechte.</translation>
+    </message>
+    <message>
+        <source>Run-in</source>
+        <translation>Einlauf</translation>
+    </message>
+    <message>
+        <source>Same width all round</source>
+        <translation>Ringsum gleich breit</translation>
+    </message>
+    <message>
+        <source>Seen from above, turning left at corners.</source>
+        <translation>Von oben gesehen, an Ecken nach links.</translation>
+    </message>
+    <message>
+        <source>Seen from above, turning right at corners.</source>
+        <translation>Von oben gesehen, an Ecken nach rechts.</translation>
+    </message>
+    <message>
+        <source>Short name for the command line.</source>
+        <translation>Kurzer Name für die Befehlszeile.</translation>
+    </message>
+    <message>
+        <source>Short passes where corners would leave more than 1 % of the field.</source>
+        <translation>Kurze Spuren, wo in Ecken mehr als 1 % des Schlags übrig bliebe.</translation>
+    </message>
+    <message>
+        <source>Shortest swaths</source>
+        <translation>Kürzeste Spuren</translation>
+    </message>
+    <message>
+        <source>Shows the boundary and the guidance lines; it plans turns and order itself. Not tested on the machine by us.</source>
+        <translation>Zeigt die Feldgrenze und die Leitlinien; Wendungen und Reihenfolge plant es selbst. Von uns nicht an der Maschine geprüft.</translation>
+    </message>
+    <message>
+        <source>Shows the boundary with holes and obstacles and the guidance lines; it plans turns and order itself. The import may have to be unlocked. Not tested on the machine by us.</source>
+        <translation>Zeigt die Feldgrenze mit Aussparungen und Hindernissen und die Leitlinien; Wendungen und Reihenfolge plant es selbst. Der Import muss eventuell freigeschaltet werden. Von uns nicht an der Maschine geprüft.</translation>
+    </message>
+    <message>
+        <source>Shows the boundary with holes and obstacles, the headland where the terminal knows it, and the guidance lines; it plans turns and order itself. The import may have to be unlocked. Not tested on the machine by us.</source>
+        <translation>Zeigt die Feldgrenze mit Aussparungen und Hindernissen, das Vorgewende, wo das Terminal es kennt, und die Leitlinien; Wendungen und Reihenfolge plant es selbst. Der Import muss eventuell freigeschaltet werden. Von uns nicht an der Maschine geprüft.</translation>
+    </message>
+    <message>
+        <source>Shows the boundary, its holes, the headland and the guidance lines, not the path. Holes are written as obstacles, since it overlooks others.</source>
+        <translation>Zeigt Feldgrenze, Aussparungen, Vorgewende und Leitlinien, nicht den Fahrweg. Aussparungen werden als Hindernisse geschrieben, da es andere übersieht.</translation>
+    </message>
+    <message>
+        <source>Shows the path as a mission, and the boundary and obstacles as fences. Not tested on the machine by us.</source>
+        <translation>Zeigt den Fahrweg als Mission und Feldgrenze und Hindernisse als Zäune. Von uns nicht an der Maschine geprüft.</translation>
+    </message>
+    <message>
+        <source>Six directions, then ever finer around the best three (Oksanen &amp; Visala).</source>
+        <translation>Sechs Richtungen, dann immer feiner um die besten drei (Oksanen &amp; Visala).</translation>
+    </message>
+    <message>
+        <source>Six-row planter, 4.5 m</source>
+        <translation>Sechsreihige Legemaschine, 4,5 m</translation>
+    </message>
+    <message>
+        <source>Skip</source>
+        <translation>Auslassen</translation>
+    </message>
+    <message>
+        <source>Skip and fill</source>
+        <translation>Auslassen und füllen</translation>
+    </message>
+    <message>
+        <source>Slanted Field</source>
+        <translation>Schräges Feld</translation>
+    </message>
+    <message>
+        <source>Slow down or stop there to steer, or choose turns with continuous curvature.</source>
+        <translation>Dort langsamer fahren oder zum Lenken anhalten oder Wendungen mit stetiger Krümmung wählen.</translation>
+    </message>
+    <message>
+        <source>Slurry tanker, 15 m trailing shoe</source>
+        <translation>Güllewagen, Schleppschuh 15 m</translation>
+    </message>
+    <message>
+        <source>Smallest circle the middle of the fixed axle can follow; from the steering angle where it is not given.</source>
+        <translation>Kleinster Kreis, dem die Mitte der starren Achse folgen kann; aus dem Lenkwinkel, wo er nicht angegeben ist.</translation>
+    </message>
+    <message>
+        <source>Smallest turning radius</source>
+        <translation>Kleinster Wenderadius</translation>
+    </message>
+    <message>
+        <source>Snake</source>
+        <translation>Schlange</translation>
+    </message>
+    <message>
+        <source>So that the wide machine begins flush with the left edge, or beside the line that was given.</source>
+        <translation>Sodass die breite Maschine bündig am linken Rand beginnt oder neben der angegebenen Linie.</translation>
+    </message>
+    <message>
+        <source>Sowing</source>
+        <translation>Aussaat</translation>
+    </message>
+    <message>
+        <source>Speed backwards.</source>
+        <translation>Geschwindigkeit rückwärts.</translation>
+    </message>
+    <message>
+        <source>Speed on longer ways with the implement lifted.</source>
+        <translation>Geschwindigkeit auf längeren Wegen mit ausgehobenem Gerät.</translation>
+    </message>
+    <message>
+        <source>Speed with the implement at work.</source>
+        <translation>Geschwindigkeit mit arbeitendem Gerät.</translation>
+    </message>
+    <message>
+        <source>Spiral in clusters</source>
+        <translation>Spirale in Gruppen</translation>
+    </message>
+    <message>
+        <source>Split lines</source>
+        <translation>Teilungslinien</translation>
+    </message>
+    <message>
+        <source>Spraying</source>
+        <translation>Pflanzenschutz</translation>
+    </message>
+    <message>
+        <source>Spread over all</source>
+        <translation>Auf alle verteilt</translation>
+    </message>
+    <message>
+        <source>Spreading</source>
+        <translation>Düngerstreuen</translation>
+    </message>
+    <message>
+        <source>Start</source>
+        <translation>Anfang</translation>
+    </message>
+    <message>
+        <source>Start at</source>
+        <translation>Beginnen bei</translation>
+    </message>
+    <message>
+        <source>Stay inside</source>
+        <translation>Im Schlag bleiben</translation>
+    </message>
+    <message>
+        <source>Steering rate</source>
+        <translation>Lenkgeschwindigkeit</translation>
+    </message>
+    <message>
+        <source>Step</source>
+        <translation>Schritt</translation>
+    </message>
+    <message>
+        <source>Straight into the corner and back into it on the next side.</source>
+        <translation>Gerade in die Ecke und auf der nächsten Seite rückwärts hinein.</translation>
+    </message>
+    <message>
+        <source>Straight into the corner and on after a loop, where there is room for it.</source>
+        <translation>Gerade in die Ecke und nach einer Schleife weiter, wo Platz dafür ist.</translation>
+    </message>
+    <message>
+        <source>Straight way needed before the implement is lowered.</source>
+        <translation>Gerader Weg, der vor dem Absenken nötig ist.</translation>
+    </message>
+    <message>
+        <source>Swath after swath over all of the mainland, whatever cuts them.</source>
+        <translation>Spur nach Spur über die ganze Innenfläche, was auch immer sie schneidet.</translation>
+    </message>
+    <message>
+        <source>Swath numbers in driving order; a minus drives one the other way.</source>
+        <translation>Spurnummern in Fahrfolge; ein Minus fährt eine andersherum.</translation>
+    </message>
+    <message>
+        <source>Swaths</source>
+        <translation>Spuren</translation>
+    </message>
+    <message>
+        <source>Swaths go on from cell to cell.</source>
+        <translation>Spuren laufen von Teilfläche zu Teilfläche weiter.</translation>
+    </message>
+    <message>
+        <source>Swaths left out at each turn and driven on the way back.</source>
+        <translation>Spuren, die bei jeder Wendung ausgelassen und auf dem Rückweg gefahren werden.</translation>
+    </message>
+    <message>
+        <source>Swaths reach to the boundary; for fields with room to turn outside.</source>
+        <translation>Spuren reichen bis zur Feldgrenze; für Schläge mit Platz zum Wenden außerhalb.</translation>
+    </message>
+    <message>
+        <source>Swaths that are finished together.</source>
+        <translation>Spuren, die zusammen fertig werden.</translation>
+    </message>
+    <message>
+        <source>Switch &quot;Stay inside&quot; on to keep them inside.</source>
+        <translation>„Im Schlag bleiben“ einschalten, damit sie innen bleiben.</translation>
+    </message>
+    <message>
+        <source>Takes the boundary only, as an upload from a computer; no guidance lines, no path.</source>
+        <translation>Nimmt nur die Feldgrenze, hochgeladen von einem Computer; keine Leitlinien, kein Fahrweg.</translation>
+    </message>
+    <message>
+        <source>Tank or bunker</source>
+        <translation>Tank oder Behälter</translation>
+    </message>
+    <message>
+        <source>Terminals may refuse the task data: %1.</source>
+        <translation>Terminals lehnen die Auftragsdaten vielleicht ab: %1.</translation>
+    </message>
+    <message>
+        <source>The Bend</source>
+        <translation>Die Biegung</translation>
+    </message>
+    <message>
+        <source>The best corner</source>
+        <translation>Die beste Ecke</translation>
+    </message>
+    <message>
+        <source>The boundary alone as a flat zipped shapefile, as operations centres take it.</source>
+        <translation>Nur die Feldgrenze als flach gezipptes Shapefile, wie es Operations Center annehmen.</translation>
+    </message>
+    <message>
+        <source>The corner where the route starts.</source>
+        <translation>Die Ecke, an der die Fahrroute beginnt.</translation>
+    </message>
+    <message>
+        <source>The field bends inwards here: try another direction of the swaths.</source>
+        <translation>Der Schlag springt hier ein: eine andere Fahrtrichtung versuchen.</translation>
+    </message>
+    <message>
+        <source>The field is too narrow for %1 of headland; it is %2 with %3</source>
+        <translation>Der Schlag ist zu schmal für %1 Vorgewende; es hat %2 mit %3</translation>
+    </message>
+    <message>
+        <source>The field is too narrow for %1 of headland; there is none</source>
+        <translation>Der Schlag ist zu schmal für %1 Vorgewende; es gibt keins</translation>
+    </message>
+    <message>
+        <source>The field is too narrow for this machine to turn in: turn outside, or take a smaller machine.</source>
+        <translation>Der Schlag ist zum Wenden mit dieser Maschine zu schmal: außerhalb wenden oder eine kleinere Maschine nehmen.</translation>
+    </message>
+    <message>
+        <source>The first swath</source>
+        <translation>Die erste Spur</translation>
+    </message>
+    <message>
+        <source>The first swath on the left is one, or the line that was given.</source>
+        <translation>Die erste Spur links ist eine, oder die angegebene Linie.</translation>
+    </message>
+    <message>
+        <source>The first swath on the right is one, or the line that was given.</source>
+        <translation>Die erste Spur rechts ist eine, oder die angegebene Linie.</translation>
+    </message>
+    <message>
+        <source>The headland is worked first.</source>
+        <translation>Das Vorgewende wird zuerst bearbeitet.</translation>
+    </message>
+    <message>
+        <source>The headland is worked last.</source>
+        <translation>Das Vorgewende wird zuletzt bearbeitet.</translation>
+    </message>
+    <message>
+        <source>The headland strip, %1, is not worked by this plan, nor are %2 at the ends of the swaths beside it.</source>
+        <translation>Der Vorgewendestreifen, %1, wird in diesem Plan nicht bearbeitet, ebenso %2 an den Enden der Spuren daneben.</translation>
+    </message>
+    <message>
+        <source>The headland strip, %1, is not worked by this plan.</source>
+        <translation>Der Vorgewendestreifen, %1, wird in diesem Plan nicht bearbeitet.</translation>
+    </message>
+    <message>
+        <source>The hitch bends by %1 in %2; %3 are allowed.</source>
+        <translation>Die Anhängung knickt bei %2 um %1; erlaubt sind %3.</translation>
+    </message>
+    <message>
+        <source>The largest covered share of the mainland.</source>
+        <translation>Der größte bearbeitete Anteil der Innenfläche.</translation>
+    </message>
+    <message>
+        <source>The least metres driven in swaths.</source>
+        <translation>Die wenigsten gefahrenen Meter in Spuren.</translation>
+    </message>
+    <message>
+        <source>The machine does not get in at %1.</source>
+        <translation>Die Maschine kommt hier nicht hinein: %1.</translation>
+    </message>
+    <message>
+        <source>The machine does not get out at %1.</source>
+        <translation>Die Maschine kommt hier nicht hinaus: %1.</translation>
+    </message>
+    <message>
+        <source>The machine drives half way between two neighbours.</source>
+        <translation>Die Maschine fährt mitten zwischen zwei Nachbarn.</translation>
+    </message>
+    <message>
+        <source>The machine drives over them.</source>
+        <translation>Die Maschine fährt darüber.</translation>
+    </message>
+    <message>
+        <source>The machine turns on the spot in %1, by up to %2.</source>
+        <translation>Die Maschine dreht an %1 auf der Stelle, um bis zu %2.</translation>
+    </message>
+    <message>
+        <source>The machine turns on the spot in %1, by up to %2; it cannot.</source>
+        <translation>Die Maschine dreht an %1 auf der Stelle, um bis zu %2; das kann sie nicht.</translation>
+    </message>
+    <message>
+        <source>The mission has %1 items; controllers without a memory card hold about %2.</source>
+        <translation>Die Mission hat %1 Einträge; Steuerungen ohne Speicherkarte fassen etwa %2.</translation>
+    </message>
+    <message>
+        <source>The outermost pass goes round with the machine&apos;s radius where little is left; others reach into corners.</source>
+        <translation>Die äußerste Spur fährt mit dem Radius der Maschine herum, wo wenig liegen bleibt; andere reichen in die Ecken.</translation>
+    </message>
+    <message>
+        <source>The pass along the boundary first.</source>
+        <translation>Zuerst die Spur an der Feldgrenze.</translation>
+    </message>
+    <message>
+        <source>The pass along the mainland first.</source>
+        <translation>Zuerst die Spur an der Innenfläche.</translation>
+    </message>
+    <message>
+        <source>The path as a mission for ArduPilot Rover: waypoints, speeds, gear, implement.</source>
+        <translation>Der Fahrweg als Mission für ArduPilot Rover: Wegpunkte, Geschwindigkeiten, Gang, Gerät.</translation>
+    </message>
+    <message>
+        <source>The path as a track, swath ends as a route, gates as waypoints; for phones.</source>
+        <translation>Der Fahrweg als Track, Spurenden als Route, Zufahrten als Wegpunkte; für Telefone.</translation>
+    </message>
+    <message>
+        <source>The path as nav_msgs/Path in a recording of ROS 2.</source>
+        <translation>Der Fahrweg als nav_msgs/Path in einer Aufzeichnung von ROS 2.</translation>
+    </message>
+    <message>
+        <source>The path as one message for ros2 topic pub.</source>
+        <translation>Der Fahrweg als eine Nachricht für ros2 topic pub.</translation>
+    </message>
+    <message>
+        <source>The path with times, velocities and orientations, and the boundary as a fence; for own robots.</source>
+        <translation>Der Fahrweg mit Zeiten, Geschwindigkeiten und Ausrichtungen und die Feldgrenze als Zaun; für eigene Roboter.</translation>
+    </message>
+    <message>
+        <source>The quickest turn of any kind that stays inside the field, in several moves where it must.</source>
+        <translation>Die schnellste Wendung jeder Art, die im Schlag bleibt, in mehreren Zügen, wo nötig.</translation>
+    </message>
+    <message>
+        <source>The same as KML, zipped.</source>
+        <translation>Dasselbe wie KML, gezippt.</translation>
+    </message>
+    <message>
+        <source>The same mission with the boundary and obstacles as fences.</source>
+        <translation>Dieselbe Mission mit Feldgrenze und Hindernissen als Zäunen.</translation>
+    </message>
+    <message>
+        <source>The shortest curve forwards and backwards, at the smallest turning radius (Reeds and Shepp).</source>
+        <translation>Die kürzeste Kurve vorwärts und rückwärts, mit dem kleinsten Wenderadius (Reeds und Shepp).</translation>
+    </message>
+    <message>
+        <source>The shortest curve without reversing, at the smallest turning radius (Dubins).</source>
+        <translation>Die kürzeste Kurve ohne Rückwärtsfahren, mit dem kleinsten Wenderadius (Dubins).</translation>
+    </message>
+    <message>
+        <source>The shortest time in swaths and turns.</source>
+        <translation>Die kürzeste Zeit in Spuren und Wendungen.</translation>
+    </message>
+    <message>
+        <source>The smallest area worked twice.</source>
+        <translation>Die kleinste doppelt bearbeitete Fläche.</translation>
+    </message>
+    <message>
+        <source>The spacing is reduced evenly so that all fit.</source>
+        <translation>Der Abstand wird gleichmäßig verringert, sodass alle passen.</translation>
+    </message>
+    <message>
+        <source>The stated curvature differs from the path in %1, by up to %2 1/m.</source>
+        <translation>Die angegebene Krümmung weicht an %1 vom Fahrweg ab, um bis zu %2 1/m.</translation>
+    </message>
+    <message>
+        <source>The stated speed is up to %1 above the machine&apos;s.</source>
+        <translation>Die angegebene Geschwindigkeit liegt bis zu %1 über der der Maschine.</translation>
+    </message>
+    <message>
+        <source>The steering has to turn faster than this machine can in %1.</source>
+        <translation>An %1 muss schneller gelenkt werden, als diese Maschine kann.</translation>
+    </message>
+    <message>
+        <source>The strip kept for turning.</source>
+        <translation>Der Streifen zum Wenden.</translation>
+    </message>
+    <message>
+        <source>The swaths in the order and direction that you type.</source>
+        <translation>Die Spuren in eingetippter Reihenfolge und Richtung.</translation>
+    </message>
+    <message>
+        <source>The table holds boundaries only: obstacles, gates and lines are left out.</source>
+        <translation>Die Tabelle enthält nur Feldgrenzen: Hindernisse, Zufahrten und Linien fehlen.</translation>
+    </message>
+    <message>
+        <source>The task data has %1 MB; old terminals take at most 2 MB.</source>
+        <translation>Die Auftragsdaten haben %1 MB; alte Terminals nehmen höchstens 2 MB.</translation>
+    </message>
+    <message>
+        <source>The tractor may drive backwards with it.</source>
+        <translation>Der Schlepper darf damit rückwärts fahren.</translation>
+    </message>
+    <message>
+        <source>The tractor may drive backwards.</source>
+        <translation>Der Schlepper darf rückwärts fahren.</translation>
+    </message>
+    <message>
+        <source>The tractor may turn about its own middle.</source>
+        <translation>Der Schlepper darf sich um seine eigene Mitte drehen.</translation>
+    </message>
+    <message>
+        <source>The way from %1 to %2</source>
+        <translation>Der Weg %1 → %2</translation>
+    </message>
+    <message>
+        <source>This machine cannot turn on the spot.</source>
+        <translation>Diese Maschine kann nicht auf der Stelle drehen.</translation>
+    </message>
+    <message>
+        <source>This stick has %1 partitions; terminals see the first one only, if any.</source>
+        <translation>Dieser Stick hat %1 Partitionen; Terminals sehen höchstens die erste.</translation>
+    </message>
+    <message>
+        <source>Three Ponds</source>
+        <translation>Drei Teiche</translation>
+    </message>
+    <message>
+        <source>Three-point turn</source>
+        <translation>Dreipunktwendung</translation>
+    </message>
+    <message>
+        <source>Through point A in the direction that you type.</source>
+        <translation>Durch Punkt A in der eingetippten Richtung.</translation>
+    </message>
+    <message>
+        <source>Tillage</source>
+        <translation>Bodenbearbeitung</translation>
+    </message>
+    <message>
+        <source>Time and way do not fit the speed in %1.</source>
+        <translation>Zeit und Weg passen an %1 nicht zur Geschwindigkeit.</translation>
+    </message>
+    <message>
+        <source>Time to lift</source>
+        <translation>Zeit zum Ausheben</translation>
+    </message>
+    <message>
+        <source>Time to lower</source>
+        <translation>Zeit zum Absenken</translation>
+    </message>
+    <message>
+        <source>To and fro</source>
+        <translation>Hin und her</translation>
+    </message>
+    <message>
+        <source>Trailed sprayer, 24 m boom</source>
+        <translation>Anhängespritze, Gestänge 24 m</translation>
+    </message>
+    <message>
+        <source>Tramline every</source>
+        <translation>Fahrgasse alle</translation>
+    </message>
+    <message>
+        <source>Transfer speed</source>
+        <translation>Überfahrtgeschwindigkeit</translation>
+    </message>
+    <message>
+        <source>Trapezoids</source>
+        <translation>Trapeze</translation>
+    </message>
+    <message>
+        <source>Tries every heading in steps and keeps the best (the paper&apos;s search).</source>
+        <translation>Versucht alle Richtungen in Schritten und behält die beste (die Suche des Fachartikels).</translation>
+    </message>
+    <message>
+        <source>Try another direction of the swaths, or let the last pass overlap.</source>
+        <translation>Eine andere Fahrtrichtung versuchen oder die letzte Spur überlappen lassen.</translation>
+    </message>
+    <message>
+        <source>Try another direction of the swaths, or plan the sides of the obstacle apart.</source>
+        <translation>Eine andere Fahrtrichtung versuchen oder die Seiten des Hindernisses getrennt planen.</translation>
+    </message>
+    <message>
+        <source>Turn</source>
+        <translation>Wendung</translation>
+    </message>
+    <message>
+        <source>Turning speed</source>
+        <translation>Wendegeschwindigkeit</translation>
+    </message>
+    <message>
+        <source>Turns</source>
+        <translation>Wendungen</translation>
+    </message>
+    <message>
+        <source>Turns in place and drives straight to the next swath; only for machines that can.</source>
+        <translation>Dreht auf der Stelle und fährt gerade zur nächsten Spur; nur für Maschinen, die das können.</translation>
+    </message>
+    <message>
+        <source>U turn</source>
+        <translation>U-Wendung</translation>
+    </message>
+    <message>
+        <source>Vehicle length</source>
+        <translation>Fahrzeuglänge</translation>
+    </message>
+    <message>
+        <source>Vehicle width</source>
+        <translation>Fahrzeugbreite</translation>
+    </message>
+    <message>
+        <source>Ways</source>
+        <translation>Wege</translation>
+    </message>
+    <message>
+        <source>Ways keep to the field&apos;s edge.</source>
+        <translation>Wege bleiben am Rand des Schlags.</translation>
+    </message>
+    <message>
+        <source>Ways keep to the headland; crop and seedbed are not driven over.</source>
+        <translation>Wege bleiben auf dem Vorgewende; Bestand und Saatbett werden nicht überfahren.</translation>
+    </message>
+    <message>
+        <source>Ways may cross the mainland.</source>
+        <translation>Wege dürfen die Innenfläche queren.</translation>
+    </message>
+    <message>
+        <source>Well-known text</source>
+        <translation>Well-known text</translation>
+    </message>
+    <message>
+        <source>What becomes of the width that is left over at the far side.</source>
+        <translation>Was aus der Breite wird, die auf der anderen Seite übrig bleibt.</translation>
+    </message>
+    <message>
+        <source>What everything keeps from the boundary; auto is the boundary&apos;s accuracy.</source>
+        <translation>Was alles zur Feldgrenze hält; Auto ist die Genauigkeit der Feldgrenze.</translation>
+    </message>
+    <message>
+        <source>What is spread or gathered on a square metre, in the same unit.</source>
+        <translation>Was auf einem Quadratmeter ausgebracht oder geerntet wird, in derselben Einheit.</translation>
+    </message>
+    <message>
+        <source>What it holds, in your own unit: litres, kilograms, seeds.</source>
+        <translation>Was hineinpasst, in der eigenen Einheit: Liter, Kilogramm, Körner.</translation>
+    </message>
+    <message>
+        <source>What the field is driven over for: sets when the headland is worked, ways and overlap.</source>
+        <translation>Wofür gefahren wird: bestimmt, wann das Vorgewende bearbeitet wird, Wege und Überlappung.</translation>
+    </message>
+    <message>
+        <source>What the machine is called.</source>
+        <translation>Wie die Maschine heißt.</translation>
+    </message>
+    <message>
+        <source>What the search for the best heading looks for.</source>
+        <translation>Wonach die Suche nach der besten Fahrtrichtung geht.</translation>
+    </message>
+    <message>
+        <source>Wheelbase</source>
+        <translation>Radstand</translation>
+    </message>
+    <message>
+        <source>When</source>
+        <translation>Wann</translation>
+    </message>
+    <message>
+        <source>When speeding up and when braking.</source>
+        <translation>Beim Anfahren und beim Bremsen.</translation>
+    </message>
+    <message>
+        <source>Where a swath ends at a slanting edge.</source>
+        <translation>Wo eine Spur an einer schrägen Kante endet.</translation>
+    </message>
+    <message>
+        <source>Where the machine may drive from swath to swath; follows from the operation.</source>
+        <translation>Wo die Maschine von Spur zu Spur fahren darf; folgt aus dem Arbeitsgang.</translation>
+    </message>
+    <message>
+        <source>Where the middle of the swath meets the mainland&apos;s edge.</source>
+        <translation>Wo die Mitte der Spur auf den Rand der Innenfläche trifft.</translation>
+    </message>
+    <message>
+        <source>Where tramlines are counted from.</source>
+        <translation>Von wo die Fahrgassen gezählt werden.</translation>
+    </message>
+    <message>
+        <source>Whether cells have a heading of their own.</source>
+        <translation>Ob Teilflächen eine eigene Fahrtrichtung haben.</translation>
+    </message>
+    <message>
+        <source>Which way round the headland passes are driven.</source>
+        <translation>In welcher Richtung die Vorgewendespuren gefahren werden.</translation>
+    </message>
+    <message>
+        <source>Width</source>
+        <translation>Breite</translation>
+    </message>
+    <message>
+        <source>Width in operating widths; auto leaves room for the turns.</source>
+        <translation>Breite in Arbeitsbreiten; Auto lässt Platz für die Wendungen.</translation>
+    </message>
+    <message>
+        <source>Width the tractor occupies, wheels included.</source>
+        <translation>Breite, die der Schlepper mit Rädern einnimmt.</translation>
+    </message>
+    <message>
+        <source>Width while lifted or folded for a turn; the operating width where it is not given.</source>
+        <translation>Breite, während für eine Wendung ausgehoben oder geklappt ist; die Arbeitsbreite, wo sie nicht angegeben ist.</translation>
+    </message>
+    <message>
+        <source>Width worked in one pass.</source>
+        <translation>Breite, die in einer Spur bearbeitet wird.</translation>
+    </message>
+    <message>
+        <source>With the implement up, %1 are driven over worked land and %2 over land that is worked later; %3 is the longest.</source>
+        <translation>Mit ausgehobenem Gerät werden %1 über bearbeitetes Land gefahren und %2 über solches, das später bearbeitet wird; am längsten ist %3.</translation>
+    </message>
+    <message>
+        <source>Without reversing, the wheels turned no faster than the machine can (clothoids).</source>
+        <translation>Ohne Rückwärtsfahren, die Räder nicht schneller eingeschlagen, als die Maschine kann (Klothoiden).</translation>
+    </message>
+    <message>
+        <source>Work it along the boundary, before or after the swaths.</source>
+        <translation>Vor oder nach den Spuren entlang der Feldgrenze bearbeiten.</translation>
+    </message>
+    <message>
+        <source>Work the headland</source>
+        <translation>Vorgewende bearbeiten</translation>
+    </message>
+    <message>
+        <source>Working speed</source>
+        <translation>Arbeitsgeschwindigkeit</translation>
+    </message>
+    <message>
+        <source>Working the soil: the mainland may be crossed.</source>
+        <translation>Bodenbearbeitung: die Innenfläche darf gequert werden.</translation>
+    </message>
+    <message>
+        <source>Your own order</source>
+        <translation>Eigene Reihenfolge</translation>
+    </message>
+    <message>
+        <source>Zipped boundary</source>
+        <translation>Gezippte Feldgrenze</translation>
+    </message>
+    <message>
+        <source>a coordinate is not a number</source>
+        <translation>eine Koordinate ist keine Zahl</translation>
+    </message>
+    <message>
+        <source>a curve needs at least two points that differ</source>
+        <translation>eine Kurve braucht mindestens zwei verschiedene Punkte</translation>
+    </message>
+    <message>
+        <source>a drawing does not say which coordinate system it uses</source>
+        <translation>eine Zeichnung sagt nicht, welches Koordinatensystem sie hat</translation>
+    </message>
+    <message>
+        <source>a hole lies outside the boundary</source>
+        <translation>eine Aussparung liegt außerhalb der Feldgrenze</translation>
+    </message>
+    <message>
+        <source>a hole of &apos;%1&apos; is missing or another</source>
+        <translation>eine Aussparung von „%1“ fehlt oder ist anders</translation>
+    </message>
+    <message>
+        <source>a machine is one JSON object</source>
+        <translation>eine Maschine ist ein JSON-Objekt</translation>
+    </message>
+    <message>
+        <source>a number</source>
+        <translation>eine Zahl</translation>
+    </message>
+    <message>
+        <source>a number is too large to be read</source>
+        <translation>eine Zahl ist zu groß zum Lesen</translation>
+    </message>
+    <message>
+        <source>a part of the boundary of &apos;%1&apos; is missing or another</source>
+        <translation>ein Teil der Feldgrenze von „%1“ fehlt oder ist anders</translation>
+    </message>
+    <message>
+        <source>a point</source>
+        <translation>einen Punkt</translation>
+    </message>
+    <message>
+        <source>a point has no place in EPSG:%1</source>
+        <translation>ein Punkt hat keinen Ort in EPSG:%1</translation>
+    </message>
+    <message>
+        <source>a point or a line in WGS84 such as LINESTRING (4.1 52.0, 4.2 52.0)</source>
+        <translation>ein Punkt oder eine Linie in WGS84 wie LINESTRING (4.1 52.0, 4.2 52.0)</translation>
+    </message>
+    <message>
+        <source>a sliver of %1 was left out</source>
+        <translation>ein Splitter von %1 wurde weggelassen</translation>
+    </message>
+    <message>
+        <source>a track that ended %1 from where it began was closed</source>
+        <translation>eine Spur, die %1 vor ihrem Anfang endete, wurde geschlossen</translation>
+    </message>
+    <message>
+        <source>a value of its own</source>
+        <translation>ein eigener Wert</translation>
+    </message>
+    <message>
+        <source>add the .prj file that belongs to it, or export the field again in WGS84</source>
+        <translation>die zugehörige .prj-Datei dazulegen oder den Schlag in WGS84 neu exportieren</translation>
+    </message>
+    <message>
+        <source>allow it to be kept as a backup</source>
+        <translation>erlauben, dass es als Sicherung behalten wird</translation>
+    </message>
+    <message>
+        <source>an obstacle</source>
+        <translation>ein Hindernis</translation>
+    </message>
+    <message>
+        <source>an offset is not a finite number</source>
+        <translation>ein Versatz ist keine endliche Zahl</translation>
+    </message>
+    <message>
+        <source>an overlap of %1 leaves nothing of %2</source>
+        <translation>eine Überlappung von %1 lässt von %2 nichts übrig</translation>
+    </message>
+    <message>
+        <source>both headland.width_m and headland.passes are given</source>
+        <translation>headland.width_m und headland.passes sind beide angegeben</translation>
+    </message>
+    <message>
+        <source>boundary accuracy</source>
+        <translation>Genauigkeit der Feldgrenze</translation>
+    </message>
+    <message>
+        <source>changes cannot be kept for the case of a crash: %1</source>
+        <translation>Änderungen können nicht für den Fall eines Absturzes bewahrt werden: %1</translation>
+    </message>
+    <message>
+        <source>check its coordinates</source>
+        <translation>seine Koordinaten prüfen</translation>
+    </message>
+    <message>
+        <source>check that the folder can be written to</source>
+        <translation>prüfen, ob in den Ordner geschrieben werden darf</translation>
+    </message>
+    <message>
+        <source>check that you may read it</source>
+        <translation>prüfen, ob sie gelesen werden darf</translation>
+    </message>
+    <message>
+        <source>check the boundary for crossings</source>
+        <translation>die Feldgrenze auf Kreuzungen prüfen</translation>
+    </message>
+    <message>
+        <source>check the coordinate system, correct this point, or split the field</source>
+        <translation>das Koordinatensystem prüfen, diesen Punkt berichtigen oder den Schlag teilen</translation>
+    </message>
+    <message>
+        <source>check the file&apos;s coordinate system</source>
+        <translation>das Koordinatensystem der Datei prüfen</translation>
+    </message>
+    <message>
+        <source>check the operating width and the overlap</source>
+        <translation>Arbeitsbreite und Überlappung prüfen</translation>
+    </message>
+    <message>
+        <source>check the path</source>
+        <translation>den Pfad prüfen</translation>
+    </message>
+    <message>
+        <source>choose a narrower headland or a narrower machine</source>
+        <translation>ein schmaleres Vorgewende oder eine schmalere Maschine wählen</translation>
+    </message>
+    <message>
+        <source>choose a smaller machine or check the boundary&apos;s coordinate system</source>
+        <translation>eine kleinere Maschine wählen oder das Koordinatensystem der Feldgrenze prüfen</translation>
+    </message>
+    <message>
+        <source>choose another format</source>
+        <translation>ein anderes Format wählen</translation>
+    </message>
+    <message>
+        <source>choose one by its number in the file: %1</source>
+        <translation>einen nach seiner Nummer in der Datei wählen: %1</translation>
+    </message>
+    <message>
+        <source>choose the format rosbag2-mcap</source>
+        <translation>das Format rosbag2-mcap wählen</translation>
+    </message>
+    <message>
+        <source>close it there first</source>
+        <translation>es dort zuerst schließen</translation>
+    </message>
+    <message>
+        <source>contour needs heights</source>
+        <translation>Höhenlinien brauchen Höhen</translation>
+    </message>
+    <message>
+        <source>copy or export it again</source>
+        <translation>neu kopieren oder exportieren</translation>
+    </message>
+    <message>
+        <source>copy the whole folder</source>
+        <translation>den ganzen Ordner kopieren</translation>
+    </message>
+    <message>
+        <source>correct or delete this point in the file</source>
+        <translation>diesen Punkt in der Datei berichtigen oder löschen</translation>
+    </message>
+    <message>
+        <source>could not be read: %1</source>
+        <translation>konnte nicht gelesen werden: %1</translation>
+    </message>
+    <message>
+        <source>could not be written: %1</source>
+        <translation>konnte nicht geschrieben werden: %1</translation>
+    </message>
+    <message>
+        <source>crosses an obstacle</source>
+        <translation>quert ein Hindernis</translation>
+    </message>
+    <message>
+        <source>cut it into the days or fields that it holds</source>
+        <translation>in die Tage oder Schläge aufteilen, die sie enthält</translation>
+    </message>
+    <message>
+        <source>decimal commas in the place of the field were taken for points</source>
+        <translation>Dezimalkommas im Ort des Schlags wurden als Punkte gelesen</translation>
+    </message>
+    <message>
+        <source>delete some of them</source>
+        <translation>einige davon löschen</translation>
+    </message>
+    <message>
+        <source>delete the hole that covers it</source>
+        <translation>die Aussparung löschen, die alles bedeckt</translation>
+    </message>
+    <message>
+        <source>did you mean &apos;%1&apos;?</source>
+        <translation>gemeint „%1“?</translation>
+    </message>
+    <message>
+        <source>did you mean &apos;%1&apos;? use one of: %2; or give a machine file (.json)</source>
+        <translation>gemeint „%1“? eine davon verwenden: %2; oder eine Maschinendatei (.json) angeben</translation>
+    </message>
+    <message>
+        <source>download the file and give its path</source>
+        <translation>die Datei herunterladen und ihren Pfad angeben</translation>
+    </message>
+    <message>
+        <source>draw it again</source>
+        <translation>neu zeichnen</translation>
+    </message>
+    <message>
+        <source>draw it again with at least 3 corners</source>
+        <translation>mit mindestens 3 Ecken neu zeichnen</translation>
+    </message>
+    <message>
+        <source>draw one or open a file that has one</source>
+        <translation>eine zeichnen oder eine Datei öffnen, die eine hat</translation>
+    </message>
+    <message>
+        <source>export fewer fields at once</source>
+        <translation>weniger Schläge auf einmal exportieren</translation>
+    </message>
+    <message>
+        <source>export it again</source>
+        <translation>neu exportieren</translation>
+    </message>
+    <message>
+        <source>export it again with its coordinate system</source>
+        <translation>mit seinem Koordinatensystem neu exportieren</translation>
+    </message>
+    <message>
+        <source>export or copy it again</source>
+        <translation>neu exportieren oder kopieren</translation>
+    </message>
+    <message>
+        <source>export the boundary as a polygon</source>
+        <translation>die Feldgrenze als Polygon exportieren</translation>
+    </message>
+    <message>
+        <source>export the field again in WGS84 (longitude and latitude)</source>
+        <translation>den Schlag in WGS84 (Länge und Breite) neu exportieren</translation>
+    </message>
+    <message>
+        <source>export the field with its boundary</source>
+        <translation>den Schlag mit seiner Feldgrenze exportieren</translation>
+    </message>
+    <message>
+        <source>export the field with its boundary; furrow-cli compare reads what a machine recorded</source>
+        <translation>den Schlag mit seiner Feldgrenze exportieren; furrow-cli compare liest, was eine Maschine aufgezeichnet hat</translation>
+    </message>
+    <message>
+        <source>feature %1</source>
+        <translation>Objekt %1</translation>
+    </message>
+    <message>
+        <source>fewer than 3 different points enclose nothing</source>
+        <translation>weniger als 3 verschiedene Punkte umschließen nichts</translation>
+    </message>
+    <message>
+        <source>free some space on it, or use another one</source>
+        <translation>Platz darauf schaffen oder einen anderen verwenden</translation>
+    </message>
+    <message>
+        <source>free some space on the stick</source>
+        <translation>Platz auf dem Stick schaffen</translation>
+    </message>
+    <message>
+        <source>free some space or choose another folder</source>
+        <translation>Platz schaffen oder einen anderen Ordner wählen</translation>
+    </message>
+    <message>
+        <source>gate %1</source>
+        <translation>Zufahrt %1</translation>
+    </message>
+    <message>
+        <source>give %1</source>
+        <translation>%1 angeben</translation>
+    </message>
+    <message>
+        <source>give 0 m or more</source>
+        <translation>0 m oder mehr angeben</translation>
+    </message>
+    <message>
+        <source>give GeoJSON, a shapefile (.shp or .zip), TASKDATA.XML, KML, KMZ, GeoPackage, GML, FlatGeobuf, DXF, WKT or CSV</source>
+        <translation>GeoJSON, Shapefile (.shp oder .zip), TASKDATA.XML, KML, KMZ, GeoPackage, GML, FlatGeobuf, DXF, WKT oder CSV angeben</translation>
+    </message>
+    <message>
+        <source>give a GeoTIFF, or a world file (.pgw) beside the PNG</source>
+        <translation>ein GeoTIFF angeben oder eine World-Datei (.pgw) neben dem PNG</translation>
+    </message>
+    <message>
+        <source>give a buffer of 0 m or more</source>
+        <translation>einen Abstand von 0 m oder mehr angeben</translation>
+    </message>
+    <message>
+        <source>give a curve that does not, or plan its parts apart</source>
+        <translation>eine Kurve ohne Kreuzung angeben oder ihre Teile getrennt planen</translation>
+    </message>
+    <message>
+        <source>give a file on a disk</source>
+        <translation>eine Datei auf einem Datenträger angeben</translation>
+    </message>
+    <message>
+        <source>give a file with a line for each row</source>
+        <translation>eine Datei mit einer Linie je Reihe angeben</translation>
+    </message>
+    <message>
+        <source>give a gate, or a point in the field</source>
+        <translation>eine Zufahrt oder einen Punkt im Schlag angeben</translation>
+    </message>
+    <message>
+        <source>give a gentler curve, or one without a turn back</source>
+        <translation>eine sanftere Kurve angeben oder eine ohne Umkehr</translation>
+    </message>
+    <message>
+        <source>give a machine file (JSON)</source>
+        <translation>eine Maschinendatei (JSON) angeben</translation>
+    </message>
+    <message>
+        <source>give a number</source>
+        <translation>eine Zahl angeben</translation>
+    </message>
+    <message>
+        <source>give a number above 0</source>
+        <translation>eine Zahl über 0 angeben</translation>
+    </message>
+    <message>
+        <source>give a number from %1 to %2</source>
+        <translation>eine Zahl von %1 bis %2 angeben</translation>
+    </message>
+    <message>
+        <source>give a number from 0 to %1</source>
+        <translation>eine Zahl von 0 bis %1 angeben</translation>
+    </message>
+    <message>
+        <source>give a number in %1</source>
+        <translation>eine Zahl in %1 angeben</translation>
+    </message>
+    <message>
+        <source>give a number of 0 or more</source>
+        <translation>eine Zahl von 0 oder mehr angeben</translation>
+    </message>
+    <message>
+        <source>give a picture of at most 100 million pixels</source>
+        <translation>ein Bild mit höchstens 100 Millionen Pixeln angeben</translation>
+    </message>
+    <message>
+        <source>give a point such as POINT (4.1 52.0)</source>
+        <translation>einen Punkt wie POINT (4.1 52.0) angeben</translation>
+    </message>
+    <message>
+        <source>give a smaller margin or check the obstacles</source>
+        <translation>einen kleineren Sicherheitsabstand angeben oder die Hindernisse prüfen</translation>
+    </message>
+    <message>
+        <source>give a smaller number</source>
+        <translation>eine kleinere Zahl angeben</translation>
+    </message>
+    <message>
+        <source>give a text in quotes</source>
+        <translation>einen Text in Anführungszeichen angeben</translation>
+    </message>
+    <message>
+        <source>give a transverse Mercator with +lat_0 and +lon_0</source>
+        <translation>eine transversale Mercatorprojektion mit +lat_0 und +lon_0 angeben</translation>
+    </message>
+    <message>
+        <source>give a width of 0 m or more</source>
+        <translation>eine Breite von 0 m oder mehr angeben</translation>
+    </message>
+    <message>
+        <source>give an EPSG code, as in SRID=4326;POLYGON(...)</source>
+        <translation>einen EPSG-Code angeben, wie SRID=4326;POLYGON(...)</translation>
+    </message>
+    <message>
+        <source>give an angle above 0 and below 90 degrees</source>
+        <translation>einen Winkel über 0 und unter 90 Grad angeben</translation>
+    </message>
+    <message>
+        <source>give at most one of the two</source>
+        <translation>höchstens eines von beiden angeben</translation>
+    </message>
+    <message>
+        <source>give both in degrees, or remove the row</source>
+        <translation>beide in Grad angeben oder die Zeile entfernen</translation>
+    </message>
+    <message>
+        <source>give each point as [longitude, latitude]</source>
+        <translation>jeden Punkt als [Länge, Breite] angeben</translation>
+    </message>
+    <message>
+        <source>give heights as a GeoTIFF or an ASCII grid</source>
+        <translation>Höhen als GeoTIFF oder ASCII-Raster angeben</translation>
+    </message>
+    <message>
+        <source>give heights that cover the field</source>
+        <translation>Höhen angeben, die den Schlag abdecken</translation>
+    </message>
+    <message>
+        <source>give it as WKT in WGS84, %1</source>
+        <translation>als WKT in WGS84 angeben, %1</translation>
+    </message>
+    <message>
+        <source>give it as WKT in WGS84, such as LINESTRING (4.1 52.0, 4.2 52.0, 4.3 52.1)</source>
+        <translation>als WKT in WGS84 angeben, wie LINESTRING (4.1 52.0, 4.2 52.0, 4.3 52.1)</translation>
+    </message>
+    <message>
+        <source>give it as WKT in WGS84, such as POINT (4.1 52.0)</source>
+        <translation>als WKT in WGS84 angeben, wie POINT (4.1 52.0)</translation>
+    </message>
+    <message>
+        <source>give less than the operating width</source>
+        <translation>weniger als die Arbeitsbreite angeben</translation>
+    </message>
+    <message>
+        <source>give metres, 0 or more</source>
+        <translation>Meter angeben, 0 oder mehr</translation>
+    </message>
+    <message>
+        <source>give min_turning_radius_m or max_steering_angle_deg</source>
+        <translation>min_turning_radius_m oder max_steering_angle_deg angeben</translation>
+    </message>
+    <message>
+        <source>give one of %1 or a point such as POINT (4.1 52.0)</source>
+        <translation>eine von %1 oder einen Punkt wie POINT (4.1 52.0) angeben</translation>
+    </message>
+    <message>
+        <source>give one of the files in it</source>
+        <translation>eine der Dateien darin angeben</translation>
+    </message>
+    <message>
+        <source>give operating_width_m in metres</source>
+        <translation>operating_width_m in Metern angeben</translation>
+    </message>
+    <message>
+        <source>give the file TASKDATA.XML</source>
+        <translation>die Datei TASKDATA.XML angeben</translation>
+    </message>
+    <message>
+        <source>give the folder of a field</source>
+        <translation>den Ordner eines Schlags angeben</translation>
+    </message>
+    <message>
+        <source>give the folder of one of these, or a file in it</source>
+        <translation>den Ordner von einem davon oder eine Datei darin angeben</translation>
+    </message>
+    <message>
+        <source>give the folder of one recording</source>
+        <translation>den Ordner einer Aufzeichnung angeben</translation>
+    </message>
+    <message>
+        <source>give the offsets in metres</source>
+        <translation>den Versatz in Metern angeben</translation>
+    </message>
+    <message>
+        <source>give the points in degrees (WGS84), longitude in lon and latitude in lat</source>
+        <translation>die Punkte in Grad (WGS84) angeben, Länge in lon und Breite in lat</translation>
+    </message>
+    <message>
+        <source>give true or false</source>
+        <translation>true oder false angeben</translation>
+    </message>
+    <message>
+        <source>give two points at least 1 m apart</source>
+        <translation>zwei Punkte angeben, die mindestens 1 m auseinander liegen</translation>
+    </message>
+    <message>
+        <source>guidance lines without two points</source>
+        <translation>Leitlinien ohne zwei Punkte</translation>
+    </message>
+    <message>
+        <source>guidance patterns whose points do not fit their kind</source>
+        <translation>Leitmuster, deren Punkte nicht zu ihrer Art passen</translation>
+    </message>
+    <message>
+        <source>guidance patterns without a line</source>
+        <translation>Leitmuster ohne Linie</translation>
+    </message>
+    <message>
+        <source>headland pass %1</source>
+        <translation>Vorgewendespur %1</translation>
+    </message>
+    <message>
+        <source>hole %1 encloses no area and was left out</source>
+        <translation>Aussparung %1 umschließt keine Fläche und wurde weggelassen</translation>
+    </message>
+    <message>
+        <source>implement offsets</source>
+        <translation>Versatz des Geräts</translation>
+    </message>
+    <message>
+        <source>it does not say in which coordinate system it is</source>
+        <translation>es sagt nicht, in welchem Koordinatensystem es ist</translation>
+    </message>
+    <message>
+        <source>it has %1 by %2 pixels</source>
+        <translation>es hat %1 mal %2 Pixel</translation>
+    </message>
+    <message>
+        <source>it has %1: %2</source>
+        <translation>sie hat %1: %2</translation>
+    </message>
+    <message>
+        <source>it has more than %1 parts</source>
+        <translation>es hat mehr als %1 Teile</translation>
+    </message>
+    <message>
+        <source>it has no heights where the field is</source>
+        <translation>es hat keine Höhen, wo der Schlag liegt</translation>
+    </message>
+    <message>
+        <source>it holds more than %1 files</source>
+        <translation>es enthält mehr als %1 Dateien</translation>
+    </message>
+    <message>
+        <source>it is no raster of heights</source>
+        <translation>das ist kein Höhenraster</translation>
+    </message>
+    <message>
+        <source>it is not JSON (byte %1)</source>
+        <translation>es ist kein JSON (Byte %1)</translation>
+    </message>
+    <message>
+        <source>it is not JSON at %1</source>
+        <translation>es ist kein JSON: %1</translation>
+    </message>
+    <message>
+        <source>it is not a length</source>
+        <translation>das ist keine Länge</translation>
+    </message>
+    <message>
+        <source>it is not what a plan&apos;s is</source>
+        <translation>es ist nicht das eines Plans</translation>
+    </message>
+    <message>
+        <source>it lies in none of the %1 fields</source>
+        <translation>es liegt in keinem der %1 Schläge</translation>
+    </message>
+    <message>
+        <source>it lies outside the field</source>
+        <translation>es liegt außerhalb des Schlags</translation>
+    </message>
+    <message>
+        <source>it may be damaged; copy or export it again</source>
+        <translation>es ist vielleicht beschädigt; neu kopieren oder exportieren</translation>
+    </message>
+    <message>
+        <source>it names no local frame</source>
+        <translation>es nennt kein lokales Koordinatensystem</translation>
+    </message>
+    <message>
+        <source>it names no machine</source>
+        <translation>es nennt keine Maschine</translation>
+    </message>
+    <message>
+        <source>it needs latitude and longitude, as in 52.09,5.66</source>
+        <translation>sie braucht Breite und Länge, wie 52.09,5.66</translation>
+    </message>
+    <message>
+        <source>it would grow more than a thousandfold when it is unpacked</source>
+        <translation>es würde beim Entpacken auf mehr als das Tausendfache wachsen</translation>
+    </message>
+    <message>
+        <source>its buffer is not a length</source>
+        <translation>sein Abstand ist keine Länge</translation>
+    </message>
+    <message>
+        <source>its coordinate system &apos;%1&apos; cannot be turned into WGS84</source>
+        <translation>das Koordinatensystem „%1“ lässt sich nicht in WGS84 umrechnen</translation>
+    </message>
+    <message>
+        <source>its coordinate system cannot be turned into WGS84</source>
+        <translation>das Koordinatensystem lässt sich nicht in WGS84 umrechnen</translation>
+    </message>
+    <message>
+        <source>its file is missing</source>
+        <translation>seine Datei fehlt</translation>
+    </message>
+    <message>
+        <source>its heights cannot be read</source>
+        <translation>seine Höhen können nicht gelesen werden</translation>
+    </message>
+    <message>
+        <source>its holes leave nothing of it</source>
+        <translation>die Aussparungen lassen nichts davon übrig</translation>
+    </message>
+    <message>
+        <source>its points enclose no area</source>
+        <translation>seine Punkte umschließen keine Fläche</translation>
+    </message>
+    <message>
+        <source>its width is not a length</source>
+        <translation>ihre Breite ist keine Länge</translation>
+    </message>
+    <message>
+        <source>keep one of them</source>
+        <translation>einen davon behalten</translation>
+    </message>
+    <message>
+        <source>keep the .shp, .shx, .dbf and .prj files together</source>
+        <translation>.shp, .shx, .dbf und .prj beieinander lassen</translation>
+    </message>
+    <message>
+        <source>leaves the field by %1</source>
+        <translation>verlässt den Schlag um %1</translation>
+    </message>
+    <message>
+        <source>left out: %1</source>
+        <translation>weggelassen: %1</translation>
+    </message>
+    <message>
+        <source>left out: %1 %2</source>
+        <translation>weggelassen: %1 %2</translation>
+    </message>
+    <message>
+        <source>line %1 is left out: it is damaged</source>
+        <translation>Zeile %1 wird weggelassen: sie ist beschädigt</translation>
+    </message>
+    <message>
+        <source>line %1, column %2</source>
+        <translation>Zeile %1, Spalte %2</translation>
+    </message>
+    <message>
+        <source>lines in WGS84 such as MULTILINESTRING ((4.1 52.0, 4.2 52.0), (4.1 52.1, 4.2 52.1))</source>
+        <translation>Linien in WGS84 wie MULTILINESTRING ((4.1 52.0, 4.2 52.0), (4.1 52.1, 4.2 52.1))</translation>
+    </message>
+    <message>
+        <source>lines that guide nothing</source>
+        <translation>Linien, die nichts leiten</translation>
+    </message>
+    <message>
+        <source>look for a missing comma, quote or brace just before it</source>
+        <translation>kurz davor nach einem fehlenden Komma, Anführungszeichen oder einer Klammer suchen</translation>
+    </message>
+    <message>
+        <source>move one of the points there, so that it is clear which side is field</source>
+        <translation>dort einen Punkt verschieben, damit klar ist, welche Seite zum Schlag gehört</translation>
+    </message>
+    <message>
+        <source>move or delete it</source>
+        <translation>verschieben oder löschen</translation>
+    </message>
+    <message>
+        <source>name a raster of heights, such as a GeoTIFF</source>
+        <translation>ein Höhenraster nennen, zum Beispiel ein GeoTIFF</translation>
+    </message>
+    <message>
+        <source>name each swath once</source>
+        <translation>jede Spur einmal nennen</translation>
+    </message>
+    <message>
+        <source>name each swath once, with a minus where it is driven backwards</source>
+        <translation>jede Spur einmal nennen, mit einem Minus, wo sie andersherum gefahren wird</translation>
+    </message>
+    <message>
+        <source>name one, such as GeoJSON with a LineString for each row</source>
+        <translation>eine nennen, zum Beispiel GeoJSON mit einem LineString je Reihe</translation>
+    </message>
+    <message>
+        <source>name the columns in the first row</source>
+        <translation>die Spalten in der ersten Zeile benennen</translation>
+    </message>
+    <message>
+        <source>name the folder of a plan, as furrow-cli plan writes it</source>
+        <translation>den Ordner eines Plans nennen, wie furrow-cli plan ihn schreibt</translation>
+    </message>
+    <message>
+        <source>neither turning radius nor steering angle is given</source>
+        <translation>weder Wenderadius noch Lenkwinkel ist angegeben</translation>
+    </message>
+    <message>
+        <source>no boundary can be read from this file (%1)</source>
+        <translation>aus dieser Datei lässt sich keine Feldgrenze lesen (%1)</translation>
+    </message>
+    <message>
+        <source>no pixel of the picture is worked</source>
+        <translation>kein Pixel des Bildes ist bearbeitet</translation>
+    </message>
+    <message>
+        <source>no swath fits into the mainland</source>
+        <translation>in die Innenfläche passt keine Spur</translation>
+    </message>
+    <message>
+        <source>obstacle %1</source>
+        <translation>Hindernis %1</translation>
+    </message>
+    <message>
+        <source>obstacles outside the boundary</source>
+        <translation>Hindernisse außerhalb der Feldgrenze</translation>
+    </message>
+    <message>
+        <source>obstacles that are holes already</source>
+        <translation>Hindernisse, die schon Aussparungen sind</translation>
+    </message>
+    <message>
+        <source>one of its choices</source>
+        <translation>eine der Auswahlmöglichkeiten</translation>
+    </message>
+    <message>
+        <source>only files on this computer are read</source>
+        <translation>nur Dateien auf diesem Computer werden gelesen</translation>
+    </message>
+    <message>
+        <source>open it as a field boundary, or choose another file</source>
+        <translation>als Feldgrenze öffnen oder eine andere Datei wählen</translation>
+    </message>
+    <message>
+        <source>open it with a newer Furrow; the file was left as it is</source>
+        <translation>mit einem neueren Furrow öffnen; die Datei blieb, wie sie ist</translation>
+    </message>
+    <message>
+        <source>opennav_coverage goal</source>
+        <translation>opennav_coverage-Ziel</translation>
+    </message>
+    <message>
+        <source>opennav_coverage lays swaths and turns of its own from the goal; they need not be those of this plan.</source>
+        <translation>opennav_coverage legt aus dem Ziel eigene Spuren und Wendungen; sie müssen nicht die dieses Plans sein.</translation>
+    </message>
+    <message>
+        <source>part %1</source>
+        <translation>Teil %1</translation>
+    </message>
+    <message>
+        <source>part %1, point %2</source>
+        <translation>Teil %1, Punkt %2</translation>
+    </message>
+    <message>
+        <source>path.csv has %1 segments and plan.geojson %2</source>
+        <translation>path.csv hat %1 Abschnitte und plan.geojson %2</translation>
+    </message>
+    <message>
+        <source>per m²</source>
+        <translation>je m²</translation>
+    </message>
+    <message>
+        <source>pivot needs its centre</source>
+        <translation>Kreise brauchen ihre Mitte</translation>
+    </message>
+    <message>
+        <source>plan the field first: furrow-cli plan FIELD --out plan</source>
+        <translation>zuerst den Schlag planen: furrow-cli plan FIELD --out plan</translation>
+    </message>
+    <message>
+        <source>points that are no gates</source>
+        <translation>Punkte, die keine Zufahrten sind</translation>
+    </message>
+    <message>
+        <source>polygons of a kind that is not used</source>
+        <translation>Polygone einer nicht verwendeten Art</translation>
+    </message>
+    <message>
+        <source>put the EPSG code into its name, as in field_EPSG32632.dxf</source>
+        <translation>den EPSG-Code in den Namen schreiben, wie field_EPSG32632.dxf</translation>
+    </message>
+    <message>
+        <source>record or draw its boundary first</source>
+        <translation>zuerst die Feldgrenze aufnehmen oder zeichnen</translation>
+    </message>
+    <message>
+        <source>record or export it again</source>
+        <translation>neu aufzeichnen oder exportieren</translation>
+    </message>
+    <message>
+        <source>remove it from the file, or add its field</source>
+        <translation>aus der Datei entfernen oder seinen Schlag ergänzen</translation>
+    </message>
+    <message>
+        <source>remove it; keys look like operating_width_m, vehicle_width_m, can_reverse</source>
+        <translation>entfernen; Schlüssel sehen aus wie operating_width_m, vehicle_width_m, can_reverse</translation>
+    </message>
+    <message>
+        <source>restore a copy of the file</source>
+        <translation>eine Kopie der Datei wiederherstellen</translation>
+    </message>
+    <message>
+        <source>rings that overlap each other were joined</source>
+        <translation>Ringe, die sich überlappen, wurden verbunden</translation>
+    </message>
+    <message>
+        <source>rings with fewer than three corners</source>
+        <translation>Ringe mit weniger als drei Ecken</translation>
+    </message>
+    <message>
+        <source>rows needs a file of lines</source>
+        <translation>Reihen brauchen eine Datei mit Linien</translation>
+    </message>
+    <message>
+        <source>save it again in WGS84</source>
+        <translation>in WGS84 neu speichern</translation>
+    </message>
+    <message>
+        <source>save it as GeoTIFF, or with a world file in degrees</source>
+        <translation>als GeoTIFF speichern oder mit einer World-Datei in Grad</translation>
+    </message>
+    <message>
+        <source>save the field again, or remove this file</source>
+        <translation>den Schlag neu speichern oder diese Datei entfernen</translation>
+    </message>
+    <message>
+        <source>save the project, and free some space</source>
+        <translation>das Projekt speichern und Platz schaffen</translation>
+    </message>
+    <message>
+        <source>several fields are called &apos;%1&apos;</source>
+        <translation>mehrere Schläge heißen „%1“</translation>
+    </message>
+    <message>
+        <source>simplify it to at most a million</source>
+        <translation>auf höchstens eine Million vereinfachen</translation>
+    </message>
+    <message>
+        <source>such as LINESTRING (4.1 52.0, 4.2 52.0)</source>
+        <translation>wie LINESTRING (4.1 52.0, 4.2 52.0)</translation>
+    </message>
+    <message>
+        <source>such as POINT (4.1 52.0)</source>
+        <translation>wie POINT (4.1 52.0)</translation>
+    </message>
+    <message>
+        <source>swath %1</source>
+        <translation>Spur %1</translation>
+    </message>
+    <message>
+        <source>swath %1 is named twice</source>
+        <translation>Spur %1 ist zweimal genannt</translation>
+    </message>
+    <message>
+        <source>take off its write protection, or use another one</source>
+        <translation>den Schreibschutz aufheben oder einen anderen verwenden</translation>
+    </message>
+    <message>
+        <source>take off the write protection of the stick</source>
+        <translation>den Schreibschutz des Sticks aufheben</translation>
+    </message>
+    <message>
+        <source>the .shx file that belongs to it is missing</source>
+        <translation>die zugehörige .shx-Datei fehlt</translation>
+    </message>
+    <message>
+        <source>the boundary</source>
+        <translation>die Feldgrenze</translation>
+    </message>
+    <message>
+        <source>the boundary has %1 points</source>
+        <translation>die Feldgrenze hat %1 Punkte</translation>
+    </message>
+    <message>
+        <source>the boundary is that of the guidance group; the field itself has none</source>
+        <translation>die Feldgrenze ist die der Leitliniengruppe; der Schlag selbst hat keine</translation>
+    </message>
+    <message>
+        <source>the coordinates lie outside longitude -180 to 180 and latitude -90 to 90</source>
+        <translation>die Koordinaten liegen außerhalb von Länge -180 bis 180 und Breite -90 bis 90</translation>
+    </message>
+    <message>
+        <source>the curve bends more sharply than this machine can follow (%1 of radius)</source>
+        <translation>die Kurve ist enger, als diese Maschine folgen kann (%1 Radius)</translation>
+    </message>
+    <message>
+        <source>the curve crosses itself, %1 from its start</source>
+        <translation>die Kurve kreuzt sich selbst, %1 nach ihrem Anfang</translation>
+    </message>
+    <message>
+        <source>the curves from line %1 on are left out: it is damaged</source>
+        <translation>die Kurven ab Zeile %1 werden weggelassen: sie ist beschädigt</translation>
+    </message>
+    <message>
+        <source>the end</source>
+        <translation>Ende</translation>
+    </message>
+    <message>
+        <source>the field &apos;%1&apos; has no boundary</source>
+        <translation>der Schlag „%1“ hat keine Feldgrenze</translation>
+    </message>
+    <message>
+        <source>the field &apos;%1&apos; is left out: %2</source>
+        <translation>der Schlag „%1“ wird weggelassen: %2</translation>
+    </message>
+    <message>
+        <source>the field has neither boundary nor guidance line</source>
+        <translation>der Schlag hat weder Feldgrenze noch Leitlinie</translation>
+    </message>
+    <message>
+        <source>the field has no boundary</source>
+        <translation>der Schlag hat keine Feldgrenze</translation>
+    </message>
+    <message>
+        <source>the field is more than 100 km across; %1, %2 is farthest from the others</source>
+        <translation>der Schlag ist über 100 km weit; %1, %2 liegt am weitesten ab</translation>
+    </message>
+    <message>
+        <source>the field is nowhere as wide as the machine (%1%2)</source>
+        <translation>der Schlag ist nirgends so breit wie die Maschine (%1%2)</translation>
+    </message>
+    <message>
+        <source>the fields in this task data have neither boundary nor guidance line</source>
+        <translation>die Schläge in diesen Auftragsdaten haben weder Feldgrenze noch Leitlinie</translation>
+    </message>
+    <message>
+        <source>the file cannot be read</source>
+        <translation>die Datei kann nicht gelesen werden</translation>
+    </message>
+    <message>
+        <source>the file has %1 fields: %2</source>
+        <translation>die Datei hat %1 Schläge: %2</translation>
+    </message>
+    <message>
+        <source>the file is damaged</source>
+        <translation>die Datei ist beschädigt</translation>
+    </message>
+    <message>
+        <source>the file is damaged (%1)</source>
+        <translation>die Datei ist beschädigt (%1)</translation>
+    </message>
+    <message>
+        <source>the file is damaged here</source>
+        <translation>die Datei ist hier beschädigt</translation>
+    </message>
+    <message>
+        <source>the file is empty</source>
+        <translation>die Datei ist leer</translation>
+    </message>
+    <message>
+        <source>the file is larger than 1 GiB</source>
+        <translation>die Datei ist größer als 1 GiB</translation>
+    </message>
+    <message>
+        <source>the file may be cut off or damaged; copy or export it again</source>
+        <translation>die Datei ist vielleicht abgeschnitten oder beschädigt; neu kopieren oder exportieren</translation>
+    </message>
+    <message>
+        <source>the file may be cut off or damaged; export it again</source>
+        <translation>die Datei ist vielleicht abgeschnitten oder beschädigt; neu exportieren</translation>
+    </message>
+    <message>
+        <source>the folder or zip cannot be read</source>
+        <translation>der Ordner oder das Zip kann nicht gelesen werden</translation>
+    </message>
+    <message>
+        <source>the headland is left out: line %1 is damaged</source>
+        <translation>das Vorgewende wird weggelassen: Zeile %1 ist beschädigt</translation>
+    </message>
+    <message>
+        <source>the key is there twice</source>
+        <translation>der Schlüssel ist zweimal da</translation>
+    </message>
+    <message>
+        <source>the line after StartFix is no place</source>
+        <translation>die Zeile nach StartFix ist kein Ort</translation>
+    </message>
+    <message>
+        <source>the line crosses itself at %1, %2</source>
+        <translation>die Linie kreuzt sich selbst bei %1, %2</translation>
+    </message>
+    <message>
+        <source>the line touches or crosses itself by a sliver; taken apart there</source>
+        <translation>die Linie berührt oder kreuzt sich um ein Geringes; dort getrennt</translation>
+    </message>
+    <message>
+        <source>the lines from line %1 on are left out: it is damaged</source>
+        <translation>die Linien ab Zeile %1 werden weggelassen: sie ist beschädigt</translation>
+    </message>
+    <message>
+        <source>the machine (%1 wide, %2 long%3) fits nowhere into the field</source>
+        <translation>die Maschine (%1 breit, %2 lang%3) passt nirgends in den Schlag</translation>
+    </message>
+    <message>
+        <source>the name of a gate or a point in WGS84 such as POINT (4.1 52.0)</source>
+        <translation>der Name einer Zufahrt oder ein Punkt in WGS84 wie POINT (4.1 52.0)</translation>
+    </message>
+    <message>
+        <source>the number after SRID= is no coordinate system that is known</source>
+        <translation>die Zahl nach SRID= ist kein bekanntes Koordinatensystem</translation>
+    </message>
+    <message>
+        <source>the obstacles leave nothing of the field</source>
+        <translation>die Hindernisse lassen nichts vom Schlag übrig</translation>
+    </message>
+    <message>
+        <source>the operating width is missing</source>
+        <translation>die Arbeitsbreite fehlt</translation>
+    </message>
+    <message>
+        <source>the part %1 is left out: %2</source>
+        <translation>der Teil %1 wird weggelassen: %2</translation>
+    </message>
+    <message>
+        <source>the path of a file</source>
+        <translation>der Pfad einer Datei</translation>
+    </message>
+    <message>
+        <source>the picture cannot be read (%1)</source>
+        <translation>das Bild kann nicht gelesen werden (%1)</translation>
+    </message>
+    <message>
+        <source>the picture does not say where it lies</source>
+        <translation>das Bild sagt nicht, wo es liegt</translation>
+    </message>
+    <message>
+        <source>the picture does not say which coordinate system it uses</source>
+        <translation>das Bild sagt nicht, welches Koordinatensystem es hat</translation>
+    </message>
+    <message>
+        <source>the picture is damaged</source>
+        <translation>das Bild ist beschädigt</translation>
+    </message>
+    <message>
+        <source>the place lies outside of the field</source>
+        <translation>der Ort liegt außerhalb des Schlags</translation>
+    </message>
+    <message>
+        <source>the plan gives no reason</source>
+        <translation>der Plan nennt keinen Grund</translation>
+    </message>
+    <message>
+        <source>the recorded path is left out: it is damaged</source>
+        <translation>der aufgezeichnete Weg wird weggelassen: er ist beschädigt</translation>
+    </message>
+    <message>
+        <source>the recording cannot be made: %1</source>
+        <translation>die Aufzeichnung kann nicht erstellt werden: %1</translation>
+    </message>
+    <message>
+        <source>the shape could not be computed with (%1)</source>
+        <translation>mit der Form ließ sich nicht rechnen (%1)</translation>
+    </message>
+    <message>
+        <source>the start</source>
+        <translation>Anfang</translation>
+    </message>
+    <message>
+        <source>the stick does not answer any more (%1)</source>
+        <translation>der Stick antwortet nicht mehr (%1)</translation>
+    </message>
+    <message>
+        <source>the stick has %1 MB free, and %2 MB are needed</source>
+        <translation>auf dem Stick sind %1 MB frei, gebraucht werden %2 MB</translation>
+    </message>
+    <message>
+        <source>the stick is damaged: use another one</source>
+        <translation>der Stick ist beschädigt: einen anderen verwenden</translation>
+    </message>
+    <message>
+        <source>the stick is write-protected</source>
+        <translation>der Stick ist schreibgeschützt</translation>
+    </message>
+    <message>
+        <source>the swaths are left out: %1</source>
+        <translation>die Spuren werden weggelassen: %1</translation>
+    </message>
+    <message>
+        <source>the table has neither a column WKT nor columns lon and lat</source>
+        <translation>die Tabelle hat weder eine Spalte WKT noch Spalten lon und lat</translation>
+    </message>
+    <message>
+        <source>the transfer after %1</source>
+        <translation>die Überfahrt nach %1</translation>
+    </message>
+    <message>
+        <source>the transfer at %1</source>
+        <translation>die Überfahrt bei %1</translation>
+    </message>
+    <message>
+        <source>the turn after %1</source>
+        <translation>die Wendung nach %1</translation>
+    </message>
+    <message>
+        <source>the turn at %1</source>
+        <translation>die Wendung bei %1</translation>
+    </message>
+    <message>
+        <source>the way to refill</source>
+        <translation>die Fahrt zum Befüllen</translation>
+    </message>
+    <message>
+        <source>the zip cannot be made: %1</source>
+        <translation>das Zip kann nicht erstellt werden: %1</translation>
+    </message>
+    <message>
+        <source>there is no &apos;%1&apos;</source>
+        <translation>es gibt kein „%1“</translation>
+    </message>
+    <message>
+        <source>there is no &apos;%1&apos; in a machine</source>
+        <translation>in einer Maschine gibt es kein „%1“</translation>
+    </message>
+    <message>
+        <source>there is no Field.txt</source>
+        <translation>Field.txt fehlt</translation>
+    </message>
+    <message>
+        <source>there is no boundary</source>
+        <translation>es gibt keine Feldgrenze</translation>
+    </message>
+    <message>
+        <source>there is no boundary file in this zip</source>
+        <translation>in diesem Zip ist keine Datei mit Feldgrenzen</translation>
+    </message>
+    <message>
+        <source>there is no edge %1</source>
+        <translation>es gibt keine Kante %1</translation>
+    </message>
+    <message>
+        <source>there is no field &apos;%1&apos; in the file</source>
+        <translation>in der Datei gibt es keinen Schlag „%1“</translation>
+    </message>
+    <message>
+        <source>there is no field boundary in it</source>
+        <translation>darin ist keine Feldgrenze</translation>
+    </message>
+    <message>
+        <source>there is no field boundary in it, only %1</source>
+        <translation>darin ist keine Feldgrenze, nur %1</translation>
+    </message>
+    <message>
+        <source>there is no field in this task data</source>
+        <translation>in diesen Auftragsdaten ist kein Schlag</translation>
+    </message>
+    <message>
+        <source>there is no gate &apos;%1&apos;</source>
+        <translation>es gibt keine Zufahrt „%1“</translation>
+    </message>
+    <message>
+        <source>there is no line in it</source>
+        <translation>darin ist keine Linie</translation>
+    </message>
+    <message>
+        <source>there is no machine &apos;%1&apos;</source>
+        <translation>es gibt keine Maschine „%1“</translation>
+    </message>
+    <message>
+        <source>there is no path in it</source>
+        <translation>darin ist kein Fahrweg</translation>
+    </message>
+    <message>
+        <source>there is no project format %1</source>
+        <translation>es gibt kein Projektformat %1</translation>
+    </message>
+    <message>
+        <source>there is no setting &apos;%1&apos;</source>
+        <translation>es gibt keine Einstellung „%1“</translation>
+    </message>
+    <message>
+        <source>there is no such file</source>
+        <translation>diese Datei gibt es nicht</translation>
+    </message>
+    <message>
+        <source>there is no swath %1</source>
+        <translation>es gibt keine Spur %1</translation>
+    </message>
+    <message>
+        <source>there is no terminal &apos;%1&apos;</source>
+        <translation>es gibt kein Terminal „%1“</translation>
+    </message>
+    <message>
+        <source>this XML is no task data</source>
+        <translation>dieses XML enthält keine Auftragsdaten</translation>
+    </message>
+    <message>
+        <source>this folder holds no TASKDATA.XML, no field of AgOpenGPS and no AgGPS boundary</source>
+        <translation>dieser Ordner enthält kein TASKDATA.XML, keinen Schlag von AgOpenGPS und keine AgGPS-Feldgrenze</translation>
+    </message>
+    <message>
+        <source>this format holds the path of a plan, and there is only a field</source>
+        <translation>dieses Format enthält den Fahrweg eines Plans, und es gibt nur einen Schlag</translation>
+    </message>
+    <message>
+        <source>this is a folder</source>
+        <translation>das ist ein Ordner</translation>
+    </message>
+    <message>
+        <source>this is no boundary file that can be read</source>
+        <translation>das ist keine lesbare Datei mit Feldgrenzen</translation>
+    </message>
+    <message>
+        <source>this is no ordinary file</source>
+        <translation>das ist keine gewöhnliche Datei</translation>
+    </message>
+    <message>
+        <source>this is no zip of fields or recordings</source>
+        <translation>das ist kein Zip mit Schlägen oder Aufzeichnungen</translation>
+    </message>
+    <message>
+        <source>this is not JSON from here on</source>
+        <translation>ab hier ist das kein JSON</translation>
+    </message>
+    <message>
+        <source>this is not XML from here on</source>
+        <translation>ab hier ist das kein XML</translation>
+    </message>
+    <message>
+        <source>this is not a project of Furrow</source>
+        <translation>das ist kein Projekt von Furrow</translation>
+    </message>
+    <message>
+        <source>this is not well-known text from here on</source>
+        <translation>ab hier ist das kein Well-known text</translation>
+    </message>
+    <message>
+        <source>this place</source>
+        <translation>diese Stelle</translation>
+    </message>
+    <message>
+        <source>this polygon cannot be read</source>
+        <translation>dieses Polygon kann nicht gelesen werden</translation>
+    </message>
+    <message>
+        <source>this project file is damaged: %1</source>
+        <translation>diese Projektdatei ist beschädigt: %1</translation>
+    </message>
+    <message>
+        <source>this project is open in another window of Furrow</source>
+        <translation>dieses Projekt ist in einem anderen Fenster von Furrow offen</translation>
+    </message>
+    <message>
+        <source>this project was saved by a newer Furrow (format %1, this one knows %2)</source>
+        <translation>dieses Projekt wurde von einem neueren Furrow gespeichert (Format %1, dieses kennt %2)</translation>
+    </message>
+    <message>
+        <source>true or false</source>
+        <translation>true oder false</translation>
+    </message>
+    <message>
+        <source>try another stick</source>
+        <translation>einen anderen Stick versuchen</translation>
+    </message>
+    <message>
+        <source>two points</source>
+        <translation>zwei Punkte</translation>
+    </message>
+    <message>
+        <source>use another terminal&apos;s format, and report this</source>
+        <translation>das Format eines anderen Terminals verwenden und dies melden</translation>
+    </message>
+    <message>
+        <source>use one of: %1</source>
+        <translation>eines davon verwenden: %1</translation>
+    </message>
+    <message>
+        <source>use one of: %1; or give a machine file (.json)</source>
+        <translation>eine davon verwenden: %1; oder eine Maschinendatei (.json) angeben</translation>
+    </message>
+    <message>
+        <source>use one or more of: %1</source>
+        <translation>eines oder mehrere davon verwenden: %1</translation>
+    </message>
+    <message>
+        <source>use the numbers from 1 to %1</source>
+        <translation>die Nummern von 1 bis %1 verwenden</translation>
+    </message>
+    <message>
+        <source>was it pulled out? Plug it in again and write once more</source>
+        <translation>wurde er abgezogen? Wieder einstecken und noch einmal schreiben</translation>
+    </message>
+    <message>
+        <source>what is on the stick is not the plan: %1</source>
+        <translation>was auf dem Stick ist, ist nicht der Plan: %1</translation>
+    </message>
+    <message>
+        <source>whole numbers divided by commas</source>
+        <translation>ganze Zahlen, durch Kommas getrennt</translation>
+    </message>
+    <message>
+        <source>worked pixels need a value other than 0</source>
+        <translation>bearbeitete Pixel brauchen einen anderen Wert als 0</translation>
+    </message>
+    <message>
+        <source>write POLYGON((lon lat, lon lat, ...))</source>
+        <translation>POLYGON((lon lat, lon lat, ...)) schreiben</translation>
+    </message>
+    <message>
+        <source>write POLYGON((lon lat, lon lat, ...)), one polygon a line</source>
+        <translation>POLYGON((lon lat, lon lat, ...)) schreiben, ein Polygon je Zeile</translation>
+    </message>
+    <message>
+        <source>write it like LINESTRING (4.1 52.0, 4.2 52.0)</source>
+        <translation>schreiben wie LINESTRING (4.1 52.0, 4.2 52.0)</translation>
+    </message>
+    <message>
+        <source>write the plan again with furrow-cli plan</source>
+        <translation>den Plan mit furrow-cli plan neu schreiben</translation>
+    </message>
+    <message>
+        <source>write {&quot;name&quot;: ..., &quot;operating_width_m&quot;: ...}</source>
+        <translation>schreiben: {&quot;name&quot;: ..., &quot;operating_width_m&quot;: ...}</translation>
+    </message>
+    <message>
+        <source>a part of it cannot be read</source>
+        <translation>ein Teil davon lässt sich nicht lesen</translation>
+    </message>
+    <message>
+        <source>a part of it is damaged: %1</source>
+        <translation>ein Teil davon ist beschädigt: %1</translation>
+    </message>
+    <message>
+        <source>a tile is damaged</source>
+        <translation>eine Kachel ist beschädigt</translation>
+    </message>
+    <message>
+        <source>choose a file or a folder of tiles</source>
+        <translation>wählen Sie eine Datei oder einen Ordner mit Kacheln</translation>
+    </message>
+    <message>
+        <source>choose the folder that holds the folders of the zooms, 0 to 24</source>
+        <translation>wählen Sie den Ordner, in dem die Ordner der Zoomstufen liegen, 0 bis 24</translation>
+    </message>
+    <message>
+        <source>copy or export the file again</source>
+        <translation>kopieren oder exportieren Sie die Datei erneut</translation>
+    </message>
+    <message>
+        <source>give a GeoTIFF, MBTiles, or a folder of tiles</source>
+        <translation>geben Sie ein GeoTIFF, MBTiles oder einen Ordner mit Kacheln an</translation>
+    </message>
+    <message>
+        <source>give a GeoTIFF, or export it again with its coordinate system</source>
+        <translation>geben Sie ein GeoTIFF an oder exportieren Sie es erneut mit seinem Koordinatensystem</translation>
+    </message>
+    <message>
+        <source>it is damaged, or no picture that Furrow can show</source>
+        <translation>es ist beschädigt oder kein Bild, das Furrow zeigen kann</translation>
+    </message>
+    <message>
+        <source>it is no file</source>
+        <translation>es ist keine Datei</translation>
+    </message>
+    <message>
+        <source>it is too large to be shown without overviews</source>
+        <translation>es ist zu groß, um ohne Übersichten gezeigt zu werden</translation>
+    </message>
+    <message>
+        <source>its tiles are in degrees, not in web Mercator</source>
+        <translation>seine Kacheln sind in Grad, nicht in Web-Mercator</translation>
+    </message>
+    <message>
+        <source>make the tiles again</source>
+        <translation>erzeugen Sie die Kacheln neu</translation>
+    </message>
+    <message>
+        <source>make them again with the profile mercator, or give the raster itself</source>
+        <translation>erzeugen Sie sie neu mit dem Profil mercator oder geben Sie das Raster selbst an</translation>
+    </message>
+    <message>
+        <source>open it again</source>
+        <translation>öffnen Sie sie erneut</translation>
+    </message>
+    <message>
+        <source>put it back, or choose another one</source>
+        <translation>legen Sie sie zurück oder wählen Sie eine andere</translation>
+    </message>
+    <message>
+        <source>put it back, or remove the layer</source>
+        <translation>legen Sie sie zurück oder entfernen Sie die Ebene</translation>
+    </message>
+    <message>
+        <source>save it in tiles and with overviews (gdal_translate -of COG)</source>
+        <translation>speichern Sie es in Kacheln und mit Übersichten (gdal_translate -of COG)</translation>
+    </message>
+    <message>
+        <source>the file cannot be read any more</source>
+        <translation>die Datei lässt sich nicht mehr lesen</translation>
+    </message>
+    <message>
+        <source>the file is not there any more</source>
+        <translation>die Datei ist nicht mehr da</translation>
+    </message>
+    <message>
+        <source>the file was changed while it was open</source>
+        <translation>die Datei wurde geändert, während sie geöffnet war</translation>
+    </message>
+    <message>
+        <source>the folder is not there any more</source>
+        <translation>der Ordner ist nicht mehr da</translation>
+    </message>
+    <message>
+        <source>there are no tiles in this folder</source>
+        <translation>in diesem Ordner sind keine Kacheln</translation>
+    </message>
+    <message>
+        <source>there is no picture in it</source>
+        <translation>es ist kein Bild darin</translation>
+    </message>
+    <message>
+        <source>there is no such file or folder</source>
+        <translation>diese Datei oder diesen Ordner gibt es nicht</translation>
+    </message>
+</context>
+<context>
+    <name>PreferencesDialog</name>
+    <message>
+        <source>Language and units</source>
+        <translation>Sprache und Einheiten</translation>
+    </message>
+    <message>
+        <source>Language</source>
+        <translation>Sprache</translation>
+    </message>
+    <message>
+        <source>As the computer</source>
+        <translation>Wie der Computer</translation>
+    </message>
+    <message>
+        <source>Units</source>
+        <translation>Einheiten</translation>
+    </message>
+    <message>
+        <source>Metres, hectares, km/h</source>
+        <translation>Meter, Hektar, km/h</translation>
+    </message>
+    <message>
+        <source>Feet, acres, mph</source>
+        <translation>Fuß, Acre, mph</translation>
+    </message>
+    <message>
+        <source>Fields take both: 7.3 m, 24 ft, 10&apos;6&quot;, 8 km/h, 5 mph. Files always hold metres.</source>
+        <translation>Felder nehmen beides: 7,3 m, 24 ft, 10&apos;6&quot;, 8 km/h, 5 mph. Dateien enthalten immer Meter.</translation>
+    </message>
+    <message>
+        <source>Close</source>
+        <translation>Schließen</translation>
+    </message>
+</context>
+<context>
+    <name>ProblemCard</name>
+    <message>
+        <source>Show the place</source>
+        <translation>Stelle zeigen</translation>
+    </message>
+    <message>
+        <source>Open another file…</source>
+        <translation>Andere Datei öffnen …</translation>
+    </message>
+</context>
+<context>
+    <name>ProjectDialogs</name>
+    <message>
+        <source>Open projects or field boundaries</source>
+        <translation>Projekte oder Feldgrenzen öffnen</translation>
+    </message>
+    <message>
+        <source>Projects and field boundaries (%1)</source>
+        <translation>Projekte und Feldgrenzen (%1)</translation>
+    </message>
+    <message>
+        <source>Projects (%1)</source>
+        <translation>Projekte (%1)</translation>
+    </message>
+    <message>
+        <source>All files (*)</source>
+        <translation>Alle Dateien (*)</translation>
+    </message>
+    <message>
+        <source>Save the project</source>
+        <translation>Projekt speichern</translation>
+    </message>
+    <message>
+        <source>Add imagery</source>
+        <translation>Luftbild hinzufügen</translation>
+    </message>
+    <message>
+        <source>Pictures and heights (%1)</source>
+        <translation>Bilder und Höhen (%1)</translation>
+    </message>
+    <message>
+        <source>Add a folder of tiles</source>
+        <translation>Ordner mit Kacheln hinzufügen</translation>
+    </message>
+</context>
+<context>
+    <name>RecentList</name>
+    <message>
+        <source>Open recent</source>
+        <translation>Zuletzt geöffnet</translation>
+    </message>
+    <message>
+        <source>%1 — %2</source>
+        <translation>%1 — %2</translation>
+    </message>
+</context>
+<context>
+    <name>RecentProjects</name>
+    <message>
+        <source>Go on with</source>
+        <translation>Weiter mit</translation>
+    </message>
+    <message>
+        <source>Project %1 in %2, %3</source>
+        <translation>Projekt %1 in %2, %3</translation>
+    </message>
+    <message>
+        <source>%1 · %2</source>
+        <translation>%1 · %2</translation>
+    </message>
+</context>
+<context>
+    <name>ResultsPanel</name>
+    <message>
+        <source>Plan</source>
+        <translation>Plan</translation>
+    </message>
+    <message>
+        <source>%1: %2</source>
+        <translation>%1: %2</translation>
+    </message>
+    <message numerus="yes">
+        <source>%n finding(s)</source>
+        <translation>
+            <numerusform>%n Hinweis</numerusform>
+            <numerusform>%n Hinweise</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>Show the first %1 only</source>
+        <translation>Nur die ersten %1 zeigen</translation>
+    </message>
+    <message>
+        <source>Show all %1</source>
+        <translation>Alle %1 zeigen</translation>
+    </message>
+</context>
+<context>
+    <name>ScaleBar</name>
+    <message>
+        <source>Scale: the bar is %1 long</source>
+        <translation>Maßstab: der Balken ist %1 lang</translation>
+    </message>
+</context>
+<context>
+    <name>SearchButton</name>
+    <message>
+        <source>Search commands</source>
+        <translation>Befehle suchen</translation>
+    </message>
+    <message>
+        <source>Ctrl K</source>
+        <translation>Strg K</translation>
+    </message>
+</context>
+<context>
+    <name>StatusChip</name>
+    <message>
+        <source>Stop</source>
+        <translation>Anhalten</translation>
+    </message>
+    <message>
+        <source>Plan again</source>
+        <translation>Neu planen</translation>
+    </message>
+</context>
+<context>
+    <name>StepItem</name>
+    <message>
+        <source>%1. %2: %3. %4</source>
+        <translation>%1. %2: %3. %4</translation>
+    </message>
+</context>
+<context>
+    <name>ThemeSwitch</name>
+    <message>
+        <source>Sunlight colours; press for light</source>
+        <translation>Farben für Sonnenlicht; drücken für helle</translation>
+    </message>
+    <message>
+        <source>Dark colours; press for sunlight</source>
+        <translation>Dunkle Farben; drücken für Sonnenlicht</translation>
+    </message>
+    <message>
+        <source>Light colours; press for dark</source>
+        <translation>Helle Farben; drücken für dunkle</translation>
+    </message>
+</context>
+<context>
+    <name>TopBar</name>
+    <message>
+        <source>Not saved yet</source>
+        <translation>Noch nicht gespeichert</translation>
+    </message>
+    <message>
+        <source>There are changes that are not saved</source>
+        <translation>Es gibt nicht gespeicherte Änderungen</translation>
+    </message>
+    <message>
+        <source>Hide the results</source>
+        <translation>Ergebnisse ausblenden</translation>
+    </message>
+    <message>
+        <source>Show the results</source>
+        <translation>Ergebnisse zeigen</translation>
+    </message>
+    <message>
+        <source>Open</source>
+        <translation>Öffnen</translation>
+    </message>
+    <message>
+        <source>Export</source>
+        <translation>Exportieren</translation>
+    </message>
+</context>
+<context>
+    <name>Tour</name>
+    <message>
+        <source>Welcome to Furrow</source>
+        <translation>Willkommen bei Furrow</translation>
+    </message>
+    <message>
+        <source>In three minutes from a field to a plan that can be driven. A sample field is opened for you; Ctrl+Z takes everything back. Leave whenever you like: the tour is in the Help menu.</source>
+        <translation>In drei Minuten vom Schlag zum fahrbaren Plan. Ein Beispielschlag wird für Sie geöffnet; Strg+Z macht alles rückgängig. Sie können jederzeit aufhören: Der Rundgang steht im Menü „Hilfe“.</translation>
+    </message>
+    <message>
+        <source>The steps</source>
+        <translation>Die Schritte</translation>
+    </message>
+    <message>
+        <source>From top to bottom: the field, the machine, and how it works. Each step says what is chosen and what came of it; press one to change it. Every change plans anew at once.</source>
+        <translation>Von oben nach unten: der Schlag, die Maschine und wie sie arbeitet. Jeder Schritt sagt, was gewählt ist und was daraus wurde; klicken Sie einen an, um ihn zu ändern. Jede Änderung plant sofort neu.</translation>
+    </message>
+    <message>
+        <source>The map</source>
+        <translation>Die Karte</translation>
+    </message>
+    <message>
+        <source>Drag a corner of the field and watch the plan follow. The wheel zooms, dragging the ground moves the map. The dot in the middle of an edge makes another corner; Alt lets go of what catches.</source>
+        <translation>Ziehen Sie an einer Ecke des Schlags, der Plan folgt. Das Mausrad zoomt, Ziehen am Grund verschiebt die Karte. Der Punkt in der Mitte einer Kante ergibt eine weitere Ecke; Alt löst das Einrasten.</translation>
+    </message>
+    <message>
+        <source>The tools</source>
+        <translation>Die Werkzeuge</translation>
+    </message>
+    <message>
+        <source>Draw a field, a hole, an obstacle, an AB line or a gate. The lowest button shows the layers: what is drawn of the plan, and your own aerial photos or heights beneath it.</source>
+        <translation>Zeichnen Sie einen Schlag, eine Aussparung, ein Hindernis, eine AB-Linie oder eine Zufahrt. Die unterste Schaltfläche zeigt die Ebenen: was vom Plan gezeichnet wird und darunter Ihre eigenen Luftbilder oder Höhen.</translation>
+    </message>
+    <message>
+        <source>What came out</source>
+        <translation>Das Ergebnis</translation>
+    </message>
+    <message>
+        <source>Area, way and time, and what was found: press a finding and the map goes there. Findings in the way of driving come first, with what would help.</source>
+        <translation>Fläche, Weg und Zeit und was aufgefallen ist: Klicken Sie einen Hinweis an, und die Karte geht dorthin. Hinweise, die das Fahren verhindern, stehen zuerst, mit dem, was helfen würde.</translation>
+    </message>
+    <message>
+        <source>To the terminal</source>
+        <translation>Zum Terminal</translation>
+    </message>
+    <message>
+        <source>Export writes the plan to a folder or a USB stick, for many terminals, reads it back and compares it. Then save the project: Ctrl+S. Ctrl+K finds every command by name.</source>
+        <translation>„Exportieren“ schreibt den Plan für viele Terminals in einen Ordner oder auf einen USB-Stick, liest ihn zurück und vergleicht ihn. Speichern Sie dann das Projekt: Strg+S. Strg+K findet jeden Befehl nach seinem Namen.</translation>
+    </message>
+    <message>
+        <source>%1 of %2</source>
+        <translation>%1 von %2</translation>
+    </message>
+    <message>
+        <source>Leave</source>
+        <translation>Beenden</translation>
+    </message>
+    <message>
+        <source>Back</source>
+        <translation>Zurück</translation>
+    </message>
+    <message>
+        <source>Next</source>
+        <translation>Weiter</translation>
+    </message>
+    <message>
+        <source>Done</source>
+        <translation>Fertig</translation>
+    </message>
+</context>
+<context>
+    <name>UnitText</name>
+    <message>
+        <source>%1 ft</source>
+        <translation>%1 ft</translation>
+    </message>
+    <message>
+        <source>%1 ft²</source>
+        <translation>%1 ft²</translation>
+    </message>
+    <message>
+        <source>%1 m²</source>
+        <translation>%1 m²</translation>
+    </message>
+    <message>
+        <source>%1 ac</source>
+        <translation>%1 ac</translation>
+    </message>
+    <message>
+        <source>%1 ha</source>
+        <translation>%1 ha</translation>
+    </message>
+    <message>
+        <source>%1 mi</source>
+        <translation>%1 mi</translation>
+    </message>
+    <message>
+        <source>%1 km</source>
+        <translation>%1 km</translation>
+    </message>
+    <message>
+        <source>%1 m</source>
+        <translation>%1 m</translation>
+    </message>
+    <message>
+        <source>%1 mph</source>
+        <translation>%1 mph</translation>
+    </message>
+    <message>
+        <source>%1 km/h</source>
+        <translation>%1 km/h</translation>
+    </message>
+    <message>
+        <source>%1 ft/s²</source>
+        <translation>%1 ft/s²</translation>
+    </message>
+    <message>
+        <source>%1 m/s²</source>
+        <translation>%1 m/s²</translation>
+    </message>
+    <message>
+        <source>%1 s</source>
+        <translation>%1 s</translation>
+    </message>
+    <message>
+        <source>%1 min</source>
+        <translation>%1 min</translation>
+    </message>
+    <message>
+        <source>%1 h %2 min</source>
+        <translation>%1 h %2 min</translation>
+    </message>
+    <message>
+        <source>%1 %</source>
+        <translation>%1 %</translation>
+    </message>
+    <message>
+        <source>%1°</source>
+        <translation>%1°</translation>
+    </message>
+</context>
+<context>
+    <name>UnsavedDialog</name>
+    <message>
+        <source>Save the changes of “%1”?</source>
+        <translation>Änderungen an „%1“ speichern?</translation>
+    </message>
+    <message>
+        <source>Save your work?</source>
+        <translation>Arbeit speichern?</translation>
+    </message>
+    <message>
+        <source>Cancel</source>
+        <translation>Abbrechen</translation>
+    </message>
+    <message>
+        <source>Do not save</source>
+        <translation>Nicht speichern</translation>
+    </message>
+    <message>
+        <source>Save</source>
+        <translation>Speichern</translation>
+    </message>
+</context>
+<context>
+    <name>furrow::ExportModel</name>
+    <message>
+        <source>Furrow plan</source>
+        <translation>Furrow-Plan</translation>
+    </message>
+    <message>
+        <source>Furrow %1</source>
+        <translation>Furrow %1</translation>
+    </message>
+    <message>
+        <source>Writing …</source>
+        <translation>Wird geschrieben …</translation>
+    </message>
+    <message numerus="yes">
+        <source>%n file(s) written to %1</source>
+        <translation>
+            <numerusform>%n Datei nach %1 geschrieben</numerusform>
+            <numerusform>%n Dateien nach %1 geschrieben</numerusform>
+        </translation>
+    </message>
+</context>
+<context>
+    <name>furrow::FarmModel</name>
+    <message>
+        <source>%1 · %2</source>
+        <translation>%1 · %2</translation>
+    </message>
+    <message>
+        <source>Rename the field</source>
+        <translation>Schlag umbenennen</translation>
+    </message>
+    <message>
+        <source>Remove field %1</source>
+        <translation>Schlag %1 entfernen</translation>
+    </message>
+    <message>
+        <source>Add a plan</source>
+        <translation>Plan hinzufügen</translation>
+    </message>
+    <message>
+        <source>Rename the plan</source>
+        <translation>Plan umbenennen</translation>
+    </message>
+    <message>
+        <source>Remove the plan</source>
+        <translation>Plan entfernen</translation>
+    </message>
+</context>
+<context>
+    <name>furrow::FieldEditor</name>
+    <message>
+        <source>Add a point</source>
+        <translation>Punkt hinzufügen</translation>
+    </message>
+    <message>
+        <source>Move a point</source>
+        <translation>Punkt verschieben</translation>
+    </message>
+    <message>
+        <source>Move an edge</source>
+        <translation>Kante verschieben</translation>
+    </message>
+    <message>
+        <source>Move a hole</source>
+        <translation>Aussparung verschieben</translation>
+    </message>
+    <message>
+        <source>Move an obstacle</source>
+        <translation>Hindernis verschieben</translation>
+    </message>
+    <message>
+        <source>Move a gate</source>
+        <translation>Zufahrt verschieben</translation>
+    </message>
+    <message>
+        <source>Change the buffer</source>
+        <translation>Abstand ändern</translation>
+    </message>
+    <message>
+        <source>Draw a hole</source>
+        <translation>Aussparung zeichnen</translation>
+    </message>
+    <message>
+        <source>Draw an obstacle</source>
+        <translation>Hindernis zeichnen</translation>
+    </message>
+    <message>
+        <source>Obstacle %1</source>
+        <translation>Hindernis %1</translation>
+    </message>
+    <message>
+        <source>Add a gate</source>
+        <translation>Zufahrt hinzufügen</translation>
+    </message>
+    <message>
+        <source>Gate %1</source>
+        <translation>Zufahrt %1</translation>
+    </message>
+    <message>
+        <source>Draw a guidance curve</source>
+        <translation>Leitkurve zeichnen</translation>
+    </message>
+    <message>
+        <source>Draw an AB line</source>
+        <translation>AB-Linie zeichnen</translation>
+    </message>
+    <message>
+        <source>Delete a point</source>
+        <translation>Punkt löschen</translation>
+    </message>
+    <message>
+        <source>Delete a hole</source>
+        <translation>Aussparung löschen</translation>
+    </message>
+    <message>
+        <source>Delete an obstacle</source>
+        <translation>Hindernis löschen</translation>
+    </message>
+    <message>
+        <source>Delete a gate</source>
+        <translation>Zufahrt löschen</translation>
+    </message>
+    <message>
+        <source>Delete the guidance line</source>
+        <translation>Leitlinie löschen</translation>
+    </message>
+    <message>
+        <source>Move</source>
+        <translation>Verschieben</translation>
+    </message>
+    <message>
+        <source>Change a length</source>
+        <translation>Länge ändern</translation>
+    </message>
+    <message>
+        <source>Change a direction</source>
+        <translation>Richtung ändern</translation>
+    </message>
+    <message>
+        <source>Let the obstacle be driven on</source>
+        <translation>Hindernis überfahrbar machen</translation>
+    </message>
+    <message>
+        <source>Keep off the obstacle</source>
+        <translation>Hindernis nicht überfahren</translation>
+    </message>
+    <message>
+        <source>Change the gate</source>
+        <translation>Zufahrt ändern</translation>
+    </message>
+    <message>
+        <source>Rename</source>
+        <translation>Umbenennen</translation>
+    </message>
+    <message>
+        <source>AB line along an edge</source>
+        <translation>AB-Linie entlang einer Kante</translation>
+    </message>
+</context>
+<context>
+    <name>furrow::FiguresModel</name>
+    <message>
+        <source>Area</source>
+        <translation>Fläche</translation>
+    </message>
+    <message>
+        <source>Of the field, holes and obstacles taken out</source>
+        <translation>Des Schlags, ohne Aussparungen und Hindernisse</translation>
+    </message>
+    <message>
+        <source>Mainland</source>
+        <translation>Innenfläche</translation>
+    </message>
+    <message>
+        <source>What is left inside the headland</source>
+        <translation>Was innerhalb des Vorgewendes bleibt</translation>
+    </message>
+    <message>
+        <source>Swaths</source>
+        <translation>Spuren</translation>
+    </message>
+    <message>
+        <source>Path</source>
+        <translation>Fahrweg</translation>
+    </message>
+    <message>
+        <source>Everything that is driven</source>
+        <translation>Alles, was gefahren wird</translation>
+    </message>
+    <message>
+        <source>Working</source>
+        <translation>Arbeit</translation>
+    </message>
+    <message>
+        <source>Turning</source>
+        <translation>Wenden</translation>
+    </message>
+    <message>
+        <source>Time</source>
+        <translation>Zeit</translation>
+    </message>
+    <message>
+        <source>Covered</source>
+        <translation>Bearbeitet</translation>
+    </message>
+    <message>
+        <source>Share of the field that is worked, measured on the finished path</source>
+        <translation>Bearbeiteter Anteil des Schlags, am fertigen Fahrweg gemessen</translation>
+    </message>
+    <message>
+        <source>Overlap</source>
+        <translation>Überlappung</translation>
+    </message>
+    <message>
+        <source>Share of the field that is worked twice</source>
+        <translation>Anteil des Schlags, der doppelt bearbeitet wird</translation>
+    </message>
+</context>
+<context>
+    <name>furrow::ImageryModel</name>
+    <message>
+        <source>%1: %2</source>
+        <translation>%1: %2</translation>
+    </message>
+    <message>
+        <source>Add %1</source>
+        <translation>%1 hinzufügen</translation>
+    </message>
+    <message>
+        <source>Add imagery</source>
+        <translation>Luftbild hinzufügen</translation>
+    </message>
+    <message>
+        <source>Remove %1</source>
+        <translation>%1 entfernen</translation>
+    </message>
+    <message>
+        <source>Move a layer</source>
+        <translation>Ebene verschieben</translation>
+    </message>
+    <message>
+        <source>Rename a layer</source>
+        <translation>Ebene umbenennen</translation>
+    </message>
+    <message>
+        <source>Show a layer</source>
+        <translation>Ebene zeigen</translation>
+    </message>
+    <message>
+        <source>Hide a layer</source>
+        <translation>Ebene ausblenden</translation>
+    </message>
+    <message>
+        <source>Change how strong a layer is</source>
+        <translation>Deckkraft einer Ebene ändern</translation>
+    </message>
+    <message>
+        <source>Turn the rows of tiles round</source>
+        <translation>Reihenfolge der Kachelzeilen umkehren</translation>
+    </message>
+</context>
+<context>
+    <name>furrow::MachineModel</name>
+    <message>
+        <source>auto · %1</source>
+        <translation>auto · %1</translation>
+    </message>
+</context>
+<context>
+    <name>furrow::ParameterModel</name>
+    <message>
+        <source>auto</source>
+        <translation>auto</translation>
+    </message>
+    <message>
+        <source>auto · %1</source>
+        <translation>auto · %1</translation>
+    </message>
+</context>
+<context>
+    <name>furrow::PlanSession</name>
+    <message>
+        <source>Change the machine</source>
+        <translation>Maschine ändern</translation>
+    </message>
+    <message>
+        <source>Reading %1 …</source>
+        <translation>%1 wird gelesen …</translation>
+    </message>
+    <message numerus="yes">
+        <source>%n field(s) in this file</source>
+        <translation>
+            <numerusform>%n Schlag in dieser Datei</numerusform>
+            <numerusform>%n Schläge in dieser Datei</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>Planning …</source>
+        <translation>Wird geplant …</translation>
+    </message>
+    <message>
+        <source>Stopped · this is the plan before the change</source>
+        <translation>Angehalten · Plan von vor der Änderung</translation>
+    </message>
+    <message>
+        <source>Stopped</source>
+        <translation>Angehalten</translation>
+    </message>
+    <message>
+        <source>No plan</source>
+        <translation>Kein Plan</translation>
+    </message>
+    <message>
+        <source>Plan ready · %1 ms</source>
+        <translation>Plan fertig · %1 ms</translation>
+    </message>
+    <message numerus="yes">
+        <source>%1 · %n turn(s) leave the field</source>
+        <translation>
+            <numerusform>%1 · %n Wendung verlässt den Schlag</numerusform>
+            <numerusform>%1 · %n Wendungen verlassen den Schlag</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>%1 · %2</source>
+        <translation>%1 · %2</translation>
+    </message>
+    <message numerus="yes">
+        <source>%n file(s)</source>
+        <translation>
+            <numerusform>%n Datei</numerusform>
+            <numerusform>%n Dateien</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>Add field %1</source>
+        <translation>Schlag %1 hinzufügen</translation>
+    </message>
+    <message numerus="yes">
+        <source>Add %n field(s)</source>
+        <translation>
+            <numerusform>%n Schlag hinzufügen</numerusform>
+            <numerusform>%n Schläge hinzufügen</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>Field %1</source>
+        <translation>Schlag %1</translation>
+    </message>
+    <message>
+        <source>drawn on the map</source>
+        <translation>auf der Karte gezeichnet</translation>
+    </message>
+    <message>
+        <source>Change: %1</source>
+        <translation>Ändern: %1</translation>
+    </message>
+    <message>
+        <source>Draft · planning …</source>
+        <translation>Entwurf · wird geplant …</translation>
+    </message>
+    <message>
+        <source>Stopped · this is a draft</source>
+        <translation>Angehalten · dies ist ein Entwurf</translation>
+    </message>
+    <message>
+        <source>Draft · the whole plan follows when you let go</source>
+        <translation>Entwurf · der ganze Plan folgt beim Loslassen</translation>
+    </message>
+</context>
+<context>
+    <name>furrow::ProjectFiles</name>
+    <message>
+        <source>Your last work was not saved. Here it is again.</source>
+        <translation>Die letzte Arbeit wurde nicht gespeichert. Hier ist sie wieder.</translation>
+    </message>
+    <message>
+        <source>Changes of “%1” were not saved. Here they are again.</source>
+        <translation>Änderungen an „%1“ wurden nicht gespeichert. Hier sind sie wieder.</translation>
+    </message>
+    <message>
+        <source>It is kept in the file all the same.</source>
+        <translation>In der Datei bleibt es trotzdem erhalten.</translation>
+    </message>
+    <message>
+        <source>Restore changes that were not saved</source>
+        <translation>Nicht gespeicherte Änderungen wiederherstellen</translation>
+    </message>
+    <message>
+        <source>Another program changed “%1” while changes of yours were not saved. Yours are shown; undo shows the file.</source>
+        <translation>Ein anderes Programm hat „%1“ geändert, während eigene Änderungen nicht gespeichert waren. Gezeigt werden die eigenen; Rückgängig zeigt die Datei.</translation>
+    </message>
+    <message>
+        <source>Another program has changed “%1” since it was opened here.</source>
+        <translation>Ein anderes Programm hat „%1“ geändert, seit es hier geöffnet wurde.</translation>
+    </message>
+    <message>
+        <source>Save over it, or save yours under another name.</source>
+        <translation>Überschreiben oder unter anderem Namen speichern.</translation>
+    </message>
+    <message>
+        <source>Farm</source>
+        <translation>Betrieb</translation>
+    </message>
+    <message>
+        <source>%1: %2</source>
+        <translation>%1: %2</translation>
+    </message>
+</context>
+<context>
+    <name>furrow::QuantityText</name>
+    <message>
+        <source>ft</source>
+        <translation>ft</translation>
+    </message>
+    <message>
+        <source>m</source>
+        <translation>m</translation>
+    </message>
+    <message>
+        <source>ac</source>
+        <translation>ac</translation>
+    </message>
+    <message>
+        <source>ha</source>
+        <translation>ha</translation>
+    </message>
+    <message>
+        <source>mph</source>
+        <translation>mph</translation>
+    </message>
+    <message>
+        <source>km/h</source>
+        <translation>km/h</translation>
+    </message>
+    <message>
+        <source>°</source>
+        <translation>°</translation>
+    </message>
+    <message>
+        <source>This is not a length. Type it like 7.3 m, 24 ft or 10&apos;6&quot;.</source>
+        <translation>Das ist keine Länge. Eingabe zum Beispiel 7,3 m, 24 ft oder 10&apos;6&quot;.</translation>
+    </message>
+    <message>
+        <source>This is not an area. Type it like 12.5 ha or 30 ac.</source>
+        <translation>Das ist keine Fläche. Eingabe zum Beispiel 12,5 ha oder 30 ac.</translation>
+    </message>
+    <message>
+        <source>This is not a speed. Type it like 8 km/h or 5 mph.</source>
+        <translation>Das ist keine Geschwindigkeit. Eingabe zum Beispiel 8 km/h oder 5 mph.</translation>
+    </message>
+    <message>
+        <source>This is not an angle. Type it in degrees, like 87.5.</source>
+        <translation>Das ist kein Winkel. Eingabe in Grad, zum Beispiel 87,5.</translation>
+    </message>
+    <message>
+        <source>This is not a number.</source>
+        <translation>Das ist keine Zahl.</translation>
+    </message>
+    <message>
+        <source>%1 %2</source>
+        <translation>%1 %2</translation>
+    </message>
+    <message>
+        <source>Type something from %1 to %2.</source>
+        <translation>Etwas von %1 bis %2 eintippen.</translation>
+    </message>
+    <message>
+        <source>%1 mi</source>
+        <translation>%1 mi</translation>
+    </message>
+    <message>
+        <source>%1 km</source>
+        <translation>%1 km</translation>
+    </message>
+    <message>
+        <source>%1 ft</source>
+        <translation>%1 ft</translation>
+    </message>
+    <message>
+        <source>%1 m</source>
+        <translation>%1 m</translation>
+    </message>
+</context>
+<context>
+    <name>furrow::RecentFiles</name>
+    <message numerus="yes">
+        <source>%n field(s)</source>
+        <translation>
+            <numerusform>%n Schlag</numerusform>
+            <numerusform>%n Schläge</numerusform>
+        </translation>
+    </message>
+</context>
+<context>
+    <name>furrow::StepsModel</name>
+    <message>
+        <source>mainland %1</source>
+        <translation>Innenfläche %1</translation>
+    </message>
+    <message numerus="yes">
+        <source>%n pass(es)</source>
+        <translation>
+            <numerusform>%n Spur</numerusform>
+            <numerusform>%n Spuren</numerusform>
+        </translation>
+    </message>
+    <message numerus="yes">
+        <source>%n cell(s)</source>
+        <translation>
+            <numerusform>%n Teilfläche</numerusform>
+            <numerusform>%n Teilflächen</numerusform>
+        </translation>
+    </message>
+    <message numerus="yes">
+        <source>%n swath(s)</source>
+        <translation>
+            <numerusform>%n Spur</numerusform>
+            <numerusform>%n Spuren</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>%1 with turns on the spot</source>
+        <translation>%1 mit Wenden auf der Stelle</translation>
+    </message>
+    <message numerus="yes">
+        <source>%n turn(s)</source>
+        <translation>
+            <numerusform>%n Wendung</numerusform>
+            <numerusform>%n Wendungen</numerusform>
+        </translation>
+    </message>
+    <message numerus="yes">
+        <source>%n not drivable</source>
+        <translation>
+            <numerusform>%n nicht fahrbar</numerusform>
+            <numerusform>%n nicht fahrbar</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>No usable boundary</source>
+        <translation>Keine brauchbare Feldgrenze</translation>
+    </message>
+    <message>
+        <source>No field yet</source>
+        <translation>Noch kein Schlag</translation>
+    </message>
+    <message numerus="yes">
+        <source>%n obstacle(s)</source>
+        <translation>
+            <numerusform>%n Hindernis</numerusform>
+            <numerusform>%n Hindernisse</numerusform>
+        </translation>
+    </message>
+    <message numerus="yes">
+        <source>%n hole(s)</source>
+        <translation>
+            <numerusform>%n Aussparung</numerusform>
+            <numerusform>%n Aussparungen</numerusform>
+        </translation>
+    </message>
+    <message numerus="yes">
+        <source>%n boundary point(s)</source>
+        <translation>
+            <numerusform>%n Grenzpunkt</numerusform>
+            <numerusform>%n Grenzpunkte</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>The message on the map says why</source>
+        <translation>Die Meldung auf der Karte sagt, warum</translation>
+    </message>
+    <message>
+        <source>Open a file or draw a boundary</source>
+        <translation>Datei öffnen oder Grenze zeichnen</translation>
+    </message>
+    <message>
+        <source>%1 wide</source>
+        <translation>%1 breit</translation>
+    </message>
+    <message>
+        <source>%1 radius</source>
+        <translation>%1 Radius</translation>
+    </message>
+    <message>
+        <source>Field</source>
+        <translation>Schlag</translation>
+    </message>
+    <message>
+        <source>Machine</source>
+        <translation>Maschine</translation>
+    </message>
+</context>
+<context>
+    <name>furrow::StickExport</name>
+    <message>
+        <source>%1 free of %2</source>
+        <translation>%1 frei von %2</translation>
+    </message>
+    <message>
+        <source>Writing …</source>
+        <translation>Wird geschrieben …</translation>
+    </message>
+    <message>
+        <source>every byte was read back, and the plan read from there is this plan.</source>
+        <translation>jedes Byte wurde zurückgelesen, und der Plan von dort ist dieser Plan.</translation>
+    </message>
+    <message>
+        <source>every byte was read back and is as written.</source>
+        <translation>jedes Byte wurde zurückgelesen und ist wie geschrieben.</translation>
+    </message>
+    <message>
+        <source>Written: %1</source>
+        <translation>Geschrieben: %1</translation>
+    </message>
+    <message>
+        <source>Safe to unplug: %1</source>
+        <translation>Stick kann abgezogen werden: %1</translation>
+    </message>
+    <message>
+        <source>What was there before is kept as %1.</source>
+        <translation>Was vorher da war, bleibt als %1 erhalten.</translation>
+    </message>
+</context>
+</TS>

@@ -1,0 +1,5509 @@
+<?xml version="1.0" encoding="utf-8"?>
+<!DOCTYPE TS>
+<TS version="2.1" language="es_ES" sourcelanguage="en">
+<context>
+    <name>AppCommands</name>
+    <message>
+        <source>File</source>
+        <translation>Archivo</translation>
+    </message>
+    <message>
+        <source>Edit</source>
+        <translation>Editar</translation>
+    </message>
+    <message>
+        <source>Field</source>
+        <translation>Parcela</translation>
+    </message>
+    <message>
+        <source>Plan</source>
+        <translation>Plan</translation>
+    </message>
+    <message>
+        <source>View</source>
+        <translation>Ver</translation>
+    </message>
+    <message>
+        <source>Help</source>
+        <translation>Ayuda</translation>
+    </message>
+    <message>
+        <source>New project</source>
+        <translation>Proyecto nuevo</translation>
+    </message>
+    <message>
+        <source>farm</source>
+        <translation>explotación</translation>
+    </message>
+    <message>
+        <source>Open…</source>
+        <translation>Abrir…</translation>
+    </message>
+    <message>
+        <source>boundary import project</source>
+        <translation>límite importar proyecto</translation>
+    </message>
+    <message>
+        <source>Save</source>
+        <translation>Guardar</translation>
+    </message>
+    <message>
+        <source>Save as…</source>
+        <translation>Guardar como…</translation>
+    </message>
+    <message>
+        <source>Export the plan…</source>
+        <translation>Exportar el plan…</translation>
+    </message>
+    <message>
+        <source>ISOXML USB terminal</source>
+        <translation>ISOXML USB terminal</translation>
+    </message>
+    <message>
+        <source>Quit</source>
+        <translation>Salir</translation>
+    </message>
+    <message>
+        <source>Undo: %1</source>
+        <translation>Deshacer: %1</translation>
+    </message>
+    <message>
+        <source>Undo</source>
+        <translation>Deshacer</translation>
+    </message>
+    <message>
+        <source>Redo: %1</source>
+        <translation>Rehacer: %1</translation>
+    </message>
+    <message>
+        <source>Redo</source>
+        <translation>Rehacer</translation>
+    </message>
+    <message>
+        <source>Delete what is selected</source>
+        <translation>Eliminar la selección</translation>
+    </message>
+    <message>
+        <source>Del</source>
+        <translation>Supr</translation>
+    </message>
+    <message>
+        <source>Select the next point</source>
+        <translation>Seleccionar el punto siguiente</translation>
+    </message>
+    <message>
+        <source>Space</source>
+        <translation>Espacio</translation>
+    </message>
+    <message>
+        <source>Find a command…</source>
+        <translation>Buscar una orden…</translation>
+    </message>
+    <message>
+        <source>Draw a field</source>
+        <translation>Dibujar una parcela</translation>
+    </message>
+    <message>
+        <source>boundary polygon</source>
+        <translation>límite polígono</translation>
+    </message>
+    <message>
+        <source>Draw a hole</source>
+        <translation>Dibujar un hueco</translation>
+    </message>
+    <message>
+        <source>Draw an obstacle</source>
+        <translation>Dibujar un obstáculo</translation>
+    </message>
+    <message>
+        <source>pond tree pole wet</source>
+        <translation>charca árbol poste húmedo</translation>
+    </message>
+    <message>
+        <source>Draw an AB line</source>
+        <translation>Dibujar una línea AB</translation>
+    </message>
+    <message>
+        <source>guidance curve direction</source>
+        <translation>guiado curva dirección</translation>
+    </message>
+    <message>
+        <source>Add a gate</source>
+        <translation>Añadir una entrada</translation>
+    </message>
+    <message>
+        <source>entry road</source>
+        <translation>acceso camino</translation>
+    </message>
+    <message>
+        <source>Select and change</source>
+        <translation>Seleccionar y cambiar</translation>
+    </message>
+    <message>
+        <source>Rename the field…</source>
+        <translation>Renombrar la parcela…</translation>
+    </message>
+    <message>
+        <source>Remove the field</source>
+        <translation>Quitar la parcela</translation>
+    </message>
+    <message>
+        <source>delete</source>
+        <translation>eliminar</translation>
+    </message>
+    <message>
+        <source>Next field</source>
+        <translation>Parcela siguiente</translation>
+    </message>
+    <message>
+        <source>Add a plan…</source>
+        <translation>Añadir un plan…</translation>
+    </message>
+    <message>
+        <source>season operation copy</source>
+        <translation>campaña operación copia</translation>
+    </message>
+    <message>
+        <source>Rename the plan…</source>
+        <translation>Renombrar el plan…</translation>
+    </message>
+    <message>
+        <source>Remove the plan</source>
+        <translation>Quitar el plan</translation>
+    </message>
+    <message>
+        <source>Plan again</source>
+        <translation>Planificar de nuevo</translation>
+    </message>
+    <message>
+        <source>Show the whole field</source>
+        <translation>Mostrar toda la parcela</translation>
+    </message>
+    <message>
+        <source>Closer</source>
+        <translation>Acercar</translation>
+    </message>
+    <message>
+        <source>zoom in</source>
+        <translation>ampliar zoom</translation>
+    </message>
+    <message>
+        <source>Further away</source>
+        <translation>Alejar</translation>
+    </message>
+    <message>
+        <source>zoom out</source>
+        <translation>reducir zoom</translation>
+    </message>
+    <message>
+        <source>Results panel</source>
+        <translation>Resultados</translation>
+    </message>
+    <message>
+        <source>Layer: boundary</source>
+        <translation>Capa: límite de parcela</translation>
+    </message>
+    <message>
+        <source>Layer: headland</source>
+        <translation>Capa: cabecera</translation>
+    </message>
+    <message>
+        <source>Layer: swaths</source>
+        <translation>Capa: pasadas</translation>
+    </message>
+    <message>
+        <source>Layer: turns</source>
+        <translation>Capa: giros</translation>
+    </message>
+    <message>
+        <source>Layer: driving direction</source>
+        <translation>Capa: sentido de marcha</translation>
+    </message>
+    <message>
+        <source>Layer: order numbers</source>
+        <translation>Capa: números de orden</translation>
+    </message>
+    <message>
+        <source>Layer: findings</source>
+        <translation>Capa: avisos</translation>
+    </message>
+    <message>
+        <source>Language and units…</source>
+        <translation>Idioma y unidades…</translation>
+    </message>
+    <message>
+        <source>preferences settings metric imperial feet acres</source>
+        <translation>preferencias ajustes métrico imperial pies acres</translation>
+    </message>
+    <message>
+        <source>Light colours</source>
+        <translation>Colores claros</translation>
+    </message>
+    <message>
+        <source>theme</source>
+        <translation>tema</translation>
+    </message>
+    <message>
+        <source>Dark colours</source>
+        <translation>Colores oscuros</translation>
+    </message>
+    <message>
+        <source>theme night</source>
+        <translation>tema noche</translation>
+    </message>
+    <message>
+        <source>Sunlight colours</source>
+        <translation>Colores para pleno sol</translation>
+    </message>
+    <message>
+        <source>theme contrast</source>
+        <translation>tema contraste</translation>
+    </message>
+    <message>
+        <source>Keys and mouse</source>
+        <translation>Teclas y ratón</translation>
+    </message>
+    <message>
+        <source>shortcuts help</source>
+        <translation>atajos ayuda</translation>
+    </message>
+    <message>
+        <source>Everything at %1 %</source>
+        <translation>Todo al %1 %</translation>
+    </message>
+    <message>
+        <source>size scaling zoom large text</source>
+        <translation>tamaño escala zoom texto grande</translation>
+    </message>
+    <message>
+        <source>Add imagery…</source>
+        <translation>Añadir imágenes…</translation>
+    </message>
+    <message>
+        <source>GeoTIFF MBTiles aerial photo satellite background heights elevation</source>
+        <translation>GeoTIFF MBTiles foto aérea satélite fondo altura relieve</translation>
+    </message>
+    <message>
+        <source>Add a folder of tiles…</source>
+        <translation>Añadir una carpeta de teselas…</translation>
+    </message>
+    <message>
+        <source>imagery XYZ TMS</source>
+        <translation>imágenes XYZ TMS</translation>
+    </message>
+    <message>
+        <source>Layers</source>
+        <translation>Capas</translation>
+    </message>
+    <message>
+        <source>imagery map background</source>
+        <translation>imágenes mapa fondo</translation>
+    </message>
+    <message>
+        <source>Layer: imagery</source>
+        <translation>Capa: imágenes</translation>
+    </message>
+    <message>
+        <source>Layer: OpenStreetMap from the network</source>
+        <translation>Capa: OpenStreetMap de la red</translation>
+    </message>
+    <message>
+        <source>online tiles</source>
+        <translation>en línea teselas</translation>
+    </message>
+    <message>
+        <source>Layer: coverage</source>
+        <translation>Capa: superficie trabajada</translation>
+    </message>
+    <message>
+        <source>Layer: worked twice</source>
+        <translation>Capa: trabajado dos veces</translation>
+    </message>
+    <message>
+        <source>overlap</source>
+        <translation>solape</translation>
+    </message>
+    <message>
+        <source>Layer: missed</source>
+        <translation>Capa: zonas sin trabajar</translation>
+    </message>
+    <message>
+        <source>gap uncovered</source>
+        <translation>hueco sin cubrir</translation>
+    </message>
+    <message>
+        <source>Layer: driven over often</source>
+        <translation>Capa: muy transitado</translation>
+    </message>
+    <message>
+        <source>wheel passes traffic compaction</source>
+        <translation>pasos de rueda tráfico compactación</translation>
+    </message>
+    <message>
+        <source>Take the tour</source>
+        <translation>Hacer el recorrido guiado</translation>
+    </message>
+    <message>
+        <source>help introduction first start</source>
+        <translation>ayuda introducción primer inicio</translation>
+    </message>
+</context>
+<context>
+    <name>Command</name>
+    <message>
+        <source>Ctrl</source>
+        <translation>Ctrl</translation>
+    </message>
+    <message>
+        <source>Shift</source>
+        <translation>Mayús</translation>
+    </message>
+</context>
+<context>
+    <name>CommandPalette</name>
+    <message>
+        <source>Search commands</source>
+        <translation>Buscar órdenes</translation>
+    </message>
+    <message>
+        <source>%1: %2</source>
+        <translation>%1: %2</translation>
+    </message>
+    <message>
+        <source>There is no such command</source>
+        <translation>Esa orden no existe</translation>
+    </message>
+</context>
+<context>
+    <name>DraftHint</name>
+    <message>
+        <source>Click the first corner of the field</source>
+        <translation>Haga clic en la primera esquina de la parcela</translation>
+    </message>
+    <message>
+        <source>Click the first corner of the hole</source>
+        <translation>Haga clic en la primera esquina del hueco</translation>
+    </message>
+    <message>
+        <source>Click the first corner of the obstacle</source>
+        <translation>Haga clic en la primera esquina del obstáculo</translation>
+    </message>
+    <message>
+        <source>Click on the boundary where the gate is</source>
+        <translation>Haga clic en el límite donde está la entrada</translation>
+    </message>
+    <message>
+        <source>Click where the AB line begins</source>
+        <translation>Haga clic donde empieza la línea AB</translation>
+    </message>
+    <message>
+        <source>Press and trace it with the pointer</source>
+        <translation>Pulse y siga el contorno con el puntero</translation>
+    </message>
+    <message>
+        <source>Length of the next edge</source>
+        <translation>Longitud del lado siguiente</translation>
+    </message>
+    <message>
+        <source>Direction of the next edge</source>
+        <translation>Dirección del lado siguiente</translation>
+    </message>
+    <message>
+        <source>Add</source>
+        <translation>Añadir</translation>
+    </message>
+    <message>
+        <source>By hand</source>
+        <translation>A mano alzada</translation>
+    </message>
+    <message>
+        <source>Cancel</source>
+        <translation>Cancelar</translation>
+    </message>
+    <message>
+        <source>Finish</source>
+        <translation>Terminar</translation>
+    </message>
+    <message>
+        <source>Close boundary</source>
+        <translation>Cerrar el límite</translation>
+    </message>
+</context>
+<context>
+    <name>EmptyState</name>
+    <message>
+        <source>Which field?</source>
+        <translation>¿Qué parcela?</translation>
+    </message>
+    <message>
+        <source>Open its boundary, or drop the file anywhere on this window. Shapefile, GeoJSON, KML, GeoPackage, GML and others are understood, zipped or not.</source>
+        <translation>Abra su límite o suelte el archivo en cualquier parte de esta ventana. Se leen shapefile, GeoJSON, KML, GeoPackage, GML y otros, comprimidos o no.</translation>
+    </message>
+    <message>
+        <source>Open a file…</source>
+        <translation>Abrir un archivo…</translation>
+    </message>
+    <message>
+        <source>Draw it</source>
+        <translation>Dibujarla</translation>
+    </message>
+    <message>
+        <source>Or try one of these</source>
+        <translation>O pruebe una de estas</translation>
+    </message>
+    <message>
+        <source>Sample field %1</source>
+        <translation>Parcela de ejemplo %1</translation>
+    </message>
+</context>
+<context>
+    <name>ExportDialog</name>
+    <message>
+        <source>Export the plan</source>
+        <translation>Exportar el plan</translation>
+    </message>
+    <message>
+        <source>USB stick</source>
+        <translation>Memoria USB</translation>
+    </message>
+    <message>
+        <source>Files in a folder</source>
+        <translation>Archivos en una carpeta</translation>
+    </message>
+    <message numerus="yes">
+        <source>%n place(s) in this plan cannot be driven as drawn. The files say so too.</source>
+        <translation>
+            <numerusform>%n lugar de este plan no se puede recorrer tal como está. Los archivos también lo dicen.</numerusform>
+            <numerusform>%n lugares de este plan no se pueden recorrer tal como están. Los archivos también lo dicen.</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>Close</source>
+        <translation>Cerrar</translation>
+    </message>
+    <message>
+        <source>Cancel</source>
+        <translation>Cancelar</translation>
+    </message>
+    <message>
+        <source>Writing …</source>
+        <translation>Escribiendo…</translation>
+    </message>
+    <message>
+        <source>Write to the stick</source>
+        <translation>Escribir en la memoria</translation>
+    </message>
+    <message>
+        <source>Write files</source>
+        <translation>Escribir los archivos</translation>
+    </message>
+</context>
+<context>
+    <name>ExportFolderPage</name>
+    <message>
+        <source>Folder</source>
+        <translation>Carpeta</translation>
+    </message>
+    <message>
+        <source>Choose…</source>
+        <translation>Elegir…</translation>
+    </message>
+    <message>
+        <source>Folder for the plan</source>
+        <translation>Carpeta para el plan</translation>
+    </message>
+</context>
+<context>
+    <name>ExportStickPage</name>
+    <message>
+        <source>Terminal</source>
+        <translation>Terminal</translation>
+    </message>
+    <message>
+        <source>Stick</source>
+        <translation>Memoria</translation>
+    </message>
+    <message>
+        <source>No USB stick is plugged in. It appears here when it is; or choose a folder to carry the files yourself.</source>
+        <translation>No hay ninguna memoria USB conectada. Aparecerá aquí al conectarla; o elija una carpeta para llevar los archivos usted mismo.</translation>
+    </message>
+    <message>
+        <source>Another folder…</source>
+        <translation>Otra carpeta…</translation>
+    </message>
+    <message>
+        <source>%1 is on it already.</source>
+        <translation>%1 ya está en ella.</translation>
+    </message>
+    <message>
+        <source>It will not be deleted: it is kept under another name.</source>
+        <translation>No se borrará: se conserva con otro nombre.</translation>
+    </message>
+    <message>
+        <source>Keep it as a backup and write the plan</source>
+        <translation>Guardarlo como copia y escribir el plan</translation>
+    </message>
+    <message numerus="yes">
+        <source>and %n more</source>
+        <translation>
+            <numerusform>y %n más</numerusform>
+            <numerusform>y %n más</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>Folder in the place of a stick</source>
+        <translation>Carpeta en lugar de una memoria</translation>
+    </message>
+</context>
+<context>
+    <name>FieldActions</name>
+    <message>
+        <source>Open file…</source>
+        <translation>Abrir archivo…</translation>
+    </message>
+    <message>
+        <source>Draw</source>
+        <translation>Dibujar</translation>
+    </message>
+    <message>
+        <source>Sample field</source>
+        <translation>Parcela de ejemplo</translation>
+    </message>
+    <message>
+        <source>Add one to look at</source>
+        <translation>Añadir una para verla</translation>
+    </message>
+</context>
+<context>
+    <name>FieldChooser</name>
+    <message numerus="yes">
+        <source>Which of the %n field(s)?</source>
+        <translation>
+            <numerusform>¿Es esta %n parcela?</numerusform>
+            <numerusform>¿Cuál de las %n parcelas?</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>Open none of them</source>
+        <translation>No abrir ninguna</translation>
+    </message>
+    <message>
+        <source>Open all of them</source>
+        <translation>Abrirlas todas</translation>
+    </message>
+    <message>
+        <source>%1, %2</source>
+        <translation>%1, %2</translation>
+    </message>
+</context>
+<context>
+    <name>FilesNotice</name>
+    <message>
+        <source>Keep</source>
+        <translation>Conservar</translation>
+    </message>
+    <message>
+        <source>OK</source>
+        <translation>Aceptar</translation>
+    </message>
+    <message>
+        <source>Throw away</source>
+        <translation>Descartar</translation>
+    </message>
+    <message>
+        <source>Save over it</source>
+        <translation>Sobrescribir</translation>
+    </message>
+    <message>
+        <source>Save as…</source>
+        <translation>Guardar como…</translation>
+    </message>
+    <message>
+        <source>Later</source>
+        <translation>Más tarde</translation>
+    </message>
+</context>
+<context>
+    <name>FindingRow</name>
+    <message>
+        <source>Finding %1: %2 %3</source>
+        <translation>Aviso %1: %2 %3</translation>
+    </message>
+</context>
+<context>
+    <name>ImageryList</name>
+    <message>
+        <source>Your own pictures and heights: GeoTIFF, MBTiles or a folder of tiles. They stay on this computer.</source>
+        <translation>Sus propias imágenes y alturas: GeoTIFF, MBTiles o una carpeta de teselas. Se quedan en este ordenador.</translation>
+    </message>
+    <message>
+        <source>Add files…</source>
+        <translation>Añadir archivos…</translation>
+    </message>
+    <message>
+        <source>Add a folder of tiles…</source>
+        <translation>Añadir una carpeta de teselas…</translation>
+    </message>
+</context>
+<context>
+    <name>ImageryNotice</name>
+    <message>
+        <source>OK</source>
+        <translation>Aceptar</translation>
+    </message>
+</context>
+<context>
+    <name>ImageryRow</name>
+    <message>
+        <source>Show all of %1</source>
+        <translation>Mostrar %1 por completo</translation>
+    </message>
+    <message>
+        <source>Move %1 up</source>
+        <translation>Subir %1</translation>
+    </message>
+    <message>
+        <source>Move %1 down</source>
+        <translation>Bajar %1</translation>
+    </message>
+    <message>
+        <source>Remove %1</source>
+        <translation>Quitar %1</translation>
+    </message>
+    <message>
+        <source>How strong %1 is</source>
+        <translation>Opacidad de %1</translation>
+    </message>
+    <message>
+        <source>Opening …</source>
+        <translation>Abriendo…</translation>
+    </message>
+    <message>
+        <source>Contour lines every %1</source>
+        <translation>Curvas de nivel cada %1</translation>
+    </message>
+    <message>
+        <source>Rows count from the south (TMS)</source>
+        <translation>Filas contadas desde el sur (TMS)</translation>
+    </message>
+    <message>
+        <source>Try again</source>
+        <translation>Intentar de nuevo</translation>
+    </message>
+</context>
+<context>
+    <name>Inspector</name>
+    <message>
+        <source>Name</source>
+        <translation>Nombre</translation>
+    </message>
+    <message>
+        <source>boundary</source>
+        <translation>límite de parcela</translation>
+    </message>
+    <message>
+        <source>hole</source>
+        <translation>hueco</translation>
+    </message>
+    <message>
+        <source>obstacle</source>
+        <translation>obstáculo</translation>
+    </message>
+    <message>
+        <source>guidance line</source>
+        <translation>línea de guiado</translation>
+    </message>
+    <message>
+        <source>Several moves</source>
+        <translation>Varias maniobras</translation>
+    </message>
+    <message>
+        <source>Point %1 of the %2</source>
+        <translation>Punto %1 (%2)</translation>
+    </message>
+    <message>
+        <source>Drag it on the map, move it by arrow keys, or type where it is.</source>
+        <translation>Arrástrelo en el mapa, muévalo con las flechas o escriba dónde está.</translation>
+    </message>
+    <message>
+        <source>Latitude</source>
+        <translation>Latitud</translation>
+    </message>
+    <message>
+        <source>Longitude</source>
+        <translation>Longitud</translation>
+    </message>
+    <message>
+        <source>Angle</source>
+        <translation>Ángulo</translation>
+    </message>
+    <message>
+        <source>%1°</source>
+        <translation>%1°</translation>
+    </message>
+    <message>
+        <source>AB line</source>
+        <translation>Línea AB</translation>
+    </message>
+    <message>
+        <source>Edge %1 of the %2</source>
+        <translation>Lado %1 (%2)</translation>
+    </message>
+    <message>
+        <source>One swath lies on it, the others beside it. Drag it or its ends, or type its direction.</source>
+        <translation>Una pasada va sobre ella, las demás al lado. Arrástrela o arrastre sus extremos, o escriba su dirección.</translation>
+    </message>
+    <message>
+        <source>Drag it to move it sideways; the dot in its middle makes another point.</source>
+        <translation>Al arrastrarlo se mueve de lado; el punto del medio crea otro vértice.</translation>
+    </message>
+    <message>
+        <source>Length</source>
+        <translation>Longitud</translation>
+    </message>
+    <message>
+        <source>Direction</source>
+        <translation>Dirección</translation>
+    </message>
+    <message>
+        <source>Obstacle</source>
+        <translation>Obstáculo</translation>
+    </message>
+    <message>
+        <source>It is not worked, but may be driven on.</source>
+        <translation>No se trabaja, pero se puede pasar sobre él.</translation>
+    </message>
+    <message>
+        <source>It is not worked, and nothing drives nearer than its buffer.</source>
+        <translation>No se trabaja, y nada se acerca más que su distancia.</translation>
+    </message>
+    <message>
+        <source>Buffer</source>
+        <translation>Distancia</translation>
+    </message>
+    <message>
+        <source>Area</source>
+        <translation>Superficie</translation>
+    </message>
+    <message>
+        <source>the end</source>
+        <translation>fin</translation>
+    </message>
+    <message>
+        <source>swath %1</source>
+        <translation>pasada %1</translation>
+    </message>
+    <message>
+        <source>pass %1</source>
+        <translation>pasada de cabecera %1</translation>
+    </message>
+    <message>
+        <source>Time</source>
+        <translation>Tiempo</translation>
+    </message>
+    <message>
+        <source>Swath %1</source>
+        <translation>Pasada %1</translation>
+    </message>
+    <message>
+        <source>It is worked as number %1 of %2, %3 long, in %4.</source>
+        <translation>Se trabaja como número %1 de %2, %3 de largo, en %4.</translation>
+    </message>
+    <message>
+        <source>Width</source>
+        <translation>Ancho</translation>
+    </message>
+    <message>
+        <source>Headland pass %1</source>
+        <translation>Pasada de cabecera %1</translation>
+    </message>
+    <message>
+        <source>Counted from the outside; %1 are worked here in %2.</source>
+        <translation>Contada desde fuera; aquí se trabajan %1 en %2.</translation>
+    </message>
+    <message>
+        <source>Turn from %1 to %2</source>
+        <translation>Giro: %1 → %2</translation>
+    </message>
+    <message>
+        <source>%1 in reverse, in %2.</source>
+        <translation>%1 marcha atrás, en %2.</translation>
+    </message>
+    <message>
+        <source>%1 with the implement up, in %2.</source>
+        <translation>%1 con el apero levantado, en %2.</translation>
+    </message>
+    <message>
+        <source>Kind</source>
+        <translation>Tipo</translation>
+    </message>
+    <message>
+        <source>Way from %1 to %2</source>
+        <translation>Camino: %1 → %2</translation>
+    </message>
+    <message>
+        <source>%1 without working, in %2.</source>
+        <translation>%1 sin trabajar, en %2.</translation>
+    </message>
+    <message>
+        <source>It cannot be driven like this: %1.</source>
+        <translation>Así no se puede recorrer: %1.</translation>
+    </message>
+    <message>
+        <source>Cell %1</source>
+        <translation>Subparcela %1</translation>
+    </message>
+    <message numerus="yes">
+        <source>A piece of the mainland whose %n swath(s) are driven together.</source>
+        <translation>
+            <numerusform>Un trozo del interior de la parcela con %n pasada.</numerusform>
+            <numerusform>Un trozo del interior de la parcela cuyas %n pasadas se hacen juntas.</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>Swaths</source>
+        <translation>Pasadas</translation>
+    </message>
+    <message>
+        <source>Gate</source>
+        <translation>Entrada</translation>
+    </message>
+    <message>
+        <source>Here the machine may enter and leave the field. Drag it along the boundary.</source>
+        <translation>Por aquí la máquina puede entrar y salir. Arrástrela a lo largo del límite.</translation>
+    </message>
+    <message>
+        <source>Guidance curve</source>
+        <translation>Curva de guiado</translation>
+    </message>
+    <message>
+        <source>The swaths lie beside it. Drag its points, or delete it.</source>
+        <translation>Las pasadas van a su lado. Arrastre sus puntos o elimínela.</translation>
+    </message>
+    <message>
+        <source>Points</source>
+        <translation>Puntos</translation>
+    </message>
+    <message>
+        <source>Hole</source>
+        <translation>Hueco</translation>
+    </message>
+    <message>
+        <source>It is no part of the field. Drag it, or its points and edges.</source>
+        <translation>No forma parte de la parcela. Arrástrelo, o sus puntos y lados.</translation>
+    </message>
+    <message>
+        <source>Finding %1</source>
+        <translation>Aviso %1</translation>
+    </message>
+</context>
+<context>
+    <name>InspectorPanel</name>
+    <message>
+        <source>selected</source>
+        <translation>seleccionado</translation>
+    </message>
+    <message>
+        <source>%1: %2</source>
+        <translation>%1: %2</translation>
+    </message>
+    <message>
+        <source>May be driven on</source>
+        <translation>Se puede pasar sobre él</translation>
+    </message>
+    <message>
+        <source>Swaths along it</source>
+        <translation>Pasadas a lo largo</translation>
+    </message>
+    <message>
+        <source>Delete</source>
+        <translation>Eliminar</translation>
+    </message>
+</context>
+<context>
+    <name>KeysDialog</name>
+    <message>
+        <source>Drag the map, wheel</source>
+        <translation>Arrastrar el mapa, rueda</translation>
+    </message>
+    <message>
+        <source>move, zoom</source>
+        <translation>mover, ampliar</translation>
+    </message>
+    <message>
+        <source>Arrows, + and −</source>
+        <translation>Flechas, + y −</translation>
+    </message>
+    <message>
+        <source>move the selection or the map, zoom</source>
+        <translation>mover la selección o el mapa, ampliar</translation>
+    </message>
+    <message>
+        <source>, and .</source>
+        <translation>, y .</translation>
+    </message>
+    <message>
+        <source>the point before, the next point</source>
+        <translation>punto anterior, siguiente</translation>
+    </message>
+    <message>
+        <source>Enter</source>
+        <translation>Intro</translation>
+    </message>
+    <message>
+        <source>finish drawing; type into the inspector</source>
+        <translation>terminar el dibujo; escribir en el inspector</translation>
+    </message>
+    <message>
+        <source>Alt</source>
+        <translation>Alt</translation>
+    </message>
+    <message>
+        <source>no snapping while it is held</source>
+        <translation>sin ajuste mientras se mantiene</translation>
+    </message>
+    <message>
+        <source>Esc</source>
+        <translation>Esc</translation>
+    </message>
+    <message>
+        <source>stop what was begun</source>
+        <translation>dejar lo que se empezó</translation>
+    </message>
+    <message>
+        <source>Keys and mouse</source>
+        <translation>Teclas y ratón</translation>
+    </message>
+    <message>
+        <source>%1: %2</source>
+        <translation>%1: %2</translation>
+    </message>
+    <message>
+        <source>Close</source>
+        <translation>Cerrar</translation>
+    </message>
+</context>
+<context>
+    <name>LayerSwitches</name>
+    <message>
+        <source>Boundary</source>
+        <translation>Límite de parcela</translation>
+    </message>
+    <message>
+        <source>Headland</source>
+        <translation>Cabecera</translation>
+    </message>
+    <message>
+        <source>Swaths</source>
+        <translation>Pasadas</translation>
+    </message>
+    <message>
+        <source>Order numbers</source>
+        <translation>Números de orden</translation>
+    </message>
+    <message>
+        <source>Findings</source>
+        <translation>Avisos</translation>
+    </message>
+    <message>
+        <source>Imagery</source>
+        <translation>Imágenes</translation>
+    </message>
+    <message>
+        <source>Path</source>
+        <translation>Recorrido</translation>
+    </message>
+    <message>
+        <source>Directions</source>
+        <translation>Sentidos</translation>
+    </message>
+    <message>
+        <source>Coverage</source>
+        <translation>Trabajado</translation>
+    </message>
+    <message>
+        <source>Worked twice</source>
+        <translation>Trabajado dos veces</translation>
+    </message>
+    <message>
+        <source>Missed</source>
+        <translation>Sin trabajar</translation>
+    </message>
+    <message>
+        <source>Wheel passes</source>
+        <translation>Pasos de rueda</translation>
+    </message>
+</context>
+<context>
+    <name>LayersPanel</name>
+    <message>
+        <source>Layers</source>
+        <translation>Capas</translation>
+    </message>
+    <message>
+        <source>Close the layers</source>
+        <translation>Cerrar las capas</translation>
+    </message>
+    <message>
+        <source>Imagery</source>
+        <translation>Imágenes</translation>
+    </message>
+    <message>
+        <source>From the network</source>
+        <translation>De la red</translation>
+    </message>
+    <message>
+        <source>OpenStreetMap</source>
+        <translation>OpenStreetMap</translation>
+    </message>
+    <message>
+        <source>Asks openstreetmap.org for what is in view. Off, nothing leaves this computer.</source>
+        <translation>Pide a openstreetmap.org lo que está a la vista. Desactivado, nada sale de este ordenador.</translation>
+    </message>
+</context>
+<context>
+    <name>MachineFields</name>
+    <message>
+        <source>Machine</source>
+        <translation>Máquina</translation>
+    </message>
+    <message>
+        <source>Back to the original</source>
+        <translation>Valores originales</translation>
+    </message>
+</context>
+<context>
+    <name>Main</name>
+    <message>
+        <source>%1%2 – Furrow</source>
+        <translation>%1%2 – Furrow</translation>
+    </message>
+    <message>
+        <source>Furrow</source>
+        <translation>Furrow</translation>
+    </message>
+    <message>
+        <source>Rename the field</source>
+        <translation>Renombrar la parcela</translation>
+    </message>
+    <message>
+        <source>Add a plan</source>
+        <translation>Añadir un plan</translation>
+    </message>
+    <message>
+        <source>Rename the plan</source>
+        <translation>Renombrar el plan</translation>
+    </message>
+    <message>
+        <source>Everything at %1 %</source>
+        <translation>Todo al %1 %</translation>
+    </message>
+    <message>
+        <source>This holds from the next start of Furrow.</source>
+        <translation>Esto se aplica a partir del próximo inicio de Furrow.</translation>
+    </message>
+    <message>
+        <source>OK</source>
+        <translation>Aceptar</translation>
+    </message>
+</context>
+<context>
+    <name>MapPage</name>
+    <message>
+        <source>Map</source>
+        <translation>Mapa</translation>
+    </message>
+</context>
+<context>
+    <name>MapToolBar</name>
+    <message>
+        <source>Select and change (V)</source>
+        <translation>Seleccionar y cambiar (V)</translation>
+    </message>
+    <message>
+        <source>Draw a field (B)</source>
+        <translation>Dibujar una parcela (B)</translation>
+    </message>
+    <message>
+        <source>Draw a hole (H)</source>
+        <translation>Dibujar un hueco (H)</translation>
+    </message>
+    <message>
+        <source>Draw an obstacle (O)</source>
+        <translation>Dibujar un obstáculo (O)</translation>
+    </message>
+    <message>
+        <source>Draw an AB line (L)</source>
+        <translation>Dibujar una línea AB (L)</translation>
+    </message>
+    <message>
+        <source>Add a gate (G)</source>
+        <translation>Añadir una entrada (G)</translation>
+    </message>
+    <message>
+        <source>Show the whole field (F)</source>
+        <translation>Mostrar toda la parcela (F)</translation>
+    </message>
+    <message>
+        <source>Closer (+)</source>
+        <translation>Acercar (+)</translation>
+    </message>
+    <message>
+        <source>Further away (−)</source>
+        <translation>Alejar (−)</translation>
+    </message>
+    <message>
+        <source>Layers (Ctrl+L)</source>
+        <translation>Capas (Ctrl+L)</translation>
+    </message>
+</context>
+<context>
+    <name>NameDialog</name>
+    <message>
+        <source>Name</source>
+        <translation>Nombre</translation>
+    </message>
+    <message>
+        <source>Season</source>
+        <translation>Campaña</translation>
+    </message>
+    <message>
+        <source>Cancel</source>
+        <translation>Cancelar</translation>
+    </message>
+    <message>
+        <source>OK</source>
+        <translation>Aceptar</translation>
+    </message>
+</context>
+<context>
+    <name>OnlineMap</name>
+    <message>
+        <source>© OpenStreetMap contributors</source>
+        <translation>© Colaboradores de OpenStreetMap</translation>
+    </message>
+</context>
+<context>
+    <name>ParameterField</name>
+    <message>
+        <source>Auto</source>
+        <translation>Auto</translation>
+    </message>
+    <message>
+        <source>%1: let Furrow choose</source>
+        <translation>%1: que elija Furrow</translation>
+    </message>
+</context>
+<context>
+    <name>Planner</name>
+    <message>
+        <source> and twice %1 of margin</source>
+        <translation> y dos veces %1 de margen</translation>
+    </message>
+    <message>
+        <source>%1 and %2</source>
+        <translation>%1 y %2</translation>
+    </message>
+    <message>
+        <source>%1 and %2 more</source>
+        <translation>%1 y %2 más</translation>
+    </message>
+    <message>
+        <source>%1 are driven in reverse; the trailed implement cannot.</source>
+        <translation>Se recorren %1 marcha atrás; el apero arrastrado no puede.</translation>
+    </message>
+    <message>
+        <source>%1 are driven in reverse; this machine cannot.</source>
+        <translation>Se recorren %1 marcha atrás; esta máquina no puede.</translation>
+    </message>
+    <message>
+        <source>%1 are not worked, %2 of the field, in %3; this is the largest.</source>
+        <translation>%1 quedan sin trabajar, %2 de la parcela, en %3; esta es la zona sin trabajar más grande.</translation>
+    </message>
+    <message>
+        <source>%1 bends with a radius of %2; this machine needs %3.</source>
+        <translation>%1 tiene curvas de %2 de radio; esta máquina necesita %3.</translation>
+    </message>
+    <message>
+        <source>%1 cannot be driven: %2.</source>
+        <translation>%1 no se puede recorrer: %2.</translation>
+    </message>
+    <message>
+        <source>%1 cannot be made: %2</source>
+        <translation>no se puede crear %1: %2</translation>
+    </message>
+    <message>
+        <source>%1 cannot be steered</source>
+        <translation>%1 no se pueden girar</translation>
+    </message>
+    <message>
+        <source>%1 cannot be worked with</source>
+        <translation>con %1 no se puede trabajar</translation>
+    </message>
+    <message>
+        <source>%1 circle(s) within %2 of the centre are tighter than this machine can follow and are left out</source>
+        <translation>%1 círculo(s) a menos de %2 del centro son más cerrados de lo que puede seguir esta máquina y se omiten</translation>
+    </message>
+    <message>
+        <source>%1 crosses an obstacle, by %2.</source>
+        <translation>%1 cruza un obstáculo, %2.</translation>
+    </message>
+    <message>
+        <source>%1 crosses an obstacle.</source>
+        <translation>%1 cruza un obstáculo.</translation>
+    </message>
+    <message>
+        <source>%1 does not fit here</source>
+        <translation>%1 no encaja aquí</translation>
+    </message>
+    <message>
+        <source>%1 for each swath makes over a million swaths</source>
+        <translation>%1 por pasada dan más de un millón de pasadas</translation>
+    </message>
+    <message>
+        <source>%1 in one piece are not worked.</source>
+        <translation>%1 de una pieza quedan sin trabajar.</translation>
+    </message>
+    <message>
+        <source>%1 is not a whole number</source>
+        <translation>%1 no es un número entero</translation>
+    </message>
+    <message>
+        <source>%1 is on the stick already</source>
+        <translation>%1 ya está en la memoria</translation>
+    </message>
+    <message>
+        <source>%1 is out of range</source>
+        <translation>%1 está fuera de rango</translation>
+    </message>
+    <message>
+        <source>%1 is planned, but nothing of it is driven with the implement down.</source>
+        <translation>%1 está prevista, pero nada se recorre con el apero bajado.</translation>
+    </message>
+    <message>
+        <source>%1 is planned, but only %2 of it is driven with the implement down.</source>
+        <translation>%1 está prevista, pero solo el %2 se recorre con el apero bajado.</translation>
+    </message>
+    <message>
+        <source>%1 jumps by %2.</source>
+        <translation>%1 salta %2.</translation>
+    </message>
+    <message>
+        <source>%1 leaves the field by %2.</source>
+        <translation>%1 sale %2 de la parcela.</translation>
+    </message>
+    <message>
+        <source>%1 leaves the field or crosses an obstacle, by up to %2, as this plan allows.</source>
+        <translation>%1 sale de la parcela o cruza un obstáculo, hasta %2, como permite este plan.</translation>
+    </message>
+    <message>
+        <source>%1 moves %2 off where the machine points.</source>
+        <translation>%1 avanza a %2 de donde apunta la máquina.</translation>
+    </message>
+    <message>
+        <source>%1 needs %2</source>
+        <translation>%1 necesita: %2</translation>
+    </message>
+    <message>
+        <source>%1 of %2 guidance lines of &apos;%3&apos; are there</source>
+        <translation>están %1 de %2 líneas de guiado de «%3»</translation>
+    </message>
+    <message>
+        <source>%1 of %2 swaths are not in the order: %3</source>
+        <translation>faltan %1 de %2 pasadas en el orden: %3</translation>
+    </message>
+    <message>
+        <source>%1 of margin leaves nothing of the field to work</source>
+        <translation>%1 de margen no dejan nada de la parcela que trabajar</translation>
+    </message>
+    <message>
+        <source>%1 reads back other bytes than were written</source>
+        <translation>%1 devuelve otros bytes que los escritos</translation>
+    </message>
+    <message>
+        <source>%1 small patches of worked pixels are left out</source>
+        <translation>se omiten %1 manchas pequeñas de píxeles trabajados</translation>
+    </message>
+    <message>
+        <source>%1 swaths and turns leave the field or cross an obstacle, by up to %2, as this plan allows.</source>
+        <translation>%1 pasadas y giros salen de la parcela o cruzan un obstáculo, hasta %2, como permite este plan.</translation>
+    </message>
+    <message>
+        <source>%1, %2 is no longitude and latitude</source>
+        <translation>%1, %2 no es longitud y latitud</translation>
+    </message>
+    <message>
+        <source>%1, %2 is no longitude and latitude, and the file does not say which coordinate system it uses</source>
+        <translation>%1, %2 no es longitud y latitud, y el archivo no dice qué sistema de coordenadas usa</translation>
+    </message>
+    <message>
+        <source>%1, %2 is outside longitude -180 to 180 and latitude -90 to 90</source>
+        <translation>%1, %2 queda fuera de longitud -180 a 180 y latitud -90 a 90</translation>
+    </message>
+    <message>
+        <source>%1, %2, line %3</source>
+        <translation>%1, %2, línea %3</translation>
+    </message>
+    <message>
+        <source>%1, feature %2</source>
+        <translation>%1, objeto %2</translation>
+    </message>
+    <message>
+        <source>%1, gate %2</source>
+        <translation>%1, entrada %2</translation>
+    </message>
+    <message>
+        <source>%1, hole %2</source>
+        <translation>%1, hueco %2</translation>
+    </message>
+    <message>
+        <source>%1, obstacle %2</source>
+        <translation>%1, obstáculo %2</translation>
+    </message>
+    <message>
+        <source>%1, point %2</source>
+        <translation>%1, punto %2</translation>
+    </message>
+    <message>
+        <source>%1, row %2</source>
+        <translation>%1, fila %2</translation>
+    </message>
+    <message>
+        <source>%1: its machine cannot be used: %2</source>
+        <translation>%1: su máquina no se puede usar: %2</translation>
+    </message>
+    <message>
+        <source>%1: the setting %2 is not used: %3</source>
+        <translation>%1: el ajuste %2 no se usa: %3</translation>
+    </message>
+    <message numerus="yes">
+        <source>%n entries without a shape</source>
+        <translation>
+            <numerusform>%n elemento sin forma</numerusform>
+            <numerusform>%n elementos sin forma</numerusform>
+        </translation>
+    </message>
+    <message numerus="yes">
+        <source>%n fields</source>
+        <translation>
+            <numerusform>%n parcela</numerusform>
+            <numerusform>%n parcelas</numerusform>
+        </translation>
+    </message>
+    <message numerus="yes">
+        <source>%n open lines</source>
+        <translation>
+            <numerusform>%n línea abierta</numerusform>
+            <numerusform>%n líneas abiertas</numerusform>
+        </translation>
+    </message>
+    <message numerus="yes">
+        <source>%n passes</source>
+        <translation>
+            <numerusform>%n pasada</numerusform>
+            <numerusform>%n pasadas</numerusform>
+        </translation>
+    </message>
+    <message numerus="yes">
+        <source>%n pieces</source>
+        <translation>
+            <numerusform>%n trozo</numerusform>
+            <numerusform>%n trozos</numerusform>
+        </translation>
+    </message>
+    <message numerus="yes">
+        <source>%n places</source>
+        <translation>
+            <numerusform>%n lugar</numerusform>
+            <numerusform>%n lugares</numerusform>
+        </translation>
+    </message>
+    <message numerus="yes">
+        <source>%n points</source>
+        <translation>
+            <numerusform>%n punto</numerusform>
+            <numerusform>%n puntos</numerusform>
+        </translation>
+    </message>
+    <message numerus="yes">
+        <source>%n points were given twice and taken once</source>
+        <translation>
+            <numerusform>%n punto estaba repetido y cuenta una vez</numerusform>
+            <numerusform>%n puntos estaban repetidos y cuentan una vez</numerusform>
+        </translation>
+    </message>
+    <message numerus="yes">
+        <source>%n rings did not end where they began and were closed</source>
+        <translation>
+            <numerusform>%n anillo no acababa donde empezó y se ha cerrado</numerusform>
+            <numerusform>%n anillos no acababan donde empezaron y se han cerrado</numerusform>
+        </translation>
+    </message>
+    <message numerus="yes">
+        <source>%n rings ran the wrong way round and were turned</source>
+        <translation>
+            <numerusform>%n anillo iba al revés y se ha invertido</numerusform>
+            <numerusform>%n anillos iban al revés y se han invertido</numerusform>
+        </translation>
+    </message>
+    <message numerus="yes">
+        <source>%n spikes without area were removed</source>
+        <translation>
+            <numerusform>%n pico sin superficie se ha quitado</numerusform>
+            <numerusform>%n picos sin superficie se han quitado</numerusform>
+        </translation>
+    </message>
+    <message numerus="yes">
+        <source>%n turns</source>
+        <translation>
+            <numerusform>%n giro</numerusform>
+            <numerusform>%n giros</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>&apos;%1&apos; is left out: its kind %2 is not known</source>
+        <translation>se omite «%1»: su tipo %2 no se conoce</translation>
+    </message>
+    <message>
+        <source>&apos;%1&apos; is no length</source>
+        <translation>«%1» no es una longitud</translation>
+    </message>
+    <message>
+        <source>&apos;%1&apos; is no local frame</source>
+        <translation>«%1» no es un sistema local</translation>
+    </message>
+    <message>
+        <source>&apos;%1&apos; is not %2</source>
+        <translation>«%1» no es: %2</translation>
+    </message>
+    <message>
+        <source>&apos;%1&apos; is not a line</source>
+        <translation>«%1» no es una línea</translation>
+    </message>
+    <message>
+        <source>&apos;%1&apos; is not well-known text</source>
+        <translation>«%1» no es well-known text</translation>
+    </message>
+    <message>
+        <source>&apos;%1&apos;, &apos;%2&apos; is no latitude and longitude; what it belongs to was left out</source>
+        <translation>«%1», «%2» no es latitud y longitud; se ha omitido lo que le pertenece</translation>
+    </message>
+    <message>
+        <source>&apos;%1&apos;, &apos;%2&apos; is no longitude and latitude</source>
+        <translation>«%1», «%2» no es longitud y latitud</translation>
+    </message>
+    <message>
+        <source>A and B are %1 apart</source>
+        <translation>A y B están a %1 uno de otro</translation>
+    </message>
+    <message>
+        <source>A bulb to both sides; for swaths nearer than two turning radii.</source>
+        <translation>Abombado a ambos lados; para pasadas a menos de dos radios de giro.</translation>
+    </message>
+    <message>
+        <source>A bulb to one side and straight back; for swaths nearer than two turning radii.</source>
+        <translation>Abombado a un lado y vuelta recta; para pasadas a menos de dos radios de giro.</translation>
+    </message>
+    <message>
+        <source>A cell gets a heading of its own where that saves time.</source>
+        <translation>Una subparcela tiene su propia dirección donde eso ahorra tiempo.</translation>
+    </message>
+    <message>
+        <source>A file of lines: planted rows, or the tramlines of a plan.</source>
+        <translation>Un archivo de líneas: hileras plantadas o las calles de pulverización de un plan.</translation>
+    </message>
+    <message>
+        <source>A gate&apos;s name or a point; the first gate where nothing is given.</source>
+        <translation>Nombre de una entrada o un punto; la primera entrada si no se indica nada.</translation>
+    </message>
+    <message>
+        <source>A goal of opennav_coverage has one outline: %1 of %2 parts are left out.</source>
+        <translation>Un objetivo de opennav_coverage tiene un contorno: se omiten %1 de %2 partes.</translation>
+    </message>
+    <message>
+        <source>A headland of %1 may make room (%2 now).</source>
+        <translation>Una cabecera de %1 puede dar sitio (ahora %2).</translation>
+    </message>
+    <message>
+        <source>A raster of heights in metres that covers the field, such as a GeoTIFF.</source>
+        <translation>Un ráster de alturas en metros que cubra la parcela, como un GeoTIFF.</translation>
+    </message>
+    <message>
+        <source>A robot with ROS 2</source>
+        <translation>Un robot con ROS 2</translation>
+    </message>
+    <message>
+        <source>A snake within each cluster of swaths, cluster after cluster.</source>
+        <translation>Una serpiente en cada grupo de pasadas, grupo tras grupo.</translation>
+    </message>
+    <message>
+        <source>A strip of the same width along the boundary and around obstacles, for turning.</source>
+        <translation>Una franja del mismo ancho a lo largo del límite y alrededor de obstáculos, para girar.</translation>
+    </message>
+    <message>
+        <source>A+</source>
+        <translation>A+</translation>
+    </message>
+    <message>
+        <source>AB curve</source>
+        <translation>Curva AB</translation>
+    </message>
+    <message>
+        <source>AB line</source>
+        <translation>Línea AB</translation>
+    </message>
+    <message>
+        <source>Across the slope: beside a line of equal height, and a new one where that no longer fits.</source>
+        <translation>A través de la pendiente: junto a una curva de nivel, y otra nueva donde ya no encaja.</translation>
+    </message>
+    <message>
+        <source>After the mainland</source>
+        <translation>Después del interior</translation>
+    </message>
+    <message>
+        <source>AgBot</source>
+        <translation>AgBot</translation>
+    </message>
+    <message>
+        <source>AgGPS folder</source>
+        <translation>Carpeta AgGPS</translation>
+    </message>
+    <message>
+        <source>AgOpenGPS 6, import of ISOXML</source>
+        <translation>AgOpenGPS 6, importación de ISOXML</translation>
+    </message>
+    <message>
+        <source>AgOpenGPS drives recorded paths forwards only, and this one reverses %1 times: its %2 forward stretches are &apos;Part 01.rec&apos; and so on, RecPath.txt is the first; %3 under 5 m are left out.</source>
+        <translation>AgOpenGPS solo recorre hacia delante, y este recorrido retrocede %1 veces: sus %2 tramos hacia delante son &apos;Part 01.rec&apos;, etc., RecPath.txt es el primero; se omiten %3 de menos de 5 m.</translation>
+    </message>
+    <message>
+        <source>AgOpenGPS field</source>
+        <translation>Parcela de AgOpenGPS</translation>
+    </message>
+    <message>
+        <source>AgOpenGPS keeps one outline to a field: the %1 parts of &apos;%2&apos; are fields of their own, and the whole path is in the first.</source>
+        <translation>AgOpenGPS guarda un contorno por parcela: las %1 partes de «%2» son parcelas propias, y todo el recorrido está en la primera.</translation>
+    </message>
+    <message>
+        <source>AgOpenGPS keeps one outline to a field: the %1 parts of &apos;%2&apos; are fields of their own.</source>
+        <translation>AgOpenGPS guarda un contorno por parcela: las %1 partes de «%2» son parcelas propias.</translation>
+    </message>
+    <message>
+        <source>All swaths along the edge of the boundary that you pick.</source>
+        <translation>Todas las pasadas a lo largo del lado elegido del límite.</translation>
+    </message>
+    <message>
+        <source>All swaths along the longest straight edge of the mainland.</source>
+        <translation>Todas las pasadas a lo largo del lado recto más largo del interior.</translation>
+    </message>
+    <message>
+        <source>All swaths in the direction that you type.</source>
+        <translation>Todas las pasadas en la dirección que se escriba.</translation>
+    </message>
+    <message>
+        <source>Along an edge</source>
+        <translation>A lo largo de un lado</translation>
+    </message>
+    <message>
+        <source>Along rows that are there already, or between them.</source>
+        <translation>Por hileras que ya existen o entre ellas.</translation>
+    </message>
+    <message>
+        <source>Along the boundary</source>
+        <translation>A lo largo del límite</translation>
+    </message>
+    <message>
+        <source>Along the contours</source>
+        <translation>Por las curvas de nivel</translation>
+    </message>
+    <message>
+        <source>Along the direction of travel.</source>
+        <translation>En el sentido de la marcha.</translation>
+    </message>
+    <message>
+        <source>Along the headland</source>
+        <translation>Por la cabecera</translation>
+    </message>
+    <message>
+        <source>Along the line from A to B; one swath lies on it.</source>
+        <translation>A lo largo de la línea de A a B; una pasada va sobre ella.</translation>
+    </message>
+    <message>
+        <source>Along the longest edge</source>
+        <translation>A lo largo del lado más largo</translation>
+    </message>
+    <message>
+        <source>An older ISOBUS terminal</source>
+        <translation>Un terminal ISOBUS más antiguo</translation>
+    </message>
+    <message>
+        <source>Another ISOBUS terminal</source>
+        <translation>Otro terminal ISOBUS</translation>
+    </message>
+    <message>
+        <source>Anywhere</source>
+        <translation>Por todas partes</translation>
+    </message>
+    <message>
+        <source>Arc, straight, arc; for swaths at least two turning radii apart.</source>
+        <translation>Arco, recta, arco; para pasadas separadas al menos dos radios de giro.</translation>
+    </message>
+    <message>
+        <source>As few as possible</source>
+        <translation>Las menos posibles</translation>
+    </message>
+    <message>
+        <source>As few swaths, and so turns, as possible.</source>
+        <translation>Las menos pasadas, y por tanto giros, posibles.</translation>
+    </message>
+    <message>
+        <source>At obstacles</source>
+        <translation>En los obstáculos</translation>
+    </message>
+    <message>
+        <source>At the left edge</source>
+        <translation>En el borde izquierdo</translation>
+    </message>
+    <message>
+        <source>At the right edge</source>
+        <translation>En el borde derecho</translation>
+    </message>
+    <message>
+        <source>At the start of the first swath.</source>
+        <translation>Al comienzo de la primera pasada.</translation>
+    </message>
+    <message>
+        <source>Before the mainland</source>
+        <translation>Antes del interior</translation>
+    </message>
+    <message>
+        <source>Beside a curve of your own, or beside the edges around the one that you pick.</source>
+        <translation>Junto a una curva propia o junto a los lados alrededor del elegido.</translation>
+    </message>
+    <message>
+        <source>Best heading</source>
+        <translation>Mejor dirección</translation>
+    </message>
+    <message>
+        <source>Best of all headings</source>
+        <translation>Mejor de todas</translation>
+    </message>
+    <message>
+        <source>Best that fits</source>
+        <translation>El mejor que cabe</translation>
+    </message>
+    <message>
+        <source>Between the fixed and the steered axle.</source>
+        <translation>Entre el eje fijo y el direccional.</translation>
+    </message>
+    <message>
+        <source>Between the headings that are tried.</source>
+        <translation>Entre las direcciones que se prueban.</translation>
+    </message>
+    <message>
+        <source>Between the rows</source>
+        <translation>Entre las hileras</translation>
+    </message>
+    <message>
+        <source>Boundaries in longitude and latitude.</source>
+        <translation>Límites en longitud y latitud.</translation>
+    </message>
+    <message>
+        <source>Boundaries, also field files of Fields2Cover and GAOS.</source>
+        <translation>Límites, también archivos de Fields2Cover y GAOS.</translation>
+    </message>
+    <message>
+        <source>Boundaries.</source>
+        <translation>Límites de parcela.</translation>
+    </message>
+    <message>
+        <source>Boundary and guidance lines for Trimble and FM displays; no driving order.</source>
+        <translation>Límite y líneas de guiado para pantallas Trimble y FM; sin orden.</translation>
+    </message>
+    <message>
+        <source>Boundary, headland, heading and order; the robot lays swaths and turns itself.</source>
+        <translation>Límite, cabecera, dirección y orden; el robot traza él mismo pasadas y giros.</translation>
+    </message>
+    <message>
+        <source>Boundary, holes, headland, guidance lines, and the whole driven path as a recorded path.</source>
+        <translation>Límite, huecos, cabecera, líneas de guiado y todo el recorrido como recorrido grabado.</translation>
+    </message>
+    <message>
+        <source>Boundary, holes, obstacles and guidance lines for older terminals; no headland, no driving order.</source>
+        <translation>Límite, huecos, obstáculos y líneas de guiado para terminales antiguos; sin cabecera ni orden.</translation>
+    </message>
+    <message>
+        <source>Boundary, holes, obstacles, gates, headland and guidance lines for terminals; no driving order.</source>
+        <translation>Límite, huecos, obstáculos, entradas, cabecera y líneas de guiado para terminales; sin orden.</translation>
+    </message>
+    <message>
+        <source>Boundary, holes, obstacles, headland, swaths and path in metres of the UTM zone.</source>
+        <translation>Límite, huecos, obstáculos, cabecera, pasadas y recorrido en metros de la zona UTM.</translation>
+    </message>
+    <message>
+        <source>Boundary, obstacles, gates, headland, swaths and path, to look at.</source>
+        <translation>Límite, obstáculos, entradas, cabecera, pasadas y recorrido, para verlos.</translation>
+    </message>
+    <message>
+        <source>Boundary, obstacles, gates, headland, swaths, path and findings; for maps and programs.</source>
+        <translation>Límite, obstáculos, entradas, cabecera, pasadas, recorrido y avisos; para mapas y programas.</translation>
+    </message>
+    <message>
+        <source>Boundary, obstacles, gates, mainland, swaths and path as layers for a GIS.</source>
+        <translation>Límite, obstáculos, entradas, interior, pasadas y recorrido como capas para un SIG.</translation>
+    </message>
+    <message>
+        <source>Boundary, obstacles, gates, mainland, swaths and path, a shapefile of each.</source>
+        <translation>Límite, obstáculos, entradas, interior, pasadas y recorrido, un shapefile de cada uno.</translation>
+    </message>
+    <message>
+        <source>Bringing the crop in: headland first, swaths overlap a little.</source>
+        <translation>Recoger la cosecha: cabecera primero, las pasadas se solapan un poco.</translation>
+    </message>
+    <message>
+        <source>CSV table</source>
+        <translation>Tabla CSV</translation>
+    </message>
+    <message>
+        <source>Can reverse</source>
+        <translation>Puede ir marcha atrás</translation>
+    </message>
+    <message>
+        <source>Can turn in place</source>
+        <translation>Puede girar en el sitio</translation>
+    </message>
+    <message>
+        <source>Carried by the tractor, or pulled on a hitch and following its own track.</source>
+        <translation>Suspendido en el tractor, o arrastrado de un enganche con su propia huella.</translation>
+    </message>
+    <message>
+        <source>Cells</source>
+        <translation>Subparcelas</translation>
+    </message>
+    <message>
+        <source>Centre line</source>
+        <translation>Línea central</translation>
+    </message>
+    <message>
+        <source>Check that the machine stays inside the field while it turns.</source>
+        <translation>Comprobar que la máquina no sale de la parcela al girar.</translation>
+    </message>
+    <message>
+        <source>Choose another place.</source>
+        <translation>Elija otro lugar.</translation>
+    </message>
+    <message>
+        <source>Choose forward curves, or a machine that can.</source>
+        <translation>Elija curvas hacia delante o una máquina que pueda.</translation>
+    </message>
+    <message>
+        <source>Choose forward curves.</source>
+        <translation>Elija curvas hacia delante.</translation>
+    </message>
+    <message>
+        <source>Choose wider turns.</source>
+        <translation>Elija giros más amplios.</translation>
+    </message>
+    <message>
+        <source>Circles</source>
+        <translation>Círculos</translation>
+    </message>
+    <message>
+        <source>Clockwise</source>
+        <translation>Sentido horario</translation>
+    </message>
+    <message>
+        <source>Cluster</source>
+        <translation>Grupo</translation>
+    </message>
+    <message>
+        <source>Combine harvester, 7.5 m header</source>
+        <translation>Cosechadora, cabezal de 7,5 m</translation>
+    </message>
+    <message>
+        <source>Corners</source>
+        <translation>Esquinas</translation>
+    </message>
+    <message>
+        <source>Counter-clockwise</source>
+        <translation>Sentido antihorario</translation>
+    </message>
+    <message>
+        <source>Crop protection: headland first, ways along the headland.</source>
+        <translation>Protección del cultivo: cabecera primero, caminos por la cabecera.</translation>
+    </message>
+    <message>
+        <source>Curves are driven with up to %1 sideways; the machine&apos;s limit is less.</source>
+        <translation>Las curvas se toman con hasta %1 lateral; el límite de la máquina es menor.</translation>
+    </message>
+    <message>
+        <source>Curves with reversing</source>
+        <translation>Curvas con marcha atrás</translation>
+    </message>
+    <message>
+        <source>Curves with reversing, smooth steering</source>
+        <translation>Curvas con marcha atrás, dirección suave</translation>
+    </message>
+    <message>
+        <source>Cut along the swaths at every corner.</source>
+        <translation>Dividido a lo largo de las pasadas en cada esquina.</translation>
+    </message>
+    <message>
+        <source>Cut along the swaths where an obstacle or a bay begins or ends.</source>
+        <translation>Dividido a lo largo de las pasadas donde empieza o acaba un obstáculo o un entrante.</translation>
+    </message>
+    <message>
+        <source>Cut where an obstacle or a bay begins or ends, and joined again where one follows on the other.</source>
+        <translation>Dividido donde empieza o acaba un obstáculo o un entrante, y unido de nuevo donde una sigue a otra.</translation>
+    </message>
+    <message>
+        <source>Cutting grass: headland first, swaths overlap a little.</source>
+        <translation>Siega de hierba: cabecera primero, las pasadas se solapan un poco.</translation>
+    </message>
+    <message>
+        <source>DXF drawing</source>
+        <translation>Dibujo DXF</translation>
+    </message>
+    <message>
+        <source>Direction</source>
+        <translation>Dirección</translation>
+    </message>
+    <message>
+        <source>Drawn out until the whole width is covered, as far as there is room.</source>
+        <translation>Se prolonga hasta cubrir todo el ancho, mientras haya sitio.</translation>
+    </message>
+    <message>
+        <source>Drilling or planting: headland last, ways along the headland.</source>
+        <translation>Siembra o plantación: cabecera al final, caminos por la cabecera.</translation>
+    </message>
+    <message>
+        <source>Drive</source>
+        <translation>Circular</translation>
+    </message>
+    <message>
+        <source>Drive along the headland where the crop or the seedbed must not be driven on.</source>
+        <translation>Circule por la cabecera donde no se deba pisar el cultivo o la cama de siembra.</translation>
+    </message>
+    <message>
+        <source>Drive the curves more slowly.</source>
+        <translation>Tome las curvas más despacio.</translation>
+    </message>
+    <message>
+        <source>Drives the path from waypoint to waypoint, rounding corners its own way; relay 1 is on where the implement works. Not tested on the machine by us.</source>
+        <translation>Va de punto en punto y redondea las esquinas a su manera; el relé 1 está activado donde trabaja el apero. No probado por nosotros en la máquina.</translation>
+    </message>
+    <message>
+        <source>Drives the whole path, turns included, as a recorded path; stretches in reverse gear are left to the driver. Shows boundary, headland and guidance lines. Copy the field&apos;s folder to Documents/AgOpenGPS/Fields.</source>
+        <translation>Recorre todo, giros incluidos, como recorrido grabado; los tramos marcha atrás quedan para el conductor. Muestra límite, cabecera y líneas de guiado. Copie la carpeta de la parcela en Documents/AgOpenGPS/Fields.</translation>
+    </message>
+    <message>
+        <source>Each its own</source>
+        <translation>Cada una la suya</translation>
+    </message>
+    <message>
+        <source>Edge</source>
+        <translation>Lado</translation>
+    </message>
+    <message>
+        <source>Edge directions and every tenth of a degree, refined; says when nothing better exists.</source>
+        <translation>Direcciones de lados y cada décima de grado, afinado; dice cuándo no hay nada mejor.</translation>
+    </message>
+    <message>
+        <source>End</source>
+        <translation>Final</translation>
+    </message>
+    <message>
+        <source>Ends</source>
+        <translation>Extremos</translation>
+    </message>
+    <message>
+        <source>Every how many swaths a wider machine will drive again; 0 for none.</source>
+        <translation>Cada cuántas pasadas volverá una máquina más ancha; 0 para ninguna.</translation>
+    </message>
+    <message>
+        <source>Every sample of the path; without a plan boundaries as WKT, or as points.</source>
+        <translation>Cada punto del recorrido; sin plan, límites como WKT o puntos.</translation>
+    </message>
+    <message>
+        <source>Every second swath on the way out, the others on the way back.</source>
+        <translation>Una pasada de cada dos a la ida, las demás a la vuelta.</translation>
+    </message>
+    <message>
+        <source>Every swath after its neighbour, back and forth.</source>
+        <translation>Cada pasada tras su vecina, ida y vuelta.</translation>
+    </message>
+    <message>
+        <source>Fendt One, Vario terminal</source>
+        <translation>Fendt One, Varioterminal</translation>
+    </message>
+    <message>
+        <source>Fertiliser or manure: headland first, ways along the headland.</source>
+        <translation>Abono o purín: cabecera primero, caminos por la cabecera.</translation>
+    </message>
+    <message>
+        <source>Fertiliser spreader, 36 m</source>
+        <translation>Abonadora, 36 m</translation>
+    </message>
+    <message>
+        <source>Fewest swaths</source>
+        <translation>Menos pasadas</translation>
+    </message>
+    <message>
+        <source>Field robot, 1.5 m weeder</source>
+        <translation>Robot de campo, escardador de 1,5 m</translation>
+    </message>
+    <message>
+        <source>Finish corners</source>
+        <translation>Acabar las esquinas</translation>
+    </message>
+    <message>
+        <source>First tramline</source>
+        <translation>Primera calle de pulverización</translation>
+    </message>
+    <message>
+        <source>Fishtail</source>
+        <translation>Giro en cola de pez</translation>
+    </message>
+    <message>
+        <source>Five-furrow mounted plough, 2.5 m</source>
+        <translation>Arado suspendido de cinco cuerpos, 2,5 m</translation>
+    </message>
+    <message>
+        <source>Forward arc, straight back, forward arc; little room for near swaths.</source>
+        <translation>Arco adelante, recto atrás, arco adelante; poco sitio para pasadas cercanas.</translation>
+    </message>
+    <message>
+        <source>Forward curves</source>
+        <translation>Curvas hacia delante</translation>
+    </message>
+    <message>
+        <source>Forward curves, smooth steering</source>
+        <translation>Curvas hacia delante, dirección suave</translation>
+    </message>
+    <message>
+        <source>Forward, back with the wheels the other way, forward again.</source>
+        <translation>Adelante, atrás con las ruedas al otro lado, adelante de nuevo.</translation>
+    </message>
+    <message>
+        <source>Forwards and backwards, the wheels turned no faster than the machine can (clothoids).</source>
+        <translation>Adelante y atrás, sin girar las ruedas más rápido de lo que puede la máquina (clotoides).</translation>
+    </message>
+    <message>
+        <source>From clear of the ground to working depth.</source>
+        <translation>De libre del suelo hasta la profundidad de trabajo.</translation>
+    </message>
+    <message>
+        <source>From inside out</source>
+        <translation>De dentro hacia fuera</translation>
+    </message>
+    <message>
+        <source>From outside in</source>
+        <translation>De fuera hacia dentro</translation>
+    </message>
+    <message>
+        <source>From the boundary to the mainland; holds as many passes as fit.</source>
+        <translation>Del límite al interior de la parcela; contiene tantas pasadas como quepan.</translation>
+    </message>
+    <message>
+        <source>From the fixed axle to the hitch, negative behind the axle.</source>
+        <translation>Del eje fijo al enganche, negativo detrás del eje.</translation>
+    </message>
+    <message>
+        <source>From the fixed axle to the middle of the working parts, negative behind the axle.</source>
+        <translation>Del eje fijo al centro de las partes que trabajan, negativo detrás del eje.</translation>
+    </message>
+    <message>
+        <source>From the fixed axle to the tractor&apos;s rear end.</source>
+        <translation>Del eje fijo al extremo trasero del tractor.</translation>
+    </message>
+    <message>
+        <source>From the tractor&apos;s nose to its rear end.</source>
+        <translation>Del morro del tractor a su extremo trasero.</translation>
+    </message>
+    <message>
+        <source>From working depth to clear of the ground.</source>
+        <translation>De la profundidad de trabajo hasta librar el suelo.</translation>
+    </message>
+    <message>
+        <source>Front and rear mower, 9 m</source>
+        <translation>Segadora frontal y trasera, 9 m</translation>
+    </message>
+    <message>
+        <source>Fuel at work</source>
+        <translation>Combustible trabajando</translation>
+    </message>
+    <message>
+        <source>Fuel in turns</source>
+        <translation>Combustible en giros</translation>
+    </message>
+    <message>
+        <source>Full spacing; the last swath is moved back to the edge.</source>
+        <translation>Separación completa; la última pasada se lleva al borde.</translation>
+    </message>
+    <message>
+        <source>Full spacing; what does not fit stays uncovered, where it costs least.</source>
+        <translation>Separación completa; lo que no cabe queda sin cubrir donde menos cuesta.</translation>
+    </message>
+    <message>
+        <source>Full width</source>
+        <translation>Ancho completo</translation>
+    </message>
+    <message>
+        <source>Gets the whole path as nav_msgs/Path, and stretches in one gear each where it reverses.</source>
+        <translation>Recibe todo el recorrido como nav_msgs/Path, y tramos de una sola marcha donde retrocede.</translation>
+    </message>
+    <message>
+        <source>Given direction</source>
+        <translation>Dirección dada</translation>
+    </message>
+    <message>
+        <source>Great Field</source>
+        <translation>Campo Grande</translation>
+    </message>
+    <message>
+        <source>Half way in</source>
+        <translation>A medio ancho</translation>
+    </message>
+    <message>
+        <source>Halving the step</source>
+        <translation>Paso a la mitad</translation>
+    </message>
+    <message>
+        <source>Harvest</source>
+        <translation>Cosecha</translation>
+    </message>
+    <message>
+        <source>Heading</source>
+        <translation>Dirección de pasadas</translation>
+    </message>
+    <message>
+        <source>Headland</source>
+        <translation>Cabecera</translation>
+    </message>
+    <message>
+        <source>Headland first or last.</source>
+        <translation>Cabecera primero o al final.</translation>
+    </message>
+    <message>
+        <source>Heights</source>
+        <translation>Alturas</translation>
+    </message>
+    <message>
+        <source>Hitch offset</source>
+        <translation>Posición del enganche</translation>
+    </message>
+    <message>
+        <source>Home Field</source>
+        <translation>Campo de Casa</translation>
+    </message>
+    <message>
+        <source>How far a trailed implement may swing to one side.</source>
+        <translation>Cuánto puede girar hacia un lado un apero arrastrado.</translation>
+    </message>
+    <message>
+        <source>How far the steered wheels turn to one side.</source>
+        <translation>Cuánto giran las ruedas direccionales hacia un lado.</translation>
+    </message>
+    <message>
+        <source>How fast the curvature may change along the path; from the steering rate where it is not given.</source>
+        <translation>Con qué rapidez puede cambiar la curvatura a lo largo del recorrido; de la velocidad de dirección si no se da.</translation>
+    </message>
+    <message>
+        <source>How fast the steered wheels turn.</source>
+        <translation>Con qué rapidez giran las ruedas direccionales.</translation>
+    </message>
+    <message>
+        <source>How headland passes get round corners.</source>
+        <translation>Cómo pasan las esquinas las pasadas de cabecera.</translation>
+    </message>
+    <message>
+        <source>How much neighbouring swaths overlap.</source>
+        <translation>Cuánto se solapan las pasadas vecinas.</translation>
+    </message>
+    <message>
+        <source>How the direction of the swaths is found.</source>
+        <translation>Cómo se halla la dirección de pasadas.</translation>
+    </message>
+    <message>
+        <source>How the machine gets from one swath to the next.</source>
+        <translation>Cómo va la máquina de una pasada a la siguiente.</translation>
+    </message>
+    <message>
+        <source>How the mainland is divided; the swaths of a cell are driven together.</source>
+        <translation>Cómo se divide el interior; las pasadas de una subparcela se hacen juntas.</translation>
+    </message>
+    <message>
+        <source>Implement can reverse</source>
+        <translation>El apero admite marcha atrás</translation>
+    </message>
+    <message>
+        <source>Implement length</source>
+        <translation>Longitud del apero</translation>
+    </message>
+    <message>
+        <source>Implement offset</source>
+        <translation>Posición del apero</translation>
+    </message>
+    <message>
+        <source>In WGS84: A and B of a line, a curve, A alone with a direction, or a pivot&apos;s centre.</source>
+        <translation>En WGS84: A y B de una línea, una curva, A solo con una dirección, o el centro de un pívot.</translation>
+    </message>
+    <message>
+        <source>In which order the headland passes are driven.</source>
+        <translation>En qué orden se hacen las pasadas de cabecera.</translation>
+    </message>
+    <message>
+        <source>In which order the swaths are driven.</source>
+        <translation>En qué orden se hacen las pasadas.</translation>
+    </message>
+    <message>
+        <source>Largest acceleration</source>
+        <translation>Aceleración máxima</translation>
+    </message>
+    <message>
+        <source>Largest curvature rate</source>
+        <translation>Variación de curvatura máxima</translation>
+    </message>
+    <message>
+        <source>Largest hitch angle</source>
+        <translation>Ángulo de enganche máximo</translation>
+    </message>
+    <message>
+        <source>Largest lateral acceleration</source>
+        <translation>Aceleración lateral máxima</translation>
+    </message>
+    <message>
+        <source>Largest speed in turns.</source>
+        <translation>Velocidad máxima en los giros.</translation>
+    </message>
+    <message>
+        <source>Largest steering angle</source>
+        <translation>Ángulo de dirección máximo</translation>
+    </message>
+    <message>
+        <source>Last pass</source>
+        <translation>Última pasada</translation>
+    </message>
+    <message>
+        <source>Lateral offset</source>
+        <translation>Desplazamiento lateral</translation>
+    </message>
+    <message>
+        <source>Least overlap</source>
+        <translation>Menos solape</translation>
+    </message>
+    <message>
+        <source>Least time</source>
+        <translation>Menos tiempo</translation>
+    </message>
+    <message>
+        <source>Leaves some swaths out at each turn and comes back for them.</source>
+        <translation>Se salta pasadas en cada giro y vuelve a por ellas.</translation>
+    </message>
+    <message>
+        <source>Left out</source>
+        <translation>Saltadas</translation>
+    </message>
+    <message>
+        <source>Limits the speed in tight bends.</source>
+        <translation>Limita la velocidad en curvas cerradas.</translation>
+    </message>
+    <message>
+        <source>Line</source>
+        <translation>Línea</translation>
+    </message>
+    <message>
+        <source>Lines in WGS84 along which the mainland is cut; they have to run right through it.</source>
+        <translation>Líneas en WGS84 por las que se divide el interior; deben atravesarlo por completo.</translation>
+    </message>
+    <message>
+        <source>Litres of fuel per hour of turns and transfers.</source>
+        <translation>Litros de combustible por hora de giros y traslados.</translation>
+    </message>
+    <message>
+        <source>Litres of fuel per hour of work.</source>
+        <translation>Litros de combustible por hora de trabajo.</translation>
+    </message>
+    <message>
+        <source>Long Strip</source>
+        <translation>Franja Larga</translation>
+    </message>
+    <message>
+        <source>Loop</source>
+        <translation>Bucle</translation>
+    </message>
+    <message>
+        <source>Lower the speeds, or correct the machine&apos;s.</source>
+        <translation>Baje las velocidades o corrija las de la máquina.</translation>
+    </message>
+    <message>
+        <source>MAVLink waypoints</source>
+        <translation>Puntos de paso MAVLink</translation>
+    </message>
+    <message>
+        <source>Make the gate wider, or take another.</source>
+        <translation>Haga la entrada más ancha o use otra.</translation>
+    </message>
+    <message>
+        <source>Make the headland wider, or choose other turns.</source>
+        <translation>Haga la cabecera más ancha o elija otros giros.</translation>
+    </message>
+    <message>
+        <source>Make the headland wider, or choose tighter turns.</source>
+        <translation>Haga la cabecera más ancha o elija giros más cerrados.</translation>
+    </message>
+    <message>
+        <source>Margin</source>
+        <translation>Margen</translation>
+    </message>
+    <message>
+        <source>Most covered</source>
+        <translation>Más superficie</translation>
+    </message>
+    <message>
+        <source>Most terminals read FAT32 only; this stick has %1. Format it as FAT32.</source>
+        <translation>La mayoría de terminales solo leen FAT32; esta memoria tiene %1. Formatéela como FAT32.</translation>
+    </message>
+    <message>
+        <source>Mounted cultivator, 6 m</source>
+        <translation>Cultivador suspendido, 6 m</translation>
+    </message>
+    <message>
+        <source>Mounted drill, 12 m</source>
+        <translation>Sembradora suspendida, 12 m</translation>
+    </message>
+    <message>
+        <source>Mounting</source>
+        <translation>Enganche</translation>
+    </message>
+    <message>
+        <source>Mowing</source>
+        <translation>Siega</translation>
+    </message>
+    <message>
+        <source>Name</source>
+        <translation>Nombre</translation>
+    </message>
+    <message>
+        <source>No headland</source>
+        <translation>Sin cabecera</translation>
+    </message>
+    <message>
+        <source>Nothing leads to the start of %1, %2 away.</source>
+        <translation>Nada lleva al comienzo, a %2: %1.</translation>
+    </message>
+    <message>
+        <source>Number of the boundary&apos;s edge, from 0 in the order of its points; for curves with all around it up to a corner of 35 degrees within a width, or a bend of 90 in all.</source>
+        <translation>Número del lado del límite, desde 0 en el orden de sus puntos; en curvas con todos los contiguos hasta una esquina de 35 grados en un ancho, o una curva de 90 en total.</translation>
+    </message>
+    <message>
+        <source>Of the four corners and both ways the one with the quickest turns.</source>
+        <translation>De las cuatro esquinas y los dos sentidos, la de giros más rápidos.</translation>
+    </message>
+    <message>
+        <source>Of the middle of the operating width, positive to the left.</source>
+        <translation>Del centro del ancho de trabajo, positivo a la izquierda.</translation>
+    </message>
+    <message>
+        <source>Of the swaths.</source>
+        <translation>De las pasadas.</translation>
+    </message>
+    <message>
+        <source>Off: the strip is kept for turning only.</source>
+        <translation>No: la franja solo sirve para girar.</translation>
+    </message>
+    <message>
+        <source>Omega turn</source>
+        <translation>Giro en omega</translation>
+    </message>
+    <message>
+        <source>On the rows</source>
+        <translation>Sobre las hileras</translation>
+    </message>
+    <message>
+        <source>On the rows, or between them.</source>
+        <translation>Sobre las hileras o entre ellas.</translation>
+    </message>
+    <message>
+        <source>On the spot</source>
+        <translation>En el sitio</translation>
+    </message>
+    <message>
+        <source>One for all</source>
+        <translation>Una para todas</translation>
+    </message>
+    <message>
+        <source>One piece</source>
+        <translation>De una pieza</translation>
+    </message>
+    <message>
+        <source>Operating width</source>
+        <translation>Ancho de trabajo</translation>
+    </message>
+    <message>
+        <source>Operation</source>
+        <translation>Operación</translation>
+    </message>
+    <message>
+        <source>Orchard tractor with 1.5 m sprayer</source>
+        <translation>Tractor frutero con pulverizador de 1,5 m</translation>
+    </message>
+    <message>
+        <source>Order</source>
+        <translation>Orden</translation>
+    </message>
+    <message>
+        <source>Overlap</source>
+        <translation>Solape</translation>
+    </message>
+    <message>
+        <source>Overlaps its neighbour</source>
+        <translation>Se solapa con la vecina</translation>
+    </message>
+    <message>
+        <source>P turn</source>
+        <translation>Giro en P</translation>
+    </message>
+    <message>
+        <source>Passes</source>
+        <translation>Pasadas</translation>
+    </message>
+    <message>
+        <source>Plan again with this machine&apos;s turning radius.</source>
+        <translation>Planifique de nuevo con el radio de giro de esta máquina.</translation>
+    </message>
+    <message>
+        <source>Plan again, or trust the positions.</source>
+        <translation>Planifique de nuevo o confíe en las posiciones.</translation>
+    </message>
+    <message>
+        <source>Plan again; the heading or the gear is wrong here.</source>
+        <translation>Planifique de nuevo; el rumbo o la marcha no es correcta aquí.</translation>
+    </message>
+    <message>
+        <source>Plan again; the path lacks this pass.</source>
+        <translation>Planifique de nuevo; falta esta pasada en el recorrido.</translation>
+    </message>
+    <message>
+        <source>Plan again; the path was changed or cut here.</source>
+        <translation>Planifique de nuevo; el recorrido se cambió o se cortó aquí.</translation>
+    </message>
+    <message>
+        <source>Plan again; the times were changed.</source>
+        <translation>Planifique de nuevo; se cambiaron los tiempos.</translation>
+    </message>
+    <message>
+        <source>Plan the turn that is missing here.</source>
+        <translation>Planifique el giro que falta aquí.</translation>
+    </message>
+    <message>
+        <source>Power harrow and drill, 3 m</source>
+        <translation>Grada rotativa y sembradora, 3 m</translation>
+    </message>
+    <message>
+        <source>Prefer</source>
+        <translation>Preferir</translation>
+    </message>
+    <message>
+        <source>Protobuf message</source>
+        <translation>Mensaje Protobuf</translation>
+    </message>
+    <message>
+        <source>QGroundControl plan</source>
+        <translation>Plan de QGroundControl</translation>
+    </message>
+    <message>
+        <source>Racetrack</source>
+        <translation>Circuito</translation>
+    </message>
+    <message>
+        <source>Raised width</source>
+        <translation>Ancho levantado</translation>
+    </message>
+    <message>
+        <source>Rate</source>
+        <translation>Dosis</translation>
+    </message>
+    <message>
+        <source>Rear overhang</source>
+        <translation>Voladizo trasero</translation>
+    </message>
+    <message>
+        <source>Recorded path</source>
+        <translation>Recorrido grabado</translation>
+    </message>
+    <message>
+        <source>Relay 1 is on where the implement works.</source>
+        <translation>El relé 1 está activado donde trabaja el apero.</translation>
+    </message>
+    <message>
+        <source>Repaired in %1: %2.</source>
+        <translation>Reparado (%1): %2.</translation>
+    </message>
+    <message>
+        <source>Reverse</source>
+        <translation>Marcha atrás</translation>
+    </message>
+    <message>
+        <source>Reverse speed</source>
+        <translation>Velocidad marcha atrás</translation>
+    </message>
+    <message>
+        <source>Round and round the centre of a pivot, from the rim inwards.</source>
+        <translation>Alrededor del centro de un pívot, del borde hacia dentro.</translation>
+    </message>
+    <message>
+        <source>Round and round, with half of the swaths between the way out and the way back.</source>
+        <translation>En redondo, con la mitad de las pasadas entre la ida y la vuelta.</translation>
+    </message>
+    <message>
+        <source>Round the field</source>
+        <translation>Alrededor de la parcela</translation>
+    </message>
+    <message>
+        <source>Rounded</source>
+        <translation>Redondeado</translation>
+    </message>
+    <message>
+        <source>Route</source>
+        <translation>Ruta</translation>
+    </message>
+    <message>
+        <source>Rows</source>
+        <translation>Hileras</translation>
+    </message>
+    <message>
+        <source>Rows that are left out, numbered from 1 as in the file; between rows, that on the right.</source>
+        <translation>Hileras que se omiten, desde 1 como en el archivo; entre hileras, la de la derecha.</translation>
+    </message>
+    <message>
+        <source>Run-in</source>
+        <translation>Carrera de entrada</translation>
+    </message>
+    <message>
+        <source>Same width all round</source>
+        <translation>Mismo ancho alrededor</translation>
+    </message>
+    <message>
+        <source>Seen from above, turning left at corners.</source>
+        <translation>Visto desde arriba, girando a la izquierda en las esquinas.</translation>
+    </message>
+    <message>
+        <source>Seen from above, turning right at corners.</source>
+        <translation>Visto desde arriba, girando a la derecha en las esquinas.</translation>
+    </message>
+    <message>
+        <source>Short name for the command line.</source>
+        <translation>Nombre corto para la línea de órdenes.</translation>
+    </message>
+    <message>
+        <source>Short passes where corners would leave more than 1 % of the field.</source>
+        <translation>Pasadas cortas donde las esquinas dejarían más del 1 % de la parcela.</translation>
+    </message>
+    <message>
+        <source>Shortest swaths</source>
+        <translation>Pasadas más cortas</translation>
+    </message>
+    <message>
+        <source>Shows the boundary and the guidance lines; it plans turns and order itself. Not tested on the machine by us.</source>
+        <translation>Muestra el límite y las líneas de guiado; planifica él mismo giros y orden. No probado por nosotros en la máquina.</translation>
+    </message>
+    <message>
+        <source>Shows the boundary with holes and obstacles and the guidance lines; it plans turns and order itself. The import may have to be unlocked. Not tested on the machine by us.</source>
+        <translation>Muestra el límite con huecos y obstáculos y las líneas de guiado; planifica él mismo giros y orden. Puede que haya que desbloquear la importación. No probado por nosotros en la máquina.</translation>
+    </message>
+    <message>
+        <source>Shows the boundary with holes and obstacles, the headland where the terminal knows it, and the guidance lines; it plans turns and order itself. The import may have to be unlocked. Not tested on the machine by us.</source>
+        <translation>Muestra el límite con huecos y obstáculos, la cabecera si el terminal la conoce, y las líneas de guiado; planifica él mismo giros y orden. Puede que haya que desbloquear la importación. No probado por nosotros en la máquina.</translation>
+    </message>
+    <message>
+        <source>Shows the boundary, its holes, the headland and the guidance lines, not the path. Holes are written as obstacles, since it overlooks others.</source>
+        <translation>Muestra el límite, sus huecos, la cabecera y las líneas de guiado, no el recorrido. Los huecos se escriben como obstáculos, pues pasa por alto los demás.</translation>
+    </message>
+    <message>
+        <source>Shows the path as a mission, and the boundary and obstacles as fences. Not tested on the machine by us.</source>
+        <translation>Muestra el recorrido como misión, y el límite y los obstáculos como vallas. No probado por nosotros en la máquina.</translation>
+    </message>
+    <message>
+        <source>Six directions, then ever finer around the best three (Oksanen &amp; Visala).</source>
+        <translation>Seis direcciones, luego cada vez más fino alrededor de las tres mejores (Oksanen &amp; Visala).</translation>
+    </message>
+    <message>
+        <source>Six-row planter, 4.5 m</source>
+        <translation>Plantadora de seis hileras, 4,5 m</translation>
+    </message>
+    <message>
+        <source>Skip</source>
+        <translation>Saltar</translation>
+    </message>
+    <message>
+        <source>Skip and fill</source>
+        <translation>Saltar y rellenar</translation>
+    </message>
+    <message>
+        <source>Slanted Field</source>
+        <translation>Campo Oblicuo</translation>
+    </message>
+    <message>
+        <source>Slow down or stop there to steer, or choose turns with continuous curvature.</source>
+        <translation>Reduzca o pare ahí para girar la dirección, o elija giros de curvatura continua.</translation>
+    </message>
+    <message>
+        <source>Slurry tanker, 15 m trailing shoe</source>
+        <translation>Cisterna de purín, patines de 15 m</translation>
+    </message>
+    <message>
+        <source>Smallest circle the middle of the fixed axle can follow; from the steering angle where it is not given.</source>
+        <translation>El círculo más pequeño que sigue el centro del eje fijo; del ángulo de dirección si no se da.</translation>
+    </message>
+    <message>
+        <source>Smallest turning radius</source>
+        <translation>Radio de giro mínimo</translation>
+    </message>
+    <message>
+        <source>Snake</source>
+        <translation>Serpiente</translation>
+    </message>
+    <message>
+        <source>So that the wide machine begins flush with the left edge, or beside the line that was given.</source>
+        <translation>Para que la máquina ancha empiece a ras del borde izquierdo o junto a la línea dada.</translation>
+    </message>
+    <message>
+        <source>Sowing</source>
+        <translation>Siembra</translation>
+    </message>
+    <message>
+        <source>Speed backwards.</source>
+        <translation>Velocidad hacia atrás.</translation>
+    </message>
+    <message>
+        <source>Speed on longer ways with the implement lifted.</source>
+        <translation>Velocidad en caminos largos con el apero levantado.</translation>
+    </message>
+    <message>
+        <source>Speed with the implement at work.</source>
+        <translation>Velocidad con el apero trabajando.</translation>
+    </message>
+    <message>
+        <source>Spiral in clusters</source>
+        <translation>Espiral por grupos</translation>
+    </message>
+    <message>
+        <source>Split lines</source>
+        <translation>Líneas de división</translation>
+    </message>
+    <message>
+        <source>Spraying</source>
+        <translation>Pulverización</translation>
+    </message>
+    <message>
+        <source>Spread over all</source>
+        <translation>Repartido entre todas</translation>
+    </message>
+    <message>
+        <source>Spreading</source>
+        <translation>Abonado</translation>
+    </message>
+    <message>
+        <source>Start</source>
+        <translation>Comienzo</translation>
+    </message>
+    <message>
+        <source>Start at</source>
+        <translation>Empezar en</translation>
+    </message>
+    <message>
+        <source>Stay inside</source>
+        <translation>Quedarse dentro</translation>
+    </message>
+    <message>
+        <source>Steering rate</source>
+        <translation>Velocidad de dirección</translation>
+    </message>
+    <message>
+        <source>Step</source>
+        <translation>Paso</translation>
+    </message>
+    <message>
+        <source>Straight into the corner and back into it on the next side.</source>
+        <translation>Recto hasta la esquina y marcha atrás en el lado siguiente.</translation>
+    </message>
+    <message>
+        <source>Straight into the corner and on after a loop, where there is room for it.</source>
+        <translation>Recto hasta la esquina y, tras un bucle, adelante, donde haya sitio.</translation>
+    </message>
+    <message>
+        <source>Straight way needed before the implement is lowered.</source>
+        <translation>Camino recto necesario antes de bajar el apero.</translation>
+    </message>
+    <message>
+        <source>Swath after swath over all of the mainland, whatever cuts them.</source>
+        <translation>Pasada tras pasada por todo el interior, corte lo que corte.</translation>
+    </message>
+    <message>
+        <source>Swath numbers in driving order; a minus drives one the other way.</source>
+        <translation>Números de pasada en orden; un menos hace una al revés.</translation>
+    </message>
+    <message>
+        <source>Swaths</source>
+        <translation>Pasadas</translation>
+    </message>
+    <message>
+        <source>Swaths go on from cell to cell.</source>
+        <translation>Las pasadas siguen de una subparcela a otra.</translation>
+    </message>
+    <message>
+        <source>Swaths left out at each turn and driven on the way back.</source>
+        <translation>Pasadas que se saltan en cada giro y se hacen a la vuelta.</translation>
+    </message>
+    <message>
+        <source>Swaths reach to the boundary; for fields with room to turn outside.</source>
+        <translation>Las pasadas llegan al límite; para parcelas con sitio para girar fuera.</translation>
+    </message>
+    <message>
+        <source>Swaths that are finished together.</source>
+        <translation>Pasadas que se terminan juntas.</translation>
+    </message>
+    <message>
+        <source>Switch &quot;Stay inside&quot; on to keep them inside.</source>
+        <translation>Active «Quedarse dentro» para que no salgan.</translation>
+    </message>
+    <message>
+        <source>Takes the boundary only, as an upload from a computer; no guidance lines, no path.</source>
+        <translation>Solo toma el límite, subido desde un ordenador; sin líneas de guiado ni recorrido.</translation>
+    </message>
+    <message>
+        <source>Tank or bunker</source>
+        <translation>Depósito o tolva</translation>
+    </message>
+    <message>
+        <source>Terminals may refuse the task data: %1.</source>
+        <translation>Los terminales pueden rechazar los datos de tarea: %1.</translation>
+    </message>
+    <message>
+        <source>The Bend</source>
+        <translation>La Curva</translation>
+    </message>
+    <message>
+        <source>The best corner</source>
+        <translation>La mejor esquina</translation>
+    </message>
+    <message>
+        <source>The boundary alone as a flat zipped shapefile, as operations centres take it.</source>
+        <translation>Solo el límite como shapefile comprimido plano, como lo aceptan los centros de operaciones.</translation>
+    </message>
+    <message>
+        <source>The corner where the route starts.</source>
+        <translation>La esquina donde empieza la ruta.</translation>
+    </message>
+    <message>
+        <source>The field bends inwards here: try another direction of the swaths.</source>
+        <translation>La parcela entra aquí hacia dentro: pruebe otra dirección de pasadas.</translation>
+    </message>
+    <message>
+        <source>The field is too narrow for %1 of headland; it is %2 with %3</source>
+        <translation>La parcela es demasiado estrecha para %1 de cabecera; tiene %2 con %3</translation>
+    </message>
+    <message>
+        <source>The field is too narrow for %1 of headland; there is none</source>
+        <translation>La parcela es demasiado estrecha para %1 de cabecera; no hay ninguna</translation>
+    </message>
+    <message>
+        <source>The field is too narrow for this machine to turn in: turn outside, or take a smaller machine.</source>
+        <translation>La parcela es demasiado estrecha para girar con esta máquina: gire fuera o use una máquina menor.</translation>
+    </message>
+    <message>
+        <source>The first swath</source>
+        <translation>La primera pasada</translation>
+    </message>
+    <message>
+        <source>The first swath on the left is one, or the line that was given.</source>
+        <translation>Lo es la primera pasada de la izquierda o la línea dada.</translation>
+    </message>
+    <message>
+        <source>The first swath on the right is one, or the line that was given.</source>
+        <translation>Lo es la primera pasada de la derecha o la línea dada.</translation>
+    </message>
+    <message>
+        <source>The headland is worked first.</source>
+        <translation>La cabecera se trabaja primero.</translation>
+    </message>
+    <message>
+        <source>The headland is worked last.</source>
+        <translation>La cabecera se trabaja al final.</translation>
+    </message>
+    <message>
+        <source>The headland strip, %1, is not worked by this plan, nor are %2 at the ends of the swaths beside it.</source>
+        <translation>La franja de cabecera, %1, no se trabaja en este plan, ni %2 en los extremos de las pasadas contiguas.</translation>
+    </message>
+    <message>
+        <source>The headland strip, %1, is not worked by this plan.</source>
+        <translation>La franja de cabecera, %1, no se trabaja en este plan.</translation>
+    </message>
+    <message>
+        <source>The hitch bends by %1 in %2; %3 are allowed.</source>
+        <translation>El enganche se dobla %1 en %2; se permiten %3.</translation>
+    </message>
+    <message>
+        <source>The largest covered share of the mainland.</source>
+        <translation>La mayor parte trabajada del interior.</translation>
+    </message>
+    <message>
+        <source>The least metres driven in swaths.</source>
+        <translation>Los menos metros recorridos en pasadas.</translation>
+    </message>
+    <message>
+        <source>The machine does not get in at %1.</source>
+        <translation>La máquina no puede entrar por aquí: %1.</translation>
+    </message>
+    <message>
+        <source>The machine does not get out at %1.</source>
+        <translation>La máquina no puede salir por aquí: %1.</translation>
+    </message>
+    <message>
+        <source>The machine drives half way between two neighbours.</source>
+        <translation>La máquina va a medio camino entre dos vecinas.</translation>
+    </message>
+    <message>
+        <source>The machine drives over them.</source>
+        <translation>La máquina pasa sobre ellas.</translation>
+    </message>
+    <message>
+        <source>The machine turns on the spot in %1, by up to %2.</source>
+        <translation>La máquina gira en el sitio en %1, hasta %2.</translation>
+    </message>
+    <message>
+        <source>The machine turns on the spot in %1, by up to %2; it cannot.</source>
+        <translation>La máquina gira en el sitio en %1, hasta %2; no puede hacerlo.</translation>
+    </message>
+    <message>
+        <source>The mission has %1 items; controllers without a memory card hold about %2.</source>
+        <translation>La misión tiene %1 elementos; los controladores sin tarjeta admiten unos %2.</translation>
+    </message>
+    <message>
+        <source>The outermost pass goes round with the machine&apos;s radius where little is left; others reach into corners.</source>
+        <translation>La pasada exterior va con el radio de la máquina donde queda poco; las demás entran en las esquinas.</translation>
+    </message>
+    <message>
+        <source>The pass along the boundary first.</source>
+        <translation>Primero la pasada junto al límite.</translation>
+    </message>
+    <message>
+        <source>The pass along the mainland first.</source>
+        <translation>Primero la pasada junto al interior.</translation>
+    </message>
+    <message>
+        <source>The path as a mission for ArduPilot Rover: waypoints, speeds, gear, implement.</source>
+        <translation>El recorrido como misión para ArduPilot Rover: puntos, velocidades, marcha, apero.</translation>
+    </message>
+    <message>
+        <source>The path as a track, swath ends as a route, gates as waypoints; for phones.</source>
+        <translation>El recorrido como track, extremos de pasadas como ruta, entradas como puntos; para teléfonos.</translation>
+    </message>
+    <message>
+        <source>The path as nav_msgs/Path in a recording of ROS 2.</source>
+        <translation>El recorrido como nav_msgs/Path en una grabación de ROS 2.</translation>
+    </message>
+    <message>
+        <source>The path as one message for ros2 topic pub.</source>
+        <translation>El recorrido como un mensaje para ros2 topic pub.</translation>
+    </message>
+    <message>
+        <source>The path with times, velocities and orientations, and the boundary as a fence; for own robots.</source>
+        <translation>El recorrido con tiempos, velocidades y orientaciones, y el límite como valla; para robots propios.</translation>
+    </message>
+    <message>
+        <source>The quickest turn of any kind that stays inside the field, in several moves where it must.</source>
+        <translation>El giro más rápido de cualquier tipo que no sale de la parcela, en varias maniobras si hace falta.</translation>
+    </message>
+    <message>
+        <source>The same as KML, zipped.</source>
+        <translation>Lo mismo que KML, comprimido.</translation>
+    </message>
+    <message>
+        <source>The same mission with the boundary and obstacles as fences.</source>
+        <translation>La misma misión con el límite y los obstáculos como vallas.</translation>
+    </message>
+    <message>
+        <source>The shortest curve forwards and backwards, at the smallest turning radius (Reeds and Shepp).</source>
+        <translation>La curva más corta adelante y atrás, con el menor radio de giro (Reeds y Shepp).</translation>
+    </message>
+    <message>
+        <source>The shortest curve without reversing, at the smallest turning radius (Dubins).</source>
+        <translation>La curva más corta sin marcha atrás, con el menor radio de giro (Dubins).</translation>
+    </message>
+    <message>
+        <source>The shortest time in swaths and turns.</source>
+        <translation>El menor tiempo en pasadas y giros.</translation>
+    </message>
+    <message>
+        <source>The smallest area worked twice.</source>
+        <translation>La menor superficie trabajada dos veces.</translation>
+    </message>
+    <message>
+        <source>The spacing is reduced evenly so that all fit.</source>
+        <translation>La separación se reduce por igual para que quepan todas.</translation>
+    </message>
+    <message>
+        <source>The stated curvature differs from the path in %1, by up to %2 1/m.</source>
+        <translation>La curvatura indicada difiere del recorrido en %1, hasta %2 1/m.</translation>
+    </message>
+    <message>
+        <source>The stated speed is up to %1 above the machine&apos;s.</source>
+        <translation>La velocidad indicada supera hasta en %1 la de la máquina.</translation>
+    </message>
+    <message>
+        <source>The steering has to turn faster than this machine can in %1.</source>
+        <translation>Hay que girar la dirección más rápido de lo que puede esta máquina en %1.</translation>
+    </message>
+    <message>
+        <source>The strip kept for turning.</source>
+        <translation>La franja que se deja para girar.</translation>
+    </message>
+    <message>
+        <source>The swaths in the order and direction that you type.</source>
+        <translation>Las pasadas en el orden y sentido que se escriba.</translation>
+    </message>
+    <message>
+        <source>The table holds boundaries only: obstacles, gates and lines are left out.</source>
+        <translation>La tabla solo contiene límites: se omiten obstáculos, entradas y líneas.</translation>
+    </message>
+    <message>
+        <source>The task data has %1 MB; old terminals take at most 2 MB.</source>
+        <translation>Los datos de tarea ocupan %1 MB; los terminales antiguos admiten 2 MB como mucho.</translation>
+    </message>
+    <message>
+        <source>The tractor may drive backwards with it.</source>
+        <translation>El tractor puede ir marcha atrás con él.</translation>
+    </message>
+    <message>
+        <source>The tractor may drive backwards.</source>
+        <translation>El tractor puede ir marcha atrás.</translation>
+    </message>
+    <message>
+        <source>The tractor may turn about its own middle.</source>
+        <translation>El tractor puede girar sobre su centro.</translation>
+    </message>
+    <message>
+        <source>The way from %1 to %2</source>
+        <translation>El camino %1 → %2</translation>
+    </message>
+    <message>
+        <source>This machine cannot turn on the spot.</source>
+        <translation>Esta máquina no puede girar en el sitio.</translation>
+    </message>
+    <message>
+        <source>This stick has %1 partitions; terminals see the first one only, if any.</source>
+        <translation>Esta memoria tiene %1 particiones; los terminales ven la primera, si acaso.</translation>
+    </message>
+    <message>
+        <source>Three Ponds</source>
+        <translation>Tres Charcas</translation>
+    </message>
+    <message>
+        <source>Three-point turn</source>
+        <translation>Giro en tres puntos</translation>
+    </message>
+    <message>
+        <source>Through point A in the direction that you type.</source>
+        <translation>Por el punto A en la dirección que se escriba.</translation>
+    </message>
+    <message>
+        <source>Tillage</source>
+        <translation>Laboreo</translation>
+    </message>
+    <message>
+        <source>Time and way do not fit the speed in %1.</source>
+        <translation>El tiempo y el camino no cuadran con la velocidad en %1.</translation>
+    </message>
+    <message>
+        <source>Time to lift</source>
+        <translation>Tiempo para levantar</translation>
+    </message>
+    <message>
+        <source>Time to lower</source>
+        <translation>Tiempo para bajar</translation>
+    </message>
+    <message>
+        <source>To and fro</source>
+        <translation>Ida y vuelta</translation>
+    </message>
+    <message>
+        <source>Trailed sprayer, 24 m boom</source>
+        <translation>Pulverizador arrastrado, barra de 24 m</translation>
+    </message>
+    <message>
+        <source>Tramline every</source>
+        <translation>Calle de pulverización cada</translation>
+    </message>
+    <message>
+        <source>Transfer speed</source>
+        <translation>Velocidad de traslado</translation>
+    </message>
+    <message>
+        <source>Trapezoids</source>
+        <translation>Trapecios</translation>
+    </message>
+    <message>
+        <source>Tries every heading in steps and keeps the best (the paper&apos;s search).</source>
+        <translation>Prueba todas las direcciones por pasos y se queda con la mejor (la búsqueda del artículo).</translation>
+    </message>
+    <message>
+        <source>Try another direction of the swaths, or let the last pass overlap.</source>
+        <translation>Pruebe otra dirección de pasadas o deje que la última se solape.</translation>
+    </message>
+    <message>
+        <source>Try another direction of the swaths, or plan the sides of the obstacle apart.</source>
+        <translation>Pruebe otra dirección de pasadas o planifique por separado los lados del obstáculo.</translation>
+    </message>
+    <message>
+        <source>Turn</source>
+        <translation>Giro</translation>
+    </message>
+    <message>
+        <source>Turning speed</source>
+        <translation>Velocidad de giro</translation>
+    </message>
+    <message>
+        <source>Turns</source>
+        <translation>Giros</translation>
+    </message>
+    <message>
+        <source>Turns in place and drives straight to the next swath; only for machines that can.</source>
+        <translation>Gira en el sitio y va recto a la pasada siguiente; solo para máquinas que pueden.</translation>
+    </message>
+    <message>
+        <source>U turn</source>
+        <translation>Giro en U</translation>
+    </message>
+    <message>
+        <source>Vehicle length</source>
+        <translation>Longitud del vehículo</translation>
+    </message>
+    <message>
+        <source>Vehicle width</source>
+        <translation>Ancho del vehículo</translation>
+    </message>
+    <message>
+        <source>Ways</source>
+        <translation>Caminos</translation>
+    </message>
+    <message>
+        <source>Ways keep to the field&apos;s edge.</source>
+        <translation>Los caminos siguen el borde de la parcela.</translation>
+    </message>
+    <message>
+        <source>Ways keep to the headland; crop and seedbed are not driven over.</source>
+        <translation>Los caminos siguen la cabecera; no se pisan el cultivo ni la cama de siembra.</translation>
+    </message>
+    <message>
+        <source>Ways may cross the mainland.</source>
+        <translation>Los caminos pueden cruzar el interior.</translation>
+    </message>
+    <message>
+        <source>Well-known text</source>
+        <translation>Well-known text</translation>
+    </message>
+    <message>
+        <source>What becomes of the width that is left over at the far side.</source>
+        <translation>Qué pasa con el ancho que sobra en el otro lado.</translation>
+    </message>
+    <message>
+        <source>What everything keeps from the boundary; auto is the boundary&apos;s accuracy.</source>
+        <translation>Lo que todo guarda hasta el límite; auto es la precisión del límite.</translation>
+    </message>
+    <message>
+        <source>What is spread or gathered on a square metre, in the same unit.</source>
+        <translation>Lo que se reparte o recoge en un metro cuadrado, en la misma unidad.</translation>
+    </message>
+    <message>
+        <source>What it holds, in your own unit: litres, kilograms, seeds.</source>
+        <translation>Lo que cabe, en su propia unidad: litros, kilos, semillas.</translation>
+    </message>
+    <message>
+        <source>What the field is driven over for: sets when the headland is worked, ways and overlap.</source>
+        <translation>Para qué se entra: fija cuándo se trabaja la cabecera, los caminos y el solape.</translation>
+    </message>
+    <message>
+        <source>What the machine is called.</source>
+        <translation>Cómo se llama la máquina.</translation>
+    </message>
+    <message>
+        <source>What the search for the best heading looks for.</source>
+        <translation>Qué busca la búsqueda de la mejor dirección.</translation>
+    </message>
+    <message>
+        <source>Wheelbase</source>
+        <translation>Batalla</translation>
+    </message>
+    <message>
+        <source>When</source>
+        <translation>Cuándo</translation>
+    </message>
+    <message>
+        <source>When speeding up and when braking.</source>
+        <translation>Al acelerar y al frenar.</translation>
+    </message>
+    <message>
+        <source>Where a swath ends at a slanting edge.</source>
+        <translation>Dónde acaba una pasada en un borde oblicuo.</translation>
+    </message>
+    <message>
+        <source>Where the machine may drive from swath to swath; follows from the operation.</source>
+        <translation>Por dónde puede ir la máquina de pasada a pasada; depende de la operación.</translation>
+    </message>
+    <message>
+        <source>Where the middle of the swath meets the mainland&apos;s edge.</source>
+        <translation>Donde el centro de la pasada toca el borde del interior.</translation>
+    </message>
+    <message>
+        <source>Where tramlines are counted from.</source>
+        <translation>Desde dónde se cuentan las calles de pulverización.</translation>
+    </message>
+    <message>
+        <source>Whether cells have a heading of their own.</source>
+        <translation>Si las subparcelas tienen su propia dirección.</translation>
+    </message>
+    <message>
+        <source>Which way round the headland passes are driven.</source>
+        <translation>En qué sentido se hacen las pasadas de cabecera.</translation>
+    </message>
+    <message>
+        <source>Width</source>
+        <translation>Ancho</translation>
+    </message>
+    <message>
+        <source>Width in operating widths; auto leaves room for the turns.</source>
+        <translation>Ancho en anchos de trabajo; auto deja sitio para los giros.</translation>
+    </message>
+    <message>
+        <source>Width the tractor occupies, wheels included.</source>
+        <translation>Ancho que ocupa el tractor, ruedas incluidas.</translation>
+    </message>
+    <message>
+        <source>Width while lifted or folded for a turn; the operating width where it is not given.</source>
+        <translation>Ancho levantado o plegado para un giro; el ancho de trabajo si no se da.</translation>
+    </message>
+    <message>
+        <source>Width worked in one pass.</source>
+        <translation>Ancho trabajado en una pasada.</translation>
+    </message>
+    <message>
+        <source>With the implement up, %1 are driven over worked land and %2 over land that is worked later; %3 is the longest.</source>
+        <translation>Con el apero levantado se pasa %1 sobre suelo trabajado y %2 sobre suelo que se trabaja después; lo más largo es %3.</translation>
+    </message>
+    <message>
+        <source>Without reversing, the wheels turned no faster than the machine can (clothoids).</source>
+        <translation>Sin marcha atrás, sin girar las ruedas más rápido de lo que puede la máquina (clotoides).</translation>
+    </message>
+    <message>
+        <source>Work it along the boundary, before or after the swaths.</source>
+        <translation>Trabájela a lo largo del límite, antes o después de las pasadas.</translation>
+    </message>
+    <message>
+        <source>Work the headland</source>
+        <translation>Trabajar la cabecera</translation>
+    </message>
+    <message>
+        <source>Working speed</source>
+        <translation>Velocidad de trabajo</translation>
+    </message>
+    <message>
+        <source>Working the soil: the mainland may be crossed.</source>
+        <translation>Labor del suelo: se puede cruzar el interior.</translation>
+    </message>
+    <message>
+        <source>Your own order</source>
+        <translation>Orden propio</translation>
+    </message>
+    <message>
+        <source>Zipped boundary</source>
+        <translation>Límite comprimido</translation>
+    </message>
+    <message>
+        <source>a coordinate is not a number</source>
+        <translation>una coordenada no es un número</translation>
+    </message>
+    <message>
+        <source>a curve needs at least two points that differ</source>
+        <translation>una curva necesita al menos dos puntos distintos</translation>
+    </message>
+    <message>
+        <source>a drawing does not say which coordinate system it uses</source>
+        <translation>un dibujo no dice qué sistema de coordenadas usa</translation>
+    </message>
+    <message>
+        <source>a hole lies outside the boundary</source>
+        <translation>un hueco queda fuera del límite</translation>
+    </message>
+    <message>
+        <source>a hole of &apos;%1&apos; is missing or another</source>
+        <translation>falta o difiere un hueco de «%1»</translation>
+    </message>
+    <message>
+        <source>a machine is one JSON object</source>
+        <translation>una máquina es un objeto JSON</translation>
+    </message>
+    <message>
+        <source>a number</source>
+        <translation>un número</translation>
+    </message>
+    <message>
+        <source>a number is too large to be read</source>
+        <translation>un número es demasiado grande para leerlo</translation>
+    </message>
+    <message>
+        <source>a part of the boundary of &apos;%1&apos; is missing or another</source>
+        <translation>falta o difiere una parte del límite de «%1»</translation>
+    </message>
+    <message>
+        <source>a point</source>
+        <translation>un punto</translation>
+    </message>
+    <message>
+        <source>a point has no place in EPSG:%1</source>
+        <translation>un punto no tiene lugar en EPSG:%1</translation>
+    </message>
+    <message>
+        <source>a point or a line in WGS84 such as LINESTRING (4.1 52.0, 4.2 52.0)</source>
+        <translation>un punto o una línea en WGS84 como LINESTRING (4.1 52.0, 4.2 52.0)</translation>
+    </message>
+    <message>
+        <source>a sliver of %1 was left out</source>
+        <translation>se ha omitido un resto de %1</translation>
+    </message>
+    <message>
+        <source>a track that ended %1 from where it began was closed</source>
+        <translation>se ha cerrado un track que acababa a %1 de su comienzo</translation>
+    </message>
+    <message>
+        <source>a value of its own</source>
+        <translation>un valor propio</translation>
+    </message>
+    <message>
+        <source>add the .prj file that belongs to it, or export the field again in WGS84</source>
+        <translation>añada el archivo .prj correspondiente o exporte la parcela de nuevo en WGS84</translation>
+    </message>
+    <message>
+        <source>allow it to be kept as a backup</source>
+        <translation>permita conservarlo como copia</translation>
+    </message>
+    <message>
+        <source>an obstacle</source>
+        <translation>un obstáculo</translation>
+    </message>
+    <message>
+        <source>an offset is not a finite number</source>
+        <translation>un desplazamiento no es un número finito</translation>
+    </message>
+    <message>
+        <source>an overlap of %1 leaves nothing of %2</source>
+        <translation>un solape de %1 no deja nada de %2</translation>
+    </message>
+    <message>
+        <source>both headland.width_m and headland.passes are given</source>
+        <translation>se dan headland.width_m y headland.passes a la vez</translation>
+    </message>
+    <message>
+        <source>boundary accuracy</source>
+        <translation>precisión del límite</translation>
+    </message>
+    <message>
+        <source>changes cannot be kept for the case of a crash: %1</source>
+        <translation>los cambios no se pueden conservar por si falla el programa: %1</translation>
+    </message>
+    <message>
+        <source>check its coordinates</source>
+        <translation>compruebe sus coordenadas</translation>
+    </message>
+    <message>
+        <source>check that the folder can be written to</source>
+        <translation>compruebe que se puede escribir en la carpeta</translation>
+    </message>
+    <message>
+        <source>check that you may read it</source>
+        <translation>compruebe que tiene permiso para leerlo</translation>
+    </message>
+    <message>
+        <source>check the boundary for crossings</source>
+        <translation>compruebe si el límite se cruza</translation>
+    </message>
+    <message>
+        <source>check the coordinate system, correct this point, or split the field</source>
+        <translation>compruebe el sistema de coordenadas, corrija este punto o divida la parcela</translation>
+    </message>
+    <message>
+        <source>check the file&apos;s coordinate system</source>
+        <translation>compruebe el sistema de coordenadas del archivo</translation>
+    </message>
+    <message>
+        <source>check the operating width and the overlap</source>
+        <translation>compruebe el ancho de trabajo y el solape</translation>
+    </message>
+    <message>
+        <source>check the path</source>
+        <translation>compruebe la ruta</translation>
+    </message>
+    <message>
+        <source>choose a narrower headland or a narrower machine</source>
+        <translation>elija una cabecera o una máquina más estrecha</translation>
+    </message>
+    <message>
+        <source>choose a smaller machine or check the boundary&apos;s coordinate system</source>
+        <translation>elija una máquina menor o compruebe el sistema de coordenadas del límite</translation>
+    </message>
+    <message>
+        <source>choose another format</source>
+        <translation>elija otro formato</translation>
+    </message>
+    <message>
+        <source>choose one by its number in the file: %1</source>
+        <translation>elija una por su número en el archivo: %1</translation>
+    </message>
+    <message>
+        <source>choose the format rosbag2-mcap</source>
+        <translation>elija el formato rosbag2-mcap</translation>
+    </message>
+    <message>
+        <source>close it there first</source>
+        <translation>ciérrelo allí primero</translation>
+    </message>
+    <message>
+        <source>contour needs heights</source>
+        <translation>las curvas de nivel necesitan alturas</translation>
+    </message>
+    <message>
+        <source>copy or export it again</source>
+        <translation>cópielo o expórtelo de nuevo</translation>
+    </message>
+    <message>
+        <source>copy the whole folder</source>
+        <translation>copie la carpeta entera</translation>
+    </message>
+    <message>
+        <source>correct or delete this point in the file</source>
+        <translation>corrija o elimine este punto en el archivo</translation>
+    </message>
+    <message>
+        <source>could not be read: %1</source>
+        <translation>no se pudo leer: %1</translation>
+    </message>
+    <message>
+        <source>could not be written: %1</source>
+        <translation>no se pudo escribir: %1</translation>
+    </message>
+    <message>
+        <source>crosses an obstacle</source>
+        <translation>cruza un obstáculo</translation>
+    </message>
+    <message>
+        <source>cut it into the days or fields that it holds</source>
+        <translation>divídalo en los días o parcelas que contiene</translation>
+    </message>
+    <message>
+        <source>decimal commas in the place of the field were taken for points</source>
+        <translation>las comas decimales en el lugar de la parcela se tomaron por puntos</translation>
+    </message>
+    <message>
+        <source>delete some of them</source>
+        <translation>elimine algunos</translation>
+    </message>
+    <message>
+        <source>delete the hole that covers it</source>
+        <translation>elimine el hueco que lo cubre</translation>
+    </message>
+    <message>
+        <source>did you mean &apos;%1&apos;?</source>
+        <translation>¿quería decir «%1»?</translation>
+    </message>
+    <message>
+        <source>did you mean &apos;%1&apos;? use one of: %2; or give a machine file (.json)</source>
+        <translation>¿quería decir «%1»? use una de: %2; o indique un archivo de máquina (.json)</translation>
+    </message>
+    <message>
+        <source>download the file and give its path</source>
+        <translation>descargue el archivo e indique su ruta</translation>
+    </message>
+    <message>
+        <source>draw it again</source>
+        <translation>dibújelo de nuevo</translation>
+    </message>
+    <message>
+        <source>draw it again with at least 3 corners</source>
+        <translation>dibújelo de nuevo con al menos 3 esquinas</translation>
+    </message>
+    <message>
+        <source>draw one or open a file that has one</source>
+        <translation>dibuje uno o abra un archivo que lo tenga</translation>
+    </message>
+    <message>
+        <source>export fewer fields at once</source>
+        <translation>exporte menos parcelas a la vez</translation>
+    </message>
+    <message>
+        <source>export it again</source>
+        <translation>expórtela de nuevo</translation>
+    </message>
+    <message>
+        <source>export it again with its coordinate system</source>
+        <translation>expórtelo de nuevo con su sistema de coordenadas</translation>
+    </message>
+    <message>
+        <source>export or copy it again</source>
+        <translation>expórtelo o cópielo de nuevo</translation>
+    </message>
+    <message>
+        <source>export the boundary as a polygon</source>
+        <translation>exporte el límite como polígono</translation>
+    </message>
+    <message>
+        <source>export the field again in WGS84 (longitude and latitude)</source>
+        <translation>exporte la parcela de nuevo en WGS84 (longitud y latitud)</translation>
+    </message>
+    <message>
+        <source>export the field with its boundary</source>
+        <translation>exporte la parcela con su límite</translation>
+    </message>
+    <message>
+        <source>export the field with its boundary; furrow-cli compare reads what a machine recorded</source>
+        <translation>exporte la parcela con su límite; furrow-cli compare lee lo que grabó una máquina</translation>
+    </message>
+    <message>
+        <source>feature %1</source>
+        <translation>objeto %1</translation>
+    </message>
+    <message>
+        <source>fewer than 3 different points enclose nothing</source>
+        <translation>menos de 3 puntos distintos no encierran nada</translation>
+    </message>
+    <message>
+        <source>free some space on it, or use another one</source>
+        <translation>libere espacio o use otra</translation>
+    </message>
+    <message>
+        <source>free some space on the stick</source>
+        <translation>libere espacio en la memoria</translation>
+    </message>
+    <message>
+        <source>free some space or choose another folder</source>
+        <translation>libere espacio o elija otra carpeta</translation>
+    </message>
+    <message>
+        <source>gate %1</source>
+        <translation>entrada %1</translation>
+    </message>
+    <message>
+        <source>give %1</source>
+        <translation>indique %1</translation>
+    </message>
+    <message>
+        <source>give 0 m or more</source>
+        <translation>indique 0 m o más</translation>
+    </message>
+    <message>
+        <source>give GeoJSON, a shapefile (.shp or .zip), TASKDATA.XML, KML, KMZ, GeoPackage, GML, FlatGeobuf, DXF, WKT or CSV</source>
+        <translation>indique GeoJSON, un shapefile (.shp o .zip), TASKDATA.XML, KML, KMZ, GeoPackage, GML, FlatGeobuf, DXF, WKT o CSV</translation>
+    </message>
+    <message>
+        <source>give a GeoTIFF, or a world file (.pgw) beside the PNG</source>
+        <translation>indique un GeoTIFF o un archivo de georreferencia (.pgw) junto al PNG</translation>
+    </message>
+    <message>
+        <source>give a buffer of 0 m or more</source>
+        <translation>indique una distancia de 0 m o más</translation>
+    </message>
+    <message>
+        <source>give a curve that does not, or plan its parts apart</source>
+        <translation>indique una curva que no se cruce o planifique sus partes por separado</translation>
+    </message>
+    <message>
+        <source>give a file on a disk</source>
+        <translation>indique un archivo en un disco</translation>
+    </message>
+    <message>
+        <source>give a file with a line for each row</source>
+        <translation>indique un archivo con una línea por hilera</translation>
+    </message>
+    <message>
+        <source>give a gate, or a point in the field</source>
+        <translation>indique una entrada o un punto de la parcela</translation>
+    </message>
+    <message>
+        <source>give a gentler curve, or one without a turn back</source>
+        <translation>indique una curva más suave o sin vuelta atrás</translation>
+    </message>
+    <message>
+        <source>give a machine file (JSON)</source>
+        <translation>indique un archivo de máquina (JSON)</translation>
+    </message>
+    <message>
+        <source>give a number</source>
+        <translation>indique un número</translation>
+    </message>
+    <message>
+        <source>give a number above 0</source>
+        <translation>indique un número mayor que 0</translation>
+    </message>
+    <message>
+        <source>give a number from %1 to %2</source>
+        <translation>indique un número de %1 a %2</translation>
+    </message>
+    <message>
+        <source>give a number from 0 to %1</source>
+        <translation>indique un número de 0 a %1</translation>
+    </message>
+    <message>
+        <source>give a number in %1</source>
+        <translation>indique un número en %1</translation>
+    </message>
+    <message>
+        <source>give a number of 0 or more</source>
+        <translation>indique un número de 0 o más</translation>
+    </message>
+    <message>
+        <source>give a picture of at most 100 million pixels</source>
+        <translation>indique una imagen de 100 millones de píxeles como mucho</translation>
+    </message>
+    <message>
+        <source>give a point such as POINT (4.1 52.0)</source>
+        <translation>indique un punto como POINT (4.1 52.0)</translation>
+    </message>
+    <message>
+        <source>give a smaller margin or check the obstacles</source>
+        <translation>indique un margen menor o compruebe los obstáculos</translation>
+    </message>
+    <message>
+        <source>give a smaller number</source>
+        <translation>indique un número menor</translation>
+    </message>
+    <message>
+        <source>give a text in quotes</source>
+        <translation>indique un texto entre comillas</translation>
+    </message>
+    <message>
+        <source>give a transverse Mercator with +lat_0 and +lon_0</source>
+        <translation>indique una transversa de Mercator con +lat_0 y +lon_0</translation>
+    </message>
+    <message>
+        <source>give a width of 0 m or more</source>
+        <translation>indique un ancho de 0 m o más</translation>
+    </message>
+    <message>
+        <source>give an EPSG code, as in SRID=4326;POLYGON(...)</source>
+        <translation>indique un código EPSG, como SRID=4326;POLYGON(...)</translation>
+    </message>
+    <message>
+        <source>give an angle above 0 and below 90 degrees</source>
+        <translation>indique un ángulo mayor que 0 y menor que 90 grados</translation>
+    </message>
+    <message>
+        <source>give at most one of the two</source>
+        <translation>indique como mucho uno de los dos</translation>
+    </message>
+    <message>
+        <source>give both in degrees, or remove the row</source>
+        <translation>indique ambas en grados o quite la fila</translation>
+    </message>
+    <message>
+        <source>give each point as [longitude, latitude]</source>
+        <translation>indique cada punto como [longitud, latitud]</translation>
+    </message>
+    <message>
+        <source>give heights as a GeoTIFF or an ASCII grid</source>
+        <translation>indique alturas como GeoTIFF o malla ASCII</translation>
+    </message>
+    <message>
+        <source>give heights that cover the field</source>
+        <translation>indique alturas que cubran la parcela</translation>
+    </message>
+    <message>
+        <source>give it as WKT in WGS84, %1</source>
+        <translation>indíquela como WKT en WGS84, %1</translation>
+    </message>
+    <message>
+        <source>give it as WKT in WGS84, such as LINESTRING (4.1 52.0, 4.2 52.0, 4.3 52.1)</source>
+        <translation>indíquela como WKT en WGS84, como LINESTRING (4.1 52.0, 4.2 52.0, 4.3 52.1)</translation>
+    </message>
+    <message>
+        <source>give it as WKT in WGS84, such as POINT (4.1 52.0)</source>
+        <translation>indíquelo como WKT en WGS84, como POINT (4.1 52.0)</translation>
+    </message>
+    <message>
+        <source>give less than the operating width</source>
+        <translation>indique menos que el ancho de trabajo</translation>
+    </message>
+    <message>
+        <source>give metres, 0 or more</source>
+        <translation>indique metros, 0 o más</translation>
+    </message>
+    <message>
+        <source>give min_turning_radius_m or max_steering_angle_deg</source>
+        <translation>indique min_turning_radius_m o max_steering_angle_deg</translation>
+    </message>
+    <message>
+        <source>give one of %1 or a point such as POINT (4.1 52.0)</source>
+        <translation>indique una de %1 o un punto como POINT (4.1 52.0)</translation>
+    </message>
+    <message>
+        <source>give one of the files in it</source>
+        <translation>indique uno de sus archivos</translation>
+    </message>
+    <message>
+        <source>give operating_width_m in metres</source>
+        <translation>indique operating_width_m en metros</translation>
+    </message>
+    <message>
+        <source>give the file TASKDATA.XML</source>
+        <translation>indique el archivo TASKDATA.XML</translation>
+    </message>
+    <message>
+        <source>give the folder of a field</source>
+        <translation>indique la carpeta de una parcela</translation>
+    </message>
+    <message>
+        <source>give the folder of one of these, or a file in it</source>
+        <translation>indique la carpeta de uno de ellos o un archivo de ella</translation>
+    </message>
+    <message>
+        <source>give the folder of one recording</source>
+        <translation>indique la carpeta de una grabación</translation>
+    </message>
+    <message>
+        <source>give the offsets in metres</source>
+        <translation>indique los desplazamientos en metros</translation>
+    </message>
+    <message>
+        <source>give the points in degrees (WGS84), longitude in lon and latitude in lat</source>
+        <translation>indique los puntos en grados (WGS84), longitud en lon y latitud en lat</translation>
+    </message>
+    <message>
+        <source>give true or false</source>
+        <translation>indique true o false</translation>
+    </message>
+    <message>
+        <source>give two points at least 1 m apart</source>
+        <translation>indique dos puntos separados al menos 1 m</translation>
+    </message>
+    <message>
+        <source>guidance lines without two points</source>
+        <translation>líneas de guiado sin dos puntos</translation>
+    </message>
+    <message>
+        <source>guidance patterns whose points do not fit their kind</source>
+        <translation>patrones de guiado cuyos puntos no concuerdan con su tipo</translation>
+    </message>
+    <message>
+        <source>guidance patterns without a line</source>
+        <translation>patrones de guiado sin línea</translation>
+    </message>
+    <message>
+        <source>headland pass %1</source>
+        <translation>pasada de cabecera %1</translation>
+    </message>
+    <message>
+        <source>hole %1 encloses no area and was left out</source>
+        <translation>el hueco %1 no encierra superficie y se ha omitido</translation>
+    </message>
+    <message>
+        <source>implement offsets</source>
+        <translation>desplazamientos del apero</translation>
+    </message>
+    <message>
+        <source>it does not say in which coordinate system it is</source>
+        <translation>no dice en qué sistema de coordenadas está</translation>
+    </message>
+    <message>
+        <source>it has %1 by %2 pixels</source>
+        <translation>tiene %1 por %2 píxeles</translation>
+    </message>
+    <message>
+        <source>it has %1: %2</source>
+        <translation>tiene %1: %2</translation>
+    </message>
+    <message>
+        <source>it has more than %1 parts</source>
+        <translation>tiene más de %1 partes</translation>
+    </message>
+    <message>
+        <source>it has no heights where the field is</source>
+        <translation>no tiene alturas donde está la parcela</translation>
+    </message>
+    <message>
+        <source>it holds more than %1 files</source>
+        <translation>contiene más de %1 archivos</translation>
+    </message>
+    <message>
+        <source>it is no raster of heights</source>
+        <translation>no es un ráster de alturas</translation>
+    </message>
+    <message>
+        <source>it is not JSON (byte %1)</source>
+        <translation>no es JSON (byte %1)</translation>
+    </message>
+    <message>
+        <source>it is not JSON at %1</source>
+        <translation>no es JSON: %1</translation>
+    </message>
+    <message>
+        <source>it is not a length</source>
+        <translation>no es una longitud</translation>
+    </message>
+    <message>
+        <source>it is not what a plan&apos;s is</source>
+        <translation>no es el de un plan</translation>
+    </message>
+    <message>
+        <source>it lies in none of the %1 fields</source>
+        <translation>no está en ninguna de las %1 parcelas</translation>
+    </message>
+    <message>
+        <source>it lies outside the field</source>
+        <translation>queda fuera de la parcela</translation>
+    </message>
+    <message>
+        <source>it may be damaged; copy or export it again</source>
+        <translation>puede estar dañado; cópielo o expórtelo de nuevo</translation>
+    </message>
+    <message>
+        <source>it names no local frame</source>
+        <translation>no nombra ningún sistema local</translation>
+    </message>
+    <message>
+        <source>it names no machine</source>
+        <translation>no nombra ninguna máquina</translation>
+    </message>
+    <message>
+        <source>it needs latitude and longitude, as in 52.09,5.66</source>
+        <translation>necesita latitud y longitud, como 52.09,5.66</translation>
+    </message>
+    <message>
+        <source>it would grow more than a thousandfold when it is unpacked</source>
+        <translation>crecería más de mil veces al descomprimirlo</translation>
+    </message>
+    <message>
+        <source>its buffer is not a length</source>
+        <translation>su distancia no es una longitud</translation>
+    </message>
+    <message>
+        <source>its coordinate system &apos;%1&apos; cannot be turned into WGS84</source>
+        <translation>su sistema de coordenadas «%1» no se puede pasar a WGS84</translation>
+    </message>
+    <message>
+        <source>its coordinate system cannot be turned into WGS84</source>
+        <translation>su sistema de coordenadas no se puede pasar a WGS84</translation>
+    </message>
+    <message>
+        <source>its file is missing</source>
+        <translation>falta su archivo</translation>
+    </message>
+    <message>
+        <source>its heights cannot be read</source>
+        <translation>no se pueden leer sus alturas</translation>
+    </message>
+    <message>
+        <source>its holes leave nothing of it</source>
+        <translation>los huecos no dejan nada</translation>
+    </message>
+    <message>
+        <source>its points enclose no area</source>
+        <translation>sus puntos no encierran superficie</translation>
+    </message>
+    <message>
+        <source>its width is not a length</source>
+        <translation>su ancho no es una longitud</translation>
+    </message>
+    <message>
+        <source>keep one of them</source>
+        <translation>deje una de ellas</translation>
+    </message>
+    <message>
+        <source>keep the .shp, .shx, .dbf and .prj files together</source>
+        <translation>mantenga juntos .shp, .shx, .dbf y .prj</translation>
+    </message>
+    <message>
+        <source>leaves the field by %1</source>
+        <translation>sale %1 de la parcela</translation>
+    </message>
+    <message>
+        <source>left out: %1</source>
+        <translation>omitido: %1</translation>
+    </message>
+    <message>
+        <source>left out: %1 %2</source>
+        <translation>omitido: %1 %2</translation>
+    </message>
+    <message>
+        <source>line %1 is left out: it is damaged</source>
+        <translation>se omite la línea %1: está dañada</translation>
+    </message>
+    <message>
+        <source>line %1, column %2</source>
+        <translation>línea %1, columna %2</translation>
+    </message>
+    <message>
+        <source>lines in WGS84 such as MULTILINESTRING ((4.1 52.0, 4.2 52.0), (4.1 52.1, 4.2 52.1))</source>
+        <translation>líneas en WGS84 como MULTILINESTRING ((4.1 52.0, 4.2 52.0), (4.1 52.1, 4.2 52.1))</translation>
+    </message>
+    <message>
+        <source>lines that guide nothing</source>
+        <translation>líneas que no guían nada</translation>
+    </message>
+    <message>
+        <source>look for a missing comma, quote or brace just before it</source>
+        <translation>busque justo antes una coma, comilla o llave que falte</translation>
+    </message>
+    <message>
+        <source>move one of the points there, so that it is clear which side is field</source>
+        <translation>mueva ahí un punto para que quede claro de qué lado está la parcela</translation>
+    </message>
+    <message>
+        <source>move or delete it</source>
+        <translation>muévalo o elimínelo</translation>
+    </message>
+    <message>
+        <source>name a raster of heights, such as a GeoTIFF</source>
+        <translation>indique un ráster de alturas, como un GeoTIFF</translation>
+    </message>
+    <message>
+        <source>name each swath once</source>
+        <translation>nombre cada pasada una vez</translation>
+    </message>
+    <message>
+        <source>name each swath once, with a minus where it is driven backwards</source>
+        <translation>nombre cada pasada una vez, con un menos donde se hace al revés</translation>
+    </message>
+    <message>
+        <source>name one, such as GeoJSON with a LineString for each row</source>
+        <translation>indique uno, como GeoJSON con un LineString por hilera</translation>
+    </message>
+    <message>
+        <source>name the columns in the first row</source>
+        <translation>nombre las columnas en la primera fila</translation>
+    </message>
+    <message>
+        <source>name the folder of a plan, as furrow-cli plan writes it</source>
+        <translation>indique la carpeta de un plan, como la escribe furrow-cli plan</translation>
+    </message>
+    <message>
+        <source>neither turning radius nor steering angle is given</source>
+        <translation>no se da ni radio de giro ni ángulo de dirección</translation>
+    </message>
+    <message>
+        <source>no boundary can be read from this file (%1)</source>
+        <translation>no se puede leer ningún límite de este archivo (%1)</translation>
+    </message>
+    <message>
+        <source>no pixel of the picture is worked</source>
+        <translation>ningún píxel de la imagen está trabajado</translation>
+    </message>
+    <message>
+        <source>no swath fits into the mainland</source>
+        <translation>no cabe ninguna pasada en el interior de la parcela</translation>
+    </message>
+    <message>
+        <source>obstacle %1</source>
+        <translation>obstáculo %1</translation>
+    </message>
+    <message>
+        <source>obstacles outside the boundary</source>
+        <translation>obstáculos fuera del límite</translation>
+    </message>
+    <message>
+        <source>obstacles that are holes already</source>
+        <translation>obstáculos que ya son huecos</translation>
+    </message>
+    <message>
+        <source>one of its choices</source>
+        <translation>una de sus opciones</translation>
+    </message>
+    <message>
+        <source>only files on this computer are read</source>
+        <translation>solo se leen archivos de este ordenador</translation>
+    </message>
+    <message>
+        <source>open it as a field boundary, or choose another file</source>
+        <translation>ábralo como límite de parcela o elija otro archivo</translation>
+    </message>
+    <message>
+        <source>open it with a newer Furrow; the file was left as it is</source>
+        <translation>ábralo con un Furrow más nuevo; el archivo quedó como estaba</translation>
+    </message>
+    <message>
+        <source>opennav_coverage goal</source>
+        <translation>Objetivo de opennav_coverage</translation>
+    </message>
+    <message>
+        <source>opennav_coverage lays swaths and turns of its own from the goal; they need not be those of this plan.</source>
+        <translation>opennav_coverage traza sus propias pasadas y giros; no tienen por qué ser los de este plan.</translation>
+    </message>
+    <message>
+        <source>part %1</source>
+        <translation>parte %1</translation>
+    </message>
+    <message>
+        <source>part %1, point %2</source>
+        <translation>parte %1, punto %2</translation>
+    </message>
+    <message>
+        <source>path.csv has %1 segments and plan.geojson %2</source>
+        <translation>path.csv tiene %1 tramos y plan.geojson %2</translation>
+    </message>
+    <message>
+        <source>per m²</source>
+        <translation>por m²</translation>
+    </message>
+    <message>
+        <source>pivot needs its centre</source>
+        <translation>los círculos necesitan su centro</translation>
+    </message>
+    <message>
+        <source>plan the field first: furrow-cli plan FIELD --out plan</source>
+        <translation>planifique primero la parcela: furrow-cli plan FIELD --out plan</translation>
+    </message>
+    <message>
+        <source>points that are no gates</source>
+        <translation>puntos que no son entradas</translation>
+    </message>
+    <message>
+        <source>polygons of a kind that is not used</source>
+        <translation>polígonos de un tipo que no se usa</translation>
+    </message>
+    <message>
+        <source>put the EPSG code into its name, as in field_EPSG32632.dxf</source>
+        <translation>ponga el código EPSG en su nombre, como field_EPSG32632.dxf</translation>
+    </message>
+    <message>
+        <source>record or draw its boundary first</source>
+        <translation>grabe o dibuje primero su límite</translation>
+    </message>
+    <message>
+        <source>record or export it again</source>
+        <translation>grábelo o expórtelo de nuevo</translation>
+    </message>
+    <message>
+        <source>remove it from the file, or add its field</source>
+        <translation>quítelo del archivo o añada su parcela</translation>
+    </message>
+    <message>
+        <source>remove it; keys look like operating_width_m, vehicle_width_m, can_reverse</source>
+        <translation>quítelo; las claves son como operating_width_m, vehicle_width_m, can_reverse</translation>
+    </message>
+    <message>
+        <source>restore a copy of the file</source>
+        <translation>recupere una copia del archivo</translation>
+    </message>
+    <message>
+        <source>rings that overlap each other were joined</source>
+        <translation>se han unido anillos que se solapan</translation>
+    </message>
+    <message>
+        <source>rings with fewer than three corners</source>
+        <translation>anillos con menos de tres esquinas</translation>
+    </message>
+    <message>
+        <source>rows needs a file of lines</source>
+        <translation>las hileras necesitan un archivo de líneas</translation>
+    </message>
+    <message>
+        <source>save it again in WGS84</source>
+        <translation>guárdela de nuevo en WGS84</translation>
+    </message>
+    <message>
+        <source>save it as GeoTIFF, or with a world file in degrees</source>
+        <translation>guárdela como GeoTIFF o con un archivo de georreferencia en grados</translation>
+    </message>
+    <message>
+        <source>save the field again, or remove this file</source>
+        <translation>guarde la parcela de nuevo o quite este archivo</translation>
+    </message>
+    <message>
+        <source>save the project, and free some space</source>
+        <translation>guarde el proyecto y libere espacio</translation>
+    </message>
+    <message>
+        <source>several fields are called &apos;%1&apos;</source>
+        <translation>varias parcelas se llaman «%1»</translation>
+    </message>
+    <message>
+        <source>simplify it to at most a million</source>
+        <translation>simplifíquelo a un millón como máximo</translation>
+    </message>
+    <message>
+        <source>such as LINESTRING (4.1 52.0, 4.2 52.0)</source>
+        <translation>como LINESTRING (4.1 52.0, 4.2 52.0)</translation>
+    </message>
+    <message>
+        <source>such as POINT (4.1 52.0)</source>
+        <translation>como POINT (4.1 52.0)</translation>
+    </message>
+    <message>
+        <source>swath %1</source>
+        <translation>pasada %1</translation>
+    </message>
+    <message>
+        <source>swath %1 is named twice</source>
+        <translation>la pasada %1 se nombra dos veces</translation>
+    </message>
+    <message>
+        <source>take off its write protection, or use another one</source>
+        <translation>quite la protección o use otra</translation>
+    </message>
+    <message>
+        <source>take off the write protection of the stick</source>
+        <translation>quite la protección contra escritura de la memoria</translation>
+    </message>
+    <message>
+        <source>the .shx file that belongs to it is missing</source>
+        <translation>falta el archivo .shx correspondiente</translation>
+    </message>
+    <message>
+        <source>the boundary</source>
+        <translation>el límite de parcela</translation>
+    </message>
+    <message>
+        <source>the boundary has %1 points</source>
+        <translation>el límite tiene %1 puntos</translation>
+    </message>
+    <message>
+        <source>the boundary is that of the guidance group; the field itself has none</source>
+        <translation>el límite es el del grupo de guiado; la parcela misma no tiene</translation>
+    </message>
+    <message>
+        <source>the coordinates lie outside longitude -180 to 180 and latitude -90 to 90</source>
+        <translation>las coordenadas quedan fuera de longitud -180 a 180 y latitud -90 a 90</translation>
+    </message>
+    <message>
+        <source>the curve bends more sharply than this machine can follow (%1 of radius)</source>
+        <translation>la curva es más cerrada de lo que puede seguir esta máquina (%1 de radio)</translation>
+    </message>
+    <message>
+        <source>the curve crosses itself, %1 from its start</source>
+        <translation>la curva se cruza a sí misma, a %1 de su comienzo</translation>
+    </message>
+    <message>
+        <source>the curves from line %1 on are left out: it is damaged</source>
+        <translation>se omiten las curvas a partir de la línea %1: está dañada</translation>
+    </message>
+    <message>
+        <source>the end</source>
+        <translation>final</translation>
+    </message>
+    <message>
+        <source>the field &apos;%1&apos; has no boundary</source>
+        <translation>la parcela «%1» no tiene límite</translation>
+    </message>
+    <message>
+        <source>the field &apos;%1&apos; is left out: %2</source>
+        <translation>se omite la parcela «%1»: %2</translation>
+    </message>
+    <message>
+        <source>the field has neither boundary nor guidance line</source>
+        <translation>la parcela no tiene ni límite ni línea de guiado</translation>
+    </message>
+    <message>
+        <source>the field has no boundary</source>
+        <translation>la parcela no tiene límite</translation>
+    </message>
+    <message>
+        <source>the field is more than 100 km across; %1, %2 is farthest from the others</source>
+        <translation>la parcela mide más de 100 km; %1, %2 es lo más alejado del resto</translation>
+    </message>
+    <message>
+        <source>the field is nowhere as wide as the machine (%1%2)</source>
+        <translation>la parcela no es en ningún sitio tan ancha como la máquina (%1%2)</translation>
+    </message>
+    <message>
+        <source>the fields in this task data have neither boundary nor guidance line</source>
+        <translation>las parcelas de estos datos no tienen ni límite ni línea de guiado</translation>
+    </message>
+    <message>
+        <source>the file cannot be read</source>
+        <translation>no se puede leer el archivo</translation>
+    </message>
+    <message>
+        <source>the file has %1 fields: %2</source>
+        <translation>el archivo tiene %1 parcelas: %2</translation>
+    </message>
+    <message>
+        <source>the file is damaged</source>
+        <translation>el archivo está dañado</translation>
+    </message>
+    <message>
+        <source>the file is damaged (%1)</source>
+        <translation>el archivo está dañado (%1)</translation>
+    </message>
+    <message>
+        <source>the file is damaged here</source>
+        <translation>el archivo está dañado aquí</translation>
+    </message>
+    <message>
+        <source>the file is empty</source>
+        <translation>el archivo está vacío</translation>
+    </message>
+    <message>
+        <source>the file is larger than 1 GiB</source>
+        <translation>el archivo es mayor de 1 GiB</translation>
+    </message>
+    <message>
+        <source>the file may be cut off or damaged; copy or export it again</source>
+        <translation>el archivo puede estar cortado o dañado; cópielo o expórtelo de nuevo</translation>
+    </message>
+    <message>
+        <source>the file may be cut off or damaged; export it again</source>
+        <translation>el archivo puede estar cortado o dañado; expórtelo de nuevo</translation>
+    </message>
+    <message>
+        <source>the folder or zip cannot be read</source>
+        <translation>no se puede leer la carpeta o el zip</translation>
+    </message>
+    <message>
+        <source>the headland is left out: line %1 is damaged</source>
+        <translation>se omite la cabecera: la línea %1 está dañada</translation>
+    </message>
+    <message>
+        <source>the key is there twice</source>
+        <translation>la clave está dos veces</translation>
+    </message>
+    <message>
+        <source>the line after StartFix is no place</source>
+        <translation>la línea tras StartFix no es un lugar</translation>
+    </message>
+    <message>
+        <source>the line crosses itself at %1, %2</source>
+        <translation>la línea se cruza a sí misma en %1, %2</translation>
+    </message>
+    <message>
+        <source>the line touches or crosses itself by a sliver; taken apart there</source>
+        <translation>la línea se toca o se cruza por muy poco; se ha separado ahí</translation>
+    </message>
+    <message>
+        <source>the lines from line %1 on are left out: it is damaged</source>
+        <translation>se omiten las líneas a partir de la línea %1: está dañada</translation>
+    </message>
+    <message>
+        <source>the machine (%1 wide, %2 long%3) fits nowhere into the field</source>
+        <translation>la máquina (%1 de ancho, %2 de largo%3) no cabe en ningún sitio de la parcela</translation>
+    </message>
+    <message>
+        <source>the name of a gate or a point in WGS84 such as POINT (4.1 52.0)</source>
+        <translation>el nombre de una entrada o un punto en WGS84 como POINT (4.1 52.0)</translation>
+    </message>
+    <message>
+        <source>the number after SRID= is no coordinate system that is known</source>
+        <translation>el número tras SRID= no es un sistema de coordenadas conocido</translation>
+    </message>
+    <message>
+        <source>the obstacles leave nothing of the field</source>
+        <translation>los obstáculos no dejan nada de la parcela</translation>
+    </message>
+    <message>
+        <source>the operating width is missing</source>
+        <translation>falta el ancho de trabajo</translation>
+    </message>
+    <message>
+        <source>the part %1 is left out: %2</source>
+        <translation>se omite la parte %1: %2</translation>
+    </message>
+    <message>
+        <source>the path of a file</source>
+        <translation>la ruta de un archivo</translation>
+    </message>
+    <message>
+        <source>the picture cannot be read (%1)</source>
+        <translation>no se puede leer la imagen (%1)</translation>
+    </message>
+    <message>
+        <source>the picture does not say where it lies</source>
+        <translation>la imagen no dice dónde está</translation>
+    </message>
+    <message>
+        <source>the picture does not say which coordinate system it uses</source>
+        <translation>la imagen no dice qué sistema de coordenadas usa</translation>
+    </message>
+    <message>
+        <source>the picture is damaged</source>
+        <translation>la imagen está dañada</translation>
+    </message>
+    <message>
+        <source>the place lies outside of the field</source>
+        <translation>el lugar queda fuera de la parcela</translation>
+    </message>
+    <message>
+        <source>the plan gives no reason</source>
+        <translation>el plan no dice por qué</translation>
+    </message>
+    <message>
+        <source>the recorded path is left out: it is damaged</source>
+        <translation>se omite el recorrido grabado: está dañado</translation>
+    </message>
+    <message>
+        <source>the recording cannot be made: %1</source>
+        <translation>no se puede crear la grabación: %1</translation>
+    </message>
+    <message>
+        <source>the shape could not be computed with (%1)</source>
+        <translation>no se pudo calcular con la forma (%1)</translation>
+    </message>
+    <message>
+        <source>the start</source>
+        <translation>comienzo</translation>
+    </message>
+    <message>
+        <source>the stick does not answer any more (%1)</source>
+        <translation>la memoria ya no responde (%1)</translation>
+    </message>
+    <message>
+        <source>the stick has %1 MB free, and %2 MB are needed</source>
+        <translation>la memoria tiene %1 MB libres y hacen falta %2 MB</translation>
+    </message>
+    <message>
+        <source>the stick is damaged: use another one</source>
+        <translation>la memoria está dañada: use otra</translation>
+    </message>
+    <message>
+        <source>the stick is write-protected</source>
+        <translation>la memoria está protegida contra escritura</translation>
+    </message>
+    <message>
+        <source>the swaths are left out: %1</source>
+        <translation>se omiten las pasadas: %1</translation>
+    </message>
+    <message>
+        <source>the table has neither a column WKT nor columns lon and lat</source>
+        <translation>la tabla no tiene ni columna WKT ni columnas lon y lat</translation>
+    </message>
+    <message>
+        <source>the transfer after %1</source>
+        <translation>el traslado tras %1</translation>
+    </message>
+    <message>
+        <source>the transfer at %1</source>
+        <translation>el traslado en %1</translation>
+    </message>
+    <message>
+        <source>the turn after %1</source>
+        <translation>el giro tras %1</translation>
+    </message>
+    <message>
+        <source>the turn at %1</source>
+        <translation>el giro en %1</translation>
+    </message>
+    <message>
+        <source>the way to refill</source>
+        <translation>el camino de recarga</translation>
+    </message>
+    <message>
+        <source>the zip cannot be made: %1</source>
+        <translation>no se puede crear el zip: %1</translation>
+    </message>
+    <message>
+        <source>there is no &apos;%1&apos;</source>
+        <translation>no hay «%1»</translation>
+    </message>
+    <message>
+        <source>there is no &apos;%1&apos; in a machine</source>
+        <translation>en una máquina no hay «%1»</translation>
+    </message>
+    <message>
+        <source>there is no Field.txt</source>
+        <translation>falta Field.txt</translation>
+    </message>
+    <message>
+        <source>there is no boundary</source>
+        <translation>no hay límite de parcela</translation>
+    </message>
+    <message>
+        <source>there is no boundary file in this zip</source>
+        <translation>en este zip no hay ningún archivo de límites</translation>
+    </message>
+    <message>
+        <source>there is no edge %1</source>
+        <translation>no hay ningún lado %1</translation>
+    </message>
+    <message>
+        <source>there is no field &apos;%1&apos; in the file</source>
+        <translation>no hay ninguna parcela «%1» en el archivo</translation>
+    </message>
+    <message>
+        <source>there is no field boundary in it</source>
+        <translation>no contiene ningún límite de parcela</translation>
+    </message>
+    <message>
+        <source>there is no field boundary in it, only %1</source>
+        <translation>no contiene ningún límite de parcela, solo %1</translation>
+    </message>
+    <message>
+        <source>there is no field in this task data</source>
+        <translation>no hay ninguna parcela en estos datos</translation>
+    </message>
+    <message>
+        <source>there is no gate &apos;%1&apos;</source>
+        <translation>no hay ninguna entrada «%1»</translation>
+    </message>
+    <message>
+        <source>there is no line in it</source>
+        <translation>no contiene ninguna línea</translation>
+    </message>
+    <message>
+        <source>there is no machine &apos;%1&apos;</source>
+        <translation>no hay ninguna máquina «%1»</translation>
+    </message>
+    <message>
+        <source>there is no path in it</source>
+        <translation>no contiene ningún recorrido</translation>
+    </message>
+    <message>
+        <source>there is no project format %1</source>
+        <translation>no hay ningún formato de proyecto %1</translation>
+    </message>
+    <message>
+        <source>there is no setting &apos;%1&apos;</source>
+        <translation>no hay ningún ajuste «%1»</translation>
+    </message>
+    <message>
+        <source>there is no such file</source>
+        <translation>no existe ese archivo</translation>
+    </message>
+    <message>
+        <source>there is no swath %1</source>
+        <translation>no hay ninguna pasada %1</translation>
+    </message>
+    <message>
+        <source>there is no terminal &apos;%1&apos;</source>
+        <translation>no hay ningún terminal «%1»</translation>
+    </message>
+    <message>
+        <source>this XML is no task data</source>
+        <translation>este XML no son datos de tarea</translation>
+    </message>
+    <message>
+        <source>this folder holds no TASKDATA.XML, no field of AgOpenGPS and no AgGPS boundary</source>
+        <translation>esta carpeta no contiene TASKDATA.XML, ni parcela de AgOpenGPS, ni límite AgGPS</translation>
+    </message>
+    <message>
+        <source>this format holds the path of a plan, and there is only a field</source>
+        <translation>este formato contiene el recorrido de un plan, y solo hay una parcela</translation>
+    </message>
+    <message>
+        <source>this is a folder</source>
+        <translation>esto es una carpeta</translation>
+    </message>
+    <message>
+        <source>this is no boundary file that can be read</source>
+        <translation>no es un archivo de límites que se pueda leer</translation>
+    </message>
+    <message>
+        <source>this is no ordinary file</source>
+        <translation>no es un archivo normal</translation>
+    </message>
+    <message>
+        <source>this is no zip of fields or recordings</source>
+        <translation>no es un zip de parcelas o grabaciones</translation>
+    </message>
+    <message>
+        <source>this is not JSON from here on</source>
+        <translation>a partir de aquí no es JSON</translation>
+    </message>
+    <message>
+        <source>this is not XML from here on</source>
+        <translation>a partir de aquí no es XML</translation>
+    </message>
+    <message>
+        <source>this is not a project of Furrow</source>
+        <translation>no es un proyecto de Furrow</translation>
+    </message>
+    <message>
+        <source>this is not well-known text from here on</source>
+        <translation>a partir de aquí no es well-known text</translation>
+    </message>
+    <message>
+        <source>this place</source>
+        <translation>este lugar</translation>
+    </message>
+    <message>
+        <source>this polygon cannot be read</source>
+        <translation>no se puede leer este polígono</translation>
+    </message>
+    <message>
+        <source>this project file is damaged: %1</source>
+        <translation>este archivo de proyecto está dañado: %1</translation>
+    </message>
+    <message>
+        <source>this project is open in another window of Furrow</source>
+        <translation>este proyecto está abierto en otra ventana de Furrow</translation>
+    </message>
+    <message>
+        <source>this project was saved by a newer Furrow (format %1, this one knows %2)</source>
+        <translation>este proyecto lo guardó un Furrow más nuevo (formato %1, este conoce %2)</translation>
+    </message>
+    <message>
+        <source>true or false</source>
+        <translation>true o false</translation>
+    </message>
+    <message>
+        <source>try another stick</source>
+        <translation>pruebe otra memoria</translation>
+    </message>
+    <message>
+        <source>two points</source>
+        <translation>dos puntos</translation>
+    </message>
+    <message>
+        <source>use another terminal&apos;s format, and report this</source>
+        <translation>use el formato de otro terminal y comuníquelo</translation>
+    </message>
+    <message>
+        <source>use one of: %1</source>
+        <translation>use uno de: %1</translation>
+    </message>
+    <message>
+        <source>use one of: %1; or give a machine file (.json)</source>
+        <translation>use una de: %1; o indique un archivo de máquina (.json)</translation>
+    </message>
+    <message>
+        <source>use one or more of: %1</source>
+        <translation>use uno o varios de: %1</translation>
+    </message>
+    <message>
+        <source>use the numbers from 1 to %1</source>
+        <translation>use los números del 1 al %1</translation>
+    </message>
+    <message>
+        <source>was it pulled out? Plug it in again and write once more</source>
+        <translation>¿se ha desconectado? Conéctela de nuevo y escriba otra vez</translation>
+    </message>
+    <message>
+        <source>what is on the stick is not the plan: %1</source>
+        <translation>lo que hay en la memoria no es el plan: %1</translation>
+    </message>
+    <message>
+        <source>whole numbers divided by commas</source>
+        <translation>números enteros separados por comas</translation>
+    </message>
+    <message>
+        <source>worked pixels need a value other than 0</source>
+        <translation>los píxeles trabajados necesitan un valor distinto de 0</translation>
+    </message>
+    <message>
+        <source>write POLYGON((lon lat, lon lat, ...))</source>
+        <translation>escriba POLYGON((lon lat, lon lat, ...))</translation>
+    </message>
+    <message>
+        <source>write POLYGON((lon lat, lon lat, ...)), one polygon a line</source>
+        <translation>escriba POLYGON((lon lat, lon lat, ...)), un polígono por línea</translation>
+    </message>
+    <message>
+        <source>write it like LINESTRING (4.1 52.0, 4.2 52.0)</source>
+        <translation>escríbalo como LINESTRING (4.1 52.0, 4.2 52.0)</translation>
+    </message>
+    <message>
+        <source>write the plan again with furrow-cli plan</source>
+        <translation>escriba el plan de nuevo con furrow-cli plan</translation>
+    </message>
+    <message>
+        <source>write {&quot;name&quot;: ..., &quot;operating_width_m&quot;: ...}</source>
+        <translation>escriba {&quot;name&quot;: ..., &quot;operating_width_m&quot;: ...}</translation>
+    </message>
+    <message>
+        <source>a part of it cannot be read</source>
+        <translation>una parte no se puede leer</translation>
+    </message>
+    <message>
+        <source>a part of it is damaged: %1</source>
+        <translation>una parte está dañada: %1</translation>
+    </message>
+    <message>
+        <source>a tile is damaged</source>
+        <translation>una tesela está dañada</translation>
+    </message>
+    <message>
+        <source>choose a file or a folder of tiles</source>
+        <translation>elija un archivo o una carpeta de teselas</translation>
+    </message>
+    <message>
+        <source>choose the folder that holds the folders of the zooms, 0 to 24</source>
+        <translation>elija la carpeta que contiene las carpetas de los niveles de zoom, de 0 a 24</translation>
+    </message>
+    <message>
+        <source>copy or export the file again</source>
+        <translation>copie o exporte el archivo de nuevo</translation>
+    </message>
+    <message>
+        <source>give a GeoTIFF, MBTiles, or a folder of tiles</source>
+        <translation>dé un GeoTIFF, MBTiles o una carpeta de teselas</translation>
+    </message>
+    <message>
+        <source>give a GeoTIFF, or export it again with its coordinate system</source>
+        <translation>dé un GeoTIFF o expórtela de nuevo con su sistema de coordenadas</translation>
+    </message>
+    <message>
+        <source>it is damaged, or no picture that Furrow can show</source>
+        <translation>está dañado o no es una imagen que Furrow pueda mostrar</translation>
+    </message>
+    <message>
+        <source>it is no file</source>
+        <translation>no es un archivo</translation>
+    </message>
+    <message>
+        <source>it is too large to be shown without overviews</source>
+        <translation>es demasiado grande para mostrarla sin vistas generales</translation>
+    </message>
+    <message>
+        <source>its tiles are in degrees, not in web Mercator</source>
+        <translation>sus teselas están en grados, no en Web Mercator</translation>
+    </message>
+    <message>
+        <source>make the tiles again</source>
+        <translation>cree las teselas de nuevo</translation>
+    </message>
+    <message>
+        <source>make them again with the profile mercator, or give the raster itself</source>
+        <translation>créelas de nuevo con el perfil mercator o dé el ráster mismo</translation>
+    </message>
+    <message>
+        <source>open it again</source>
+        <translation>ábralo de nuevo</translation>
+    </message>
+    <message>
+        <source>put it back, or choose another one</source>
+        <translation>vuelva a ponerlo o elija otro</translation>
+    </message>
+    <message>
+        <source>put it back, or remove the layer</source>
+        <translation>vuelva a ponerlo o quite la capa</translation>
+    </message>
+    <message>
+        <source>save it in tiles and with overviews (gdal_translate -of COG)</source>
+        <translation>guárdela en teselas y con vistas generales (gdal_translate -of COG)</translation>
+    </message>
+    <message>
+        <source>the file cannot be read any more</source>
+        <translation>el archivo ya no se puede leer</translation>
+    </message>
+    <message>
+        <source>the file is not there any more</source>
+        <translation>el archivo ya no está</translation>
+    </message>
+    <message>
+        <source>the file was changed while it was open</source>
+        <translation>el archivo se modificó mientras estaba abierto</translation>
+    </message>
+    <message>
+        <source>the folder is not there any more</source>
+        <translation>la carpeta ya no está</translation>
+    </message>
+    <message>
+        <source>there are no tiles in this folder</source>
+        <translation>no hay teselas en esta carpeta</translation>
+    </message>
+    <message>
+        <source>there is no picture in it</source>
+        <translation>no contiene ninguna imagen</translation>
+    </message>
+    <message>
+        <source>there is no such file or folder</source>
+        <translation>no existe ese archivo o esa carpeta</translation>
+    </message>
+</context>
+<context>
+    <name>PreferencesDialog</name>
+    <message>
+        <source>Language and units</source>
+        <translation>Idioma y unidades</translation>
+    </message>
+    <message>
+        <source>Language</source>
+        <translation>Idioma</translation>
+    </message>
+    <message>
+        <source>As the computer</source>
+        <translation>Como el ordenador</translation>
+    </message>
+    <message>
+        <source>Units</source>
+        <translation>Unidades</translation>
+    </message>
+    <message>
+        <source>Metres, hectares, km/h</source>
+        <translation>Metros, hectáreas, km/h</translation>
+    </message>
+    <message>
+        <source>Feet, acres, mph</source>
+        <translation>Pies, acres, mph</translation>
+    </message>
+    <message>
+        <source>Fields take both: 7.3 m, 24 ft, 10&apos;6&quot;, 8 km/h, 5 mph. Files always hold metres.</source>
+        <translation>Los campos admiten ambas: 7,3 m, 24 ft, 10&apos;6&quot;, 8 km/h, 5 mph. Los archivos siempre van en metros.</translation>
+    </message>
+    <message>
+        <source>Close</source>
+        <translation>Cerrar</translation>
+    </message>
+</context>
+<context>
+    <name>ProblemCard</name>
+    <message>
+        <source>Show the place</source>
+        <translation>Mostrar el lugar</translation>
+    </message>
+    <message>
+        <source>Open another file…</source>
+        <translation>Abrir otro archivo…</translation>
+    </message>
+</context>
+<context>
+    <name>ProjectDialogs</name>
+    <message>
+        <source>Open projects or field boundaries</source>
+        <translation>Abrir proyectos o límites de parcela</translation>
+    </message>
+    <message>
+        <source>Projects and field boundaries (%1)</source>
+        <translation>Proyectos y límites de parcela (%1)</translation>
+    </message>
+    <message>
+        <source>Projects (%1)</source>
+        <translation>Proyectos (%1)</translation>
+    </message>
+    <message>
+        <source>All files (*)</source>
+        <translation>Todos los archivos (*)</translation>
+    </message>
+    <message>
+        <source>Save the project</source>
+        <translation>Guardar el proyecto</translation>
+    </message>
+    <message>
+        <source>Add imagery</source>
+        <translation>Añadir imágenes</translation>
+    </message>
+    <message>
+        <source>Pictures and heights (%1)</source>
+        <translation>Imágenes y alturas (%1)</translation>
+    </message>
+    <message>
+        <source>Add a folder of tiles</source>
+        <translation>Añadir una carpeta de teselas</translation>
+    </message>
+</context>
+<context>
+    <name>RecentList</name>
+    <message>
+        <source>Open recent</source>
+        <translation>Abrir reciente</translation>
+    </message>
+    <message>
+        <source>%1 — %2</source>
+        <translation>%1 — %2</translation>
+    </message>
+</context>
+<context>
+    <name>RecentProjects</name>
+    <message>
+        <source>Go on with</source>
+        <translation>Seguir con</translation>
+    </message>
+    <message>
+        <source>Project %1 in %2, %3</source>
+        <translation>Proyecto %1 en %2, %3</translation>
+    </message>
+    <message>
+        <source>%1 · %2</source>
+        <translation>%1 · %2</translation>
+    </message>
+</context>
+<context>
+    <name>ResultsPanel</name>
+    <message>
+        <source>Plan</source>
+        <translation>Plan</translation>
+    </message>
+    <message>
+        <source>%1: %2</source>
+        <translation>%1: %2</translation>
+    </message>
+    <message numerus="yes">
+        <source>%n finding(s)</source>
+        <translation>
+            <numerusform>%n aviso</numerusform>
+            <numerusform>%n avisos</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>Show the first %1 only</source>
+        <translation>Mostrar solo los %1 primeros</translation>
+    </message>
+    <message>
+        <source>Show all %1</source>
+        <translation>Mostrar los %1</translation>
+    </message>
+</context>
+<context>
+    <name>ScaleBar</name>
+    <message>
+        <source>Scale: the bar is %1 long</source>
+        <translation>Escala: la barra mide %1</translation>
+    </message>
+</context>
+<context>
+    <name>SearchButton</name>
+    <message>
+        <source>Search commands</source>
+        <translation>Buscar órdenes</translation>
+    </message>
+    <message>
+        <source>Ctrl K</source>
+        <translation>Ctrl K</translation>
+    </message>
+</context>
+<context>
+    <name>StatusChip</name>
+    <message>
+        <source>Stop</source>
+        <translation>Detener</translation>
+    </message>
+    <message>
+        <source>Plan again</source>
+        <translation>Planificar de nuevo</translation>
+    </message>
+</context>
+<context>
+    <name>StepItem</name>
+    <message>
+        <source>%1. %2: %3. %4</source>
+        <translation>%1. %2: %3. %4</translation>
+    </message>
+</context>
+<context>
+    <name>ThemeSwitch</name>
+    <message>
+        <source>Sunlight colours; press for light</source>
+        <translation>Colores para pleno sol; pulse para claros</translation>
+    </message>
+    <message>
+        <source>Dark colours; press for sunlight</source>
+        <translation>Colores oscuros; pulse para pleno sol</translation>
+    </message>
+    <message>
+        <source>Light colours; press for dark</source>
+        <translation>Colores claros; pulse para oscuros</translation>
+    </message>
+</context>
+<context>
+    <name>TopBar</name>
+    <message>
+        <source>Not saved yet</source>
+        <translation>Aún sin guardar</translation>
+    </message>
+    <message>
+        <source>There are changes that are not saved</source>
+        <translation>Hay cambios sin guardar</translation>
+    </message>
+    <message>
+        <source>Hide the results</source>
+        <translation>Ocultar los resultados</translation>
+    </message>
+    <message>
+        <source>Show the results</source>
+        <translation>Mostrar los resultados</translation>
+    </message>
+    <message>
+        <source>Open</source>
+        <translation>Abrir</translation>
+    </message>
+    <message>
+        <source>Export</source>
+        <translation>Exportar</translation>
+    </message>
+</context>
+<context>
+    <name>Tour</name>
+    <message>
+        <source>Welcome to Furrow</source>
+        <translation>Bienvenido a Furrow</translation>
+    </message>
+    <message>
+        <source>In three minutes from a field to a plan that can be driven. A sample field is opened for you; Ctrl+Z takes everything back. Leave whenever you like: the tour is in the Help menu.</source>
+        <translation>En tres minutos, de una parcela a un plan que se puede conducir. Se abre una parcela de ejemplo para usted; Ctrl+Z lo deshace todo. Salga cuando quiera: el recorrido guiado está en el menú Ayuda.</translation>
+    </message>
+    <message>
+        <source>The steps</source>
+        <translation>Los pasos</translation>
+    </message>
+    <message>
+        <source>From top to bottom: the field, the machine, and how it works. Each step says what is chosen and what came of it; press one to change it. Every change plans anew at once.</source>
+        <translation>De arriba abajo: la parcela, la máquina y cómo trabaja. Cada paso dice qué se ha elegido y qué ha resultado; pulse uno para cambiarlo. Cada cambio planifica de nuevo al instante.</translation>
+    </message>
+    <message>
+        <source>The map</source>
+        <translation>El mapa</translation>
+    </message>
+    <message>
+        <source>Drag a corner of the field and watch the plan follow. The wheel zooms, dragging the ground moves the map. The dot in the middle of an edge makes another corner; Alt lets go of what catches.</source>
+        <translation>Arrastre una esquina de la parcela y vea cómo la sigue el plan. La rueda amplía, arrastrar el fondo mueve el mapa. El punto en medio de un borde crea otra esquina; Alt suelta el ajuste automático.</translation>
+    </message>
+    <message>
+        <source>The tools</source>
+        <translation>Las herramientas</translation>
+    </message>
+    <message>
+        <source>Draw a field, a hole, an obstacle, an AB line or a gate. The lowest button shows the layers: what is drawn of the plan, and your own aerial photos or heights beneath it.</source>
+        <translation>Dibuje una parcela, un hueco, un obstáculo, una línea AB o una entrada. El botón inferior muestra las capas: lo que se dibuja del plan y, debajo, sus propias fotos aéreas o alturas.</translation>
+    </message>
+    <message>
+        <source>What came out</source>
+        <translation>El resultado</translation>
+    </message>
+    <message>
+        <source>Area, way and time, and what was found: press a finding and the map goes there. Findings in the way of driving come first, with what would help.</source>
+        <translation>Superficie, distancia y tiempo, y lo que se ha encontrado: pulse un aviso y el mapa va allí. Los avisos que impiden conducir van primero, con lo que ayudaría.</translation>
+    </message>
+    <message>
+        <source>To the terminal</source>
+        <translation>Al terminal</translation>
+    </message>
+    <message>
+        <source>Export writes the plan to a folder or a USB stick, for many terminals, reads it back and compares it. Then save the project: Ctrl+S. Ctrl+K finds every command by name.</source>
+        <translation>Exportar escribe el plan en una carpeta o en una memoria USB, para muchos terminales, lo vuelve a leer y lo compara. Después guarde el proyecto: Ctrl+S. Ctrl+K encuentra cualquier orden por su nombre.</translation>
+    </message>
+    <message>
+        <source>%1 of %2</source>
+        <translation>%1 de %2</translation>
+    </message>
+    <message>
+        <source>Leave</source>
+        <translation>Salir</translation>
+    </message>
+    <message>
+        <source>Back</source>
+        <translation>Atrás</translation>
+    </message>
+    <message>
+        <source>Next</source>
+        <translation>Siguiente</translation>
+    </message>
+    <message>
+        <source>Done</source>
+        <translation>Listo</translation>
+    </message>
+</context>
+<context>
+    <name>UnitText</name>
+    <message>
+        <source>%1 ft</source>
+        <translation>%1 ft</translation>
+    </message>
+    <message>
+        <source>%1 ft²</source>
+        <translation>%1 ft²</translation>
+    </message>
+    <message>
+        <source>%1 m²</source>
+        <translation>%1 m²</translation>
+    </message>
+    <message>
+        <source>%1 ac</source>
+        <translation>%1 ac</translation>
+    </message>
+    <message>
+        <source>%1 ha</source>
+        <translation>%1 ha</translation>
+    </message>
+    <message>
+        <source>%1 mi</source>
+        <translation>%1 mi</translation>
+    </message>
+    <message>
+        <source>%1 km</source>
+        <translation>%1 km</translation>
+    </message>
+    <message>
+        <source>%1 m</source>
+        <translation>%1 m</translation>
+    </message>
+    <message>
+        <source>%1 mph</source>
+        <translation>%1 mph</translation>
+    </message>
+    <message>
+        <source>%1 km/h</source>
+        <translation>%1 km/h</translation>
+    </message>
+    <message>
+        <source>%1 ft/s²</source>
+        <translation>%1 ft/s²</translation>
+    </message>
+    <message>
+        <source>%1 m/s²</source>
+        <translation>%1 m/s²</translation>
+    </message>
+    <message>
+        <source>%1 s</source>
+        <translation>%1 s</translation>
+    </message>
+    <message>
+        <source>%1 min</source>
+        <translation>%1 min</translation>
+    </message>
+    <message>
+        <source>%1 h %2 min</source>
+        <translation>%1 h %2 min</translation>
+    </message>
+    <message>
+        <source>%1 %</source>
+        <translation>%1 %</translation>
+    </message>
+    <message>
+        <source>%1°</source>
+        <translation>%1°</translation>
+    </message>
+</context>
+<context>
+    <name>UnsavedDialog</name>
+    <message>
+        <source>Save the changes of “%1”?</source>
+        <translation>¿Guardar los cambios de «%1»?</translation>
+    </message>
+    <message>
+        <source>Save your work?</source>
+        <translation>¿Guardar el trabajo?</translation>
+    </message>
+    <message>
+        <source>Cancel</source>
+        <translation>Cancelar</translation>
+    </message>
+    <message>
+        <source>Do not save</source>
+        <translation>No guardar</translation>
+    </message>
+    <message>
+        <source>Save</source>
+        <translation>Guardar</translation>
+    </message>
+</context>
+<context>
+    <name>furrow::ExportModel</name>
+    <message>
+        <source>Furrow plan</source>
+        <translation>Plan de Furrow</translation>
+    </message>
+    <message>
+        <source>Furrow %1</source>
+        <translation>Furrow %1</translation>
+    </message>
+    <message>
+        <source>Writing …</source>
+        <translation>Escribiendo…</translation>
+    </message>
+    <message numerus="yes">
+        <source>%n file(s) written to %1</source>
+        <translation>
+            <numerusform>%n archivo escrito en %1</numerusform>
+            <numerusform>%n archivos escritos en %1</numerusform>
+        </translation>
+    </message>
+</context>
+<context>
+    <name>furrow::FarmModel</name>
+    <message>
+        <source>%1 · %2</source>
+        <translation>%1 · %2</translation>
+    </message>
+    <message>
+        <source>Rename the field</source>
+        <translation>Renombrar la parcela</translation>
+    </message>
+    <message>
+        <source>Remove field %1</source>
+        <translation>Quitar la parcela %1</translation>
+    </message>
+    <message>
+        <source>Add a plan</source>
+        <translation>Añadir un plan</translation>
+    </message>
+    <message>
+        <source>Rename the plan</source>
+        <translation>Renombrar el plan</translation>
+    </message>
+    <message>
+        <source>Remove the plan</source>
+        <translation>Quitar el plan</translation>
+    </message>
+</context>
+<context>
+    <name>furrow::FieldEditor</name>
+    <message>
+        <source>Add a point</source>
+        <translation>Añadir un punto</translation>
+    </message>
+    <message>
+        <source>Move a point</source>
+        <translation>Mover un punto</translation>
+    </message>
+    <message>
+        <source>Move an edge</source>
+        <translation>Mover un lado</translation>
+    </message>
+    <message>
+        <source>Move a hole</source>
+        <translation>Mover un hueco</translation>
+    </message>
+    <message>
+        <source>Move an obstacle</source>
+        <translation>Mover un obstáculo</translation>
+    </message>
+    <message>
+        <source>Move a gate</source>
+        <translation>Mover una entrada</translation>
+    </message>
+    <message>
+        <source>Change the buffer</source>
+        <translation>Cambiar la distancia</translation>
+    </message>
+    <message>
+        <source>Draw a hole</source>
+        <translation>Dibujar un hueco</translation>
+    </message>
+    <message>
+        <source>Draw an obstacle</source>
+        <translation>Dibujar un obstáculo</translation>
+    </message>
+    <message>
+        <source>Obstacle %1</source>
+        <translation>Obstáculo %1</translation>
+    </message>
+    <message>
+        <source>Add a gate</source>
+        <translation>Añadir una entrada</translation>
+    </message>
+    <message>
+        <source>Gate %1</source>
+        <translation>Entrada %1</translation>
+    </message>
+    <message>
+        <source>Draw a guidance curve</source>
+        <translation>Dibujar una curva de guiado</translation>
+    </message>
+    <message>
+        <source>Draw an AB line</source>
+        <translation>Dibujar una línea AB</translation>
+    </message>
+    <message>
+        <source>Delete a point</source>
+        <translation>Eliminar un punto</translation>
+    </message>
+    <message>
+        <source>Delete a hole</source>
+        <translation>Eliminar un hueco</translation>
+    </message>
+    <message>
+        <source>Delete an obstacle</source>
+        <translation>Eliminar un obstáculo</translation>
+    </message>
+    <message>
+        <source>Delete a gate</source>
+        <translation>Eliminar una entrada</translation>
+    </message>
+    <message>
+        <source>Delete the guidance line</source>
+        <translation>Eliminar la línea de guiado</translation>
+    </message>
+    <message>
+        <source>Move</source>
+        <translation>Mover</translation>
+    </message>
+    <message>
+        <source>Change a length</source>
+        <translation>Cambiar una longitud</translation>
+    </message>
+    <message>
+        <source>Change a direction</source>
+        <translation>Cambiar una dirección</translation>
+    </message>
+    <message>
+        <source>Let the obstacle be driven on</source>
+        <translation>Permitir pasar sobre el obstáculo</translation>
+    </message>
+    <message>
+        <source>Keep off the obstacle</source>
+        <translation>No pasar sobre el obstáculo</translation>
+    </message>
+    <message>
+        <source>Change the gate</source>
+        <translation>Cambiar la entrada</translation>
+    </message>
+    <message>
+        <source>Rename</source>
+        <translation>Renombrar</translation>
+    </message>
+    <message>
+        <source>AB line along an edge</source>
+        <translation>Línea AB a lo largo de un lado</translation>
+    </message>
+</context>
+<context>
+    <name>furrow::FiguresModel</name>
+    <message>
+        <source>Area</source>
+        <translation>Superficie</translation>
+    </message>
+    <message>
+        <source>Of the field, holes and obstacles taken out</source>
+        <translation>De la parcela, sin huecos ni obstáculos</translation>
+    </message>
+    <message>
+        <source>Mainland</source>
+        <translation>Interior de la parcela</translation>
+    </message>
+    <message>
+        <source>What is left inside the headland</source>
+        <translation>Lo que queda dentro de la cabecera</translation>
+    </message>
+    <message>
+        <source>Swaths</source>
+        <translation>Pasadas</translation>
+    </message>
+    <message>
+        <source>Path</source>
+        <translation>Recorrido</translation>
+    </message>
+    <message>
+        <source>Everything that is driven</source>
+        <translation>Todo lo que se recorre</translation>
+    </message>
+    <message>
+        <source>Working</source>
+        <translation>Trabajo</translation>
+    </message>
+    <message>
+        <source>Turning</source>
+        <translation>Giros</translation>
+    </message>
+    <message>
+        <source>Time</source>
+        <translation>Tiempo</translation>
+    </message>
+    <message>
+        <source>Covered</source>
+        <translation>Trabajado</translation>
+    </message>
+    <message>
+        <source>Share of the field that is worked, measured on the finished path</source>
+        <translation>Parte de la parcela trabajada, medida en el recorrido terminado</translation>
+    </message>
+    <message>
+        <source>Overlap</source>
+        <translation>Solape</translation>
+    </message>
+    <message>
+        <source>Share of the field that is worked twice</source>
+        <translation>Parte de la parcela trabajada dos veces</translation>
+    </message>
+</context>
+<context>
+    <name>furrow::ImageryModel</name>
+    <message>
+        <source>%1: %2</source>
+        <translation>%1: %2</translation>
+    </message>
+    <message>
+        <source>Add %1</source>
+        <translation>Añadir %1</translation>
+    </message>
+    <message>
+        <source>Add imagery</source>
+        <translation>Añadir imágenes</translation>
+    </message>
+    <message>
+        <source>Remove %1</source>
+        <translation>Quitar %1</translation>
+    </message>
+    <message>
+        <source>Move a layer</source>
+        <translation>Mover una capa</translation>
+    </message>
+    <message>
+        <source>Rename a layer</source>
+        <translation>Renombrar una capa</translation>
+    </message>
+    <message>
+        <source>Show a layer</source>
+        <translation>Mostrar una capa</translation>
+    </message>
+    <message>
+        <source>Hide a layer</source>
+        <translation>Ocultar una capa</translation>
+    </message>
+    <message>
+        <source>Change how strong a layer is</source>
+        <translation>Cambiar la opacidad de una capa</translation>
+    </message>
+    <message>
+        <source>Turn the rows of tiles round</source>
+        <translation>Invertir el orden de las filas de teselas</translation>
+    </message>
+</context>
+<context>
+    <name>furrow::MachineModel</name>
+    <message>
+        <source>auto · %1</source>
+        <translation>auto · %1</translation>
+    </message>
+</context>
+<context>
+    <name>furrow::ParameterModel</name>
+    <message>
+        <source>auto</source>
+        <translation>auto</translation>
+    </message>
+    <message>
+        <source>auto · %1</source>
+        <translation>auto · %1</translation>
+    </message>
+</context>
+<context>
+    <name>furrow::PlanSession</name>
+    <message>
+        <source>Change the machine</source>
+        <translation>Cambiar la máquina</translation>
+    </message>
+    <message>
+        <source>Reading %1 …</source>
+        <translation>Leyendo %1…</translation>
+    </message>
+    <message numerus="yes">
+        <source>%n field(s) in this file</source>
+        <translation>
+            <numerusform>%n parcela en este archivo</numerusform>
+            <numerusform>%n parcelas en este archivo</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>Planning …</source>
+        <translation>Planificando…</translation>
+    </message>
+    <message>
+        <source>Stopped · this is the plan before the change</source>
+        <translation>Detenido · este es el plan anterior al cambio</translation>
+    </message>
+    <message>
+        <source>Stopped</source>
+        <translation>Detenido</translation>
+    </message>
+    <message>
+        <source>No plan</source>
+        <translation>Sin plan</translation>
+    </message>
+    <message>
+        <source>Plan ready · %1 ms</source>
+        <translation>Plan listo · %1 ms</translation>
+    </message>
+    <message numerus="yes">
+        <source>%1 · %n turn(s) leave the field</source>
+        <translation>
+            <numerusform>%1 · %n giro sale de la parcela</numerusform>
+            <numerusform>%1 · %n giros salen de la parcela</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>%1 · %2</source>
+        <translation>%1 · %2</translation>
+    </message>
+    <message numerus="yes">
+        <source>%n file(s)</source>
+        <translation>
+            <numerusform>%n archivo</numerusform>
+            <numerusform>%n archivos</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>Add field %1</source>
+        <translation>Añadir la parcela %1</translation>
+    </message>
+    <message numerus="yes">
+        <source>Add %n field(s)</source>
+        <translation>
+            <numerusform>Añadir %n parcela</numerusform>
+            <numerusform>Añadir %n parcelas</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>Field %1</source>
+        <translation>Parcela %1</translation>
+    </message>
+    <message>
+        <source>drawn on the map</source>
+        <translation>dibujada en el mapa</translation>
+    </message>
+    <message>
+        <source>Change: %1</source>
+        <translation>Cambiar: %1</translation>
+    </message>
+    <message>
+        <source>Draft · planning …</source>
+        <translation>Borrador · planificando…</translation>
+    </message>
+    <message>
+        <source>Stopped · this is a draft</source>
+        <translation>Detenido · esto es un borrador</translation>
+    </message>
+    <message>
+        <source>Draft · the whole plan follows when you let go</source>
+        <translation>Borrador · el plan completo llega al soltar</translation>
+    </message>
+</context>
+<context>
+    <name>furrow::ProjectFiles</name>
+    <message>
+        <source>Your last work was not saved. Here it is again.</source>
+        <translation>El último trabajo no se guardó. Aquí está de nuevo.</translation>
+    </message>
+    <message>
+        <source>Changes of “%1” were not saved. Here they are again.</source>
+        <translation>Los cambios de «%1» no se guardaron. Aquí están de nuevo.</translation>
+    </message>
+    <message>
+        <source>It is kept in the file all the same.</source>
+        <translation>De todos modos se conserva en el archivo.</translation>
+    </message>
+    <message>
+        <source>Restore changes that were not saved</source>
+        <translation>Recuperar cambios no guardados</translation>
+    </message>
+    <message>
+        <source>Another program changed “%1” while changes of yours were not saved. Yours are shown; undo shows the file.</source>
+        <translation>Otro programa cambió «%1» mientras había cambios suyos sin guardar. Se muestran los suyos; deshacer muestra el archivo.</translation>
+    </message>
+    <message>
+        <source>Another program has changed “%1” since it was opened here.</source>
+        <translation>Otro programa ha cambiado «%1» desde que se abrió aquí.</translation>
+    </message>
+    <message>
+        <source>Save over it, or save yours under another name.</source>
+        <translation>Sobrescríbalo o guarde el suyo con otro nombre.</translation>
+    </message>
+    <message>
+        <source>Farm</source>
+        <translation>Explotación</translation>
+    </message>
+    <message>
+        <source>%1: %2</source>
+        <translation>%1: %2</translation>
+    </message>
+</context>
+<context>
+    <name>furrow::QuantityText</name>
+    <message>
+        <source>ft</source>
+        <translation>ft</translation>
+    </message>
+    <message>
+        <source>m</source>
+        <translation>m</translation>
+    </message>
+    <message>
+        <source>ac</source>
+        <translation>ac</translation>
+    </message>
+    <message>
+        <source>ha</source>
+        <translation>ha</translation>
+    </message>
+    <message>
+        <source>mph</source>
+        <translation>mph</translation>
+    </message>
+    <message>
+        <source>km/h</source>
+        <translation>km/h</translation>
+    </message>
+    <message>
+        <source>°</source>
+        <translation>°</translation>
+    </message>
+    <message>
+        <source>This is not a length. Type it like 7.3 m, 24 ft or 10&apos;6&quot;.</source>
+        <translation>Esto no es una longitud. Escriba por ejemplo 7,3 m, 24 ft o 10&apos;6&quot;.</translation>
+    </message>
+    <message>
+        <source>This is not an area. Type it like 12.5 ha or 30 ac.</source>
+        <translation>Esto no es una superficie. Escriba por ejemplo 12,5 ha o 30 ac.</translation>
+    </message>
+    <message>
+        <source>This is not a speed. Type it like 8 km/h or 5 mph.</source>
+        <translation>Esto no es una velocidad. Escriba por ejemplo 8 km/h o 5 mph.</translation>
+    </message>
+    <message>
+        <source>This is not an angle. Type it in degrees, like 87.5.</source>
+        <translation>Esto no es un ángulo. Escríbalo en grados, por ejemplo 87,5.</translation>
+    </message>
+    <message>
+        <source>This is not a number.</source>
+        <translation>Esto no es un número.</translation>
+    </message>
+    <message>
+        <source>%1 %2</source>
+        <translation>%1 %2</translation>
+    </message>
+    <message>
+        <source>Type something from %1 to %2.</source>
+        <translation>Escriba algo de %1 a %2.</translation>
+    </message>
+    <message>
+        <source>%1 mi</source>
+        <translation>%1 mi</translation>
+    </message>
+    <message>
+        <source>%1 km</source>
+        <translation>%1 km</translation>
+    </message>
+    <message>
+        <source>%1 ft</source>
+        <translation>%1 ft</translation>
+    </message>
+    <message>
+        <source>%1 m</source>
+        <translation>%1 m</translation>
+    </message>
+</context>
+<context>
+    <name>furrow::RecentFiles</name>
+    <message numerus="yes">
+        <source>%n field(s)</source>
+        <translation>
+            <numerusform>%n parcela</numerusform>
+            <numerusform>%n parcelas</numerusform>
+        </translation>
+    </message>
+</context>
+<context>
+    <name>furrow::StepsModel</name>
+    <message>
+        <source>mainland %1</source>
+        <translation>interior %1</translation>
+    </message>
+    <message numerus="yes">
+        <source>%n pass(es)</source>
+        <translation>
+            <numerusform>%n pasada</numerusform>
+            <numerusform>%n pasadas</numerusform>
+        </translation>
+    </message>
+    <message numerus="yes">
+        <source>%n cell(s)</source>
+        <translation>
+            <numerusform>%n subparcela</numerusform>
+            <numerusform>%n subparcelas</numerusform>
+        </translation>
+    </message>
+    <message numerus="yes">
+        <source>%n swath(s)</source>
+        <translation>
+            <numerusform>%n pasada</numerusform>
+            <numerusform>%n pasadas</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>%1 with turns on the spot</source>
+        <translation>%1 con giros en el sitio</translation>
+    </message>
+    <message numerus="yes">
+        <source>%n turn(s)</source>
+        <translation>
+            <numerusform>%n giro</numerusform>
+            <numerusform>%n giros</numerusform>
+        </translation>
+    </message>
+    <message numerus="yes">
+        <source>%n not drivable</source>
+        <translation>
+            <numerusform>%n imposible</numerusform>
+            <numerusform>%n imposibles</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>No usable boundary</source>
+        <translation>Sin límite utilizable</translation>
+    </message>
+    <message>
+        <source>No field yet</source>
+        <translation>Aún no hay parcela</translation>
+    </message>
+    <message numerus="yes">
+        <source>%n obstacle(s)</source>
+        <translation>
+            <numerusform>%n obstáculo</numerusform>
+            <numerusform>%n obstáculos</numerusform>
+        </translation>
+    </message>
+    <message numerus="yes">
+        <source>%n hole(s)</source>
+        <translation>
+            <numerusform>%n hueco</numerusform>
+            <numerusform>%n huecos</numerusform>
+        </translation>
+    </message>
+    <message numerus="yes">
+        <source>%n boundary point(s)</source>
+        <translation>
+            <numerusform>%n punto del límite</numerusform>
+            <numerusform>%n puntos del límite</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>The message on the map says why</source>
+        <translation>El mensaje del mapa dice por qué</translation>
+    </message>
+    <message>
+        <source>Open a file or draw a boundary</source>
+        <translation>Abra un archivo o dibuje un límite</translation>
+    </message>
+    <message>
+        <source>%1 wide</source>
+        <translation>%1 de ancho</translation>
+    </message>
+    <message>
+        <source>%1 radius</source>
+        <translation>%1 de radio</translation>
+    </message>
+    <message>
+        <source>Field</source>
+        <translation>Parcela</translation>
+    </message>
+    <message>
+        <source>Machine</source>
+        <translation>Máquina</translation>
+    </message>
+</context>
+<context>
+    <name>furrow::StickExport</name>
+    <message>
+        <source>%1 free of %2</source>
+        <translation>%1 libres de %2</translation>
+    </message>
+    <message>
+        <source>Writing …</source>
+        <translation>Escribiendo…</translation>
+    </message>
+    <message>
+        <source>every byte was read back, and the plan read from there is this plan.</source>
+        <translation>se ha releído cada byte, y el plan leído de ahí es este plan.</translation>
+    </message>
+    <message>
+        <source>every byte was read back and is as written.</source>
+        <translation>se ha releído cada byte y está como se escribió.</translation>
+    </message>
+    <message>
+        <source>Written: %1</source>
+        <translation>Escrito: %1</translation>
+    </message>
+    <message>
+        <source>Safe to unplug: %1</source>
+        <translation>Ya puede retirar la memoria: %1</translation>
+    </message>
+    <message>
+        <source>What was there before is kept as %1.</source>
+        <translation>Lo que había antes se conserva como %1.</translation>
+    </message>
+</context>
+</TS>

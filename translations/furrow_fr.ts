@@ -1,0 +1,5509 @@
+<?xml version="1.0" encoding="utf-8"?>
+<!DOCTYPE TS>
+<TS version="2.1" language="fr_FR" sourcelanguage="en">
+<context>
+    <name>AppCommands</name>
+    <message>
+        <source>File</source>
+        <translation>Fichier</translation>
+    </message>
+    <message>
+        <source>Edit</source>
+        <translation>Édition</translation>
+    </message>
+    <message>
+        <source>Field</source>
+        <translation>Parcelle</translation>
+    </message>
+    <message>
+        <source>Plan</source>
+        <translation>Plan</translation>
+    </message>
+    <message>
+        <source>View</source>
+        <translation>Affichage</translation>
+    </message>
+    <message>
+        <source>Help</source>
+        <translation>Aide</translation>
+    </message>
+    <message>
+        <source>New project</source>
+        <translation>Nouveau projet</translation>
+    </message>
+    <message>
+        <source>farm</source>
+        <translation>exploitation</translation>
+    </message>
+    <message>
+        <source>Open…</source>
+        <translation>Ouvrir…</translation>
+    </message>
+    <message>
+        <source>boundary import project</source>
+        <translation>limite importer projet</translation>
+    </message>
+    <message>
+        <source>Save</source>
+        <translation>Enregistrer</translation>
+    </message>
+    <message>
+        <source>Save as…</source>
+        <translation>Enregistrer sous…</translation>
+    </message>
+    <message>
+        <source>Export the plan…</source>
+        <translation>Exporter le plan…</translation>
+    </message>
+    <message>
+        <source>ISOXML USB terminal</source>
+        <translation>ISOXML USB console</translation>
+    </message>
+    <message>
+        <source>Quit</source>
+        <translation>Quitter</translation>
+    </message>
+    <message>
+        <source>Undo: %1</source>
+        <translation>Annuler : %1</translation>
+    </message>
+    <message>
+        <source>Undo</source>
+        <translation>Annuler</translation>
+    </message>
+    <message>
+        <source>Redo: %1</source>
+        <translation>Rétablir : %1</translation>
+    </message>
+    <message>
+        <source>Redo</source>
+        <translation>Rétablir</translation>
+    </message>
+    <message>
+        <source>Delete what is selected</source>
+        <translation>Supprimer la sélection</translation>
+    </message>
+    <message>
+        <source>Del</source>
+        <translation>Suppr</translation>
+    </message>
+    <message>
+        <source>Select the next point</source>
+        <translation>Sélectionner le point suivant</translation>
+    </message>
+    <message>
+        <source>Space</source>
+        <translation>Espace</translation>
+    </message>
+    <message>
+        <source>Find a command…</source>
+        <translation>Chercher une commande…</translation>
+    </message>
+    <message>
+        <source>Draw a field</source>
+        <translation>Dessiner une parcelle</translation>
+    </message>
+    <message>
+        <source>boundary polygon</source>
+        <translation>limite polygone</translation>
+    </message>
+    <message>
+        <source>Draw a hole</source>
+        <translation>Dessiner une enclave</translation>
+    </message>
+    <message>
+        <source>Draw an obstacle</source>
+        <translation>Dessiner un obstacle</translation>
+    </message>
+    <message>
+        <source>pond tree pole wet</source>
+        <translation>mare arbre poteau humide</translation>
+    </message>
+    <message>
+        <source>Draw an AB line</source>
+        <translation>Dessiner une ligne AB</translation>
+    </message>
+    <message>
+        <source>guidance curve direction</source>
+        <translation>guidage courbe orientation</translation>
+    </message>
+    <message>
+        <source>Add a gate</source>
+        <translation>Ajouter une entrée de parcelle</translation>
+    </message>
+    <message>
+        <source>entry road</source>
+        <translation>accès chemin</translation>
+    </message>
+    <message>
+        <source>Select and change</source>
+        <translation>Sélectionner et modifier</translation>
+    </message>
+    <message>
+        <source>Rename the field…</source>
+        <translation>Renommer la parcelle…</translation>
+    </message>
+    <message>
+        <source>Remove the field</source>
+        <translation>Retirer la parcelle</translation>
+    </message>
+    <message>
+        <source>delete</source>
+        <translation>supprimer</translation>
+    </message>
+    <message>
+        <source>Next field</source>
+        <translation>Parcelle suivante</translation>
+    </message>
+    <message>
+        <source>Add a plan…</source>
+        <translation>Ajouter un plan…</translation>
+    </message>
+    <message>
+        <source>season operation copy</source>
+        <translation>campagne opération copie</translation>
+    </message>
+    <message>
+        <source>Rename the plan…</source>
+        <translation>Renommer le plan…</translation>
+    </message>
+    <message>
+        <source>Remove the plan</source>
+        <translation>Retirer le plan</translation>
+    </message>
+    <message>
+        <source>Plan again</source>
+        <translation>Planifier à nouveau</translation>
+    </message>
+    <message>
+        <source>Show the whole field</source>
+        <translation>Montrer toute la parcelle</translation>
+    </message>
+    <message>
+        <source>Closer</source>
+        <translation>Zoom avant</translation>
+    </message>
+    <message>
+        <source>zoom in</source>
+        <translation>agrandir zoom</translation>
+    </message>
+    <message>
+        <source>Further away</source>
+        <translation>Zoom arrière</translation>
+    </message>
+    <message>
+        <source>zoom out</source>
+        <translation>réduire zoom</translation>
+    </message>
+    <message>
+        <source>Results panel</source>
+        <translation>Résultats</translation>
+    </message>
+    <message>
+        <source>Layer: boundary</source>
+        <translation>Couche : limite de parcelle</translation>
+    </message>
+    <message>
+        <source>Layer: headland</source>
+        <translation>Couche : fourrière</translation>
+    </message>
+    <message>
+        <source>Layer: swaths</source>
+        <translation>Couche : passages</translation>
+    </message>
+    <message>
+        <source>Layer: turns</source>
+        <translation>Couche : demi-tours</translation>
+    </message>
+    <message>
+        <source>Layer: driving direction</source>
+        <translation>Couche : sens de marche</translation>
+    </message>
+    <message>
+        <source>Layer: order numbers</source>
+        <translation>Couche : numéros d&apos;ordre</translation>
+    </message>
+    <message>
+        <source>Layer: findings</source>
+        <translation>Couche : remarques</translation>
+    </message>
+    <message>
+        <source>Language and units…</source>
+        <translation>Langue et unités…</translation>
+    </message>
+    <message>
+        <source>preferences settings metric imperial feet acres</source>
+        <translation>préférences réglages métrique impérial pieds acres</translation>
+    </message>
+    <message>
+        <source>Light colours</source>
+        <translation>Couleurs claires</translation>
+    </message>
+    <message>
+        <source>theme</source>
+        <translation>thème</translation>
+    </message>
+    <message>
+        <source>Dark colours</source>
+        <translation>Couleurs sombres</translation>
+    </message>
+    <message>
+        <source>theme night</source>
+        <translation>thème nuit</translation>
+    </message>
+    <message>
+        <source>Sunlight colours</source>
+        <translation>Couleurs plein soleil</translation>
+    </message>
+    <message>
+        <source>theme contrast</source>
+        <translation>thème contraste</translation>
+    </message>
+    <message>
+        <source>Keys and mouse</source>
+        <translation>Clavier et souris</translation>
+    </message>
+    <message>
+        <source>shortcuts help</source>
+        <translation>raccourcis aide</translation>
+    </message>
+    <message>
+        <source>Everything at %1 %</source>
+        <translation>Tout à %1 %</translation>
+    </message>
+    <message>
+        <source>size scaling zoom large text</source>
+        <translation>taille échelle zoom grand texte</translation>
+    </message>
+    <message>
+        <source>Add imagery…</source>
+        <translation>Ajouter une imagerie…</translation>
+    </message>
+    <message>
+        <source>GeoTIFF MBTiles aerial photo satellite background heights elevation</source>
+        <translation>GeoTIFF MBTiles photo aérienne satellite fond altitude relief</translation>
+    </message>
+    <message>
+        <source>Add a folder of tiles…</source>
+        <translation>Ajouter un dossier de tuiles…</translation>
+    </message>
+    <message>
+        <source>imagery XYZ TMS</source>
+        <translation>imagerie XYZ TMS</translation>
+    </message>
+    <message>
+        <source>Layers</source>
+        <translation>Couches</translation>
+    </message>
+    <message>
+        <source>imagery map background</source>
+        <translation>imagerie carte fond</translation>
+    </message>
+    <message>
+        <source>Layer: imagery</source>
+        <translation>Couche : imagerie</translation>
+    </message>
+    <message>
+        <source>Layer: OpenStreetMap from the network</source>
+        <translation>Couche : OpenStreetMap depuis le réseau</translation>
+    </message>
+    <message>
+        <source>online tiles</source>
+        <translation>en ligne tuiles</translation>
+    </message>
+    <message>
+        <source>Layer: coverage</source>
+        <translation>Couche : surface travaillée</translation>
+    </message>
+    <message>
+        <source>Layer: worked twice</source>
+        <translation>Couche : travaillé deux fois</translation>
+    </message>
+    <message>
+        <source>overlap</source>
+        <translation>recouvrement</translation>
+    </message>
+    <message>
+        <source>Layer: missed</source>
+        <translation>Couche : zones non travaillées</translation>
+    </message>
+    <message>
+        <source>gap uncovered</source>
+        <translation>manque non couvert</translation>
+    </message>
+    <message>
+        <source>Layer: driven over often</source>
+        <translation>Couche : roulé souvent</translation>
+    </message>
+    <message>
+        <source>wheel passes traffic compaction</source>
+        <translation>passages de roues trafic tassement</translation>
+    </message>
+    <message>
+        <source>Take the tour</source>
+        <translation>Suivre la visite guidée</translation>
+    </message>
+    <message>
+        <source>help introduction first start</source>
+        <translation>aide introduction premier démarrage</translation>
+    </message>
+</context>
+<context>
+    <name>Command</name>
+    <message>
+        <source>Ctrl</source>
+        <translation>Ctrl</translation>
+    </message>
+    <message>
+        <source>Shift</source>
+        <translation>Maj</translation>
+    </message>
+</context>
+<context>
+    <name>CommandPalette</name>
+    <message>
+        <source>Search commands</source>
+        <translation>Chercher une commande</translation>
+    </message>
+    <message>
+        <source>%1: %2</source>
+        <translation>%1: %2</translation>
+    </message>
+    <message>
+        <source>There is no such command</source>
+        <translation>Cette commande n&apos;existe pas</translation>
+    </message>
+</context>
+<context>
+    <name>DraftHint</name>
+    <message>
+        <source>Click the first corner of the field</source>
+        <translation>Cliquer sur le premier angle de la parcelle</translation>
+    </message>
+    <message>
+        <source>Click the first corner of the hole</source>
+        <translation>Cliquer sur le premier angle de l&apos;enclave</translation>
+    </message>
+    <message>
+        <source>Click the first corner of the obstacle</source>
+        <translation>Cliquer sur le premier angle de l&apos;obstacle</translation>
+    </message>
+    <message>
+        <source>Click on the boundary where the gate is</source>
+        <translation>Cliquer sur la limite, là où est l&apos;entrée de parcelle</translation>
+    </message>
+    <message>
+        <source>Click where the AB line begins</source>
+        <translation>Cliquer là où commence la ligne AB</translation>
+    </message>
+    <message>
+        <source>Press and trace it with the pointer</source>
+        <translation>Appuyer et suivre le contour avec le pointeur</translation>
+    </message>
+    <message>
+        <source>Length of the next edge</source>
+        <translation>Longueur du côté suivant</translation>
+    </message>
+    <message>
+        <source>Direction of the next edge</source>
+        <translation>Direction du côté suivant</translation>
+    </message>
+    <message>
+        <source>Add</source>
+        <translation>Ajouter</translation>
+    </message>
+    <message>
+        <source>By hand</source>
+        <translation>À main levée</translation>
+    </message>
+    <message>
+        <source>Cancel</source>
+        <translation>Annuler</translation>
+    </message>
+    <message>
+        <source>Finish</source>
+        <translation>Terminer</translation>
+    </message>
+    <message>
+        <source>Close boundary</source>
+        <translation>Fermer la limite</translation>
+    </message>
+</context>
+<context>
+    <name>EmptyState</name>
+    <message>
+        <source>Which field?</source>
+        <translation>Quelle parcelle ?</translation>
+    </message>
+    <message>
+        <source>Open its boundary, or drop the file anywhere on this window. Shapefile, GeoJSON, KML, GeoPackage, GML and others are understood, zipped or not.</source>
+        <translation>Ouvrir sa limite, ou déposer le fichier n&apos;importe où dans cette fenêtre. Shapefile, GeoJSON, KML, GeoPackage, GML et d&apos;autres sont lus, zippés ou non.</translation>
+    </message>
+    <message>
+        <source>Open a file…</source>
+        <translation>Ouvrir un fichier…</translation>
+    </message>
+    <message>
+        <source>Draw it</source>
+        <translation>Le dessiner</translation>
+    </message>
+    <message>
+        <source>Or try one of these</source>
+        <translation>Ou essayer l&apos;une de celles-ci</translation>
+    </message>
+    <message>
+        <source>Sample field %1</source>
+        <translation>Parcelle d&apos;exemple %1</translation>
+    </message>
+</context>
+<context>
+    <name>ExportDialog</name>
+    <message>
+        <source>Export the plan</source>
+        <translation>Exporter le plan</translation>
+    </message>
+    <message>
+        <source>USB stick</source>
+        <translation>Clé USB</translation>
+    </message>
+    <message>
+        <source>Files in a folder</source>
+        <translation>Fichiers dans un dossier</translation>
+    </message>
+    <message numerus="yes">
+        <source>%n place(s) in this plan cannot be driven as drawn. The files say so too.</source>
+        <translation>
+            <numerusform>%n endroit de ce plan n&apos;est pas praticable tel quel. Les fichiers le disent aussi.</numerusform>
+            <numerusform>%n endroits de ce plan ne sont pas praticables tels quels. Les fichiers le disent aussi.</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>Close</source>
+        <translation>Fermer</translation>
+    </message>
+    <message>
+        <source>Cancel</source>
+        <translation>Annuler</translation>
+    </message>
+    <message>
+        <source>Writing …</source>
+        <translation>Écriture…</translation>
+    </message>
+    <message>
+        <source>Write to the stick</source>
+        <translation>Écrire sur la clé</translation>
+    </message>
+    <message>
+        <source>Write files</source>
+        <translation>Écrire les fichiers</translation>
+    </message>
+</context>
+<context>
+    <name>ExportFolderPage</name>
+    <message>
+        <source>Folder</source>
+        <translation>Dossier</translation>
+    </message>
+    <message>
+        <source>Choose…</source>
+        <translation>Choisir…</translation>
+    </message>
+    <message>
+        <source>Folder for the plan</source>
+        <translation>Dossier du plan</translation>
+    </message>
+</context>
+<context>
+    <name>ExportStickPage</name>
+    <message>
+        <source>Terminal</source>
+        <translation>Console</translation>
+    </message>
+    <message>
+        <source>Stick</source>
+        <translation>Clé</translation>
+    </message>
+    <message>
+        <source>No USB stick is plugged in. It appears here when it is; or choose a folder to carry the files yourself.</source>
+        <translation>Aucune clé USB n&apos;est branchée. Elle apparaît ici dès qu&apos;elle l&apos;est ; ou choisir un dossier pour transporter les fichiers soi-même.</translation>
+    </message>
+    <message>
+        <source>Another folder…</source>
+        <translation>Autre dossier…</translation>
+    </message>
+    <message>
+        <source>%1 is on it already.</source>
+        <translation>%1 s&apos;y trouve déjà.</translation>
+    </message>
+    <message>
+        <source>It will not be deleted: it is kept under another name.</source>
+        <translation>Rien n&apos;est effacé : le contenu est gardé sous un autre nom.</translation>
+    </message>
+    <message>
+        <source>Keep it as a backup and write the plan</source>
+        <translation>Garder une copie et écrire le plan</translation>
+    </message>
+    <message numerus="yes">
+        <source>and %n more</source>
+        <translation>
+            <numerusform>et %n autre</numerusform>
+            <numerusform>et %n autres</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>Folder in the place of a stick</source>
+        <translation>Dossier à la place d&apos;une clé</translation>
+    </message>
+</context>
+<context>
+    <name>FieldActions</name>
+    <message>
+        <source>Open file…</source>
+        <translation>Ouvrir un fichier…</translation>
+    </message>
+    <message>
+        <source>Draw</source>
+        <translation>Dessiner</translation>
+    </message>
+    <message>
+        <source>Sample field</source>
+        <translation>Parcelle d&apos;exemple</translation>
+    </message>
+    <message>
+        <source>Add one to look at</source>
+        <translation>En ajouter une pour voir</translation>
+    </message>
+</context>
+<context>
+    <name>FieldChooser</name>
+    <message numerus="yes">
+        <source>Which of the %n field(s)?</source>
+        <translation>
+            <numerusform>Est-ce cette %n parcelle ?</numerusform>
+            <numerusform>Laquelle des %n parcelles ?</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>Open none of them</source>
+        <translation>N&apos;en ouvrir aucune</translation>
+    </message>
+    <message>
+        <source>Open all of them</source>
+        <translation>Les ouvrir toutes</translation>
+    </message>
+    <message>
+        <source>%1, %2</source>
+        <translation>%1, %2</translation>
+    </message>
+</context>
+<context>
+    <name>FilesNotice</name>
+    <message>
+        <source>Keep</source>
+        <translation>Garder</translation>
+    </message>
+    <message>
+        <source>OK</source>
+        <translation>OK</translation>
+    </message>
+    <message>
+        <source>Throw away</source>
+        <translation>Abandonner</translation>
+    </message>
+    <message>
+        <source>Save over it</source>
+        <translation>Écraser</translation>
+    </message>
+    <message>
+        <source>Save as…</source>
+        <translation>Enregistrer sous…</translation>
+    </message>
+    <message>
+        <source>Later</source>
+        <translation>Plus tard</translation>
+    </message>
+</context>
+<context>
+    <name>FindingRow</name>
+    <message>
+        <source>Finding %1: %2 %3</source>
+        <translation>Remarque %1 : %2 %3</translation>
+    </message>
+</context>
+<context>
+    <name>ImageryList</name>
+    <message>
+        <source>Your own pictures and heights: GeoTIFF, MBTiles or a folder of tiles. They stay on this computer.</source>
+        <translation>Vos propres images et altitudes : GeoTIFF, MBTiles ou un dossier de tuiles. Elles restent sur cet ordinateur.</translation>
+    </message>
+    <message>
+        <source>Add files…</source>
+        <translation>Ajouter des fichiers…</translation>
+    </message>
+    <message>
+        <source>Add a folder of tiles…</source>
+        <translation>Ajouter un dossier de tuiles…</translation>
+    </message>
+</context>
+<context>
+    <name>ImageryNotice</name>
+    <message>
+        <source>OK</source>
+        <translation>OK</translation>
+    </message>
+</context>
+<context>
+    <name>ImageryRow</name>
+    <message>
+        <source>Show all of %1</source>
+        <translation>Afficher tout %1</translation>
+    </message>
+    <message>
+        <source>Move %1 up</source>
+        <translation>Monter %1</translation>
+    </message>
+    <message>
+        <source>Move %1 down</source>
+        <translation>Descendre %1</translation>
+    </message>
+    <message>
+        <source>Remove %1</source>
+        <translation>Retirer %1</translation>
+    </message>
+    <message>
+        <source>How strong %1 is</source>
+        <translation>Opacité de %1</translation>
+    </message>
+    <message>
+        <source>Opening …</source>
+        <translation>Ouverture…</translation>
+    </message>
+    <message>
+        <source>Contour lines every %1</source>
+        <translation>Courbes de niveau tous les %1</translation>
+    </message>
+    <message>
+        <source>Rows count from the south (TMS)</source>
+        <translation>Lignes comptées depuis le sud (TMS)</translation>
+    </message>
+    <message>
+        <source>Try again</source>
+        <translation>Réessayer</translation>
+    </message>
+</context>
+<context>
+    <name>Inspector</name>
+    <message>
+        <source>Name</source>
+        <translation>Nom</translation>
+    </message>
+    <message>
+        <source>boundary</source>
+        <translation>limite de parcelle</translation>
+    </message>
+    <message>
+        <source>hole</source>
+        <translation>enclave</translation>
+    </message>
+    <message>
+        <source>obstacle</source>
+        <translation>obstacle</translation>
+    </message>
+    <message>
+        <source>guidance line</source>
+        <translation>ligne de guidage</translation>
+    </message>
+    <message>
+        <source>Several moves</source>
+        <translation>Plusieurs temps</translation>
+    </message>
+    <message>
+        <source>Point %1 of the %2</source>
+        <translation>Point %1 (%2)</translation>
+    </message>
+    <message>
+        <source>Drag it on the map, move it by arrow keys, or type where it is.</source>
+        <translation>Le tirer sur la carte, le déplacer avec les flèches ou taper sa position.</translation>
+    </message>
+    <message>
+        <source>Latitude</source>
+        <translation>Latitude</translation>
+    </message>
+    <message>
+        <source>Longitude</source>
+        <translation>Longitude</translation>
+    </message>
+    <message>
+        <source>Angle</source>
+        <translation>Angle</translation>
+    </message>
+    <message>
+        <source>%1°</source>
+        <translation>%1°</translation>
+    </message>
+    <message>
+        <source>AB line</source>
+        <translation>Ligne AB</translation>
+    </message>
+    <message>
+        <source>Edge %1 of the %2</source>
+        <translation>Côté %1 (%2)</translation>
+    </message>
+    <message>
+        <source>One swath lies on it, the others beside it. Drag it or its ends, or type its direction.</source>
+        <translation>Un passage s&apos;y trouve, les autres à côté. Tirer la ligne ou ses extrémités, ou taper sa direction.</translation>
+    </message>
+    <message>
+        <source>Drag it to move it sideways; the dot in its middle makes another point.</source>
+        <translation>Le tirer le déplace latéralement ; le point en son milieu en crée un autre.</translation>
+    </message>
+    <message>
+        <source>Length</source>
+        <translation>Longueur</translation>
+    </message>
+    <message>
+        <source>Direction</source>
+        <translation>Direction</translation>
+    </message>
+    <message>
+        <source>Obstacle</source>
+        <translation>Obstacle</translation>
+    </message>
+    <message>
+        <source>It is not worked, but may be driven on.</source>
+        <translation>Il n&apos;est pas travaillé, mais on peut rouler dessus.</translation>
+    </message>
+    <message>
+        <source>It is not worked, and nothing drives nearer than its buffer.</source>
+        <translation>Il n&apos;est pas travaillé, et rien ne s&apos;en approche plus que la distance.</translation>
+    </message>
+    <message>
+        <source>Buffer</source>
+        <translation>Distance</translation>
+    </message>
+    <message>
+        <source>Area</source>
+        <translation>Surface</translation>
+    </message>
+    <message>
+        <source>the end</source>
+        <translation>fin</translation>
+    </message>
+    <message>
+        <source>swath %1</source>
+        <translation>passage %1</translation>
+    </message>
+    <message>
+        <source>pass %1</source>
+        <translation>tour de fourrière %1</translation>
+    </message>
+    <message>
+        <source>Time</source>
+        <translation>Temps</translation>
+    </message>
+    <message>
+        <source>Swath %1</source>
+        <translation>Passage %1</translation>
+    </message>
+    <message>
+        <source>It is worked as number %1 of %2, %3 long, in %4.</source>
+        <translation>Il est travaillé en %1ᵉ position sur %2 : %3, en %4.</translation>
+    </message>
+    <message>
+        <source>Width</source>
+        <translation>Largeur</translation>
+    </message>
+    <message>
+        <source>Headland pass %1</source>
+        <translation>Tour de fourrière %1</translation>
+    </message>
+    <message>
+        <source>Counted from the outside; %1 are worked here in %2.</source>
+        <translation>Compté depuis l&apos;extérieur ; %1 sont travaillés ici en %2.</translation>
+    </message>
+    <message>
+        <source>Turn from %1 to %2</source>
+        <translation>Demi-tour : %1 → %2</translation>
+    </message>
+    <message>
+        <source>%1 in reverse, in %2.</source>
+        <translation>%1 en marche arrière, en %2.</translation>
+    </message>
+    <message>
+        <source>%1 with the implement up, in %2.</source>
+        <translation>%1 outil relevé, en %2.</translation>
+    </message>
+    <message>
+        <source>Kind</source>
+        <translation>Type</translation>
+    </message>
+    <message>
+        <source>Way from %1 to %2</source>
+        <translation>Trajet : %1 → %2</translation>
+    </message>
+    <message>
+        <source>%1 without working, in %2.</source>
+        <translation>%1 sans travailler, en %2.</translation>
+    </message>
+    <message>
+        <source>It cannot be driven like this: %1.</source>
+        <translation>Ce n&apos;est pas praticable ainsi : %1.</translation>
+    </message>
+    <message>
+        <source>Cell %1</source>
+        <translation>Sous-parcelle %1</translation>
+    </message>
+    <message numerus="yes">
+        <source>A piece of the mainland whose %n swath(s) are driven together.</source>
+        <translation>
+            <numerusform>Un morceau du plein champ avec %n passage.</numerusform>
+            <numerusform>Un morceau du plein champ dont les %n passages sont faits ensemble.</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>Swaths</source>
+        <translation>Passages</translation>
+    </message>
+    <message>
+        <source>Gate</source>
+        <translation>Entrée de parcelle</translation>
+    </message>
+    <message>
+        <source>Here the machine may enter and leave the field. Drag it along the boundary.</source>
+        <translation>La machine peut entrer et sortir ici. La tirer le long de la limite.</translation>
+    </message>
+    <message>
+        <source>Guidance curve</source>
+        <translation>Courbe de guidage</translation>
+    </message>
+    <message>
+        <source>The swaths lie beside it. Drag its points, or delete it.</source>
+        <translation>Les passages sont à côté. Tirer ses points ou la supprimer.</translation>
+    </message>
+    <message>
+        <source>Points</source>
+        <translation>Points</translation>
+    </message>
+    <message>
+        <source>Hole</source>
+        <translation>Enclave</translation>
+    </message>
+    <message>
+        <source>It is no part of the field. Drag it, or its points and edges.</source>
+        <translation>Elle ne fait pas partie de la parcelle. La tirer, ou ses points et côtés.</translation>
+    </message>
+    <message>
+        <source>Finding %1</source>
+        <translation>Remarque %1</translation>
+    </message>
+</context>
+<context>
+    <name>InspectorPanel</name>
+    <message>
+        <source>selected</source>
+        <translation>sélection</translation>
+    </message>
+    <message>
+        <source>%1: %2</source>
+        <translation>%1: %2</translation>
+    </message>
+    <message>
+        <source>May be driven on</source>
+        <translation>On peut rouler dessus</translation>
+    </message>
+    <message>
+        <source>Swaths along it</source>
+        <translation>Passages le long</translation>
+    </message>
+    <message>
+        <source>Delete</source>
+        <translation>Supprimer</translation>
+    </message>
+</context>
+<context>
+    <name>KeysDialog</name>
+    <message>
+        <source>Drag the map, wheel</source>
+        <translation>Tirer la carte, molette</translation>
+    </message>
+    <message>
+        <source>move, zoom</source>
+        <translation>déplacer, zoomer</translation>
+    </message>
+    <message>
+        <source>Arrows, + and −</source>
+        <translation>Flèches, + et −</translation>
+    </message>
+    <message>
+        <source>move the selection or the map, zoom</source>
+        <translation>déplacer la sélection ou la carte, zoomer</translation>
+    </message>
+    <message>
+        <source>, and .</source>
+        <translation>, et .</translation>
+    </message>
+    <message>
+        <source>the point before, the next point</source>
+        <translation>point précédent, suivant</translation>
+    </message>
+    <message>
+        <source>Enter</source>
+        <translation>Entrée</translation>
+    </message>
+    <message>
+        <source>finish drawing; type into the inspector</source>
+        <translation>terminer le dessin ; saisir dans l&apos;inspecteur</translation>
+    </message>
+    <message>
+        <source>Alt</source>
+        <translation>Alt</translation>
+    </message>
+    <message>
+        <source>no snapping while it is held</source>
+        <translation>pas d&apos;accrochage tant qu&apos;elle est tenue</translation>
+    </message>
+    <message>
+        <source>Esc</source>
+        <translation>Échap</translation>
+    </message>
+    <message>
+        <source>stop what was begun</source>
+        <translation>arrêter ce qui est commencé</translation>
+    </message>
+    <message>
+        <source>Keys and mouse</source>
+        <translation>Clavier et souris</translation>
+    </message>
+    <message>
+        <source>%1: %2</source>
+        <translation>%1: %2</translation>
+    </message>
+    <message>
+        <source>Close</source>
+        <translation>Fermer</translation>
+    </message>
+</context>
+<context>
+    <name>LayerSwitches</name>
+    <message>
+        <source>Boundary</source>
+        <translation>Limite de parcelle</translation>
+    </message>
+    <message>
+        <source>Headland</source>
+        <translation>Fourrière</translation>
+    </message>
+    <message>
+        <source>Swaths</source>
+        <translation>Passages</translation>
+    </message>
+    <message>
+        <source>Order numbers</source>
+        <translation>Numéros d&apos;ordre</translation>
+    </message>
+    <message>
+        <source>Findings</source>
+        <translation>Remarques</translation>
+    </message>
+    <message>
+        <source>Imagery</source>
+        <translation>Imagerie</translation>
+    </message>
+    <message>
+        <source>Path</source>
+        <translation>Trajet</translation>
+    </message>
+    <message>
+        <source>Directions</source>
+        <translation>Sens de marche</translation>
+    </message>
+    <message>
+        <source>Coverage</source>
+        <translation>Travaillé</translation>
+    </message>
+    <message>
+        <source>Worked twice</source>
+        <translation>Travaillé deux fois</translation>
+    </message>
+    <message>
+        <source>Missed</source>
+        <translation>Non travaillé</translation>
+    </message>
+    <message>
+        <source>Wheel passes</source>
+        <translation>Passages de roues</translation>
+    </message>
+</context>
+<context>
+    <name>LayersPanel</name>
+    <message>
+        <source>Layers</source>
+        <translation>Couches</translation>
+    </message>
+    <message>
+        <source>Close the layers</source>
+        <translation>Fermer les couches</translation>
+    </message>
+    <message>
+        <source>Imagery</source>
+        <translation>Imagerie</translation>
+    </message>
+    <message>
+        <source>From the network</source>
+        <translation>Depuis le réseau</translation>
+    </message>
+    <message>
+        <source>OpenStreetMap</source>
+        <translation>OpenStreetMap</translation>
+    </message>
+    <message>
+        <source>Asks openstreetmap.org for what is in view. Off, nothing leaves this computer.</source>
+        <translation>Demande à openstreetmap.org ce qui est affiché. Désactivé, rien ne quitte cet ordinateur.</translation>
+    </message>
+</context>
+<context>
+    <name>MachineFields</name>
+    <message>
+        <source>Machine</source>
+        <translation>Machine</translation>
+    </message>
+    <message>
+        <source>Back to the original</source>
+        <translation>Valeurs d&apos;origine</translation>
+    </message>
+</context>
+<context>
+    <name>Main</name>
+    <message>
+        <source>%1%2 – Furrow</source>
+        <translation>%1%2 – Furrow</translation>
+    </message>
+    <message>
+        <source>Furrow</source>
+        <translation>Furrow</translation>
+    </message>
+    <message>
+        <source>Rename the field</source>
+        <translation>Renommer la parcelle</translation>
+    </message>
+    <message>
+        <source>Add a plan</source>
+        <translation>Ajouter un plan</translation>
+    </message>
+    <message>
+        <source>Rename the plan</source>
+        <translation>Renommer le plan</translation>
+    </message>
+    <message>
+        <source>Everything at %1 %</source>
+        <translation>Tout à %1 %</translation>
+    </message>
+    <message>
+        <source>This holds from the next start of Furrow.</source>
+        <translation>Cela prend effet au prochain démarrage de Furrow.</translation>
+    </message>
+    <message>
+        <source>OK</source>
+        <translation>OK</translation>
+    </message>
+</context>
+<context>
+    <name>MapPage</name>
+    <message>
+        <source>Map</source>
+        <translation>Carte</translation>
+    </message>
+</context>
+<context>
+    <name>MapToolBar</name>
+    <message>
+        <source>Select and change (V)</source>
+        <translation>Sélectionner et modifier (V)</translation>
+    </message>
+    <message>
+        <source>Draw a field (B)</source>
+        <translation>Dessiner une parcelle (B)</translation>
+    </message>
+    <message>
+        <source>Draw a hole (H)</source>
+        <translation>Dessiner une enclave (H)</translation>
+    </message>
+    <message>
+        <source>Draw an obstacle (O)</source>
+        <translation>Dessiner un obstacle (O)</translation>
+    </message>
+    <message>
+        <source>Draw an AB line (L)</source>
+        <translation>Dessiner une ligne AB (L)</translation>
+    </message>
+    <message>
+        <source>Add a gate (G)</source>
+        <translation>Ajouter une entrée de parcelle (G)</translation>
+    </message>
+    <message>
+        <source>Show the whole field (F)</source>
+        <translation>Montrer toute la parcelle (F)</translation>
+    </message>
+    <message>
+        <source>Closer (+)</source>
+        <translation>Zoom avant (+)</translation>
+    </message>
+    <message>
+        <source>Further away (−)</source>
+        <translation>Zoom arrière (−)</translation>
+    </message>
+    <message>
+        <source>Layers (Ctrl+L)</source>
+        <translation>Couches (Ctrl+L)</translation>
+    </message>
+</context>
+<context>
+    <name>NameDialog</name>
+    <message>
+        <source>Name</source>
+        <translation>Nom</translation>
+    </message>
+    <message>
+        <source>Season</source>
+        <translation>Campagne</translation>
+    </message>
+    <message>
+        <source>Cancel</source>
+        <translation>Annuler</translation>
+    </message>
+    <message>
+        <source>OK</source>
+        <translation>OK</translation>
+    </message>
+</context>
+<context>
+    <name>OnlineMap</name>
+    <message>
+        <source>© OpenStreetMap contributors</source>
+        <translation>© les contributeurs d’OpenStreetMap</translation>
+    </message>
+</context>
+<context>
+    <name>ParameterField</name>
+    <message>
+        <source>Auto</source>
+        <translation>Auto</translation>
+    </message>
+    <message>
+        <source>%1: let Furrow choose</source>
+        <translation>%1 : laisser Furrow choisir</translation>
+    </message>
+</context>
+<context>
+    <name>Planner</name>
+    <message>
+        <source> and twice %1 of margin</source>
+        <translation> et deux fois %1 de marge</translation>
+    </message>
+    <message>
+        <source>%1 and %2</source>
+        <translation>%1 et %2</translation>
+    </message>
+    <message>
+        <source>%1 and %2 more</source>
+        <translation>%1 et %2 autres</translation>
+    </message>
+    <message>
+        <source>%1 are driven in reverse; the trailed implement cannot.</source>
+        <translation>%1 sont faits en marche arrière ; l&apos;outil traîné ne le peut pas.</translation>
+    </message>
+    <message>
+        <source>%1 are driven in reverse; this machine cannot.</source>
+        <translation>%1 sont faits en marche arrière ; cette machine ne le peut pas.</translation>
+    </message>
+    <message>
+        <source>%1 are not worked, %2 of the field, in %3; this is the largest.</source>
+        <translation>%1 ne sont pas travaillés, %2 de la parcelle, en %3 ; voici la plus grande zone non travaillée.</translation>
+    </message>
+    <message>
+        <source>%1 bends with a radius of %2; this machine needs %3.</source>
+        <translation>%1 a des courbes de %2 de rayon ; cette machine a besoin de %3.</translation>
+    </message>
+    <message>
+        <source>%1 cannot be driven: %2.</source>
+        <translation>%1 n&apos;est pas praticable : %2.</translation>
+    </message>
+    <message>
+        <source>%1 cannot be made: %2</source>
+        <translation>%1 ne peut être créé : %2</translation>
+    </message>
+    <message>
+        <source>%1 cannot be steered</source>
+        <translation>%1 ne peut être braqué</translation>
+    </message>
+    <message>
+        <source>%1 cannot be worked with</source>
+        <translation>%1 n&apos;est pas utilisable</translation>
+    </message>
+    <message>
+        <source>%1 circle(s) within %2 of the centre are tighter than this machine can follow and are left out</source>
+        <translation>%1 cercle(s) à moins de %2 du centre sont plus serrés que cette machine ne peut suivre et sont laissés de côté</translation>
+    </message>
+    <message>
+        <source>%1 crosses an obstacle, by %2.</source>
+        <translation>%1 traverse un obstacle, de %2.</translation>
+    </message>
+    <message>
+        <source>%1 crosses an obstacle.</source>
+        <translation>%1 traverse un obstacle.</translation>
+    </message>
+    <message>
+        <source>%1 does not fit here</source>
+        <translation>%1 ne convient pas ici</translation>
+    </message>
+    <message>
+        <source>%1 for each swath makes over a million swaths</source>
+        <translation>%1 par passage donne plus d&apos;un million de passages</translation>
+    </message>
+    <message>
+        <source>%1 in one piece are not worked.</source>
+        <translation>%1 d&apos;un seul tenant ne sont pas travaillés.</translation>
+    </message>
+    <message>
+        <source>%1 is not a whole number</source>
+        <translation>%1 n&apos;est pas un nombre entier</translation>
+    </message>
+    <message>
+        <source>%1 is on the stick already</source>
+        <translation>%1 est déjà sur la clé</translation>
+    </message>
+    <message>
+        <source>%1 is out of range</source>
+        <translation>%1 est hors des bornes</translation>
+    </message>
+    <message>
+        <source>%1 is planned, but nothing of it is driven with the implement down.</source>
+        <translation>%1 est prévu, mais rien n&apos;en est fait outil baissé.</translation>
+    </message>
+    <message>
+        <source>%1 is planned, but only %2 of it is driven with the implement down.</source>
+        <translation>%1 est prévu, mais seulement %2 en est fait outil baissé.</translation>
+    </message>
+    <message>
+        <source>%1 jumps by %2.</source>
+        <translation>%1 saute de %2.</translation>
+    </message>
+    <message>
+        <source>%1 leaves the field by %2.</source>
+        <translation>%1 sort de la parcelle de %2.</translation>
+    </message>
+    <message>
+        <source>%1 leaves the field or crosses an obstacle, by up to %2, as this plan allows.</source>
+        <translation>%1 sort de la parcelle ou traverse un obstacle, jusqu&apos;à %2, comme ce plan le permet.</translation>
+    </message>
+    <message>
+        <source>%1 moves %2 off where the machine points.</source>
+        <translation>%1 avance à %2 de la direction de la machine.</translation>
+    </message>
+    <message>
+        <source>%1 needs %2</source>
+        <translation>%1 demande : %2</translation>
+    </message>
+    <message>
+        <source>%1 of %2 guidance lines of &apos;%3&apos; are there</source>
+        <translation>%1 lignes de guidage sur %2 de « %3 » y sont</translation>
+    </message>
+    <message>
+        <source>%1 of %2 swaths are not in the order: %3</source>
+        <translation>%1 passages sur %2 ne sont pas dans l&apos;ordre : %3</translation>
+    </message>
+    <message>
+        <source>%1 of margin leaves nothing of the field to work</source>
+        <translation>%1 de marge ne laissent rien de la parcelle à travailler</translation>
+    </message>
+    <message>
+        <source>%1 reads back other bytes than were written</source>
+        <translation>%1 renvoie d&apos;autres octets que ceux écrits</translation>
+    </message>
+    <message>
+        <source>%1 small patches of worked pixels are left out</source>
+        <translation>%1 petites taches de pixels travaillés sont laissées de côté</translation>
+    </message>
+    <message>
+        <source>%1 swaths and turns leave the field or cross an obstacle, by up to %2, as this plan allows.</source>
+        <translation>%1 passages et demi-tours sortent de la parcelle ou traversent un obstacle, jusqu&apos;à %2, comme ce plan le permet.</translation>
+    </message>
+    <message>
+        <source>%1, %2 is no longitude and latitude</source>
+        <translation>%1, %2 n&apos;est pas une longitude et une latitude</translation>
+    </message>
+    <message>
+        <source>%1, %2 is no longitude and latitude, and the file does not say which coordinate system it uses</source>
+        <translation>%1, %2 n&apos;est pas une longitude et une latitude, et le fichier ne dit pas quel système de coordonnées il utilise</translation>
+    </message>
+    <message>
+        <source>%1, %2 is outside longitude -180 to 180 and latitude -90 to 90</source>
+        <translation>%1, %2 est hors de la longitude -180 à 180 et de la latitude -90 à 90</translation>
+    </message>
+    <message>
+        <source>%1, %2, line %3</source>
+        <translation>%1, %2, ligne %3</translation>
+    </message>
+    <message>
+        <source>%1, feature %2</source>
+        <translation>%1, objet %2</translation>
+    </message>
+    <message>
+        <source>%1, gate %2</source>
+        <translation>%1, entrée de parcelle %2</translation>
+    </message>
+    <message>
+        <source>%1, hole %2</source>
+        <translation>%1, enclave %2</translation>
+    </message>
+    <message>
+        <source>%1, obstacle %2</source>
+        <translation>%1, obstacle %2</translation>
+    </message>
+    <message>
+        <source>%1, point %2</source>
+        <translation>%1, point %2</translation>
+    </message>
+    <message>
+        <source>%1, row %2</source>
+        <translation>%1, ligne %2</translation>
+    </message>
+    <message>
+        <source>%1: its machine cannot be used: %2</source>
+        <translation>%1 : sa machine ne peut être utilisée : %2</translation>
+    </message>
+    <message>
+        <source>%1: the setting %2 is not used: %3</source>
+        <translation>%1 : le réglage %2 n&apos;est pas utilisé : %3</translation>
+    </message>
+    <message numerus="yes">
+        <source>%n entries without a shape</source>
+        <translation>
+            <numerusform>%n entrée sans forme</numerusform>
+            <numerusform>%n entrées sans forme</numerusform>
+        </translation>
+    </message>
+    <message numerus="yes">
+        <source>%n fields</source>
+        <translation>
+            <numerusform>%n parcelle</numerusform>
+            <numerusform>%n parcelles</numerusform>
+        </translation>
+    </message>
+    <message numerus="yes">
+        <source>%n open lines</source>
+        <translation>
+            <numerusform>%n ligne ouverte</numerusform>
+            <numerusform>%n lignes ouvertes</numerusform>
+        </translation>
+    </message>
+    <message numerus="yes">
+        <source>%n passes</source>
+        <translation>
+            <numerusform>%n tour</numerusform>
+            <numerusform>%n tours</numerusform>
+        </translation>
+    </message>
+    <message numerus="yes">
+        <source>%n pieces</source>
+        <translation>
+            <numerusform>%n morceau</numerusform>
+            <numerusform>%n morceaux</numerusform>
+        </translation>
+    </message>
+    <message numerus="yes">
+        <source>%n places</source>
+        <translation>
+            <numerusform>%n endroit</numerusform>
+            <numerusform>%n endroits</numerusform>
+        </translation>
+    </message>
+    <message numerus="yes">
+        <source>%n points</source>
+        <translation>
+            <numerusform>%n point</numerusform>
+            <numerusform>%n points</numerusform>
+        </translation>
+    </message>
+    <message numerus="yes">
+        <source>%n points were given twice and taken once</source>
+        <translation>
+            <numerusform>%n point était donné deux fois et compte une fois</numerusform>
+            <numerusform>%n points étaient donnés deux fois et comptent une fois</numerusform>
+        </translation>
+    </message>
+    <message numerus="yes">
+        <source>%n rings did not end where they began and were closed</source>
+        <translation>
+            <numerusform>%n contour ne finissait pas où il commence et a été fermé</numerusform>
+            <numerusform>%n contours ne finissaient pas où ils commencent et ont été fermés</numerusform>
+        </translation>
+    </message>
+    <message numerus="yes">
+        <source>%n rings ran the wrong way round and were turned</source>
+        <translation>
+            <numerusform>%n contour tournait à l&apos;envers et a été retourné</numerusform>
+            <numerusform>%n contours tournaient à l&apos;envers et ont été retournés</numerusform>
+        </translation>
+    </message>
+    <message numerus="yes">
+        <source>%n spikes without area were removed</source>
+        <translation>
+            <numerusform>%n pointe sans surface a été retirée</numerusform>
+            <numerusform>%n pointes sans surface ont été retirées</numerusform>
+        </translation>
+    </message>
+    <message numerus="yes">
+        <source>%n turns</source>
+        <translation>
+            <numerusform>%n demi-tour</numerusform>
+            <numerusform>%n demi-tours</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>&apos;%1&apos; is left out: its kind %2 is not known</source>
+        <translation>« %1 » est laissé de côté : son type %2 est inconnu</translation>
+    </message>
+    <message>
+        <source>&apos;%1&apos; is no length</source>
+        <translation>« %1 » n&apos;est pas une longueur</translation>
+    </message>
+    <message>
+        <source>&apos;%1&apos; is no local frame</source>
+        <translation>« %1 » n&apos;est pas un repère local</translation>
+    </message>
+    <message>
+        <source>&apos;%1&apos; is not %2</source>
+        <translation>« %1 » n&apos;est pas : %2</translation>
+    </message>
+    <message>
+        <source>&apos;%1&apos; is not a line</source>
+        <translation>« %1 » n&apos;est pas une ligne</translation>
+    </message>
+    <message>
+        <source>&apos;%1&apos; is not well-known text</source>
+        <translation>« %1 » n&apos;est pas du well-known text</translation>
+    </message>
+    <message>
+        <source>&apos;%1&apos;, &apos;%2&apos; is no latitude and longitude; what it belongs to was left out</source>
+        <translation>« %1 », « %2 » n&apos;est pas une latitude et une longitude ; ce qui en dépend a été laissé de côté</translation>
+    </message>
+    <message>
+        <source>&apos;%1&apos;, &apos;%2&apos; is no longitude and latitude</source>
+        <translation>« %1 », « %2 » n&apos;est pas une longitude et une latitude</translation>
+    </message>
+    <message>
+        <source>A and B are %1 apart</source>
+        <translation>A et B sont à %1 l&apos;un de l&apos;autre</translation>
+    </message>
+    <message>
+        <source>A bulb to both sides; for swaths nearer than two turning radii.</source>
+        <translation>Renflé des deux côtés ; pour des passages à moins de deux rayons de braquage.</translation>
+    </message>
+    <message>
+        <source>A bulb to one side and straight back; for swaths nearer than two turning radii.</source>
+        <translation>Renflé d&apos;un côté et retour droit ; pour des passages à moins de deux rayons de braquage.</translation>
+    </message>
+    <message>
+        <source>A cell gets a heading of its own where that saves time.</source>
+        <translation>Une sous-parcelle a sa propre orientation là où cela fait gagner du temps.</translation>
+    </message>
+    <message>
+        <source>A file of lines: planted rows, or the tramlines of a plan.</source>
+        <translation>Un fichier de lignes : rangs plantés, ou passages de pulvérisateur d&apos;un plan.</translation>
+    </message>
+    <message>
+        <source>A gate&apos;s name or a point; the first gate where nothing is given.</source>
+        <translation>Nom d&apos;une entrée ou un point ; la première entrée si rien n&apos;est donné.</translation>
+    </message>
+    <message>
+        <source>A goal of opennav_coverage has one outline: %1 of %2 parts are left out.</source>
+        <translation>Un objectif opennav_coverage a un contour : %1 parties sur %2 sont laissées de côté.</translation>
+    </message>
+    <message>
+        <source>A headland of %1 may make room (%2 now).</source>
+        <translation>Une fourrière de %1 ferait peut-être de la place (%2 maintenant).</translation>
+    </message>
+    <message>
+        <source>A raster of heights in metres that covers the field, such as a GeoTIFF.</source>
+        <translation>Une grille d&apos;altitudes en mètres qui couvre la parcelle, comme un GeoTIFF.</translation>
+    </message>
+    <message>
+        <source>A robot with ROS 2</source>
+        <translation>Un robot avec ROS 2</translation>
+    </message>
+    <message>
+        <source>A snake within each cluster of swaths, cluster after cluster.</source>
+        <translation>Un serpentin dans chaque groupe de passages, groupe après groupe.</translation>
+    </message>
+    <message>
+        <source>A strip of the same width along the boundary and around obstacles, for turning.</source>
+        <translation>Une bande de même largeur le long de la limite et autour des obstacles, pour tourner.</translation>
+    </message>
+    <message>
+        <source>A+</source>
+        <translation>A+</translation>
+    </message>
+    <message>
+        <source>AB curve</source>
+        <translation>Courbe AB</translation>
+    </message>
+    <message>
+        <source>AB line</source>
+        <translation>Ligne AB</translation>
+    </message>
+    <message>
+        <source>Across the slope: beside a line of equal height, and a new one where that no longer fits.</source>
+        <translation>En travers de la pente : à côté d&apos;une courbe de niveau, et d&apos;une autre là où cela ne va plus.</translation>
+    </message>
+    <message>
+        <source>After the mainland</source>
+        <translation>Après le plein champ</translation>
+    </message>
+    <message>
+        <source>AgBot</source>
+        <translation>AgBot</translation>
+    </message>
+    <message>
+        <source>AgGPS folder</source>
+        <translation>Dossier AgGPS</translation>
+    </message>
+    <message>
+        <source>AgOpenGPS 6, import of ISOXML</source>
+        <translation>AgOpenGPS 6, import ISOXML</translation>
+    </message>
+    <message>
+        <source>AgOpenGPS drives recorded paths forwards only, and this one reverses %1 times: its %2 forward stretches are &apos;Part 01.rec&apos; and so on, RecPath.txt is the first; %3 under 5 m are left out.</source>
+        <translation>AgOpenGPS ne suit les trajets enregistrés qu&apos;en avant, et celui-ci recule %1 fois : ses %2 tronçons avant sont &apos;Part 01.rec&apos; et suivants, RecPath.txt est le premier ; %3 de moins de 5 m sont laissés de côté.</translation>
+    </message>
+    <message>
+        <source>AgOpenGPS field</source>
+        <translation>Parcelle AgOpenGPS</translation>
+    </message>
+    <message>
+        <source>AgOpenGPS keeps one outline to a field: the %1 parts of &apos;%2&apos; are fields of their own, and the whole path is in the first.</source>
+        <translation>AgOpenGPS garde un contour par parcelle : les %1 parties de « %2 » sont des parcelles à part, et tout le trajet est dans la première.</translation>
+    </message>
+    <message>
+        <source>AgOpenGPS keeps one outline to a field: the %1 parts of &apos;%2&apos; are fields of their own.</source>
+        <translation>AgOpenGPS garde un contour par parcelle : les %1 parties de « %2 » sont des parcelles à part.</translation>
+    </message>
+    <message>
+        <source>All swaths along the edge of the boundary that you pick.</source>
+        <translation>Tous les passages le long du côté de la limite choisi.</translation>
+    </message>
+    <message>
+        <source>All swaths along the longest straight edge of the mainland.</source>
+        <translation>Tous les passages le long du plus grand côté droit du plein champ.</translation>
+    </message>
+    <message>
+        <source>All swaths in the direction that you type.</source>
+        <translation>Tous les passages dans la direction saisie.</translation>
+    </message>
+    <message>
+        <source>Along an edge</source>
+        <translation>Le long d&apos;un côté</translation>
+    </message>
+    <message>
+        <source>Along rows that are there already, or between them.</source>
+        <translation>Le long de rangs déjà là, ou entre eux.</translation>
+    </message>
+    <message>
+        <source>Along the boundary</source>
+        <translation>Le long de la limite</translation>
+    </message>
+    <message>
+        <source>Along the contours</source>
+        <translation>Selon les courbes de niveau</translation>
+    </message>
+    <message>
+        <source>Along the direction of travel.</source>
+        <translation>Dans le sens de la marche.</translation>
+    </message>
+    <message>
+        <source>Along the headland</source>
+        <translation>Par la fourrière</translation>
+    </message>
+    <message>
+        <source>Along the line from A to B; one swath lies on it.</source>
+        <translation>Le long de la ligne de A à B ; un passage est dessus.</translation>
+    </message>
+    <message>
+        <source>Along the longest edge</source>
+        <translation>Le long du plus grand côté</translation>
+    </message>
+    <message>
+        <source>An older ISOBUS terminal</source>
+        <translation>Une console ISOBUS plus ancienne</translation>
+    </message>
+    <message>
+        <source>Another ISOBUS terminal</source>
+        <translation>Une autre console ISOBUS</translation>
+    </message>
+    <message>
+        <source>Anywhere</source>
+        <translation>Partout</translation>
+    </message>
+    <message>
+        <source>Arc, straight, arc; for swaths at least two turning radii apart.</source>
+        <translation>Arc, droite, arc ; pour des passages distants d&apos;au moins deux rayons de braquage.</translation>
+    </message>
+    <message>
+        <source>As few as possible</source>
+        <translation>Le moins possible</translation>
+    </message>
+    <message>
+        <source>As few swaths, and so turns, as possible.</source>
+        <translation>Aussi peu de passages, donc de demi-tours, que possible.</translation>
+    </message>
+    <message>
+        <source>At obstacles</source>
+        <translation>Aux obstacles</translation>
+    </message>
+    <message>
+        <source>At the left edge</source>
+        <translation>Au bord gauche</translation>
+    </message>
+    <message>
+        <source>At the right edge</source>
+        <translation>Au bord droit</translation>
+    </message>
+    <message>
+        <source>At the start of the first swath.</source>
+        <translation>Au début du premier passage.</translation>
+    </message>
+    <message>
+        <source>Before the mainland</source>
+        <translation>Avant le plein champ</translation>
+    </message>
+    <message>
+        <source>Beside a curve of your own, or beside the edges around the one that you pick.</source>
+        <translation>À côté d&apos;une courbe à vous, ou des côtés autour de celui choisi.</translation>
+    </message>
+    <message>
+        <source>Best heading</source>
+        <translation>Meilleure orientation</translation>
+    </message>
+    <message>
+        <source>Best of all headings</source>
+        <translation>Meilleure de toutes</translation>
+    </message>
+    <message>
+        <source>Best that fits</source>
+        <translation>Le meilleur qui passe</translation>
+    </message>
+    <message>
+        <source>Between the fixed and the steered axle.</source>
+        <translation>Entre l&apos;essieu fixe et l&apos;essieu directeur.</translation>
+    </message>
+    <message>
+        <source>Between the headings that are tried.</source>
+        <translation>Entre les orientations essayées.</translation>
+    </message>
+    <message>
+        <source>Between the rows</source>
+        <translation>Entre les rangs</translation>
+    </message>
+    <message>
+        <source>Boundaries in longitude and latitude.</source>
+        <translation>Limites en longitude et latitude.</translation>
+    </message>
+    <message>
+        <source>Boundaries, also field files of Fields2Cover and GAOS.</source>
+        <translation>Limites, aussi les fichiers de Fields2Cover et GAOS.</translation>
+    </message>
+    <message>
+        <source>Boundaries.</source>
+        <translation>Limites de parcelle.</translation>
+    </message>
+    <message>
+        <source>Boundary and guidance lines for Trimble and FM displays; no driving order.</source>
+        <translation>Limite et lignes de guidage pour écrans Trimble et FM ; pas d&apos;ordre.</translation>
+    </message>
+    <message>
+        <source>Boundary, headland, heading and order; the robot lays swaths and turns itself.</source>
+        <translation>Limite, fourrière, orientation et ordre ; le robot trace passages et demi-tours lui-même.</translation>
+    </message>
+    <message>
+        <source>Boundary, holes, headland, guidance lines, and the whole driven path as a recorded path.</source>
+        <translation>Limite, enclaves, fourrière, lignes de guidage et tout le trajet comme trajet enregistré.</translation>
+    </message>
+    <message>
+        <source>Boundary, holes, obstacles and guidance lines for older terminals; no headland, no driving order.</source>
+        <translation>Limite, enclaves, obstacles et lignes de guidage pour consoles anciennes ; ni fourrière ni ordre.</translation>
+    </message>
+    <message>
+        <source>Boundary, holes, obstacles, gates, headland and guidance lines for terminals; no driving order.</source>
+        <translation>Limite, enclaves, obstacles, entrées, fourrière et lignes de guidage pour consoles ; pas d&apos;ordre des passages.</translation>
+    </message>
+    <message>
+        <source>Boundary, holes, obstacles, headland, swaths and path in metres of the UTM zone.</source>
+        <translation>Limite, enclaves, obstacles, fourrière, passages et trajet en mètres de la zone UTM.</translation>
+    </message>
+    <message>
+        <source>Boundary, obstacles, gates, headland, swaths and path, to look at.</source>
+        <translation>Limite, obstacles, entrées, fourrière, passages et trajet, pour regarder.</translation>
+    </message>
+    <message>
+        <source>Boundary, obstacles, gates, headland, swaths, path and findings; for maps and programs.</source>
+        <translation>Limite, obstacles, entrées, fourrière, passages, trajet et remarques ; pour cartes et programmes.</translation>
+    </message>
+    <message>
+        <source>Boundary, obstacles, gates, mainland, swaths and path as layers for a GIS.</source>
+        <translation>Limite, obstacles, entrées, plein champ, passages et trajet en couches pour un SIG.</translation>
+    </message>
+    <message>
+        <source>Boundary, obstacles, gates, mainland, swaths and path, a shapefile of each.</source>
+        <translation>Limite, obstacles, entrées, plein champ, passages et trajet, un shapefile pour chacun.</translation>
+    </message>
+    <message>
+        <source>Bringing the crop in: headland first, swaths overlap a little.</source>
+        <translation>Rentrer la récolte : fourrière d&apos;abord, léger recouvrement des passages.</translation>
+    </message>
+    <message>
+        <source>CSV table</source>
+        <translation>Tableau CSV</translation>
+    </message>
+    <message>
+        <source>Can reverse</source>
+        <translation>Peut reculer</translation>
+    </message>
+    <message>
+        <source>Can turn in place</source>
+        <translation>Peut tourner sur place</translation>
+    </message>
+    <message>
+        <source>Carried by the tractor, or pulled on a hitch and following its own track.</source>
+        <translation>Porté par le tracteur, ou traîné à l&apos;attelage et suivant sa propre trace.</translation>
+    </message>
+    <message>
+        <source>Cells</source>
+        <translation>Sous-parcelles</translation>
+    </message>
+    <message>
+        <source>Centre line</source>
+        <translation>Ligne médiane</translation>
+    </message>
+    <message>
+        <source>Check that the machine stays inside the field while it turns.</source>
+        <translation>Vérifier que la machine reste dans la parcelle en tournant.</translation>
+    </message>
+    <message>
+        <source>Choose another place.</source>
+        <translation>Choisir un autre endroit.</translation>
+    </message>
+    <message>
+        <source>Choose forward curves, or a machine that can.</source>
+        <translation>Choisir des courbes en marche avant, ou une machine qui le peut.</translation>
+    </message>
+    <message>
+        <source>Choose forward curves.</source>
+        <translation>Choisir des courbes en marche avant.</translation>
+    </message>
+    <message>
+        <source>Choose wider turns.</source>
+        <translation>Choisir des demi-tours plus larges.</translation>
+    </message>
+    <message>
+        <source>Circles</source>
+        <translation>Cercles</translation>
+    </message>
+    <message>
+        <source>Clockwise</source>
+        <translation>Sens horaire</translation>
+    </message>
+    <message>
+        <source>Cluster</source>
+        <translation>Groupe</translation>
+    </message>
+    <message>
+        <source>Combine harvester, 7.5 m header</source>
+        <translation>Moissonneuse-batteuse, coupe 7,5 m</translation>
+    </message>
+    <message>
+        <source>Corners</source>
+        <translation>Coins</translation>
+    </message>
+    <message>
+        <source>Counter-clockwise</source>
+        <translation>Sens antihoraire</translation>
+    </message>
+    <message>
+        <source>Crop protection: headland first, ways along the headland.</source>
+        <translation>Protection des cultures : fourrière d&apos;abord, trajets par la fourrière.</translation>
+    </message>
+    <message>
+        <source>Curves are driven with up to %1 sideways; the machine&apos;s limit is less.</source>
+        <translation>Les courbes sont prises avec %1 de côté au plus ; la limite de la machine est inférieure.</translation>
+    </message>
+    <message>
+        <source>Curves with reversing</source>
+        <translation>Courbes avec marche arrière</translation>
+    </message>
+    <message>
+        <source>Curves with reversing, smooth steering</source>
+        <translation>Courbes avec recul, direction douce</translation>
+    </message>
+    <message>
+        <source>Cut along the swaths at every corner.</source>
+        <translation>Coupé le long des passages à chaque angle.</translation>
+    </message>
+    <message>
+        <source>Cut along the swaths where an obstacle or a bay begins or ends.</source>
+        <translation>Coupé le long des passages là où un obstacle ou un renfoncement commence ou finit.</translation>
+    </message>
+    <message>
+        <source>Cut where an obstacle or a bay begins or ends, and joined again where one follows on the other.</source>
+        <translation>Coupé là où un obstacle ou un renfoncement commence ou finit, et réuni là où l&apos;une suit l&apos;autre.</translation>
+    </message>
+    <message>
+        <source>Cutting grass: headland first, swaths overlap a little.</source>
+        <translation>Fauche de l&apos;herbe : fourrière d&apos;abord, léger recouvrement des passages.</translation>
+    </message>
+    <message>
+        <source>DXF drawing</source>
+        <translation>Dessin DXF</translation>
+    </message>
+    <message>
+        <source>Direction</source>
+        <translation>Direction</translation>
+    </message>
+    <message>
+        <source>Drawn out until the whole width is covered, as far as there is room.</source>
+        <translation>Prolongé jusqu&apos;à couvrir toute la largeur, tant qu&apos;il y a de la place.</translation>
+    </message>
+    <message>
+        <source>Drilling or planting: headland last, ways along the headland.</source>
+        <translation>Semis ou plantation : fourrière en dernier, trajets par la fourrière.</translation>
+    </message>
+    <message>
+        <source>Drive</source>
+        <translation>Rouler</translation>
+    </message>
+    <message>
+        <source>Drive along the headland where the crop or the seedbed must not be driven on.</source>
+        <translation>Passer par la fourrière là où il ne faut pas rouler sur la culture ou le lit de semences.</translation>
+    </message>
+    <message>
+        <source>Drive the curves more slowly.</source>
+        <translation>Prendre les courbes plus lentement.</translation>
+    </message>
+    <message>
+        <source>Drives the path from waypoint to waypoint, rounding corners its own way; relay 1 is on where the implement works. Not tested on the machine by us.</source>
+        <translation>Va de point en point en arrondissant les angles à sa façon ; le relais 1 est fermé là où l&apos;outil travaille. Non testé par nous sur la machine.</translation>
+    </message>
+    <message>
+        <source>Drives the whole path, turns included, as a recorded path; stretches in reverse gear are left to the driver. Shows boundary, headland and guidance lines. Copy the field&apos;s folder to Documents/AgOpenGPS/Fields.</source>
+        <translation>Suit tout le trajet, demi-tours compris, comme trajet enregistré ; les tronçons en marche arrière sont laissés au conducteur. Montre limite, fourrière et lignes de guidage. Copier le dossier de la parcelle dans Documents/AgOpenGPS/Fields.</translation>
+    </message>
+    <message>
+        <source>Each its own</source>
+        <translation>Chacune la sienne</translation>
+    </message>
+    <message>
+        <source>Edge</source>
+        <translation>Côté</translation>
+    </message>
+    <message>
+        <source>Edge directions and every tenth of a degree, refined; says when nothing better exists.</source>
+        <translation>Directions des côtés et chaque dixième de degré, affiné ; dit s&apos;il n&apos;y a pas mieux.</translation>
+    </message>
+    <message>
+        <source>End</source>
+        <translation>Arrivée</translation>
+    </message>
+    <message>
+        <source>Ends</source>
+        <translation>Bouts</translation>
+    </message>
+    <message>
+        <source>Every how many swaths a wider machine will drive again; 0 for none.</source>
+        <translation>Tous les combien de passages une machine plus large repassera ; 0 pour aucun.</translation>
+    </message>
+    <message>
+        <source>Every sample of the path; without a plan boundaries as WKT, or as points.</source>
+        <translation>Chaque point du trajet ; sans plan, les limites en WKT ou en points.</translation>
+    </message>
+    <message>
+        <source>Every second swath on the way out, the others on the way back.</source>
+        <translation>Un passage sur deux à l&apos;aller, les autres au retour.</translation>
+    </message>
+    <message>
+        <source>Every swath after its neighbour, back and forth.</source>
+        <translation>Chaque passage après son voisin, en aller-retour.</translation>
+    </message>
+    <message>
+        <source>Fendt One, Vario terminal</source>
+        <translation>Fendt One, Varioterminal</translation>
+    </message>
+    <message>
+        <source>Fertiliser or manure: headland first, ways along the headland.</source>
+        <translation>Engrais ou fumier : fourrière d&apos;abord, trajets par la fourrière.</translation>
+    </message>
+    <message>
+        <source>Fertiliser spreader, 36 m</source>
+        <translation>Épandeur d&apos;engrais, 36 m</translation>
+    </message>
+    <message>
+        <source>Fewest swaths</source>
+        <translation>Moins de passages</translation>
+    </message>
+    <message>
+        <source>Field robot, 1.5 m weeder</source>
+        <translation>Robot de champ, bineuse 1,5 m</translation>
+    </message>
+    <message>
+        <source>Finish corners</source>
+        <translation>Finir les coins</translation>
+    </message>
+    <message>
+        <source>First tramline</source>
+        <translation>Premier passage de pulvérisateur</translation>
+    </message>
+    <message>
+        <source>Fishtail</source>
+        <translation>Demi-tour en queue de poisson</translation>
+    </message>
+    <message>
+        <source>Five-furrow mounted plough, 2.5 m</source>
+        <translation>Charrue portée cinq corps, 2,5 m</translation>
+    </message>
+    <message>
+        <source>Forward arc, straight back, forward arc; little room for near swaths.</source>
+        <translation>Arc en avant, recul droit, arc en avant ; peu de place pour des passages proches.</translation>
+    </message>
+    <message>
+        <source>Forward curves</source>
+        <translation>Courbes en marche avant</translation>
+    </message>
+    <message>
+        <source>Forward curves, smooth steering</source>
+        <translation>Courbes avant, direction douce</translation>
+    </message>
+    <message>
+        <source>Forward, back with the wheels the other way, forward again.</source>
+        <translation>En avant, en arrière roues braquées à l&apos;inverse, en avant.</translation>
+    </message>
+    <message>
+        <source>Forwards and backwards, the wheels turned no faster than the machine can (clothoids).</source>
+        <translation>En avant et en arrière, les roues braquées pas plus vite que la machine ne le peut (clothoïdes).</translation>
+    </message>
+    <message>
+        <source>From clear of the ground to working depth.</source>
+        <translation>D&apos;au-dessus du sol à la profondeur de travail.</translation>
+    </message>
+    <message>
+        <source>From inside out</source>
+        <translation>De l&apos;intérieur vers l&apos;extérieur</translation>
+    </message>
+    <message>
+        <source>From outside in</source>
+        <translation>De l&apos;extérieur vers l&apos;intérieur</translation>
+    </message>
+    <message>
+        <source>From the boundary to the mainland; holds as many passes as fit.</source>
+        <translation>De la limite au plein champ ; contient autant de tours qu&apos;il en tient.</translation>
+    </message>
+    <message>
+        <source>From the fixed axle to the hitch, negative behind the axle.</source>
+        <translation>De l&apos;essieu fixe à l&apos;attelage, négatif derrière l&apos;essieu.</translation>
+    </message>
+    <message>
+        <source>From the fixed axle to the middle of the working parts, negative behind the axle.</source>
+        <translation>De l&apos;essieu fixe au milieu des pièces travaillantes, négatif derrière l&apos;essieu.</translation>
+    </message>
+    <message>
+        <source>From the fixed axle to the tractor&apos;s rear end.</source>
+        <translation>De l&apos;essieu fixe à l&apos;arrière du tracteur.</translation>
+    </message>
+    <message>
+        <source>From the tractor&apos;s nose to its rear end.</source>
+        <translation>Du nez du tracteur à son arrière.</translation>
+    </message>
+    <message>
+        <source>From working depth to clear of the ground.</source>
+        <translation>De la profondeur de travail jusqu&apos;au-dessus du sol.</translation>
+    </message>
+    <message>
+        <source>Front and rear mower, 9 m</source>
+        <translation>Faucheuse avant et arrière, 9 m</translation>
+    </message>
+    <message>
+        <source>Fuel at work</source>
+        <translation>Carburant au travail</translation>
+    </message>
+    <message>
+        <source>Fuel in turns</source>
+        <translation>Carburant en demi-tour</translation>
+    </message>
+    <message>
+        <source>Full spacing; the last swath is moved back to the edge.</source>
+        <translation>Espacement plein ; le dernier passage est ramené au bord.</translation>
+    </message>
+    <message>
+        <source>Full spacing; what does not fit stays uncovered, where it costs least.</source>
+        <translation>Espacement plein ; ce qui ne tient pas reste, là où cela coûte le moins.</translation>
+    </message>
+    <message>
+        <source>Full width</source>
+        <translation>Pleine largeur</translation>
+    </message>
+    <message>
+        <source>Gets the whole path as nav_msgs/Path, and stretches in one gear each where it reverses.</source>
+        <translation>Reçoit tout le trajet en nav_msgs/Path, et des tronçons d&apos;un seul sens là où il recule.</translation>
+    </message>
+    <message>
+        <source>Given direction</source>
+        <translation>Orientation donnée</translation>
+    </message>
+    <message>
+        <source>Great Field</source>
+        <translation>Grand Champ</translation>
+    </message>
+    <message>
+        <source>Half way in</source>
+        <translation>À mi-largeur</translation>
+    </message>
+    <message>
+        <source>Halving the step</source>
+        <translation>Pas divisé par deux</translation>
+    </message>
+    <message>
+        <source>Harvest</source>
+        <translation>Récolte</translation>
+    </message>
+    <message>
+        <source>Heading</source>
+        <translation>Orientation des passages</translation>
+    </message>
+    <message>
+        <source>Headland</source>
+        <translation>Fourrière</translation>
+    </message>
+    <message>
+        <source>Headland first or last.</source>
+        <translation>Fourrière en premier ou en dernier.</translation>
+    </message>
+    <message>
+        <source>Heights</source>
+        <translation>Altitudes</translation>
+    </message>
+    <message>
+        <source>Hitch offset</source>
+        <translation>Position de l&apos;attelage</translation>
+    </message>
+    <message>
+        <source>Home Field</source>
+        <translation>Champ du Foyer</translation>
+    </message>
+    <message>
+        <source>How far a trailed implement may swing to one side.</source>
+        <translation>De combien un outil traîné peut pivoter d&apos;un côté.</translation>
+    </message>
+    <message>
+        <source>How far the steered wheels turn to one side.</source>
+        <translation>De combien les roues directrices tournent d&apos;un côté.</translation>
+    </message>
+    <message>
+        <source>How fast the curvature may change along the path; from the steering rate where it is not given.</source>
+        <translation>À quelle vitesse la courbure peut changer le long du trajet ; d&apos;après la vitesse de braquage si elle n&apos;est pas donnée.</translation>
+    </message>
+    <message>
+        <source>How fast the steered wheels turn.</source>
+        <translation>À quelle vitesse tournent les roues directrices.</translation>
+    </message>
+    <message>
+        <source>How headland passes get round corners.</source>
+        <translation>Comment les tours de fourrière passent les coins.</translation>
+    </message>
+    <message>
+        <source>How much neighbouring swaths overlap.</source>
+        <translation>De combien les passages voisins se recouvrent.</translation>
+    </message>
+    <message>
+        <source>How the direction of the swaths is found.</source>
+        <translation>Comment l&apos;orientation des passages est trouvée.</translation>
+    </message>
+    <message>
+        <source>How the machine gets from one swath to the next.</source>
+        <translation>Comment la machine va d&apos;un passage au suivant.</translation>
+    </message>
+    <message>
+        <source>How the mainland is divided; the swaths of a cell are driven together.</source>
+        <translation>Comment le plein champ est divisé ; les passages d&apos;une sous-parcelle sont faits ensemble.</translation>
+    </message>
+    <message>
+        <source>Implement can reverse</source>
+        <translation>L&apos;outil peut reculer</translation>
+    </message>
+    <message>
+        <source>Implement length</source>
+        <translation>Longueur de l&apos;outil</translation>
+    </message>
+    <message>
+        <source>Implement offset</source>
+        <translation>Position de l&apos;outil</translation>
+    </message>
+    <message>
+        <source>In WGS84: A and B of a line, a curve, A alone with a direction, or a pivot&apos;s centre.</source>
+        <translation>En WGS84 : A et B d&apos;une ligne, une courbe, A seul avec une direction, ou le centre d&apos;un pivot.</translation>
+    </message>
+    <message>
+        <source>In which order the headland passes are driven.</source>
+        <translation>Dans quel ordre sont faits les tours de fourrière.</translation>
+    </message>
+    <message>
+        <source>In which order the swaths are driven.</source>
+        <translation>Dans quel ordre sont faits les passages.</translation>
+    </message>
+    <message>
+        <source>Largest acceleration</source>
+        <translation>Accélération maxi</translation>
+    </message>
+    <message>
+        <source>Largest curvature rate</source>
+        <translation>Variation de courbure maxi</translation>
+    </message>
+    <message>
+        <source>Largest hitch angle</source>
+        <translation>Angle d&apos;attelage maxi</translation>
+    </message>
+    <message>
+        <source>Largest lateral acceleration</source>
+        <translation>Accélération latérale maxi</translation>
+    </message>
+    <message>
+        <source>Largest speed in turns.</source>
+        <translation>Vitesse maximale dans les demi-tours.</translation>
+    </message>
+    <message>
+        <source>Largest steering angle</source>
+        <translation>Angle de braquage maxi</translation>
+    </message>
+    <message>
+        <source>Last pass</source>
+        <translation>Dernier passage</translation>
+    </message>
+    <message>
+        <source>Lateral offset</source>
+        <translation>Déport latéral</translation>
+    </message>
+    <message>
+        <source>Least overlap</source>
+        <translation>Moins de recouvrement</translation>
+    </message>
+    <message>
+        <source>Least time</source>
+        <translation>Moins de temps</translation>
+    </message>
+    <message>
+        <source>Leaves some swaths out at each turn and comes back for them.</source>
+        <translation>Saute des passages à chaque demi-tour et y revient.</translation>
+    </message>
+    <message>
+        <source>Left out</source>
+        <translation>Sautés</translation>
+    </message>
+    <message>
+        <source>Limits the speed in tight bends.</source>
+        <translation>Limite la vitesse dans les courbes serrées.</translation>
+    </message>
+    <message>
+        <source>Line</source>
+        <translation>Ligne</translation>
+    </message>
+    <message>
+        <source>Lines in WGS84 along which the mainland is cut; they have to run right through it.</source>
+        <translation>Lignes en WGS84 le long desquelles le plein champ est coupé ; elles doivent le traverser entièrement.</translation>
+    </message>
+    <message>
+        <source>Litres of fuel per hour of turns and transfers.</source>
+        <translation>Litres de carburant par heure de demi-tours et de trajets.</translation>
+    </message>
+    <message>
+        <source>Litres of fuel per hour of work.</source>
+        <translation>Litres de carburant par heure de travail.</translation>
+    </message>
+    <message>
+        <source>Long Strip</source>
+        <translation>Longue Bande</translation>
+    </message>
+    <message>
+        <source>Loop</source>
+        <translation>Boucle</translation>
+    </message>
+    <message>
+        <source>Lower the speeds, or correct the machine&apos;s.</source>
+        <translation>Baisser les vitesses, ou corriger celles de la machine.</translation>
+    </message>
+    <message>
+        <source>MAVLink waypoints</source>
+        <translation>Points de passage MAVLink</translation>
+    </message>
+    <message>
+        <source>Make the gate wider, or take another.</source>
+        <translation>Élargir l&apos;entrée de parcelle ou en prendre une autre.</translation>
+    </message>
+    <message>
+        <source>Make the headland wider, or choose other turns.</source>
+        <translation>Élargir la fourrière ou choisir d&apos;autres demi-tours.</translation>
+    </message>
+    <message>
+        <source>Make the headland wider, or choose tighter turns.</source>
+        <translation>Élargir la fourrière ou choisir des demi-tours plus serrés.</translation>
+    </message>
+    <message>
+        <source>Margin</source>
+        <translation>Marge</translation>
+    </message>
+    <message>
+        <source>Most covered</source>
+        <translation>Plus de surface</translation>
+    </message>
+    <message>
+        <source>Most terminals read FAT32 only; this stick has %1. Format it as FAT32.</source>
+        <translation>La plupart des consoles ne lisent que FAT32 ; cette clé est en %1. La formater en FAT32.</translation>
+    </message>
+    <message>
+        <source>Mounted cultivator, 6 m</source>
+        <translation>Cultivateur porté, 6 m</translation>
+    </message>
+    <message>
+        <source>Mounted drill, 12 m</source>
+        <translation>Semoir porté, 12 m</translation>
+    </message>
+    <message>
+        <source>Mounting</source>
+        <translation>Attelage</translation>
+    </message>
+    <message>
+        <source>Mowing</source>
+        <translation>Fauche</translation>
+    </message>
+    <message>
+        <source>Name</source>
+        <translation>Nom</translation>
+    </message>
+    <message>
+        <source>No headland</source>
+        <translation>Sans fourrière</translation>
+    </message>
+    <message>
+        <source>Nothing leads to the start of %1, %2 away.</source>
+        <translation>Rien ne mène au début, à %2 de là : %1.</translation>
+    </message>
+    <message>
+        <source>Number of the boundary&apos;s edge, from 0 in the order of its points; for curves with all around it up to a corner of 35 degrees within a width, or a bend of 90 in all.</source>
+        <translation>Numéro du côté de la limite, à partir de 0 dans l&apos;ordre des points ; pour les courbes avec tous ceux autour jusqu&apos;à un angle de 35 degrés sur une largeur, ou un virage de 90 en tout.</translation>
+    </message>
+    <message>
+        <source>Of the four corners and both ways the one with the quickest turns.</source>
+        <translation>Des quatre coins et des deux sens, celui aux demi-tours les plus rapides.</translation>
+    </message>
+    <message>
+        <source>Of the middle of the operating width, positive to the left.</source>
+        <translation>Du milieu de la largeur de travail, positif vers la gauche.</translation>
+    </message>
+    <message>
+        <source>Of the swaths.</source>
+        <translation>Des passages.</translation>
+    </message>
+    <message>
+        <source>Off: the strip is kept for turning only.</source>
+        <translation>Non : la bande ne sert qu&apos;à tourner.</translation>
+    </message>
+    <message>
+        <source>Omega turn</source>
+        <translation>Demi-tour en oméga</translation>
+    </message>
+    <message>
+        <source>On the rows</source>
+        <translation>Sur les rangs</translation>
+    </message>
+    <message>
+        <source>On the rows, or between them.</source>
+        <translation>Sur les rangs, ou entre eux.</translation>
+    </message>
+    <message>
+        <source>On the spot</source>
+        <translation>Sur place</translation>
+    </message>
+    <message>
+        <source>One for all</source>
+        <translation>Une pour toutes</translation>
+    </message>
+    <message>
+        <source>One piece</source>
+        <translation>D&apos;un seul tenant</translation>
+    </message>
+    <message>
+        <source>Operating width</source>
+        <translation>Largeur de travail</translation>
+    </message>
+    <message>
+        <source>Operation</source>
+        <translation>Opération</translation>
+    </message>
+    <message>
+        <source>Orchard tractor with 1.5 m sprayer</source>
+        <translation>Tracteur fruitier avec pulvérisateur 1,5 m</translation>
+    </message>
+    <message>
+        <source>Order</source>
+        <translation>Ordre</translation>
+    </message>
+    <message>
+        <source>Overlap</source>
+        <translation>Recouvrement</translation>
+    </message>
+    <message>
+        <source>Overlaps its neighbour</source>
+        <translation>Recouvre le voisin</translation>
+    </message>
+    <message>
+        <source>P turn</source>
+        <translation>Demi-tour en P</translation>
+    </message>
+    <message>
+        <source>Passes</source>
+        <translation>Tours</translation>
+    </message>
+    <message>
+        <source>Plan again with this machine&apos;s turning radius.</source>
+        <translation>Planifier à nouveau avec le rayon de braquage de cette machine.</translation>
+    </message>
+    <message>
+        <source>Plan again, or trust the positions.</source>
+        <translation>Planifier à nouveau, ou se fier aux positions.</translation>
+    </message>
+    <message>
+        <source>Plan again; the heading or the gear is wrong here.</source>
+        <translation>Planifier à nouveau ; le cap ou le rapport est faux ici.</translation>
+    </message>
+    <message>
+        <source>Plan again; the path lacks this pass.</source>
+        <translation>Planifier à nouveau ; ce passage manque au trajet.</translation>
+    </message>
+    <message>
+        <source>Plan again; the path was changed or cut here.</source>
+        <translation>Planifier à nouveau ; le trajet a été modifié ou coupé ici.</translation>
+    </message>
+    <message>
+        <source>Plan again; the times were changed.</source>
+        <translation>Planifier à nouveau ; les temps ont été modifiés.</translation>
+    </message>
+    <message>
+        <source>Plan the turn that is missing here.</source>
+        <translation>Planifier le demi-tour qui manque ici.</translation>
+    </message>
+    <message>
+        <source>Power harrow and drill, 3 m</source>
+        <translation>Herse rotative et semoir, 3 m</translation>
+    </message>
+    <message>
+        <source>Prefer</source>
+        <translation>Préférer</translation>
+    </message>
+    <message>
+        <source>Protobuf message</source>
+        <translation>Message Protobuf</translation>
+    </message>
+    <message>
+        <source>QGroundControl plan</source>
+        <translation>Plan QGroundControl</translation>
+    </message>
+    <message>
+        <source>Racetrack</source>
+        <translation>Circuit</translation>
+    </message>
+    <message>
+        <source>Raised width</source>
+        <translation>Largeur relevé</translation>
+    </message>
+    <message>
+        <source>Rate</source>
+        <translation>Dose</translation>
+    </message>
+    <message>
+        <source>Rear overhang</source>
+        <translation>Porte-à-faux arrière</translation>
+    </message>
+    <message>
+        <source>Recorded path</source>
+        <translation>Trajet enregistré</translation>
+    </message>
+    <message>
+        <source>Relay 1 is on where the implement works.</source>
+        <translation>Le relais 1 est fermé là où l&apos;outil travaille.</translation>
+    </message>
+    <message>
+        <source>Repaired in %1: %2.</source>
+        <translation>Réparé (%1) : %2.</translation>
+    </message>
+    <message>
+        <source>Reverse</source>
+        <translation>Marche arrière</translation>
+    </message>
+    <message>
+        <source>Reverse speed</source>
+        <translation>Vitesse en marche arrière</translation>
+    </message>
+    <message>
+        <source>Round and round the centre of a pivot, from the rim inwards.</source>
+        <translation>En rond autour du centre d&apos;un pivot, du bord vers l&apos;intérieur.</translation>
+    </message>
+    <message>
+        <source>Round and round, with half of the swaths between the way out and the way back.</source>
+        <translation>En rond, avec la moitié des passages entre l&apos;aller et le retour.</translation>
+    </message>
+    <message>
+        <source>Round the field</source>
+        <translation>Autour de la parcelle</translation>
+    </message>
+    <message>
+        <source>Rounded</source>
+        <translation>Arrondi</translation>
+    </message>
+    <message>
+        <source>Route</source>
+        <translation>Ordre des passages</translation>
+    </message>
+    <message>
+        <source>Rows</source>
+        <translation>Rangs</translation>
+    </message>
+    <message>
+        <source>Rows that are left out, numbered from 1 as in the file; between rows, that on the right.</source>
+        <translation>Rangs laissés de côté, numérotés à partir de 1 comme dans le fichier ; entre les rangs, celui de droite.</translation>
+    </message>
+    <message>
+        <source>Run-in</source>
+        <translation>Distance d&apos;approche</translation>
+    </message>
+    <message>
+        <source>Same width all round</source>
+        <translation>Même largeur tout autour</translation>
+    </message>
+    <message>
+        <source>Seen from above, turning left at corners.</source>
+        <translation>Vu d&apos;en haut, en tournant à gauche aux coins.</translation>
+    </message>
+    <message>
+        <source>Seen from above, turning right at corners.</source>
+        <translation>Vu d&apos;en haut, en tournant à droite aux coins.</translation>
+    </message>
+    <message>
+        <source>Short name for the command line.</source>
+        <translation>Nom court pour la ligne de commande.</translation>
+    </message>
+    <message>
+        <source>Short passes where corners would leave more than 1 % of the field.</source>
+        <translation>De courts passages là où les coins laisseraient plus de 1 % de la parcelle.</translation>
+    </message>
+    <message>
+        <source>Shortest swaths</source>
+        <translation>Passages les plus courts</translation>
+    </message>
+    <message>
+        <source>Shows the boundary and the guidance lines; it plans turns and order itself. Not tested on the machine by us.</source>
+        <translation>Montre la limite et les lignes de guidage ; elle planifie demi-tours et ordre elle-même. Non testé par nous sur la machine.</translation>
+    </message>
+    <message>
+        <source>Shows the boundary with holes and obstacles and the guidance lines; it plans turns and order itself. The import may have to be unlocked. Not tested on the machine by us.</source>
+        <translation>Montre la limite avec enclaves et obstacles et les lignes de guidage ; elle planifie demi-tours et ordre elle-même. L&apos;import doit parfois être débloqué. Non testé par nous sur la machine.</translation>
+    </message>
+    <message>
+        <source>Shows the boundary with holes and obstacles, the headland where the terminal knows it, and the guidance lines; it plans turns and order itself. The import may have to be unlocked. Not tested on the machine by us.</source>
+        <translation>Montre la limite avec enclaves et obstacles, la fourrière si la console la connaît, et les lignes de guidage ; elle planifie demi-tours et ordre elle-même. L&apos;import doit parfois être débloqué. Non testé par nous sur la machine.</translation>
+    </message>
+    <message>
+        <source>Shows the boundary, its holes, the headland and the guidance lines, not the path. Holes are written as obstacles, since it overlooks others.</source>
+        <translation>Montre la limite, ses enclaves, la fourrière et les lignes de guidage, pas le trajet. Les enclaves sont écrites comme obstacles, car il ignore les autres.</translation>
+    </message>
+    <message>
+        <source>Shows the path as a mission, and the boundary and obstacles as fences. Not tested on the machine by us.</source>
+        <translation>Montre le trajet en mission, et la limite et les obstacles en barrières. Non testé par nous sur la machine.</translation>
+    </message>
+    <message>
+        <source>Six directions, then ever finer around the best three (Oksanen &amp; Visala).</source>
+        <translation>Six directions, puis de plus en plus fin autour des trois meilleures (Oksanen &amp; Visala).</translation>
+    </message>
+    <message>
+        <source>Six-row planter, 4.5 m</source>
+        <translation>Planteuse six rangs, 4,5 m</translation>
+    </message>
+    <message>
+        <source>Skip</source>
+        <translation>Sauter</translation>
+    </message>
+    <message>
+        <source>Skip and fill</source>
+        <translation>Sauter et combler</translation>
+    </message>
+    <message>
+        <source>Slanted Field</source>
+        <translation>Champ Oblique</translation>
+    </message>
+    <message>
+        <source>Slow down or stop there to steer, or choose turns with continuous curvature.</source>
+        <translation>Y ralentir ou s&apos;arrêter pour braquer, ou choisir des demi-tours à courbure continue.</translation>
+    </message>
+    <message>
+        <source>Slurry tanker, 15 m trailing shoe</source>
+        <translation>Tonne à lisier, patins 15 m</translation>
+    </message>
+    <message>
+        <source>Smallest circle the middle of the fixed axle can follow; from the steering angle where it is not given.</source>
+        <translation>Plus petit cercle que suit le milieu de l&apos;essieu fixe ; d&apos;après l&apos;angle de braquage s&apos;il n&apos;est pas donné.</translation>
+    </message>
+    <message>
+        <source>Smallest turning radius</source>
+        <translation>Rayon de braquage mini</translation>
+    </message>
+    <message>
+        <source>Snake</source>
+        <translation>Serpentin</translation>
+    </message>
+    <message>
+        <source>So that the wide machine begins flush with the left edge, or beside the line that was given.</source>
+        <translation>Pour que la machine large commence au ras du bord gauche, ou à côté de la ligne donnée.</translation>
+    </message>
+    <message>
+        <source>Sowing</source>
+        <translation>Semis</translation>
+    </message>
+    <message>
+        <source>Speed backwards.</source>
+        <translation>Vitesse en reculant.</translation>
+    </message>
+    <message>
+        <source>Speed on longer ways with the implement lifted.</source>
+        <translation>Vitesse sur les longs trajets, outil relevé.</translation>
+    </message>
+    <message>
+        <source>Speed with the implement at work.</source>
+        <translation>Vitesse avec l&apos;outil au travail.</translation>
+    </message>
+    <message>
+        <source>Spiral in clusters</source>
+        <translation>Spirale par groupes</translation>
+    </message>
+    <message>
+        <source>Split lines</source>
+        <translation>Lignes de partage</translation>
+    </message>
+    <message>
+        <source>Spraying</source>
+        <translation>Pulvérisation</translation>
+    </message>
+    <message>
+        <source>Spread over all</source>
+        <translation>Réparti sur tous</translation>
+    </message>
+    <message>
+        <source>Spreading</source>
+        <translation>Épandage</translation>
+    </message>
+    <message>
+        <source>Start</source>
+        <translation>Départ</translation>
+    </message>
+    <message>
+        <source>Start at</source>
+        <translation>Commencer à</translation>
+    </message>
+    <message>
+        <source>Stay inside</source>
+        <translation>Rester dans la parcelle</translation>
+    </message>
+    <message>
+        <source>Steering rate</source>
+        <translation>Vitesse de braquage</translation>
+    </message>
+    <message>
+        <source>Step</source>
+        <translation>Pas</translation>
+    </message>
+    <message>
+        <source>Straight into the corner and back into it on the next side.</source>
+        <translation>Tout droit dans le coin, puis en marche arrière sur le côté suivant.</translation>
+    </message>
+    <message>
+        <source>Straight into the corner and on after a loop, where there is room for it.</source>
+        <translation>Tout droit dans le coin puis une boucle, là où il y a la place.</translation>
+    </message>
+    <message>
+        <source>Straight way needed before the implement is lowered.</source>
+        <translation>Ligne droite nécessaire avant de baisser l&apos;outil.</translation>
+    </message>
+    <message>
+        <source>Swath after swath over all of the mainland, whatever cuts them.</source>
+        <translation>Passage après passage sur tout le plein champ, quoi qui les coupe.</translation>
+    </message>
+    <message>
+        <source>Swath numbers in driving order; a minus drives one the other way.</source>
+        <translation>Numéros de passages dans l&apos;ordre ; un moins en inverse un.</translation>
+    </message>
+    <message>
+        <source>Swaths</source>
+        <translation>Passages</translation>
+    </message>
+    <message>
+        <source>Swaths go on from cell to cell.</source>
+        <translation>Les passages continuent d&apos;une sous-parcelle à l&apos;autre.</translation>
+    </message>
+    <message>
+        <source>Swaths left out at each turn and driven on the way back.</source>
+        <translation>Passages sautés à chaque demi-tour et faits au retour.</translation>
+    </message>
+    <message>
+        <source>Swaths reach to the boundary; for fields with room to turn outside.</source>
+        <translation>Les passages vont jusqu&apos;à la limite ; pour les parcelles où l&apos;on peut tourner dehors.</translation>
+    </message>
+    <message>
+        <source>Swaths that are finished together.</source>
+        <translation>Passages terminés ensemble.</translation>
+    </message>
+    <message>
+        <source>Switch &quot;Stay inside&quot; on to keep them inside.</source>
+        <translation>Activer « Rester dans la parcelle » pour les garder à l&apos;intérieur.</translation>
+    </message>
+    <message>
+        <source>Takes the boundary only, as an upload from a computer; no guidance lines, no path.</source>
+        <translation>Prend la limite seule, envoyée depuis un ordinateur ; ni lignes de guidage ni trajet.</translation>
+    </message>
+    <message>
+        <source>Tank or bunker</source>
+        <translation>Cuve ou trémie</translation>
+    </message>
+    <message>
+        <source>Terminals may refuse the task data: %1.</source>
+        <translation>Les consoles peuvent refuser les données de tâche : %1.</translation>
+    </message>
+    <message>
+        <source>The Bend</source>
+        <translation>Le Coude</translation>
+    </message>
+    <message>
+        <source>The best corner</source>
+        <translation>Le meilleur coin</translation>
+    </message>
+    <message>
+        <source>The boundary alone as a flat zipped shapefile, as operations centres take it.</source>
+        <translation>La limite seule en shapefile zippé à plat, comme les centres d&apos;opérations l&apos;acceptent.</translation>
+    </message>
+    <message>
+        <source>The corner where the route starts.</source>
+        <translation>Le coin où commence l&apos;ordre des passages.</translation>
+    </message>
+    <message>
+        <source>The field bends inwards here: try another direction of the swaths.</source>
+        <translation>La parcelle rentre ici : essayer une autre orientation des passages.</translation>
+    </message>
+    <message>
+        <source>The field is too narrow for %1 of headland; it is %2 with %3</source>
+        <translation>La parcelle est trop étroite pour %1 de fourrière ; elle a %2 avec %3</translation>
+    </message>
+    <message>
+        <source>The field is too narrow for %1 of headland; there is none</source>
+        <translation>La parcelle est trop étroite pour %1 de fourrière ; il n&apos;y en a pas</translation>
+    </message>
+    <message>
+        <source>The field is too narrow for this machine to turn in: turn outside, or take a smaller machine.</source>
+        <translation>La parcelle est trop étroite pour tourner avec cette machine : tourner dehors ou prendre une machine plus petite.</translation>
+    </message>
+    <message>
+        <source>The first swath</source>
+        <translation>Le premier passage</translation>
+    </message>
+    <message>
+        <source>The first swath on the left is one, or the line that was given.</source>
+        <translation>Le premier passage à gauche en est un, ou la ligne donnée.</translation>
+    </message>
+    <message>
+        <source>The first swath on the right is one, or the line that was given.</source>
+        <translation>Le premier passage à droite en est un, ou la ligne donnée.</translation>
+    </message>
+    <message>
+        <source>The headland is worked first.</source>
+        <translation>La fourrière est travaillée d&apos;abord.</translation>
+    </message>
+    <message>
+        <source>The headland is worked last.</source>
+        <translation>La fourrière est travaillée en dernier.</translation>
+    </message>
+    <message>
+        <source>The headland strip, %1, is not worked by this plan, nor are %2 at the ends of the swaths beside it.</source>
+        <translation>La bande de fourrière, %1, n&apos;est pas travaillée par ce plan, ni %2 au bout des passages voisins.</translation>
+    </message>
+    <message>
+        <source>The headland strip, %1, is not worked by this plan.</source>
+        <translation>La bande de fourrière, %1, n&apos;est pas travaillée par ce plan.</translation>
+    </message>
+    <message>
+        <source>The hitch bends by %1 in %2; %3 are allowed.</source>
+        <translation>L&apos;attelage plie de %1 dans %2 ; %3 sont permis.</translation>
+    </message>
+    <message>
+        <source>The largest covered share of the mainland.</source>
+        <translation>La plus grande part travaillée du plein champ.</translation>
+    </message>
+    <message>
+        <source>The least metres driven in swaths.</source>
+        <translation>Le moins de mètres parcourus en passages.</translation>
+    </message>
+    <message>
+        <source>The machine does not get in at %1.</source>
+        <translation>La machine ne peut pas entrer ici : %1.</translation>
+    </message>
+    <message>
+        <source>The machine does not get out at %1.</source>
+        <translation>La machine ne peut pas sortir ici : %1.</translation>
+    </message>
+    <message>
+        <source>The machine drives half way between two neighbours.</source>
+        <translation>La machine roule à mi-distance de deux voisins.</translation>
+    </message>
+    <message>
+        <source>The machine drives over them.</source>
+        <translation>La machine roule dessus.</translation>
+    </message>
+    <message>
+        <source>The machine turns on the spot in %1, by up to %2.</source>
+        <translation>La machine tourne sur place à %1, jusqu&apos;à %2.</translation>
+    </message>
+    <message>
+        <source>The machine turns on the spot in %1, by up to %2; it cannot.</source>
+        <translation>La machine tourne sur place à %1, jusqu&apos;à %2 ; elle ne le peut pas.</translation>
+    </message>
+    <message>
+        <source>The mission has %1 items; controllers without a memory card hold about %2.</source>
+        <translation>La mission a %1 éléments ; les contrôleurs sans carte mémoire en tiennent environ %2.</translation>
+    </message>
+    <message>
+        <source>The outermost pass goes round with the machine&apos;s radius where little is left; others reach into corners.</source>
+        <translation>Le tour extérieur passe au rayon de la machine là où il reste peu ; les autres vont dans les coins.</translation>
+    </message>
+    <message>
+        <source>The pass along the boundary first.</source>
+        <translation>Le tour le long de la limite d&apos;abord.</translation>
+    </message>
+    <message>
+        <source>The pass along the mainland first.</source>
+        <translation>Le tour le long du plein champ d&apos;abord.</translation>
+    </message>
+    <message>
+        <source>The path as a mission for ArduPilot Rover: waypoints, speeds, gear, implement.</source>
+        <translation>Le trajet en mission pour ArduPilot Rover : points, vitesses, rapport, outil.</translation>
+    </message>
+    <message>
+        <source>The path as a track, swath ends as a route, gates as waypoints; for phones.</source>
+        <translation>Le trajet en trace, les bouts de passages en route, les entrées en points ; pour téléphones.</translation>
+    </message>
+    <message>
+        <source>The path as nav_msgs/Path in a recording of ROS 2.</source>
+        <translation>Le trajet en nav_msgs/Path dans un enregistrement ROS 2.</translation>
+    </message>
+    <message>
+        <source>The path as one message for ros2 topic pub.</source>
+        <translation>Le trajet en un message pour ros2 topic pub.</translation>
+    </message>
+    <message>
+        <source>The path with times, velocities and orientations, and the boundary as a fence; for own robots.</source>
+        <translation>Le trajet avec temps, vitesses et orientations, et la limite comme barrière ; pour robots maison.</translation>
+    </message>
+    <message>
+        <source>The quickest turn of any kind that stays inside the field, in several moves where it must.</source>
+        <translation>Le demi-tour le plus rapide, quel qu&apos;il soit, qui reste dans la parcelle, en plusieurs temps s&apos;il le faut.</translation>
+    </message>
+    <message>
+        <source>The same as KML, zipped.</source>
+        <translation>La même chose que KML, zippée.</translation>
+    </message>
+    <message>
+        <source>The same mission with the boundary and obstacles as fences.</source>
+        <translation>La même mission avec la limite et les obstacles comme barrières.</translation>
+    </message>
+    <message>
+        <source>The shortest curve forwards and backwards, at the smallest turning radius (Reeds and Shepp).</source>
+        <translation>La courbe la plus courte en avant et en arrière, au plus petit rayon de braquage (Reeds et Shepp).</translation>
+    </message>
+    <message>
+        <source>The shortest curve without reversing, at the smallest turning radius (Dubins).</source>
+        <translation>La courbe la plus courte sans reculer, au plus petit rayon de braquage (Dubins).</translation>
+    </message>
+    <message>
+        <source>The shortest time in swaths and turns.</source>
+        <translation>Le temps le plus court en passages et demi-tours.</translation>
+    </message>
+    <message>
+        <source>The smallest area worked twice.</source>
+        <translation>La plus petite surface travaillée deux fois.</translation>
+    </message>
+    <message>
+        <source>The spacing is reduced evenly so that all fit.</source>
+        <translation>L&apos;espacement est réduit également pour que tous tiennent.</translation>
+    </message>
+    <message>
+        <source>The stated curvature differs from the path in %1, by up to %2 1/m.</source>
+        <translation>La courbure indiquée diffère du trajet à %1, jusqu&apos;à %2 1/m.</translation>
+    </message>
+    <message>
+        <source>The stated speed is up to %1 above the machine&apos;s.</source>
+        <translation>La vitesse indiquée dépasse celle de la machine de %1 au plus.</translation>
+    </message>
+    <message>
+        <source>The steering has to turn faster than this machine can in %1.</source>
+        <translation>Il faut braquer plus vite que cette machine ne le peut à %1.</translation>
+    </message>
+    <message>
+        <source>The strip kept for turning.</source>
+        <translation>La bande gardée pour tourner.</translation>
+    </message>
+    <message>
+        <source>The swaths in the order and direction that you type.</source>
+        <translation>Les passages dans l&apos;ordre et le sens saisis.</translation>
+    </message>
+    <message>
+        <source>The table holds boundaries only: obstacles, gates and lines are left out.</source>
+        <translation>Le tableau ne contient que des limites : obstacles, entrées et lignes sont laissés de côté.</translation>
+    </message>
+    <message>
+        <source>The task data has %1 MB; old terminals take at most 2 MB.</source>
+        <translation>Les données de tâche font %1 Mo ; les vieilles consoles en acceptent 2 au plus.</translation>
+    </message>
+    <message>
+        <source>The tractor may drive backwards with it.</source>
+        <translation>Le tracteur peut reculer avec.</translation>
+    </message>
+    <message>
+        <source>The tractor may drive backwards.</source>
+        <translation>Le tracteur peut rouler en marche arrière.</translation>
+    </message>
+    <message>
+        <source>The tractor may turn about its own middle.</source>
+        <translation>Le tracteur peut tourner autour de son milieu.</translation>
+    </message>
+    <message>
+        <source>The way from %1 to %2</source>
+        <translation>Le trajet %1 → %2</translation>
+    </message>
+    <message>
+        <source>This machine cannot turn on the spot.</source>
+        <translation>Cette machine ne peut pas tourner sur place.</translation>
+    </message>
+    <message>
+        <source>This stick has %1 partitions; terminals see the first one only, if any.</source>
+        <translation>Cette clé a %1 partitions ; les consoles ne voient que la première, au mieux.</translation>
+    </message>
+    <message>
+        <source>Three Ponds</source>
+        <translation>Trois Mares</translation>
+    </message>
+    <message>
+        <source>Three-point turn</source>
+        <translation>Demi-tour en trois temps</translation>
+    </message>
+    <message>
+        <source>Through point A in the direction that you type.</source>
+        <translation>Par le point A dans la direction saisie.</translation>
+    </message>
+    <message>
+        <source>Tillage</source>
+        <translation>Travail du sol</translation>
+    </message>
+    <message>
+        <source>Time and way do not fit the speed in %1.</source>
+        <translation>Le temps et la distance ne correspondent pas à la vitesse à %1.</translation>
+    </message>
+    <message>
+        <source>Time to lift</source>
+        <translation>Temps de relevage</translation>
+    </message>
+    <message>
+        <source>Time to lower</source>
+        <translation>Temps de descente</translation>
+    </message>
+    <message>
+        <source>To and fro</source>
+        <translation>Aller-retour</translation>
+    </message>
+    <message>
+        <source>Trailed sprayer, 24 m boom</source>
+        <translation>Pulvérisateur traîné, rampe 24 m</translation>
+    </message>
+    <message>
+        <source>Tramline every</source>
+        <translation>Pulvérisateur tous les</translation>
+    </message>
+    <message>
+        <source>Transfer speed</source>
+        <translation>Vitesse de trajet</translation>
+    </message>
+    <message>
+        <source>Trapezoids</source>
+        <translation>Trapèzes</translation>
+    </message>
+    <message>
+        <source>Tries every heading in steps and keeps the best (the paper&apos;s search).</source>
+        <translation>Essaie toutes les orientations par pas et garde la meilleure (la recherche de l&apos;article).</translation>
+    </message>
+    <message>
+        <source>Try another direction of the swaths, or let the last pass overlap.</source>
+        <translation>Essayer une autre orientation des passages, ou laisser le dernier passage recouvrir.</translation>
+    </message>
+    <message>
+        <source>Try another direction of the swaths, or plan the sides of the obstacle apart.</source>
+        <translation>Essayer une autre orientation des passages, ou planifier séparément les côtés de l&apos;obstacle.</translation>
+    </message>
+    <message>
+        <source>Turn</source>
+        <translation>Demi-tour</translation>
+    </message>
+    <message>
+        <source>Turning speed</source>
+        <translation>Vitesse en demi-tour</translation>
+    </message>
+    <message>
+        <source>Turns</source>
+        <translation>Demi-tours</translation>
+    </message>
+    <message>
+        <source>Turns in place and drives straight to the next swath; only for machines that can.</source>
+        <translation>Tourne sur place et va droit au passage suivant ; seulement pour les machines qui le peuvent.</translation>
+    </message>
+    <message>
+        <source>U turn</source>
+        <translation>Demi-tour en U</translation>
+    </message>
+    <message>
+        <source>Vehicle length</source>
+        <translation>Longueur du véhicule</translation>
+    </message>
+    <message>
+        <source>Vehicle width</source>
+        <translation>Largeur du véhicule</translation>
+    </message>
+    <message>
+        <source>Ways</source>
+        <translation>Trajets</translation>
+    </message>
+    <message>
+        <source>Ways keep to the field&apos;s edge.</source>
+        <translation>Les trajets restent au bord de la parcelle.</translation>
+    </message>
+    <message>
+        <source>Ways keep to the headland; crop and seedbed are not driven over.</source>
+        <translation>Les trajets restent sur la fourrière ; on ne roule pas sur la culture ni le lit de semences.</translation>
+    </message>
+    <message>
+        <source>Ways may cross the mainland.</source>
+        <translation>Les trajets peuvent traverser le plein champ.</translation>
+    </message>
+    <message>
+        <source>Well-known text</source>
+        <translation>Well-known text</translation>
+    </message>
+    <message>
+        <source>What becomes of the width that is left over at the far side.</source>
+        <translation>Ce que devient la largeur qui reste de l&apos;autre côté.</translation>
+    </message>
+    <message>
+        <source>What everything keeps from the boundary; auto is the boundary&apos;s accuracy.</source>
+        <translation>Ce que tout garde par rapport à la limite ; auto est la précision de la limite.</translation>
+    </message>
+    <message>
+        <source>What is spread or gathered on a square metre, in the same unit.</source>
+        <translation>Ce qui est épandu ou récolté sur un mètre carré, dans la même unité.</translation>
+    </message>
+    <message>
+        <source>What it holds, in your own unit: litres, kilograms, seeds.</source>
+        <translation>Ce qu&apos;elle contient, dans votre unité : litres, kilos, graines.</translation>
+    </message>
+    <message>
+        <source>What the field is driven over for: sets when the headland is worked, ways and overlap.</source>
+        <translation>Pour quoi l&apos;on roule : fixe quand la fourrière est travaillée, les trajets et le recouvrement.</translation>
+    </message>
+    <message>
+        <source>What the machine is called.</source>
+        <translation>Comment s&apos;appelle la machine.</translation>
+    </message>
+    <message>
+        <source>What the search for the best heading looks for.</source>
+        <translation>Ce que cherche la recherche de la meilleure orientation.</translation>
+    </message>
+    <message>
+        <source>Wheelbase</source>
+        <translation>Empattement</translation>
+    </message>
+    <message>
+        <source>When</source>
+        <translation>Quand</translation>
+    </message>
+    <message>
+        <source>When speeding up and when braking.</source>
+        <translation>En accélérant et en freinant.</translation>
+    </message>
+    <message>
+        <source>Where a swath ends at a slanting edge.</source>
+        <translation>Où finit un passage contre un bord oblique.</translation>
+    </message>
+    <message>
+        <source>Where the machine may drive from swath to swath; follows from the operation.</source>
+        <translation>Où la machine peut rouler d&apos;un passage à l&apos;autre ; découle de l&apos;opération.</translation>
+    </message>
+    <message>
+        <source>Where the middle of the swath meets the mainland&apos;s edge.</source>
+        <translation>Là où le milieu du passage rencontre le bord du plein champ.</translation>
+    </message>
+    <message>
+        <source>Where tramlines are counted from.</source>
+        <translation>D&apos;où sont comptés les passages de pulvérisateur.</translation>
+    </message>
+    <message>
+        <source>Whether cells have a heading of their own.</source>
+        <translation>Si les sous-parcelles ont leur propre orientation.</translation>
+    </message>
+    <message>
+        <source>Which way round the headland passes are driven.</source>
+        <translation>Dans quel sens sont faits les tours de fourrière.</translation>
+    </message>
+    <message>
+        <source>Width</source>
+        <translation>Largeur</translation>
+    </message>
+    <message>
+        <source>Width in operating widths; auto leaves room for the turns.</source>
+        <translation>Largeur en largeurs de travail ; auto laisse la place des demi-tours.</translation>
+    </message>
+    <message>
+        <source>Width the tractor occupies, wheels included.</source>
+        <translation>Largeur qu&apos;occupe le tracteur, roues comprises.</translation>
+    </message>
+    <message>
+        <source>Width while lifted or folded for a turn; the operating width where it is not given.</source>
+        <translation>Largeur relevé ou replié pour un demi-tour ; la largeur de travail si elle n&apos;est pas donnée.</translation>
+    </message>
+    <message>
+        <source>Width worked in one pass.</source>
+        <translation>Largeur travaillée en un passage.</translation>
+    </message>
+    <message>
+        <source>With the implement up, %1 are driven over worked land and %2 over land that is worked later; %3 is the longest.</source>
+        <translation>Outil relevé, on roule %1 sur du sol travaillé et %2 sur du sol qui le sera plus tard ; le plus long est %3.</translation>
+    </message>
+    <message>
+        <source>Without reversing, the wheels turned no faster than the machine can (clothoids).</source>
+        <translation>Sans reculer, les roues braquées pas plus vite que la machine ne le peut (clothoïdes).</translation>
+    </message>
+    <message>
+        <source>Work it along the boundary, before or after the swaths.</source>
+        <translation>La travailler le long de la limite, avant ou après les passages.</translation>
+    </message>
+    <message>
+        <source>Work the headland</source>
+        <translation>Travailler la fourrière</translation>
+    </message>
+    <message>
+        <source>Working speed</source>
+        <translation>Vitesse de travail</translation>
+    </message>
+    <message>
+        <source>Working the soil: the mainland may be crossed.</source>
+        <translation>Travail du sol : on peut traverser le plein champ.</translation>
+    </message>
+    <message>
+        <source>Your own order</source>
+        <translation>Ordre personnel</translation>
+    </message>
+    <message>
+        <source>Zipped boundary</source>
+        <translation>Limite zippée</translation>
+    </message>
+    <message>
+        <source>a coordinate is not a number</source>
+        <translation>une coordonnée n&apos;est pas un nombre</translation>
+    </message>
+    <message>
+        <source>a curve needs at least two points that differ</source>
+        <translation>une courbe demande au moins deux points différents</translation>
+    </message>
+    <message>
+        <source>a drawing does not say which coordinate system it uses</source>
+        <translation>un dessin ne dit pas quel système de coordonnées il utilise</translation>
+    </message>
+    <message>
+        <source>a hole lies outside the boundary</source>
+        <translation>une enclave est hors de la limite</translation>
+    </message>
+    <message>
+        <source>a hole of &apos;%1&apos; is missing or another</source>
+        <translation>une enclave de « %1 » manque ou diffère</translation>
+    </message>
+    <message>
+        <source>a machine is one JSON object</source>
+        <translation>une machine est un objet JSON</translation>
+    </message>
+    <message>
+        <source>a number</source>
+        <translation>un nombre</translation>
+    </message>
+    <message>
+        <source>a number is too large to be read</source>
+        <translation>un nombre est trop grand pour être lu</translation>
+    </message>
+    <message>
+        <source>a part of the boundary of &apos;%1&apos; is missing or another</source>
+        <translation>une partie de la limite de « %1 » manque ou diffère</translation>
+    </message>
+    <message>
+        <source>a point</source>
+        <translation>un point</translation>
+    </message>
+    <message>
+        <source>a point has no place in EPSG:%1</source>
+        <translation>un point n&apos;a pas de place dans EPSG:%1</translation>
+    </message>
+    <message>
+        <source>a point or a line in WGS84 such as LINESTRING (4.1 52.0, 4.2 52.0)</source>
+        <translation>un point ou une ligne en WGS84 comme LINESTRING (4.1 52.0, 4.2 52.0)</translation>
+    </message>
+    <message>
+        <source>a sliver of %1 was left out</source>
+        <translation>un éclat de %1 a été laissé de côté</translation>
+    </message>
+    <message>
+        <source>a track that ended %1 from where it began was closed</source>
+        <translation>une trace qui finissait à %1 de son début a été fermée</translation>
+    </message>
+    <message>
+        <source>a value of its own</source>
+        <translation>une valeur propre</translation>
+    </message>
+    <message>
+        <source>add the .prj file that belongs to it, or export the field again in WGS84</source>
+        <translation>ajouter le fichier .prj qui l&apos;accompagne, ou exporter à nouveau en WGS84</translation>
+    </message>
+    <message>
+        <source>allow it to be kept as a backup</source>
+        <translation>permettre de le garder comme copie</translation>
+    </message>
+    <message>
+        <source>an obstacle</source>
+        <translation>un obstacle</translation>
+    </message>
+    <message>
+        <source>an offset is not a finite number</source>
+        <translation>un déport n&apos;est pas un nombre fini</translation>
+    </message>
+    <message>
+        <source>an overlap of %1 leaves nothing of %2</source>
+        <translation>un recouvrement de %1 ne laisse rien de %2</translation>
+    </message>
+    <message>
+        <source>both headland.width_m and headland.passes are given</source>
+        <translation>headland.width_m et headland.passes sont donnés tous les deux</translation>
+    </message>
+    <message>
+        <source>boundary accuracy</source>
+        <translation>précision de la limite</translation>
+    </message>
+    <message>
+        <source>changes cannot be kept for the case of a crash: %1</source>
+        <translation>les modifications ne peuvent être gardées en cas de plantage : %1</translation>
+    </message>
+    <message>
+        <source>check its coordinates</source>
+        <translation>vérifier ses coordonnées</translation>
+    </message>
+    <message>
+        <source>check that the folder can be written to</source>
+        <translation>vérifier que l&apos;on peut écrire dans le dossier</translation>
+    </message>
+    <message>
+        <source>check that you may read it</source>
+        <translation>vérifier que l&apos;on a le droit de le lire</translation>
+    </message>
+    <message>
+        <source>check the boundary for crossings</source>
+        <translation>vérifier les croisements de la limite</translation>
+    </message>
+    <message>
+        <source>check the coordinate system, correct this point, or split the field</source>
+        <translation>vérifier le système de coordonnées, corriger ce point ou diviser la parcelle</translation>
+    </message>
+    <message>
+        <source>check the file&apos;s coordinate system</source>
+        <translation>vérifier le système de coordonnées du fichier</translation>
+    </message>
+    <message>
+        <source>check the operating width and the overlap</source>
+        <translation>vérifier la largeur de travail et le recouvrement</translation>
+    </message>
+    <message>
+        <source>check the path</source>
+        <translation>vérifier le chemin</translation>
+    </message>
+    <message>
+        <source>choose a narrower headland or a narrower machine</source>
+        <translation>choisir une fourrière ou une machine plus étroite</translation>
+    </message>
+    <message>
+        <source>choose a smaller machine or check the boundary&apos;s coordinate system</source>
+        <translation>choisir une machine plus petite ou vérifier le système de coordonnées de la limite</translation>
+    </message>
+    <message>
+        <source>choose another format</source>
+        <translation>choisir un autre format</translation>
+    </message>
+    <message>
+        <source>choose one by its number in the file: %1</source>
+        <translation>en choisir une par son numéro dans le fichier : %1</translation>
+    </message>
+    <message>
+        <source>choose the format rosbag2-mcap</source>
+        <translation>choisir le format rosbag2-mcap</translation>
+    </message>
+    <message>
+        <source>close it there first</source>
+        <translation>l&apos;y fermer d&apos;abord</translation>
+    </message>
+    <message>
+        <source>contour needs heights</source>
+        <translation>les courbes de niveau demandent des altitudes</translation>
+    </message>
+    <message>
+        <source>copy or export it again</source>
+        <translation>le copier ou l&apos;exporter à nouveau</translation>
+    </message>
+    <message>
+        <source>copy the whole folder</source>
+        <translation>copier tout le dossier</translation>
+    </message>
+    <message>
+        <source>correct or delete this point in the file</source>
+        <translation>corriger ou supprimer ce point dans le fichier</translation>
+    </message>
+    <message>
+        <source>could not be read: %1</source>
+        <translation>la lecture a échoué : %1</translation>
+    </message>
+    <message>
+        <source>could not be written: %1</source>
+        <translation>l&apos;écriture a échoué : %1</translation>
+    </message>
+    <message>
+        <source>crosses an obstacle</source>
+        <translation>traverse un obstacle</translation>
+    </message>
+    <message>
+        <source>cut it into the days or fields that it holds</source>
+        <translation>le découper par jours ou par parcelles</translation>
+    </message>
+    <message>
+        <source>decimal commas in the place of the field were taken for points</source>
+        <translation>des virgules décimales dans la position de la parcelle ont été lues comme des points</translation>
+    </message>
+    <message>
+        <source>delete some of them</source>
+        <translation>en supprimer quelques-uns</translation>
+    </message>
+    <message>
+        <source>delete the hole that covers it</source>
+        <translation>supprimer l&apos;enclave qui la couvre</translation>
+    </message>
+    <message>
+        <source>did you mean &apos;%1&apos;?</source>
+        <translation>serait-ce « %1 » ?</translation>
+    </message>
+    <message>
+        <source>did you mean &apos;%1&apos;? use one of: %2; or give a machine file (.json)</source>
+        <translation>serait-ce « %1 » ? utiliser l&apos;une de : %2 ; ou donner un fichier de machine (.json)</translation>
+    </message>
+    <message>
+        <source>download the file and give its path</source>
+        <translation>télécharger le fichier et donner son chemin</translation>
+    </message>
+    <message>
+        <source>draw it again</source>
+        <translation>redessiner</translation>
+    </message>
+    <message>
+        <source>draw it again with at least 3 corners</source>
+        <translation>redessiner avec au moins 3 angles</translation>
+    </message>
+    <message>
+        <source>draw one or open a file that has one</source>
+        <translation>en dessiner une ou ouvrir un fichier qui en a une</translation>
+    </message>
+    <message>
+        <source>export fewer fields at once</source>
+        <translation>exporter moins de parcelles à la fois</translation>
+    </message>
+    <message>
+        <source>export it again</source>
+        <translation>l&apos;exporter à nouveau</translation>
+    </message>
+    <message>
+        <source>export it again with its coordinate system</source>
+        <translation>l&apos;exporter à nouveau avec son système de coordonnées</translation>
+    </message>
+    <message>
+        <source>export or copy it again</source>
+        <translation>l&apos;exporter ou le copier à nouveau</translation>
+    </message>
+    <message>
+        <source>export the boundary as a polygon</source>
+        <translation>exporter la limite en polygone</translation>
+    </message>
+    <message>
+        <source>export the field again in WGS84 (longitude and latitude)</source>
+        <translation>exporter à nouveau la parcelle en WGS84 (longitude et latitude)</translation>
+    </message>
+    <message>
+        <source>export the field with its boundary</source>
+        <translation>exporter la parcelle avec sa limite</translation>
+    </message>
+    <message>
+        <source>export the field with its boundary; furrow-cli compare reads what a machine recorded</source>
+        <translation>exporter la parcelle avec sa limite ; furrow-cli compare lit ce qu&apos;une machine a enregistré</translation>
+    </message>
+    <message>
+        <source>feature %1</source>
+        <translation>objet %1</translation>
+    </message>
+    <message>
+        <source>fewer than 3 different points enclose nothing</source>
+        <translation>moins de 3 points différents n&apos;enferment rien</translation>
+    </message>
+    <message>
+        <source>free some space on it, or use another one</source>
+        <translation>y libérer de la place, ou en utiliser une autre</translation>
+    </message>
+    <message>
+        <source>free some space on the stick</source>
+        <translation>libérer de la place sur la clé</translation>
+    </message>
+    <message>
+        <source>free some space or choose another folder</source>
+        <translation>libérer de la place ou choisir un autre dossier</translation>
+    </message>
+    <message>
+        <source>gate %1</source>
+        <translation>entrée de parcelle %1</translation>
+    </message>
+    <message>
+        <source>give %1</source>
+        <translation>donner %1</translation>
+    </message>
+    <message>
+        <source>give 0 m or more</source>
+        <translation>donner 0 m ou plus</translation>
+    </message>
+    <message>
+        <source>give GeoJSON, a shapefile (.shp or .zip), TASKDATA.XML, KML, KMZ, GeoPackage, GML, FlatGeobuf, DXF, WKT or CSV</source>
+        <translation>donner un GeoJSON, un shapefile (.shp ou .zip), TASKDATA.XML, KML, KMZ, GeoPackage, GML, FlatGeobuf, DXF, WKT ou CSV</translation>
+    </message>
+    <message>
+        <source>give a GeoTIFF, or a world file (.pgw) beside the PNG</source>
+        <translation>donner un GeoTIFF, ou un fichier de calage (.pgw) à côté du PNG</translation>
+    </message>
+    <message>
+        <source>give a buffer of 0 m or more</source>
+        <translation>donner une distance de 0 m ou plus</translation>
+    </message>
+    <message>
+        <source>give a curve that does not, or plan its parts apart</source>
+        <translation>donner une courbe qui ne se croise pas, ou planifier ses parties séparément</translation>
+    </message>
+    <message>
+        <source>give a file on a disk</source>
+        <translation>donner un fichier sur un disque</translation>
+    </message>
+    <message>
+        <source>give a file with a line for each row</source>
+        <translation>donner un fichier avec une ligne par rang</translation>
+    </message>
+    <message>
+        <source>give a gate, or a point in the field</source>
+        <translation>donner une entrée, ou un point dans la parcelle</translation>
+    </message>
+    <message>
+        <source>give a gentler curve, or one without a turn back</source>
+        <translation>donner une courbe plus douce, ou sans retour en arrière</translation>
+    </message>
+    <message>
+        <source>give a machine file (JSON)</source>
+        <translation>donner un fichier de machine (JSON)</translation>
+    </message>
+    <message>
+        <source>give a number</source>
+        <translation>donner un nombre</translation>
+    </message>
+    <message>
+        <source>give a number above 0</source>
+        <translation>donner un nombre supérieur à 0</translation>
+    </message>
+    <message>
+        <source>give a number from %1 to %2</source>
+        <translation>donner un nombre de %1 à %2</translation>
+    </message>
+    <message>
+        <source>give a number from 0 to %1</source>
+        <translation>donner un nombre de 0 à %1</translation>
+    </message>
+    <message>
+        <source>give a number in %1</source>
+        <translation>donner un nombre en %1</translation>
+    </message>
+    <message>
+        <source>give a number of 0 or more</source>
+        <translation>donner un nombre de 0 ou plus</translation>
+    </message>
+    <message>
+        <source>give a picture of at most 100 million pixels</source>
+        <translation>donner une image de 100 millions de pixels au plus</translation>
+    </message>
+    <message>
+        <source>give a point such as POINT (4.1 52.0)</source>
+        <translation>donner un point comme POINT (4.1 52.0)</translation>
+    </message>
+    <message>
+        <source>give a smaller margin or check the obstacles</source>
+        <translation>donner une marge plus petite ou vérifier les obstacles</translation>
+    </message>
+    <message>
+        <source>give a smaller number</source>
+        <translation>donner un nombre plus petit</translation>
+    </message>
+    <message>
+        <source>give a text in quotes</source>
+        <translation>donner un texte entre guillemets</translation>
+    </message>
+    <message>
+        <source>give a transverse Mercator with +lat_0 and +lon_0</source>
+        <translation>donner une projection de Mercator transverse avec +lat_0 et +lon_0</translation>
+    </message>
+    <message>
+        <source>give a width of 0 m or more</source>
+        <translation>donner une largeur de 0 m ou plus</translation>
+    </message>
+    <message>
+        <source>give an EPSG code, as in SRID=4326;POLYGON(...)</source>
+        <translation>donner un code EPSG, comme SRID=4326;POLYGON(...)</translation>
+    </message>
+    <message>
+        <source>give an angle above 0 and below 90 degrees</source>
+        <translation>donner un angle entre 0 et 90 degrés</translation>
+    </message>
+    <message>
+        <source>give at most one of the two</source>
+        <translation>n&apos;en donner qu&apos;un des deux au plus</translation>
+    </message>
+    <message>
+        <source>give both in degrees, or remove the row</source>
+        <translation>donner les deux en degrés, ou retirer la ligne</translation>
+    </message>
+    <message>
+        <source>give each point as [longitude, latitude]</source>
+        <translation>donner chaque point sous la forme [longitude, latitude]</translation>
+    </message>
+    <message>
+        <source>give heights as a GeoTIFF or an ASCII grid</source>
+        <translation>donner les altitudes en GeoTIFF ou en grille ASCII</translation>
+    </message>
+    <message>
+        <source>give heights that cover the field</source>
+        <translation>donner des altitudes qui couvrent la parcelle</translation>
+    </message>
+    <message>
+        <source>give it as WKT in WGS84, %1</source>
+        <translation>la donner en WKT en WGS84, %1</translation>
+    </message>
+    <message>
+        <source>give it as WKT in WGS84, such as LINESTRING (4.1 52.0, 4.2 52.0, 4.3 52.1)</source>
+        <translation>la donner en WKT en WGS84, comme LINESTRING (4.1 52.0, 4.2 52.0, 4.3 52.1)</translation>
+    </message>
+    <message>
+        <source>give it as WKT in WGS84, such as POINT (4.1 52.0)</source>
+        <translation>le donner en WKT en WGS84, comme POINT (4.1 52.0)</translation>
+    </message>
+    <message>
+        <source>give less than the operating width</source>
+        <translation>donner moins que la largeur de travail</translation>
+    </message>
+    <message>
+        <source>give metres, 0 or more</source>
+        <translation>donner des mètres, 0 ou plus</translation>
+    </message>
+    <message>
+        <source>give min_turning_radius_m or max_steering_angle_deg</source>
+        <translation>donner min_turning_radius_m ou max_steering_angle_deg</translation>
+    </message>
+    <message>
+        <source>give one of %1 or a point such as POINT (4.1 52.0)</source>
+        <translation>donner l&apos;une de %1 ou un point comme POINT (4.1 52.0)</translation>
+    </message>
+    <message>
+        <source>give one of the files in it</source>
+        <translation>donner un des fichiers qu&apos;il contient</translation>
+    </message>
+    <message>
+        <source>give operating_width_m in metres</source>
+        <translation>donner operating_width_m en mètres</translation>
+    </message>
+    <message>
+        <source>give the file TASKDATA.XML</source>
+        <translation>donner le fichier TASKDATA.XML</translation>
+    </message>
+    <message>
+        <source>give the folder of a field</source>
+        <translation>donner le dossier d&apos;une parcelle</translation>
+    </message>
+    <message>
+        <source>give the folder of one of these, or a file in it</source>
+        <translation>donner le dossier de l&apos;un d&apos;eux, ou un fichier dedans</translation>
+    </message>
+    <message>
+        <source>give the folder of one recording</source>
+        <translation>donner le dossier d&apos;un enregistrement</translation>
+    </message>
+    <message>
+        <source>give the offsets in metres</source>
+        <translation>donner les déports en mètres</translation>
+    </message>
+    <message>
+        <source>give the points in degrees (WGS84), longitude in lon and latitude in lat</source>
+        <translation>donner les points en degrés (WGS84), longitude dans lon et latitude dans lat</translation>
+    </message>
+    <message>
+        <source>give true or false</source>
+        <translation>donner true ou false</translation>
+    </message>
+    <message>
+        <source>give two points at least 1 m apart</source>
+        <translation>donner deux points distants d&apos;au moins 1 m</translation>
+    </message>
+    <message>
+        <source>guidance lines without two points</source>
+        <translation>lignes de guidage sans deux points</translation>
+    </message>
+    <message>
+        <source>guidance patterns whose points do not fit their kind</source>
+        <translation>motifs de guidage dont les points ne vont pas avec leur type</translation>
+    </message>
+    <message>
+        <source>guidance patterns without a line</source>
+        <translation>motifs de guidage sans ligne</translation>
+    </message>
+    <message>
+        <source>headland pass %1</source>
+        <translation>tour de fourrière %1</translation>
+    </message>
+    <message>
+        <source>hole %1 encloses no area and was left out</source>
+        <translation>l&apos;enclave %1 n&apos;enferme aucune surface et a été laissée de côté</translation>
+    </message>
+    <message>
+        <source>implement offsets</source>
+        <translation>déports de l&apos;outil</translation>
+    </message>
+    <message>
+        <source>it does not say in which coordinate system it is</source>
+        <translation>il ne dit pas dans quel système de coordonnées il est</translation>
+    </message>
+    <message>
+        <source>it has %1 by %2 pixels</source>
+        <translation>elle a %1 pixels sur %2</translation>
+    </message>
+    <message>
+        <source>it has %1: %2</source>
+        <translation>il a %1 : %2</translation>
+    </message>
+    <message>
+        <source>it has more than %1 parts</source>
+        <translation>il a plus de %1 parties</translation>
+    </message>
+    <message>
+        <source>it has no heights where the field is</source>
+        <translation>il n&apos;a pas d&apos;altitudes là où est la parcelle</translation>
+    </message>
+    <message>
+        <source>it holds more than %1 files</source>
+        <translation>il contient plus de %1 fichiers</translation>
+    </message>
+    <message>
+        <source>it is no raster of heights</source>
+        <translation>ce n&apos;est pas une grille d&apos;altitudes</translation>
+    </message>
+    <message>
+        <source>it is not JSON (byte %1)</source>
+        <translation>ce n&apos;est pas du JSON (octet %1)</translation>
+    </message>
+    <message>
+        <source>it is not JSON at %1</source>
+        <translation>ce n&apos;est pas du JSON : %1</translation>
+    </message>
+    <message>
+        <source>it is not a length</source>
+        <translation>ce n&apos;est pas une longueur</translation>
+    </message>
+    <message>
+        <source>it is not what a plan&apos;s is</source>
+        <translation>ce n&apos;est pas celui d&apos;un plan</translation>
+    </message>
+    <message>
+        <source>it lies in none of the %1 fields</source>
+        <translation>il n&apos;est dans aucune des %1 parcelles</translation>
+    </message>
+    <message>
+        <source>it lies outside the field</source>
+        <translation>il est hors de la parcelle</translation>
+    </message>
+    <message>
+        <source>it may be damaged; copy or export it again</source>
+        <translation>il est peut-être endommagé ; le copier ou l&apos;exporter à nouveau</translation>
+    </message>
+    <message>
+        <source>it names no local frame</source>
+        <translation>il ne nomme pas de repère local</translation>
+    </message>
+    <message>
+        <source>it names no machine</source>
+        <translation>il ne nomme pas de machine</translation>
+    </message>
+    <message>
+        <source>it needs latitude and longitude, as in 52.09,5.66</source>
+        <translation>il lui faut latitude et longitude, comme 52.09,5.66</translation>
+    </message>
+    <message>
+        <source>it would grow more than a thousandfold when it is unpacked</source>
+        <translation>il grossirait plus de mille fois à la décompression</translation>
+    </message>
+    <message>
+        <source>its buffer is not a length</source>
+        <translation>sa distance n&apos;est pas une longueur</translation>
+    </message>
+    <message>
+        <source>its coordinate system &apos;%1&apos; cannot be turned into WGS84</source>
+        <translation>son système de coordonnées « %1 » ne peut être converti en WGS84</translation>
+    </message>
+    <message>
+        <source>its coordinate system cannot be turned into WGS84</source>
+        <translation>son système de coordonnées ne peut être converti en WGS84</translation>
+    </message>
+    <message>
+        <source>its file is missing</source>
+        <translation>son fichier manque</translation>
+    </message>
+    <message>
+        <source>its heights cannot be read</source>
+        <translation>ses altitudes ne peuvent être lues</translation>
+    </message>
+    <message>
+        <source>its holes leave nothing of it</source>
+        <translation>les enclaves n&apos;en laissent rien</translation>
+    </message>
+    <message>
+        <source>its points enclose no area</source>
+        <translation>ses points n&apos;enferment aucune surface</translation>
+    </message>
+    <message>
+        <source>its width is not a length</source>
+        <translation>sa largeur n&apos;est pas une longueur</translation>
+    </message>
+    <message>
+        <source>keep one of them</source>
+        <translation>en garder une</translation>
+    </message>
+    <message>
+        <source>keep the .shp, .shx, .dbf and .prj files together</source>
+        <translation>garder .shp, .shx, .dbf et .prj ensemble</translation>
+    </message>
+    <message>
+        <source>leaves the field by %1</source>
+        <translation>sort de la parcelle de %1</translation>
+    </message>
+    <message>
+        <source>left out: %1</source>
+        <translation>laissé de côté : %1</translation>
+    </message>
+    <message>
+        <source>left out: %1 %2</source>
+        <translation>laissé de côté : %1 %2</translation>
+    </message>
+    <message>
+        <source>line %1 is left out: it is damaged</source>
+        <translation>la ligne %1 est laissée de côté : elle est endommagée</translation>
+    </message>
+    <message>
+        <source>line %1, column %2</source>
+        <translation>ligne %1, colonne %2</translation>
+    </message>
+    <message>
+        <source>lines in WGS84 such as MULTILINESTRING ((4.1 52.0, 4.2 52.0), (4.1 52.1, 4.2 52.1))</source>
+        <translation>des lignes en WGS84 comme MULTILINESTRING ((4.1 52.0, 4.2 52.0), (4.1 52.1, 4.2 52.1))</translation>
+    </message>
+    <message>
+        <source>lines that guide nothing</source>
+        <translation>lignes qui ne guident rien</translation>
+    </message>
+    <message>
+        <source>look for a missing comma, quote or brace just before it</source>
+        <translation>chercher une virgule, un guillemet ou une accolade qui manque juste avant</translation>
+    </message>
+    <message>
+        <source>move one of the points there, so that it is clear which side is field</source>
+        <translation>y déplacer un point, pour qu&apos;il soit clair de quel côté est la parcelle</translation>
+    </message>
+    <message>
+        <source>move or delete it</source>
+        <translation>déplacer ou supprimer</translation>
+    </message>
+    <message>
+        <source>name a raster of heights, such as a GeoTIFF</source>
+        <translation>nommer une grille d&apos;altitudes, comme un GeoTIFF</translation>
+    </message>
+    <message>
+        <source>name each swath once</source>
+        <translation>nommer chaque passage une fois</translation>
+    </message>
+    <message>
+        <source>name each swath once, with a minus where it is driven backwards</source>
+        <translation>nommer chaque passage une fois, avec un moins là où il est fait dans l&apos;autre sens</translation>
+    </message>
+    <message>
+        <source>name one, such as GeoJSON with a LineString for each row</source>
+        <translation>en nommer un, comme un GeoJSON avec une LineString par rang</translation>
+    </message>
+    <message>
+        <source>name the columns in the first row</source>
+        <translation>nommer les colonnes dans la première ligne</translation>
+    </message>
+    <message>
+        <source>name the folder of a plan, as furrow-cli plan writes it</source>
+        <translation>donner le dossier d&apos;un plan, tel que l&apos;écrit furrow-cli plan</translation>
+    </message>
+    <message>
+        <source>neither turning radius nor steering angle is given</source>
+        <translation>ni rayon de braquage ni angle de braquage n&apos;est donné</translation>
+    </message>
+    <message>
+        <source>no boundary can be read from this file (%1)</source>
+        <translation>aucune limite ne peut être lue dans ce fichier (%1)</translation>
+    </message>
+    <message>
+        <source>no pixel of the picture is worked</source>
+        <translation>aucun pixel de l&apos;image n&apos;est travaillé</translation>
+    </message>
+    <message>
+        <source>no swath fits into the mainland</source>
+        <translation>aucun passage ne tient dans le plein champ</translation>
+    </message>
+    <message>
+        <source>obstacle %1</source>
+        <translation>obstacle %1</translation>
+    </message>
+    <message>
+        <source>obstacles outside the boundary</source>
+        <translation>obstacles hors de la limite</translation>
+    </message>
+    <message>
+        <source>obstacles that are holes already</source>
+        <translation>obstacles qui sont déjà des enclaves</translation>
+    </message>
+    <message>
+        <source>one of its choices</source>
+        <translation>l&apos;un de ses choix</translation>
+    </message>
+    <message>
+        <source>only files on this computer are read</source>
+        <translation>seuls les fichiers de cet ordinateur sont lus</translation>
+    </message>
+    <message>
+        <source>open it as a field boundary, or choose another file</source>
+        <translation>l&apos;ouvrir comme limite de parcelle, ou choisir un autre fichier</translation>
+    </message>
+    <message>
+        <source>open it with a newer Furrow; the file was left as it is</source>
+        <translation>l&apos;ouvrir avec un Furrow plus récent ; le fichier est resté tel quel</translation>
+    </message>
+    <message>
+        <source>opennav_coverage goal</source>
+        <translation>Objectif opennav_coverage</translation>
+    </message>
+    <message>
+        <source>opennav_coverage lays swaths and turns of its own from the goal; they need not be those of this plan.</source>
+        <translation>opennav_coverage trace ses propres passages et demi-tours ; ce ne sont pas forcément ceux de ce plan.</translation>
+    </message>
+    <message>
+        <source>part %1</source>
+        <translation>partie %1</translation>
+    </message>
+    <message>
+        <source>part %1, point %2</source>
+        <translation>partie %1, point %2</translation>
+    </message>
+    <message>
+        <source>path.csv has %1 segments and plan.geojson %2</source>
+        <translation>path.csv a %1 tronçons et plan.geojson %2</translation>
+    </message>
+    <message>
+        <source>per m²</source>
+        <translation>par m²</translation>
+    </message>
+    <message>
+        <source>pivot needs its centre</source>
+        <translation>les cercles demandent leur centre</translation>
+    </message>
+    <message>
+        <source>plan the field first: furrow-cli plan FIELD --out plan</source>
+        <translation>planifier d&apos;abord la parcelle : furrow-cli plan FIELD --out plan</translation>
+    </message>
+    <message>
+        <source>points that are no gates</source>
+        <translation>points qui ne sont pas des entrées de parcelle</translation>
+    </message>
+    <message>
+        <source>polygons of a kind that is not used</source>
+        <translation>polygones d&apos;un type non utilisé</translation>
+    </message>
+    <message>
+        <source>put the EPSG code into its name, as in field_EPSG32632.dxf</source>
+        <translation>mettre le code EPSG dans son nom, comme field_EPSG32632.dxf</translation>
+    </message>
+    <message>
+        <source>record or draw its boundary first</source>
+        <translation>enregistrer ou dessiner d&apos;abord sa limite</translation>
+    </message>
+    <message>
+        <source>record or export it again</source>
+        <translation>l&apos;enregistrer ou l&apos;exporter à nouveau</translation>
+    </message>
+    <message>
+        <source>remove it from the file, or add its field</source>
+        <translation>le retirer du fichier, ou ajouter sa parcelle</translation>
+    </message>
+    <message>
+        <source>remove it; keys look like operating_width_m, vehicle_width_m, can_reverse</source>
+        <translation>le retirer ; les clés ressemblent à operating_width_m, vehicle_width_m, can_reverse</translation>
+    </message>
+    <message>
+        <source>restore a copy of the file</source>
+        <translation>restaurer une copie du fichier</translation>
+    </message>
+    <message>
+        <source>rings that overlap each other were joined</source>
+        <translation>des contours qui se chevauchent ont été réunis</translation>
+    </message>
+    <message>
+        <source>rings with fewer than three corners</source>
+        <translation>contours de moins de trois angles</translation>
+    </message>
+    <message>
+        <source>rows needs a file of lines</source>
+        <translation>les rangs demandent un fichier de lignes</translation>
+    </message>
+    <message>
+        <source>save it again in WGS84</source>
+        <translation>l&apos;enregistrer à nouveau en WGS84</translation>
+    </message>
+    <message>
+        <source>save it as GeoTIFF, or with a world file in degrees</source>
+        <translation>l&apos;enregistrer en GeoTIFF, ou avec un fichier de calage en degrés</translation>
+    </message>
+    <message>
+        <source>save the field again, or remove this file</source>
+        <translation>enregistrer la parcelle à nouveau ou retirer ce fichier</translation>
+    </message>
+    <message>
+        <source>save the project, and free some space</source>
+        <translation>enregistrer le projet et libérer de la place</translation>
+    </message>
+    <message>
+        <source>several fields are called &apos;%1&apos;</source>
+        <translation>plusieurs parcelles s&apos;appellent « %1 »</translation>
+    </message>
+    <message>
+        <source>simplify it to at most a million</source>
+        <translation>la simplifier à un million au plus</translation>
+    </message>
+    <message>
+        <source>such as LINESTRING (4.1 52.0, 4.2 52.0)</source>
+        <translation>comme LINESTRING (4.1 52.0, 4.2 52.0)</translation>
+    </message>
+    <message>
+        <source>such as POINT (4.1 52.0)</source>
+        <translation>comme POINT (4.1 52.0)</translation>
+    </message>
+    <message>
+        <source>swath %1</source>
+        <translation>passage %1</translation>
+    </message>
+    <message>
+        <source>swath %1 is named twice</source>
+        <translation>le passage %1 est nommé deux fois</translation>
+    </message>
+    <message>
+        <source>take off its write protection, or use another one</source>
+        <translation>ôter la protection, ou utiliser une autre clé</translation>
+    </message>
+    <message>
+        <source>take off the write protection of the stick</source>
+        <translation>ôter la protection en écriture de la clé</translation>
+    </message>
+    <message>
+        <source>the .shx file that belongs to it is missing</source>
+        <translation>le fichier .shx qui l&apos;accompagne manque</translation>
+    </message>
+    <message>
+        <source>the boundary</source>
+        <translation>la limite de parcelle</translation>
+    </message>
+    <message>
+        <source>the boundary has %1 points</source>
+        <translation>la limite a %1 points</translation>
+    </message>
+    <message>
+        <source>the boundary is that of the guidance group; the field itself has none</source>
+        <translation>la limite est celle du groupe de guidage ; la parcelle elle-même n&apos;en a pas</translation>
+    </message>
+    <message>
+        <source>the coordinates lie outside longitude -180 to 180 and latitude -90 to 90</source>
+        <translation>les coordonnées sont hors de la longitude -180 à 180 et de la latitude -90 à 90</translation>
+    </message>
+    <message>
+        <source>the curve bends more sharply than this machine can follow (%1 of radius)</source>
+        <translation>la courbe est plus serrée que ce que cette machine peut suivre (%1 de rayon)</translation>
+    </message>
+    <message>
+        <source>the curve crosses itself, %1 from its start</source>
+        <translation>la courbe se croise, à %1 de son début</translation>
+    </message>
+    <message>
+        <source>the curves from line %1 on are left out: it is damaged</source>
+        <translation>les courbes à partir de la ligne %1 sont laissées de côté : elle est endommagée</translation>
+    </message>
+    <message>
+        <source>the end</source>
+        <translation>fin</translation>
+    </message>
+    <message>
+        <source>the field &apos;%1&apos; has no boundary</source>
+        <translation>la parcelle « %1 » n&apos;a pas de limite</translation>
+    </message>
+    <message>
+        <source>the field &apos;%1&apos; is left out: %2</source>
+        <translation>la parcelle « %1 » est laissée de côté : %2</translation>
+    </message>
+    <message>
+        <source>the field has neither boundary nor guidance line</source>
+        <translation>la parcelle n&apos;a ni limite ni ligne de guidage</translation>
+    </message>
+    <message>
+        <source>the field has no boundary</source>
+        <translation>la parcelle n&apos;a pas de limite</translation>
+    </message>
+    <message>
+        <source>the field is more than 100 km across; %1, %2 is farthest from the others</source>
+        <translation>la parcelle s&apos;étend sur plus de 100 km ; %1, %2 est le plus loin des autres</translation>
+    </message>
+    <message>
+        <source>the field is nowhere as wide as the machine (%1%2)</source>
+        <translation>la parcelle n&apos;est nulle part aussi large que la machine (%1%2)</translation>
+    </message>
+    <message>
+        <source>the fields in this task data have neither boundary nor guidance line</source>
+        <translation>les parcelles de ces données de tâche n&apos;ont ni limite ni ligne de guidage</translation>
+    </message>
+    <message>
+        <source>the file cannot be read</source>
+        <translation>le fichier ne peut pas être lu</translation>
+    </message>
+    <message>
+        <source>the file has %1 fields: %2</source>
+        <translation>le fichier a %1 parcelles : %2</translation>
+    </message>
+    <message>
+        <source>the file is damaged</source>
+        <translation>le fichier est endommagé</translation>
+    </message>
+    <message>
+        <source>the file is damaged (%1)</source>
+        <translation>le fichier est endommagé (%1)</translation>
+    </message>
+    <message>
+        <source>the file is damaged here</source>
+        <translation>le fichier est endommagé ici</translation>
+    </message>
+    <message>
+        <source>the file is empty</source>
+        <translation>le fichier est vide</translation>
+    </message>
+    <message>
+        <source>the file is larger than 1 GiB</source>
+        <translation>le fichier dépasse 1 Gio</translation>
+    </message>
+    <message>
+        <source>the file may be cut off or damaged; copy or export it again</source>
+        <translation>le fichier est peut-être coupé ou endommagé ; le copier ou l&apos;exporter à nouveau</translation>
+    </message>
+    <message>
+        <source>the file may be cut off or damaged; export it again</source>
+        <translation>le fichier est peut-être coupé ou endommagé ; l&apos;exporter à nouveau</translation>
+    </message>
+    <message>
+        <source>the folder or zip cannot be read</source>
+        <translation>le dossier ou le zip ne peut pas être lu</translation>
+    </message>
+    <message>
+        <source>the headland is left out: line %1 is damaged</source>
+        <translation>la fourrière est laissée de côté : la ligne %1 est endommagée</translation>
+    </message>
+    <message>
+        <source>the key is there twice</source>
+        <translation>la clé y est deux fois</translation>
+    </message>
+    <message>
+        <source>the line after StartFix is no place</source>
+        <translation>la ligne après StartFix n&apos;est pas une position</translation>
+    </message>
+    <message>
+        <source>the line crosses itself at %1, %2</source>
+        <translation>la ligne se croise en %1, %2</translation>
+    </message>
+    <message>
+        <source>the line touches or crosses itself by a sliver; taken apart there</source>
+        <translation>la ligne se touche ou se croise de très peu ; séparée à cet endroit</translation>
+    </message>
+    <message>
+        <source>the lines from line %1 on are left out: it is damaged</source>
+        <translation>les lignes à partir de la ligne %1 sont laissées de côté : elle est endommagée</translation>
+    </message>
+    <message>
+        <source>the machine (%1 wide, %2 long%3) fits nowhere into the field</source>
+        <translation>la machine (%1 de large, %2 de long%3) ne tient nulle part dans la parcelle</translation>
+    </message>
+    <message>
+        <source>the name of a gate or a point in WGS84 such as POINT (4.1 52.0)</source>
+        <translation>le nom d&apos;une entrée ou un point en WGS84 comme POINT (4.1 52.0)</translation>
+    </message>
+    <message>
+        <source>the number after SRID= is no coordinate system that is known</source>
+        <translation>le nombre après SRID= n&apos;est pas un système de coordonnées connu</translation>
+    </message>
+    <message>
+        <source>the obstacles leave nothing of the field</source>
+        <translation>les obstacles ne laissent rien de la parcelle</translation>
+    </message>
+    <message>
+        <source>the operating width is missing</source>
+        <translation>la largeur de travail manque</translation>
+    </message>
+    <message>
+        <source>the part %1 is left out: %2</source>
+        <translation>la partie %1 est laissée de côté : %2</translation>
+    </message>
+    <message>
+        <source>the path of a file</source>
+        <translation>le chemin d&apos;un fichier</translation>
+    </message>
+    <message>
+        <source>the picture cannot be read (%1)</source>
+        <translation>l&apos;image ne peut pas être lue (%1)</translation>
+    </message>
+    <message>
+        <source>the picture does not say where it lies</source>
+        <translation>l&apos;image ne dit pas où elle se trouve</translation>
+    </message>
+    <message>
+        <source>the picture does not say which coordinate system it uses</source>
+        <translation>l&apos;image ne dit pas quel système de coordonnées elle utilise</translation>
+    </message>
+    <message>
+        <source>the picture is damaged</source>
+        <translation>l&apos;image est endommagée</translation>
+    </message>
+    <message>
+        <source>the place lies outside of the field</source>
+        <translation>l&apos;endroit est hors de la parcelle</translation>
+    </message>
+    <message>
+        <source>the plan gives no reason</source>
+        <translation>le plan n&apos;en donne pas la raison</translation>
+    </message>
+    <message>
+        <source>the recorded path is left out: it is damaged</source>
+        <translation>le trajet enregistré est laissé de côté : il est endommagé</translation>
+    </message>
+    <message>
+        <source>the recording cannot be made: %1</source>
+        <translation>l&apos;enregistrement ne peut être créé : %1</translation>
+    </message>
+    <message>
+        <source>the shape could not be computed with (%1)</source>
+        <translation>le calcul avec cette forme a échoué (%1)</translation>
+    </message>
+    <message>
+        <source>the start</source>
+        <translation>départ</translation>
+    </message>
+    <message>
+        <source>the stick does not answer any more (%1)</source>
+        <translation>la clé ne répond plus (%1)</translation>
+    </message>
+    <message>
+        <source>the stick has %1 MB free, and %2 MB are needed</source>
+        <translation>la clé a %1 Mo de libres, et il en faut %2</translation>
+    </message>
+    <message>
+        <source>the stick is damaged: use another one</source>
+        <translation>la clé est endommagée : en utiliser une autre</translation>
+    </message>
+    <message>
+        <source>the stick is write-protected</source>
+        <translation>la clé est protégée en écriture</translation>
+    </message>
+    <message>
+        <source>the swaths are left out: %1</source>
+        <translation>les passages sont laissés de côté : %1</translation>
+    </message>
+    <message>
+        <source>the table has neither a column WKT nor columns lon and lat</source>
+        <translation>le tableau n&apos;a ni colonne WKT ni colonnes lon et lat</translation>
+    </message>
+    <message>
+        <source>the transfer after %1</source>
+        <translation>le trajet après %1</translation>
+    </message>
+    <message>
+        <source>the transfer at %1</source>
+        <translation>le trajet à %1</translation>
+    </message>
+    <message>
+        <source>the turn after %1</source>
+        <translation>le demi-tour après %1</translation>
+    </message>
+    <message>
+        <source>the turn at %1</source>
+        <translation>le demi-tour à %1</translation>
+    </message>
+    <message>
+        <source>the way to refill</source>
+        <translation>le trajet de remplissage</translation>
+    </message>
+    <message>
+        <source>the zip cannot be made: %1</source>
+        <translation>le zip ne peut être créé : %1</translation>
+    </message>
+    <message>
+        <source>there is no &apos;%1&apos;</source>
+        <translation>il n&apos;y a pas de « %1 »</translation>
+    </message>
+    <message>
+        <source>there is no &apos;%1&apos; in a machine</source>
+        <translation>il n&apos;y a pas de « %1 » dans une machine</translation>
+    </message>
+    <message>
+        <source>there is no Field.txt</source>
+        <translation>il n&apos;y a pas de Field.txt</translation>
+    </message>
+    <message>
+        <source>there is no boundary</source>
+        <translation>il n&apos;y a pas de limite de parcelle</translation>
+    </message>
+    <message>
+        <source>there is no boundary file in this zip</source>
+        <translation>ce zip ne contient pas de fichier de limites</translation>
+    </message>
+    <message>
+        <source>there is no edge %1</source>
+        <translation>il n&apos;y a pas de côté %1</translation>
+    </message>
+    <message>
+        <source>there is no field &apos;%1&apos; in the file</source>
+        <translation>il n&apos;y a pas de parcelle « %1 » dans le fichier</translation>
+    </message>
+    <message>
+        <source>there is no field boundary in it</source>
+        <translation>il ne contient pas de limite de parcelle</translation>
+    </message>
+    <message>
+        <source>there is no field boundary in it, only %1</source>
+        <translation>il ne contient pas de limite de parcelle, seulement %1</translation>
+    </message>
+    <message>
+        <source>there is no field in this task data</source>
+        <translation>il n&apos;y a pas de parcelle dans ces données de tâche</translation>
+    </message>
+    <message>
+        <source>there is no gate &apos;%1&apos;</source>
+        <translation>il n&apos;y a pas d&apos;entrée de parcelle « %1 »</translation>
+    </message>
+    <message>
+        <source>there is no line in it</source>
+        <translation>il ne contient pas de ligne</translation>
+    </message>
+    <message>
+        <source>there is no machine &apos;%1&apos;</source>
+        <translation>il n&apos;y a pas de machine « %1 »</translation>
+    </message>
+    <message>
+        <source>there is no path in it</source>
+        <translation>il n&apos;y a pas de trajet dedans</translation>
+    </message>
+    <message>
+        <source>there is no project format %1</source>
+        <translation>il n&apos;y a pas de format de projet %1</translation>
+    </message>
+    <message>
+        <source>there is no setting &apos;%1&apos;</source>
+        <translation>il n&apos;y a pas de réglage « %1 »</translation>
+    </message>
+    <message>
+        <source>there is no such file</source>
+        <translation>ce fichier n&apos;existe pas</translation>
+    </message>
+    <message>
+        <source>there is no swath %1</source>
+        <translation>il n&apos;y a pas de passage %1</translation>
+    </message>
+    <message>
+        <source>there is no terminal &apos;%1&apos;</source>
+        <translation>il n&apos;y a pas de console « %1 »</translation>
+    </message>
+    <message>
+        <source>this XML is no task data</source>
+        <translation>ce XML ne contient pas de données de tâche</translation>
+    </message>
+    <message>
+        <source>this folder holds no TASKDATA.XML, no field of AgOpenGPS and no AgGPS boundary</source>
+        <translation>ce dossier ne contient ni TASKDATA.XML, ni parcelle AgOpenGPS, ni limite AgGPS</translation>
+    </message>
+    <message>
+        <source>this format holds the path of a plan, and there is only a field</source>
+        <translation>ce format contient le trajet d&apos;un plan, et il n&apos;y a qu&apos;une parcelle</translation>
+    </message>
+    <message>
+        <source>this is a folder</source>
+        <translation>c&apos;est un dossier</translation>
+    </message>
+    <message>
+        <source>this is no boundary file that can be read</source>
+        <translation>ce n&apos;est pas un fichier de limites lisible</translation>
+    </message>
+    <message>
+        <source>this is no ordinary file</source>
+        <translation>ce n&apos;est pas un fichier ordinaire</translation>
+    </message>
+    <message>
+        <source>this is no zip of fields or recordings</source>
+        <translation>ce n&apos;est pas un zip de parcelles ou d&apos;enregistrements</translation>
+    </message>
+    <message>
+        <source>this is not JSON from here on</source>
+        <translation>à partir d&apos;ici ce n&apos;est pas du JSON</translation>
+    </message>
+    <message>
+        <source>this is not XML from here on</source>
+        <translation>à partir d&apos;ici ce n&apos;est pas du XML</translation>
+    </message>
+    <message>
+        <source>this is not a project of Furrow</source>
+        <translation>ce n&apos;est pas un projet de Furrow</translation>
+    </message>
+    <message>
+        <source>this is not well-known text from here on</source>
+        <translation>à partir d&apos;ici ce n&apos;est pas du well-known text</translation>
+    </message>
+    <message>
+        <source>this place</source>
+        <translation>cet endroit</translation>
+    </message>
+    <message>
+        <source>this polygon cannot be read</source>
+        <translation>ce polygone ne peut pas être lu</translation>
+    </message>
+    <message>
+        <source>this project file is damaged: %1</source>
+        <translation>ce fichier de projet est endommagé : %1</translation>
+    </message>
+    <message>
+        <source>this project is open in another window of Furrow</source>
+        <translation>ce projet est ouvert dans une autre fenêtre de Furrow</translation>
+    </message>
+    <message>
+        <source>this project was saved by a newer Furrow (format %1, this one knows %2)</source>
+        <translation>ce projet a été enregistré par un Furrow plus récent (format %1, celui-ci connaît %2)</translation>
+    </message>
+    <message>
+        <source>true or false</source>
+        <translation>true ou false</translation>
+    </message>
+    <message>
+        <source>try another stick</source>
+        <translation>essayer une autre clé</translation>
+    </message>
+    <message>
+        <source>two points</source>
+        <translation>deux points</translation>
+    </message>
+    <message>
+        <source>use another terminal&apos;s format, and report this</source>
+        <translation>utiliser le format d&apos;une autre console, et le signaler</translation>
+    </message>
+    <message>
+        <source>use one of: %1</source>
+        <translation>utiliser l&apos;un de : %1</translation>
+    </message>
+    <message>
+        <source>use one of: %1; or give a machine file (.json)</source>
+        <translation>utiliser l&apos;une de : %1 ; ou donner un fichier de machine (.json)</translation>
+    </message>
+    <message>
+        <source>use one or more of: %1</source>
+        <translation>utiliser un ou plusieurs de : %1</translation>
+    </message>
+    <message>
+        <source>use the numbers from 1 to %1</source>
+        <translation>utiliser les numéros de 1 à %1</translation>
+    </message>
+    <message>
+        <source>was it pulled out? Plug it in again and write once more</source>
+        <translation>a-t-elle été retirée ? La rebrancher et écrire encore une fois</translation>
+    </message>
+    <message>
+        <source>what is on the stick is not the plan: %1</source>
+        <translation>ce qui est sur la clé n&apos;est pas le plan : %1</translation>
+    </message>
+    <message>
+        <source>whole numbers divided by commas</source>
+        <translation>des nombres entiers séparés par des virgules</translation>
+    </message>
+    <message>
+        <source>worked pixels need a value other than 0</source>
+        <translation>les pixels travaillés doivent avoir une valeur autre que 0</translation>
+    </message>
+    <message>
+        <source>write POLYGON((lon lat, lon lat, ...))</source>
+        <translation>écrire POLYGON((lon lat, lon lat, ...))</translation>
+    </message>
+    <message>
+        <source>write POLYGON((lon lat, lon lat, ...)), one polygon a line</source>
+        <translation>écrire POLYGON((lon lat, lon lat, ...)), un polygone par ligne</translation>
+    </message>
+    <message>
+        <source>write it like LINESTRING (4.1 52.0, 4.2 52.0)</source>
+        <translation>l&apos;écrire comme LINESTRING (4.1 52.0, 4.2 52.0)</translation>
+    </message>
+    <message>
+        <source>write the plan again with furrow-cli plan</source>
+        <translation>écrire à nouveau le plan avec furrow-cli plan</translation>
+    </message>
+    <message>
+        <source>write {&quot;name&quot;: ..., &quot;operating_width_m&quot;: ...}</source>
+        <translation>écrire {&quot;name&quot;: ..., &quot;operating_width_m&quot;: ...}</translation>
+    </message>
+    <message>
+        <source>a part of it cannot be read</source>
+        <translation>une partie est illisible</translation>
+    </message>
+    <message>
+        <source>a part of it is damaged: %1</source>
+        <translation>une partie est endommagée : %1</translation>
+    </message>
+    <message>
+        <source>a tile is damaged</source>
+        <translation>une tuile est endommagée</translation>
+    </message>
+    <message>
+        <source>choose a file or a folder of tiles</source>
+        <translation>choisissez un fichier ou un dossier de tuiles</translation>
+    </message>
+    <message>
+        <source>choose the folder that holds the folders of the zooms, 0 to 24</source>
+        <translation>choisissez le dossier qui contient les dossiers des niveaux de zoom, 0 à 24</translation>
+    </message>
+    <message>
+        <source>copy or export the file again</source>
+        <translation>copiez ou exportez de nouveau le fichier</translation>
+    </message>
+    <message>
+        <source>give a GeoTIFF, MBTiles, or a folder of tiles</source>
+        <translation>donnez un GeoTIFF, un MBTiles ou un dossier de tuiles</translation>
+    </message>
+    <message>
+        <source>give a GeoTIFF, or export it again with its coordinate system</source>
+        <translation>donnez un GeoTIFF ou exportez-la de nouveau avec son système de coordonnées</translation>
+    </message>
+    <message>
+        <source>it is damaged, or no picture that Furrow can show</source>
+        <translation>il est endommagé, ou ce n’est pas une image que Furrow peut afficher</translation>
+    </message>
+    <message>
+        <source>it is no file</source>
+        <translation>ce n’est pas un fichier</translation>
+    </message>
+    <message>
+        <source>it is too large to be shown without overviews</source>
+        <translation>elle est trop grande pour être affichée sans aperçus</translation>
+    </message>
+    <message>
+        <source>its tiles are in degrees, not in web Mercator</source>
+        <translation>ses tuiles sont en degrés, pas en Web Mercator</translation>
+    </message>
+    <message>
+        <source>make the tiles again</source>
+        <translation>refaites les tuiles</translation>
+    </message>
+    <message>
+        <source>make them again with the profile mercator, or give the raster itself</source>
+        <translation>refaites-les avec le profil mercator ou donnez le raster lui-même</translation>
+    </message>
+    <message>
+        <source>open it again</source>
+        <translation>ouvrez-le de nouveau</translation>
+    </message>
+    <message>
+        <source>put it back, or choose another one</source>
+        <translation>remettez-le en place ou choisissez-en un autre</translation>
+    </message>
+    <message>
+        <source>put it back, or remove the layer</source>
+        <translation>remettez-le en place ou retirez la couche</translation>
+    </message>
+    <message>
+        <source>save it in tiles and with overviews (gdal_translate -of COG)</source>
+        <translation>enregistrez-la en tuiles et avec des aperçus (gdal_translate -of COG)</translation>
+    </message>
+    <message>
+        <source>the file cannot be read any more</source>
+        <translation>le fichier n’est plus lisible</translation>
+    </message>
+    <message>
+        <source>the file is not there any more</source>
+        <translation>le fichier n’est plus là</translation>
+    </message>
+    <message>
+        <source>the file was changed while it was open</source>
+        <translation>le fichier a été modifié pendant qu’il était ouvert</translation>
+    </message>
+    <message>
+        <source>the folder is not there any more</source>
+        <translation>le dossier n’est plus là</translation>
+    </message>
+    <message>
+        <source>there are no tiles in this folder</source>
+        <translation>il n’y a pas de tuiles dans ce dossier</translation>
+    </message>
+    <message>
+        <source>there is no picture in it</source>
+        <translation>il ne contient aucune image</translation>
+    </message>
+    <message>
+        <source>there is no such file or folder</source>
+        <translation>ce fichier ou ce dossier n’existe pas</translation>
+    </message>
+</context>
+<context>
+    <name>PreferencesDialog</name>
+    <message>
+        <source>Language and units</source>
+        <translation>Langue et unités</translation>
+    </message>
+    <message>
+        <source>Language</source>
+        <translation>Langue</translation>
+    </message>
+    <message>
+        <source>As the computer</source>
+        <translation>Comme l&apos;ordinateur</translation>
+    </message>
+    <message>
+        <source>Units</source>
+        <translation>Unités</translation>
+    </message>
+    <message>
+        <source>Metres, hectares, km/h</source>
+        <translation>Mètres, hectares, km/h</translation>
+    </message>
+    <message>
+        <source>Feet, acres, mph</source>
+        <translation>Pieds, acres, mph</translation>
+    </message>
+    <message>
+        <source>Fields take both: 7.3 m, 24 ft, 10&apos;6&quot;, 8 km/h, 5 mph. Files always hold metres.</source>
+        <translation>Les champs acceptent les deux : 7,3 m, 24 ft, 10&apos;6&quot;, 8 km/h, 5 mph. Les fichiers sont toujours en mètres.</translation>
+    </message>
+    <message>
+        <source>Close</source>
+        <translation>Fermer</translation>
+    </message>
+</context>
+<context>
+    <name>ProblemCard</name>
+    <message>
+        <source>Show the place</source>
+        <translation>Montrer l&apos;endroit</translation>
+    </message>
+    <message>
+        <source>Open another file…</source>
+        <translation>Ouvrir un autre fichier…</translation>
+    </message>
+</context>
+<context>
+    <name>ProjectDialogs</name>
+    <message>
+        <source>Open projects or field boundaries</source>
+        <translation>Ouvrir des projets ou des limites de parcelle</translation>
+    </message>
+    <message>
+        <source>Projects and field boundaries (%1)</source>
+        <translation>Projets et limites de parcelle (%1)</translation>
+    </message>
+    <message>
+        <source>Projects (%1)</source>
+        <translation>Projets (%1)</translation>
+    </message>
+    <message>
+        <source>All files (*)</source>
+        <translation>Tous les fichiers (*)</translation>
+    </message>
+    <message>
+        <source>Save the project</source>
+        <translation>Enregistrer le projet</translation>
+    </message>
+    <message>
+        <source>Add imagery</source>
+        <translation>Ajouter une imagerie</translation>
+    </message>
+    <message>
+        <source>Pictures and heights (%1)</source>
+        <translation>Images et altitudes (%1)</translation>
+    </message>
+    <message>
+        <source>Add a folder of tiles</source>
+        <translation>Ajouter un dossier de tuiles</translation>
+    </message>
+</context>
+<context>
+    <name>RecentList</name>
+    <message>
+        <source>Open recent</source>
+        <translation>Ouvrir un récent</translation>
+    </message>
+    <message>
+        <source>%1 — %2</source>
+        <translation>%1 — %2</translation>
+    </message>
+</context>
+<context>
+    <name>RecentProjects</name>
+    <message>
+        <source>Go on with</source>
+        <translation>Continuer avec</translation>
+    </message>
+    <message>
+        <source>Project %1 in %2, %3</source>
+        <translation>Projet %1 dans %2, %3</translation>
+    </message>
+    <message>
+        <source>%1 · %2</source>
+        <translation>%1 · %2</translation>
+    </message>
+</context>
+<context>
+    <name>ResultsPanel</name>
+    <message>
+        <source>Plan</source>
+        <translation>Plan</translation>
+    </message>
+    <message>
+        <source>%1: %2</source>
+        <translation>%1: %2</translation>
+    </message>
+    <message numerus="yes">
+        <source>%n finding(s)</source>
+        <translation>
+            <numerusform>%n remarque</numerusform>
+            <numerusform>%n remarques</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>Show the first %1 only</source>
+        <translation>Ne montrer que les %1 premières</translation>
+    </message>
+    <message>
+        <source>Show all %1</source>
+        <translation>Les montrer toutes (%1)</translation>
+    </message>
+</context>
+<context>
+    <name>ScaleBar</name>
+    <message>
+        <source>Scale: the bar is %1 long</source>
+        <translation>Échelle : la barre mesure %1</translation>
+    </message>
+</context>
+<context>
+    <name>SearchButton</name>
+    <message>
+        <source>Search commands</source>
+        <translation>Chercher une commande</translation>
+    </message>
+    <message>
+        <source>Ctrl K</source>
+        <translation>Ctrl K</translation>
+    </message>
+</context>
+<context>
+    <name>StatusChip</name>
+    <message>
+        <source>Stop</source>
+        <translation>Arrêter</translation>
+    </message>
+    <message>
+        <source>Plan again</source>
+        <translation>Planifier à nouveau</translation>
+    </message>
+</context>
+<context>
+    <name>StepItem</name>
+    <message>
+        <source>%1. %2: %3. %4</source>
+        <translation>%1. %2: %3. %4</translation>
+    </message>
+</context>
+<context>
+    <name>ThemeSwitch</name>
+    <message>
+        <source>Sunlight colours; press for light</source>
+        <translation>Couleurs plein soleil ; appuyer pour claires</translation>
+    </message>
+    <message>
+        <source>Dark colours; press for sunlight</source>
+        <translation>Couleurs sombres ; appuyer pour plein soleil</translation>
+    </message>
+    <message>
+        <source>Light colours; press for dark</source>
+        <translation>Couleurs claires ; appuyer pour sombres</translation>
+    </message>
+</context>
+<context>
+    <name>TopBar</name>
+    <message>
+        <source>Not saved yet</source>
+        <translation>Pas encore enregistré</translation>
+    </message>
+    <message>
+        <source>There are changes that are not saved</source>
+        <translation>Il y a des modifications non enregistrées</translation>
+    </message>
+    <message>
+        <source>Hide the results</source>
+        <translation>Masquer les résultats</translation>
+    </message>
+    <message>
+        <source>Show the results</source>
+        <translation>Montrer les résultats</translation>
+    </message>
+    <message>
+        <source>Open</source>
+        <translation>Ouvrir</translation>
+    </message>
+    <message>
+        <source>Export</source>
+        <translation>Exporter</translation>
+    </message>
+</context>
+<context>
+    <name>Tour</name>
+    <message>
+        <source>Welcome to Furrow</source>
+        <translation>Bienvenue dans Furrow</translation>
+    </message>
+    <message>
+        <source>In three minutes from a field to a plan that can be driven. A sample field is opened for you; Ctrl+Z takes everything back. Leave whenever you like: the tour is in the Help menu.</source>
+        <translation>En trois minutes, d’une parcelle à un plan que l’on peut conduire. Une parcelle d’exemple est ouverte pour vous ; Ctrl+Z annule tout. Quittez quand vous voulez : la visite guidée se trouve dans le menu Aide.</translation>
+    </message>
+    <message>
+        <source>The steps</source>
+        <translation>Les étapes</translation>
+    </message>
+    <message>
+        <source>From top to bottom: the field, the machine, and how it works. Each step says what is chosen and what came of it; press one to change it. Every change plans anew at once.</source>
+        <translation>De haut en bas : la parcelle, la machine et sa façon de travailler. Chaque étape indique ce qui est choisi et ce qui en résulte ; cliquez sur l’une d’elles pour la modifier. Chaque modification relance aussitôt la planification.</translation>
+    </message>
+    <message>
+        <source>The map</source>
+        <translation>La carte</translation>
+    </message>
+    <message>
+        <source>Drag a corner of the field and watch the plan follow. The wheel zooms, dragging the ground moves the map. The dot in the middle of an edge makes another corner; Alt lets go of what catches.</source>
+        <translation>Faites glisser un coin de la parcelle : le plan suit. La molette zoome, faire glisser le fond déplace la carte. Le point au milieu d’un bord crée un nouveau coin ; Alt suspend l’accrochage.</translation>
+    </message>
+    <message>
+        <source>The tools</source>
+        <translation>Les outils</translation>
+    </message>
+    <message>
+        <source>Draw a field, a hole, an obstacle, an AB line or a gate. The lowest button shows the layers: what is drawn of the plan, and your own aerial photos or heights beneath it.</source>
+        <translation>Dessinez une parcelle, une enclave, un obstacle, une ligne AB ou une entrée de parcelle. Le bouton du bas affiche les couches : ce qui est dessiné du plan et, dessous, vos propres photos aériennes ou altitudes.</translation>
+    </message>
+    <message>
+        <source>What came out</source>
+        <translation>Le résultat</translation>
+    </message>
+    <message>
+        <source>Area, way and time, and what was found: press a finding and the map goes there. Findings in the way of driving come first, with what would help.</source>
+        <translation>Surface, distance et temps, et ce qui a été relevé : cliquez sur une remarque et la carte s’y rend. Les remarques qui empêchent de rouler viennent en premier, avec ce qui aiderait.</translation>
+    </message>
+    <message>
+        <source>To the terminal</source>
+        <translation>Vers la console</translation>
+    </message>
+    <message>
+        <source>Export writes the plan to a folder or a USB stick, for many terminals, reads it back and compares it. Then save the project: Ctrl+S. Ctrl+K finds every command by name.</source>
+        <translation>« Exporter » écrit le plan dans un dossier ou sur une clé USB, pour de nombreuses consoles, le relit et le compare. Enregistrez ensuite le projet : Ctrl+S. Ctrl+K trouve chaque commande par son nom.</translation>
+    </message>
+    <message>
+        <source>%1 of %2</source>
+        <translation>%1 sur %2</translation>
+    </message>
+    <message>
+        <source>Leave</source>
+        <translation>Quitter</translation>
+    </message>
+    <message>
+        <source>Back</source>
+        <translation>Retour</translation>
+    </message>
+    <message>
+        <source>Next</source>
+        <translation>Suivant</translation>
+    </message>
+    <message>
+        <source>Done</source>
+        <translation>Terminé</translation>
+    </message>
+</context>
+<context>
+    <name>UnitText</name>
+    <message>
+        <source>%1 ft</source>
+        <translation>%1 ft</translation>
+    </message>
+    <message>
+        <source>%1 ft²</source>
+        <translation>%1 ft²</translation>
+    </message>
+    <message>
+        <source>%1 m²</source>
+        <translation>%1 m²</translation>
+    </message>
+    <message>
+        <source>%1 ac</source>
+        <translation>%1 ac</translation>
+    </message>
+    <message>
+        <source>%1 ha</source>
+        <translation>%1 ha</translation>
+    </message>
+    <message>
+        <source>%1 mi</source>
+        <translation>%1 mi</translation>
+    </message>
+    <message>
+        <source>%1 km</source>
+        <translation>%1 km</translation>
+    </message>
+    <message>
+        <source>%1 m</source>
+        <translation>%1 m</translation>
+    </message>
+    <message>
+        <source>%1 mph</source>
+        <translation>%1 mph</translation>
+    </message>
+    <message>
+        <source>%1 km/h</source>
+        <translation>%1 km/h</translation>
+    </message>
+    <message>
+        <source>%1 ft/s²</source>
+        <translation>%1 ft/s²</translation>
+    </message>
+    <message>
+        <source>%1 m/s²</source>
+        <translation>%1 m/s²</translation>
+    </message>
+    <message>
+        <source>%1 s</source>
+        <translation>%1 s</translation>
+    </message>
+    <message>
+        <source>%1 min</source>
+        <translation>%1 min</translation>
+    </message>
+    <message>
+        <source>%1 h %2 min</source>
+        <translation>%1 h %2 min</translation>
+    </message>
+    <message>
+        <source>%1 %</source>
+        <translation>%1 %</translation>
+    </message>
+    <message>
+        <source>%1°</source>
+        <translation>%1°</translation>
+    </message>
+</context>
+<context>
+    <name>UnsavedDialog</name>
+    <message>
+        <source>Save the changes of “%1”?</source>
+        <translation>Enregistrer les modifications de « %1 » ?</translation>
+    </message>
+    <message>
+        <source>Save your work?</source>
+        <translation>Enregistrer le travail ?</translation>
+    </message>
+    <message>
+        <source>Cancel</source>
+        <translation>Annuler</translation>
+    </message>
+    <message>
+        <source>Do not save</source>
+        <translation>Ne pas enregistrer</translation>
+    </message>
+    <message>
+        <source>Save</source>
+        <translation>Enregistrer</translation>
+    </message>
+</context>
+<context>
+    <name>furrow::ExportModel</name>
+    <message>
+        <source>Furrow plan</source>
+        <translation>Plan Furrow</translation>
+    </message>
+    <message>
+        <source>Furrow %1</source>
+        <translation>Furrow %1</translation>
+    </message>
+    <message>
+        <source>Writing …</source>
+        <translation>Écriture…</translation>
+    </message>
+    <message numerus="yes">
+        <source>%n file(s) written to %1</source>
+        <translation>
+            <numerusform>%n fichier écrit dans %1</numerusform>
+            <numerusform>%n fichiers écrits dans %1</numerusform>
+        </translation>
+    </message>
+</context>
+<context>
+    <name>furrow::FarmModel</name>
+    <message>
+        <source>%1 · %2</source>
+        <translation>%1 · %2</translation>
+    </message>
+    <message>
+        <source>Rename the field</source>
+        <translation>Renommer la parcelle</translation>
+    </message>
+    <message>
+        <source>Remove field %1</source>
+        <translation>Retirer la parcelle %1</translation>
+    </message>
+    <message>
+        <source>Add a plan</source>
+        <translation>Ajouter un plan</translation>
+    </message>
+    <message>
+        <source>Rename the plan</source>
+        <translation>Renommer le plan</translation>
+    </message>
+    <message>
+        <source>Remove the plan</source>
+        <translation>Retirer le plan</translation>
+    </message>
+</context>
+<context>
+    <name>furrow::FieldEditor</name>
+    <message>
+        <source>Add a point</source>
+        <translation>Ajouter un point</translation>
+    </message>
+    <message>
+        <source>Move a point</source>
+        <translation>Déplacer un point</translation>
+    </message>
+    <message>
+        <source>Move an edge</source>
+        <translation>Déplacer un côté</translation>
+    </message>
+    <message>
+        <source>Move a hole</source>
+        <translation>Déplacer une enclave</translation>
+    </message>
+    <message>
+        <source>Move an obstacle</source>
+        <translation>Déplacer un obstacle</translation>
+    </message>
+    <message>
+        <source>Move a gate</source>
+        <translation>Déplacer une entrée de parcelle</translation>
+    </message>
+    <message>
+        <source>Change the buffer</source>
+        <translation>Modifier la distance</translation>
+    </message>
+    <message>
+        <source>Draw a hole</source>
+        <translation>Dessiner une enclave</translation>
+    </message>
+    <message>
+        <source>Draw an obstacle</source>
+        <translation>Dessiner un obstacle</translation>
+    </message>
+    <message>
+        <source>Obstacle %1</source>
+        <translation>Obstacle %1</translation>
+    </message>
+    <message>
+        <source>Add a gate</source>
+        <translation>Ajouter une entrée de parcelle</translation>
+    </message>
+    <message>
+        <source>Gate %1</source>
+        <translation>Entrée de parcelle %1</translation>
+    </message>
+    <message>
+        <source>Draw a guidance curve</source>
+        <translation>Dessiner une courbe de guidage</translation>
+    </message>
+    <message>
+        <source>Draw an AB line</source>
+        <translation>Dessiner une ligne AB</translation>
+    </message>
+    <message>
+        <source>Delete a point</source>
+        <translation>Supprimer un point</translation>
+    </message>
+    <message>
+        <source>Delete a hole</source>
+        <translation>Supprimer une enclave</translation>
+    </message>
+    <message>
+        <source>Delete an obstacle</source>
+        <translation>Supprimer un obstacle</translation>
+    </message>
+    <message>
+        <source>Delete a gate</source>
+        <translation>Supprimer une entrée de parcelle</translation>
+    </message>
+    <message>
+        <source>Delete the guidance line</source>
+        <translation>Supprimer la ligne de guidage</translation>
+    </message>
+    <message>
+        <source>Move</source>
+        <translation>Déplacer</translation>
+    </message>
+    <message>
+        <source>Change a length</source>
+        <translation>Modifier une longueur</translation>
+    </message>
+    <message>
+        <source>Change a direction</source>
+        <translation>Modifier une direction</translation>
+    </message>
+    <message>
+        <source>Let the obstacle be driven on</source>
+        <translation>Rendre l&apos;obstacle franchissable</translation>
+    </message>
+    <message>
+        <source>Keep off the obstacle</source>
+        <translation>Ne pas rouler sur l&apos;obstacle</translation>
+    </message>
+    <message>
+        <source>Change the gate</source>
+        <translation>Modifier l&apos;entrée de parcelle</translation>
+    </message>
+    <message>
+        <source>Rename</source>
+        <translation>Renommer</translation>
+    </message>
+    <message>
+        <source>AB line along an edge</source>
+        <translation>Ligne AB le long d&apos;un côté</translation>
+    </message>
+</context>
+<context>
+    <name>furrow::FiguresModel</name>
+    <message>
+        <source>Area</source>
+        <translation>Surface</translation>
+    </message>
+    <message>
+        <source>Of the field, holes and obstacles taken out</source>
+        <translation>De la parcelle, sans enclaves ni obstacles</translation>
+    </message>
+    <message>
+        <source>Mainland</source>
+        <translation>Plein champ</translation>
+    </message>
+    <message>
+        <source>What is left inside the headland</source>
+        <translation>Ce qui reste à l&apos;intérieur de la fourrière</translation>
+    </message>
+    <message>
+        <source>Swaths</source>
+        <translation>Passages</translation>
+    </message>
+    <message>
+        <source>Path</source>
+        <translation>Trajet</translation>
+    </message>
+    <message>
+        <source>Everything that is driven</source>
+        <translation>Tout ce qui est parcouru</translation>
+    </message>
+    <message>
+        <source>Working</source>
+        <translation>Travail</translation>
+    </message>
+    <message>
+        <source>Turning</source>
+        <translation>Demi-tours</translation>
+    </message>
+    <message>
+        <source>Time</source>
+        <translation>Temps</translation>
+    </message>
+    <message>
+        <source>Covered</source>
+        <translation>Travaillé</translation>
+    </message>
+    <message>
+        <source>Share of the field that is worked, measured on the finished path</source>
+        <translation>Part de la parcelle travaillée, mesurée sur le trajet terminé</translation>
+    </message>
+    <message>
+        <source>Overlap</source>
+        <translation>Recouvrement</translation>
+    </message>
+    <message>
+        <source>Share of the field that is worked twice</source>
+        <translation>Part de la parcelle travaillée deux fois</translation>
+    </message>
+</context>
+<context>
+    <name>furrow::ImageryModel</name>
+    <message>
+        <source>%1: %2</source>
+        <translation>%1 : %2</translation>
+    </message>
+    <message>
+        <source>Add %1</source>
+        <translation>Ajouter %1</translation>
+    </message>
+    <message>
+        <source>Add imagery</source>
+        <translation>Ajouter une imagerie</translation>
+    </message>
+    <message>
+        <source>Remove %1</source>
+        <translation>Retirer %1</translation>
+    </message>
+    <message>
+        <source>Move a layer</source>
+        <translation>Déplacer une couche</translation>
+    </message>
+    <message>
+        <source>Rename a layer</source>
+        <translation>Renommer une couche</translation>
+    </message>
+    <message>
+        <source>Show a layer</source>
+        <translation>Afficher une couche</translation>
+    </message>
+    <message>
+        <source>Hide a layer</source>
+        <translation>Masquer une couche</translation>
+    </message>
+    <message>
+        <source>Change how strong a layer is</source>
+        <translation>Modifier l’opacité d’une couche</translation>
+    </message>
+    <message>
+        <source>Turn the rows of tiles round</source>
+        <translation>Inverser l’ordre des lignes de tuiles</translation>
+    </message>
+</context>
+<context>
+    <name>furrow::MachineModel</name>
+    <message>
+        <source>auto · %1</source>
+        <translation>auto · %1</translation>
+    </message>
+</context>
+<context>
+    <name>furrow::ParameterModel</name>
+    <message>
+        <source>auto</source>
+        <translation>auto</translation>
+    </message>
+    <message>
+        <source>auto · %1</source>
+        <translation>auto · %1</translation>
+    </message>
+</context>
+<context>
+    <name>furrow::PlanSession</name>
+    <message>
+        <source>Change the machine</source>
+        <translation>Modifier la machine</translation>
+    </message>
+    <message>
+        <source>Reading %1 …</source>
+        <translation>Lecture de %1…</translation>
+    </message>
+    <message numerus="yes">
+        <source>%n field(s) in this file</source>
+        <translation>
+            <numerusform>%n parcelle dans ce fichier</numerusform>
+            <numerusform>%n parcelles dans ce fichier</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>Planning …</source>
+        <translation>Planification…</translation>
+    </message>
+    <message>
+        <source>Stopped · this is the plan before the change</source>
+        <translation>Arrêté · plan d&apos;avant la modification</translation>
+    </message>
+    <message>
+        <source>Stopped</source>
+        <translation>Arrêté</translation>
+    </message>
+    <message>
+        <source>No plan</source>
+        <translation>Pas de plan</translation>
+    </message>
+    <message>
+        <source>Plan ready · %1 ms</source>
+        <translation>Plan prêt · %1 ms</translation>
+    </message>
+    <message numerus="yes">
+        <source>%1 · %n turn(s) leave the field</source>
+        <translation>
+            <numerusform>%1 · %n demi-tour sort de la parcelle</numerusform>
+            <numerusform>%1 · %n demi-tours sortent de la parcelle</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>%1 · %2</source>
+        <translation>%1 · %2</translation>
+    </message>
+    <message numerus="yes">
+        <source>%n file(s)</source>
+        <translation>
+            <numerusform>%n fichier</numerusform>
+            <numerusform>%n fichiers</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>Add field %1</source>
+        <translation>Ajouter la parcelle %1</translation>
+    </message>
+    <message numerus="yes">
+        <source>Add %n field(s)</source>
+        <translation>
+            <numerusform>Ajouter %n parcelle</numerusform>
+            <numerusform>Ajouter %n parcelles</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>Field %1</source>
+        <translation>Parcelle %1</translation>
+    </message>
+    <message>
+        <source>drawn on the map</source>
+        <translation>dessinée sur la carte</translation>
+    </message>
+    <message>
+        <source>Change: %1</source>
+        <translation>Modifier : %1</translation>
+    </message>
+    <message>
+        <source>Draft · planning …</source>
+        <translation>Ébauche · planification…</translation>
+    </message>
+    <message>
+        <source>Stopped · this is a draft</source>
+        <translation>Arrêté · ceci est une ébauche</translation>
+    </message>
+    <message>
+        <source>Draft · the whole plan follows when you let go</source>
+        <translation>Ébauche · le plan complet suit au relâchement</translation>
+    </message>
+</context>
+<context>
+    <name>furrow::ProjectFiles</name>
+    <message>
+        <source>Your last work was not saved. Here it is again.</source>
+        <translation>Le dernier travail n&apos;était pas enregistré. Le voici.</translation>
+    </message>
+    <message>
+        <source>Changes of “%1” were not saved. Here they are again.</source>
+        <translation>Des modifications de « %1 » n&apos;étaient pas enregistrées. Les voici.</translation>
+    </message>
+    <message>
+        <source>It is kept in the file all the same.</source>
+        <translation>Cela reste tout de même dans le fichier.</translation>
+    </message>
+    <message>
+        <source>Restore changes that were not saved</source>
+        <translation>Rétablir des modifications non enregistrées</translation>
+    </message>
+    <message>
+        <source>Another program changed “%1” while changes of yours were not saved. Yours are shown; undo shows the file.</source>
+        <translation>Un autre programme a modifié « %1 » alors que vos modifications n&apos;étaient pas enregistrées. Les vôtres sont affichées ; annuler montre le fichier.</translation>
+    </message>
+    <message>
+        <source>Another program has changed “%1” since it was opened here.</source>
+        <translation>Un autre programme a modifié « %1 » depuis son ouverture ici.</translation>
+    </message>
+    <message>
+        <source>Save over it, or save yours under another name.</source>
+        <translation>L&apos;écraser, ou enregistrer le vôtre sous un autre nom.</translation>
+    </message>
+    <message>
+        <source>Farm</source>
+        <translation>Exploitation</translation>
+    </message>
+    <message>
+        <source>%1: %2</source>
+        <translation>%1: %2</translation>
+    </message>
+</context>
+<context>
+    <name>furrow::QuantityText</name>
+    <message>
+        <source>ft</source>
+        <translation>ft</translation>
+    </message>
+    <message>
+        <source>m</source>
+        <translation>m</translation>
+    </message>
+    <message>
+        <source>ac</source>
+        <translation>ac</translation>
+    </message>
+    <message>
+        <source>ha</source>
+        <translation>ha</translation>
+    </message>
+    <message>
+        <source>mph</source>
+        <translation>mph</translation>
+    </message>
+    <message>
+        <source>km/h</source>
+        <translation>km/h</translation>
+    </message>
+    <message>
+        <source>°</source>
+        <translation>°</translation>
+    </message>
+    <message>
+        <source>This is not a length. Type it like 7.3 m, 24 ft or 10&apos;6&quot;.</source>
+        <translation>Ce n&apos;est pas une longueur. Saisir par exemple 7,3 m, 24 ft ou 10&apos;6&quot;.</translation>
+    </message>
+    <message>
+        <source>This is not an area. Type it like 12.5 ha or 30 ac.</source>
+        <translation>Ce n&apos;est pas une surface. Saisir par exemple 12,5 ha ou 30 ac.</translation>
+    </message>
+    <message>
+        <source>This is not a speed. Type it like 8 km/h or 5 mph.</source>
+        <translation>Ce n&apos;est pas une vitesse. Saisir par exemple 8 km/h ou 5 mph.</translation>
+    </message>
+    <message>
+        <source>This is not an angle. Type it in degrees, like 87.5.</source>
+        <translation>Ce n&apos;est pas un angle. Le saisir en degrés, par exemple 87,5.</translation>
+    </message>
+    <message>
+        <source>This is not a number.</source>
+        <translation>Ce n&apos;est pas un nombre.</translation>
+    </message>
+    <message>
+        <source>%1 %2</source>
+        <translation>%1 %2</translation>
+    </message>
+    <message>
+        <source>Type something from %1 to %2.</source>
+        <translation>Saisir une valeur de %1 à %2.</translation>
+    </message>
+    <message>
+        <source>%1 mi</source>
+        <translation>%1 mi</translation>
+    </message>
+    <message>
+        <source>%1 km</source>
+        <translation>%1 km</translation>
+    </message>
+    <message>
+        <source>%1 ft</source>
+        <translation>%1 ft</translation>
+    </message>
+    <message>
+        <source>%1 m</source>
+        <translation>%1 m</translation>
+    </message>
+</context>
+<context>
+    <name>furrow::RecentFiles</name>
+    <message numerus="yes">
+        <source>%n field(s)</source>
+        <translation>
+            <numerusform>%n parcelle</numerusform>
+            <numerusform>%n parcelles</numerusform>
+        </translation>
+    </message>
+</context>
+<context>
+    <name>furrow::StepsModel</name>
+    <message>
+        <source>mainland %1</source>
+        <translation>plein champ %1</translation>
+    </message>
+    <message numerus="yes">
+        <source>%n pass(es)</source>
+        <translation>
+            <numerusform>%n tour</numerusform>
+            <numerusform>%n tours</numerusform>
+        </translation>
+    </message>
+    <message numerus="yes">
+        <source>%n cell(s)</source>
+        <translation>
+            <numerusform>%n sous-parcelle</numerusform>
+            <numerusform>%n sous-parcelles</numerusform>
+        </translation>
+    </message>
+    <message numerus="yes">
+        <source>%n swath(s)</source>
+        <translation>
+            <numerusform>%n passage</numerusform>
+            <numerusform>%n passages</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>%1 with turns on the spot</source>
+        <translation>%1 avec demi-tours sur place</translation>
+    </message>
+    <message numerus="yes">
+        <source>%n turn(s)</source>
+        <translation>
+            <numerusform>%n demi-tour</numerusform>
+            <numerusform>%n demi-tours</numerusform>
+        </translation>
+    </message>
+    <message numerus="yes">
+        <source>%n not drivable</source>
+        <translation>
+            <numerusform>%n impraticable</numerusform>
+            <numerusform>%n impraticables</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>No usable boundary</source>
+        <translation>Pas de limite utilisable</translation>
+    </message>
+    <message>
+        <source>No field yet</source>
+        <translation>Pas encore de parcelle</translation>
+    </message>
+    <message numerus="yes">
+        <source>%n obstacle(s)</source>
+        <translation>
+            <numerusform>%n obstacle</numerusform>
+            <numerusform>%n obstacles</numerusform>
+        </translation>
+    </message>
+    <message numerus="yes">
+        <source>%n hole(s)</source>
+        <translation>
+            <numerusform>%n enclave</numerusform>
+            <numerusform>%n enclaves</numerusform>
+        </translation>
+    </message>
+    <message numerus="yes">
+        <source>%n boundary point(s)</source>
+        <translation>
+            <numerusform>%n point de limite</numerusform>
+            <numerusform>%n points de limite</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>The message on the map says why</source>
+        <translation>Le message sur la carte dit pourquoi</translation>
+    </message>
+    <message>
+        <source>Open a file or draw a boundary</source>
+        <translation>Ouvrir un fichier ou dessiner une limite</translation>
+    </message>
+    <message>
+        <source>%1 wide</source>
+        <translation>%1 de large</translation>
+    </message>
+    <message>
+        <source>%1 radius</source>
+        <translation>%1 de rayon</translation>
+    </message>
+    <message>
+        <source>Field</source>
+        <translation>Parcelle</translation>
+    </message>
+    <message>
+        <source>Machine</source>
+        <translation>Machine</translation>
+    </message>
+</context>
+<context>
+    <name>furrow::StickExport</name>
+    <message>
+        <source>%1 free of %2</source>
+        <translation>%1 libres sur %2</translation>
+    </message>
+    <message>
+        <source>Writing …</source>
+        <translation>Écriture…</translation>
+    </message>
+    <message>
+        <source>every byte was read back, and the plan read from there is this plan.</source>
+        <translation>chaque octet a été relu, et le plan lu là est bien ce plan.</translation>
+    </message>
+    <message>
+        <source>every byte was read back and is as written.</source>
+        <translation>chaque octet a été relu et est tel qu&apos;écrit.</translation>
+    </message>
+    <message>
+        <source>Written: %1</source>
+        <translation>Écrit : %1</translation>
+    </message>
+    <message>
+        <source>Safe to unplug: %1</source>
+        <translation>La clé peut être retirée : %1</translation>
+    </message>
+    <message>
+        <source>What was there before is kept as %1.</source>
+        <translation>Ce qui s&apos;y trouvait est gardé sous le nom %1.</translation>
+    </message>
+</context>
+</TS>

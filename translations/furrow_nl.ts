@@ -1,0 +1,5509 @@
+<?xml version="1.0" encoding="utf-8"?>
+<!DOCTYPE TS>
+<TS version="2.1" language="nl_NL" sourcelanguage="en">
+<context>
+    <name>AppCommands</name>
+    <message>
+        <source>File</source>
+        <translation>Bestand</translation>
+    </message>
+    <message>
+        <source>Edit</source>
+        <translation>Bewerken</translation>
+    </message>
+    <message>
+        <source>Field</source>
+        <translation>Perceel</translation>
+    </message>
+    <message>
+        <source>Plan</source>
+        <translation>Plan</translation>
+    </message>
+    <message>
+        <source>View</source>
+        <translation>Beeld</translation>
+    </message>
+    <message>
+        <source>Help</source>
+        <translation>Help</translation>
+    </message>
+    <message>
+        <source>New project</source>
+        <translation>Nieuw project</translation>
+    </message>
+    <message>
+        <source>farm</source>
+        <translation>bedrijf</translation>
+    </message>
+    <message>
+        <source>Open…</source>
+        <translation>Openen…</translation>
+    </message>
+    <message>
+        <source>boundary import project</source>
+        <translation>perceelsgrens importeren project</translation>
+    </message>
+    <message>
+        <source>Save</source>
+        <translation>Opslaan</translation>
+    </message>
+    <message>
+        <source>Save as…</source>
+        <translation>Opslaan als…</translation>
+    </message>
+    <message>
+        <source>Export the plan…</source>
+        <translation>Plan exporteren…</translation>
+    </message>
+    <message>
+        <source>ISOXML USB terminal</source>
+        <translation>ISOXML USB terminal</translation>
+    </message>
+    <message>
+        <source>Quit</source>
+        <translation>Afsluiten</translation>
+    </message>
+    <message>
+        <source>Undo: %1</source>
+        <translation>Ongedaan maken: %1</translation>
+    </message>
+    <message>
+        <source>Undo</source>
+        <translation>Ongedaan maken</translation>
+    </message>
+    <message>
+        <source>Redo: %1</source>
+        <translation>Opnieuw: %1</translation>
+    </message>
+    <message>
+        <source>Redo</source>
+        <translation>Opnieuw</translation>
+    </message>
+    <message>
+        <source>Delete what is selected</source>
+        <translation>Selectie verwijderen</translation>
+    </message>
+    <message>
+        <source>Del</source>
+        <translation>Del</translation>
+    </message>
+    <message>
+        <source>Select the next point</source>
+        <translation>Volgend punt selecteren</translation>
+    </message>
+    <message>
+        <source>Space</source>
+        <translation>Spatie</translation>
+    </message>
+    <message>
+        <source>Find a command…</source>
+        <translation>Opdracht zoeken…</translation>
+    </message>
+    <message>
+        <source>Draw a field</source>
+        <translation>Perceel tekenen</translation>
+    </message>
+    <message>
+        <source>boundary polygon</source>
+        <translation>perceelsgrens polygoon</translation>
+    </message>
+    <message>
+        <source>Draw a hole</source>
+        <translation>Gat tekenen</translation>
+    </message>
+    <message>
+        <source>Draw an obstacle</source>
+        <translation>Obstakel tekenen</translation>
+    </message>
+    <message>
+        <source>pond tree pole wet</source>
+        <translation>vijver boom mast nat</translation>
+    </message>
+    <message>
+        <source>Draw an AB line</source>
+        <translation>AB-lijn tekenen</translation>
+    </message>
+    <message>
+        <source>guidance curve direction</source>
+        <translation>stuurlijn curve richting</translation>
+    </message>
+    <message>
+        <source>Add a gate</source>
+        <translation>Inrit toevoegen</translation>
+    </message>
+    <message>
+        <source>entry road</source>
+        <translation>toegang weg</translation>
+    </message>
+    <message>
+        <source>Select and change</source>
+        <translation>Selecteren en wijzigen</translation>
+    </message>
+    <message>
+        <source>Rename the field…</source>
+        <translation>Perceel hernoemen…</translation>
+    </message>
+    <message>
+        <source>Remove the field</source>
+        <translation>Perceel verwijderen</translation>
+    </message>
+    <message>
+        <source>delete</source>
+        <translation>wissen</translation>
+    </message>
+    <message>
+        <source>Next field</source>
+        <translation>Volgend perceel</translation>
+    </message>
+    <message>
+        <source>Add a plan…</source>
+        <translation>Plan toevoegen…</translation>
+    </message>
+    <message>
+        <source>season operation copy</source>
+        <translation>seizoen bewerking kopie</translation>
+    </message>
+    <message>
+        <source>Rename the plan…</source>
+        <translation>Plan hernoemen…</translation>
+    </message>
+    <message>
+        <source>Remove the plan</source>
+        <translation>Plan verwijderen</translation>
+    </message>
+    <message>
+        <source>Plan again</source>
+        <translation>Opnieuw plannen</translation>
+    </message>
+    <message>
+        <source>Show the whole field</source>
+        <translation>Heel perceel tonen</translation>
+    </message>
+    <message>
+        <source>Closer</source>
+        <translation>Inzoomen</translation>
+    </message>
+    <message>
+        <source>zoom in</source>
+        <translation>vergroten zoom</translation>
+    </message>
+    <message>
+        <source>Further away</source>
+        <translation>Uitzoomen</translation>
+    </message>
+    <message>
+        <source>zoom out</source>
+        <translation>verkleinen zoom</translation>
+    </message>
+    <message>
+        <source>Results panel</source>
+        <translation>Resultaten</translation>
+    </message>
+    <message>
+        <source>Layer: boundary</source>
+        <translation>Laag: perceelsgrens</translation>
+    </message>
+    <message>
+        <source>Layer: headland</source>
+        <translation>Laag: kopakker</translation>
+    </message>
+    <message>
+        <source>Layer: swaths</source>
+        <translation>Laag: werkgangen</translation>
+    </message>
+    <message>
+        <source>Layer: turns</source>
+        <translation>Laag: draaien</translation>
+    </message>
+    <message>
+        <source>Layer: driving direction</source>
+        <translation>Laag: rijrichting</translation>
+    </message>
+    <message>
+        <source>Layer: order numbers</source>
+        <translation>Laag: volgnummers</translation>
+    </message>
+    <message>
+        <source>Layer: findings</source>
+        <translation>Laag: bevindingen</translation>
+    </message>
+    <message>
+        <source>Language and units…</source>
+        <translation>Taal en eenheden…</translation>
+    </message>
+    <message>
+        <source>preferences settings metric imperial feet acres</source>
+        <translation>voorkeuren instellingen metrisch imperiaal voet acre</translation>
+    </message>
+    <message>
+        <source>Light colours</source>
+        <translation>Lichte kleuren</translation>
+    </message>
+    <message>
+        <source>theme</source>
+        <translation>thema</translation>
+    </message>
+    <message>
+        <source>Dark colours</source>
+        <translation>Donkere kleuren</translation>
+    </message>
+    <message>
+        <source>theme night</source>
+        <translation>thema nacht</translation>
+    </message>
+    <message>
+        <source>Sunlight colours</source>
+        <translation>Kleuren voor zonlicht</translation>
+    </message>
+    <message>
+        <source>theme contrast</source>
+        <translation>thema contrast</translation>
+    </message>
+    <message>
+        <source>Keys and mouse</source>
+        <translation>Toetsen en muis</translation>
+    </message>
+    <message>
+        <source>shortcuts help</source>
+        <translation>sneltoetsen hulp</translation>
+    </message>
+    <message>
+        <source>Everything at %1 %</source>
+        <translation>Alles op %1 %</translation>
+    </message>
+    <message>
+        <source>size scaling zoom large text</source>
+        <translation>grootte schaal zoom grote tekst</translation>
+    </message>
+    <message>
+        <source>Add imagery…</source>
+        <translation>Luchtfoto toevoegen…</translation>
+    </message>
+    <message>
+        <source>GeoTIFF MBTiles aerial photo satellite background heights elevation</source>
+        <translation>GeoTIFF MBTiles luchtfoto satelliet achtergrond hoogte reliëf</translation>
+    </message>
+    <message>
+        <source>Add a folder of tiles…</source>
+        <translation>Map met tegels toevoegen…</translation>
+    </message>
+    <message>
+        <source>imagery XYZ TMS</source>
+        <translation>luchtfoto XYZ TMS</translation>
+    </message>
+    <message>
+        <source>Layers</source>
+        <translation>Lagen</translation>
+    </message>
+    <message>
+        <source>imagery map background</source>
+        <translation>luchtfoto kaart achtergrond</translation>
+    </message>
+    <message>
+        <source>Layer: imagery</source>
+        <translation>Laag: luchtfoto</translation>
+    </message>
+    <message>
+        <source>Layer: OpenStreetMap from the network</source>
+        <translation>Laag: OpenStreetMap van het netwerk</translation>
+    </message>
+    <message>
+        <source>online tiles</source>
+        <translation>online tegels</translation>
+    </message>
+    <message>
+        <source>Layer: coverage</source>
+        <translation>Laag: bewerkt oppervlak</translation>
+    </message>
+    <message>
+        <source>Layer: worked twice</source>
+        <translation>Laag: dubbel bewerkt</translation>
+    </message>
+    <message>
+        <source>overlap</source>
+        <translation>overlap</translation>
+    </message>
+    <message>
+        <source>Layer: missed</source>
+        <translation>Laag: gemiste plekken</translation>
+    </message>
+    <message>
+        <source>gap uncovered</source>
+        <translation>gat onbewerkt</translation>
+    </message>
+    <message>
+        <source>Layer: driven over often</source>
+        <translation>Laag: vaak bereden</translation>
+    </message>
+    <message>
+        <source>wheel passes traffic compaction</source>
+        <translation>wielsporen berijding verdichting</translation>
+    </message>
+    <message>
+        <source>Take the tour</source>
+        <translation>Rondleiding starten</translation>
+    </message>
+    <message>
+        <source>help introduction first start</source>
+        <translation>help introductie eerste start</translation>
+    </message>
+</context>
+<context>
+    <name>Command</name>
+    <message>
+        <source>Ctrl</source>
+        <translation>Ctrl</translation>
+    </message>
+    <message>
+        <source>Shift</source>
+        <translation>Shift</translation>
+    </message>
+</context>
+<context>
+    <name>CommandPalette</name>
+    <message>
+        <source>Search commands</source>
+        <translation>Opdrachten zoeken</translation>
+    </message>
+    <message>
+        <source>%1: %2</source>
+        <translation>%1: %2</translation>
+    </message>
+    <message>
+        <source>There is no such command</source>
+        <translation>Deze opdracht bestaat niet</translation>
+    </message>
+</context>
+<context>
+    <name>DraftHint</name>
+    <message>
+        <source>Click the first corner of the field</source>
+        <translation>Klik op de eerste hoek van het perceel</translation>
+    </message>
+    <message>
+        <source>Click the first corner of the hole</source>
+        <translation>Klik op de eerste hoek van het gat</translation>
+    </message>
+    <message>
+        <source>Click the first corner of the obstacle</source>
+        <translation>Klik op de eerste hoek van het obstakel</translation>
+    </message>
+    <message>
+        <source>Click on the boundary where the gate is</source>
+        <translation>Klik op de perceelsgrens waar de inrit is</translation>
+    </message>
+    <message>
+        <source>Click where the AB line begins</source>
+        <translation>Klik waar de AB-lijn begint</translation>
+    </message>
+    <message>
+        <source>Press and trace it with the pointer</source>
+        <translation>Ingedrukt houden en met de aanwijzer natrekken</translation>
+    </message>
+    <message>
+        <source>Length of the next edge</source>
+        <translation>Lengte van de volgende zijde</translation>
+    </message>
+    <message>
+        <source>Direction of the next edge</source>
+        <translation>Richting van de volgende zijde</translation>
+    </message>
+    <message>
+        <source>Add</source>
+        <translation>Toevoegen</translation>
+    </message>
+    <message>
+        <source>By hand</source>
+        <translation>Vrije hand</translation>
+    </message>
+    <message>
+        <source>Cancel</source>
+        <translation>Annuleren</translation>
+    </message>
+    <message>
+        <source>Finish</source>
+        <translation>Klaar</translation>
+    </message>
+    <message>
+        <source>Close boundary</source>
+        <translation>Grens sluiten</translation>
+    </message>
+</context>
+<context>
+    <name>EmptyState</name>
+    <message>
+        <source>Which field?</source>
+        <translation>Welk perceel?</translation>
+    </message>
+    <message>
+        <source>Open its boundary, or drop the file anywhere on this window. Shapefile, GeoJSON, KML, GeoPackage, GML and others are understood, zipped or not.</source>
+        <translation>Open de perceelsgrens, of sleep het bestand ergens op dit venster. Shapefile, GeoJSON, KML, GeoPackage, GML en andere worden gelezen, al dan niet gezipt.</translation>
+    </message>
+    <message>
+        <source>Open a file…</source>
+        <translation>Bestand openen…</translation>
+    </message>
+    <message>
+        <source>Draw it</source>
+        <translation>Tekenen</translation>
+    </message>
+    <message>
+        <source>Or try one of these</source>
+        <translation>Of probeer een van deze</translation>
+    </message>
+    <message>
+        <source>Sample field %1</source>
+        <translation>Voorbeeldperceel %1</translation>
+    </message>
+</context>
+<context>
+    <name>ExportDialog</name>
+    <message>
+        <source>Export the plan</source>
+        <translation>Plan exporteren</translation>
+    </message>
+    <message>
+        <source>USB stick</source>
+        <translation>USB-stick</translation>
+    </message>
+    <message>
+        <source>Files in a folder</source>
+        <translation>Bestanden in een map</translation>
+    </message>
+    <message numerus="yes">
+        <source>%n place(s) in this plan cannot be driven as drawn. The files say so too.</source>
+        <translation>
+            <numerusform>%n plek in dit plan is zo niet te rijden. Dat staat ook in de bestanden.</numerusform>
+            <numerusform>%n plekken in dit plan zijn zo niet te rijden. Dat staat ook in de bestanden.</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>Close</source>
+        <translation>Sluiten</translation>
+    </message>
+    <message>
+        <source>Cancel</source>
+        <translation>Annuleren</translation>
+    </message>
+    <message>
+        <source>Writing …</source>
+        <translation>Bezig met schrijven…</translation>
+    </message>
+    <message>
+        <source>Write to the stick</source>
+        <translation>Naar de stick schrijven</translation>
+    </message>
+    <message>
+        <source>Write files</source>
+        <translation>Bestanden schrijven</translation>
+    </message>
+</context>
+<context>
+    <name>ExportFolderPage</name>
+    <message>
+        <source>Folder</source>
+        <translation>Map</translation>
+    </message>
+    <message>
+        <source>Choose…</source>
+        <translation>Kiezen…</translation>
+    </message>
+    <message>
+        <source>Folder for the plan</source>
+        <translation>Map voor het plan</translation>
+    </message>
+</context>
+<context>
+    <name>ExportStickPage</name>
+    <message>
+        <source>Terminal</source>
+        <translation>Terminal</translation>
+    </message>
+    <message>
+        <source>Stick</source>
+        <translation>Stick</translation>
+    </message>
+    <message>
+        <source>No USB stick is plugged in. It appears here when it is; or choose a folder to carry the files yourself.</source>
+        <translation>Er zit geen USB-stick in. Hij verschijnt hier zodra dat wel zo is; of kies een map om de bestanden zelf over te zetten.</translation>
+    </message>
+    <message>
+        <source>Another folder…</source>
+        <translation>Andere map…</translation>
+    </message>
+    <message>
+        <source>%1 is on it already.</source>
+        <translation>%1 staat er al op.</translation>
+    </message>
+    <message>
+        <source>It will not be deleted: it is kept under another name.</source>
+        <translation>Het wordt niet gewist: het blijft onder een andere naam bewaard.</translation>
+    </message>
+    <message>
+        <source>Keep it as a backup and write the plan</source>
+        <translation>Als reservekopie bewaren en het plan schrijven</translation>
+    </message>
+    <message numerus="yes">
+        <source>and %n more</source>
+        <translation>
+            <numerusform>en nog %n</numerusform>
+            <numerusform>en nog %n</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>Folder in the place of a stick</source>
+        <translation>Map in plaats van een stick</translation>
+    </message>
+</context>
+<context>
+    <name>FieldActions</name>
+    <message>
+        <source>Open file…</source>
+        <translation>Bestand openen…</translation>
+    </message>
+    <message>
+        <source>Draw</source>
+        <translation>Tekenen</translation>
+    </message>
+    <message>
+        <source>Sample field</source>
+        <translation>Voorbeeldperceel</translation>
+    </message>
+    <message>
+        <source>Add one to look at</source>
+        <translation>Er een toevoegen om te bekijken</translation>
+    </message>
+</context>
+<context>
+    <name>FieldChooser</name>
+    <message numerus="yes">
+        <source>Which of the %n field(s)?</source>
+        <translation>
+            <numerusform>Is het dit %n perceel?</numerusform>
+            <numerusform>Welk van de %n percelen?</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>Open none of them</source>
+        <translation>Geen ervan openen</translation>
+    </message>
+    <message>
+        <source>Open all of them</source>
+        <translation>Ze allemaal openen</translation>
+    </message>
+    <message>
+        <source>%1, %2</source>
+        <translation>%1, %2</translation>
+    </message>
+</context>
+<context>
+    <name>FilesNotice</name>
+    <message>
+        <source>Keep</source>
+        <translation>Behouden</translation>
+    </message>
+    <message>
+        <source>OK</source>
+        <translation>OK</translation>
+    </message>
+    <message>
+        <source>Throw away</source>
+        <translation>Weggooien</translation>
+    </message>
+    <message>
+        <source>Save over it</source>
+        <translation>Overschrijven</translation>
+    </message>
+    <message>
+        <source>Save as…</source>
+        <translation>Opslaan als…</translation>
+    </message>
+    <message>
+        <source>Later</source>
+        <translation>Later</translation>
+    </message>
+</context>
+<context>
+    <name>FindingRow</name>
+    <message>
+        <source>Finding %1: %2 %3</source>
+        <translation>Bevinding %1: %2 %3</translation>
+    </message>
+</context>
+<context>
+    <name>ImageryList</name>
+    <message>
+        <source>Your own pictures and heights: GeoTIFF, MBTiles or a folder of tiles. They stay on this computer.</source>
+        <translation>Uw eigen beelden en hoogten: GeoTIFF, MBTiles of een map met tegels. Ze blijven op deze computer.</translation>
+    </message>
+    <message>
+        <source>Add files…</source>
+        <translation>Bestanden toevoegen…</translation>
+    </message>
+    <message>
+        <source>Add a folder of tiles…</source>
+        <translation>Map met tegels toevoegen…</translation>
+    </message>
+</context>
+<context>
+    <name>ImageryNotice</name>
+    <message>
+        <source>OK</source>
+        <translation>OK</translation>
+    </message>
+</context>
+<context>
+    <name>ImageryRow</name>
+    <message>
+        <source>Show all of %1</source>
+        <translation>%1 helemaal tonen</translation>
+    </message>
+    <message>
+        <source>Move %1 up</source>
+        <translation>%1 omhoog</translation>
+    </message>
+    <message>
+        <source>Move %1 down</source>
+        <translation>%1 omlaag</translation>
+    </message>
+    <message>
+        <source>Remove %1</source>
+        <translation>%1 verwijderen</translation>
+    </message>
+    <message>
+        <source>How strong %1 is</source>
+        <translation>Dekking van %1</translation>
+    </message>
+    <message>
+        <source>Opening …</source>
+        <translation>Openen…</translation>
+    </message>
+    <message>
+        <source>Contour lines every %1</source>
+        <translation>Hoogtelijnen om de %1</translation>
+    </message>
+    <message>
+        <source>Rows count from the south (TMS)</source>
+        <translation>Rijen tellen vanaf het zuiden (TMS)</translation>
+    </message>
+    <message>
+        <source>Try again</source>
+        <translation>Opnieuw proberen</translation>
+    </message>
+</context>
+<context>
+    <name>Inspector</name>
+    <message>
+        <source>Name</source>
+        <translation>Naam</translation>
+    </message>
+    <message>
+        <source>boundary</source>
+        <translation>perceelsgrens</translation>
+    </message>
+    <message>
+        <source>hole</source>
+        <translation>gat</translation>
+    </message>
+    <message>
+        <source>obstacle</source>
+        <translation>obstakel</translation>
+    </message>
+    <message>
+        <source>guidance line</source>
+        <translation>stuurlijn</translation>
+    </message>
+    <message>
+        <source>Several moves</source>
+        <translation>Meer slagen</translation>
+    </message>
+    <message>
+        <source>Point %1 of the %2</source>
+        <translation>Punt %1 (%2)</translation>
+    </message>
+    <message>
+        <source>Drag it on the map, move it by arrow keys, or type where it is.</source>
+        <translation>Sleep het op de kaart, verplaats het met de pijltoetsen of typ waar het ligt.</translation>
+    </message>
+    <message>
+        <source>Latitude</source>
+        <translation>Breedtegraad</translation>
+    </message>
+    <message>
+        <source>Longitude</source>
+        <translation>Lengtegraad</translation>
+    </message>
+    <message>
+        <source>Angle</source>
+        <translation>Hoek</translation>
+    </message>
+    <message>
+        <source>%1°</source>
+        <translation>%1°</translation>
+    </message>
+    <message>
+        <source>AB line</source>
+        <translation>AB-lijn</translation>
+    </message>
+    <message>
+        <source>Edge %1 of the %2</source>
+        <translation>Zijde %1 (%2)</translation>
+    </message>
+    <message>
+        <source>One swath lies on it, the others beside it. Drag it or its ends, or type its direction.</source>
+        <translation>Eén werkgang ligt erop, de andere ernaast. Sleep de lijn of de uiteinden, of typ de richting.</translation>
+    </message>
+    <message>
+        <source>Drag it to move it sideways; the dot in its middle makes another point.</source>
+        <translation>Slepen verplaatst hem zijwaarts; de stip in het midden maakt er een punt bij.</translation>
+    </message>
+    <message>
+        <source>Length</source>
+        <translation>Lengte</translation>
+    </message>
+    <message>
+        <source>Direction</source>
+        <translation>Richting</translation>
+    </message>
+    <message>
+        <source>Obstacle</source>
+        <translation>Obstakel</translation>
+    </message>
+    <message>
+        <source>It is not worked, but may be driven on.</source>
+        <translation>Het wordt niet bewerkt, maar er mag overheen gereden worden.</translation>
+    </message>
+    <message>
+        <source>It is not worked, and nothing drives nearer than its buffer.</source>
+        <translation>Het wordt niet bewerkt, en niets rijdt dichterbij dan de afstand.</translation>
+    </message>
+    <message>
+        <source>Buffer</source>
+        <translation>Afstand</translation>
+    </message>
+    <message>
+        <source>Area</source>
+        <translation>Oppervlakte</translation>
+    </message>
+    <message>
+        <source>the end</source>
+        <translation>einde</translation>
+    </message>
+    <message>
+        <source>swath %1</source>
+        <translation>werkgang %1</translation>
+    </message>
+    <message>
+        <source>pass %1</source>
+        <translation>kopakkergang %1</translation>
+    </message>
+    <message>
+        <source>Time</source>
+        <translation>Tijd</translation>
+    </message>
+    <message>
+        <source>Swath %1</source>
+        <translation>Werkgang %1</translation>
+    </message>
+    <message>
+        <source>It is worked as number %1 of %2, %3 long, in %4.</source>
+        <translation>Ze wordt als nummer %1 van %2 bewerkt, %3 lang, in %4.</translation>
+    </message>
+    <message>
+        <source>Width</source>
+        <translation>Breedte</translation>
+    </message>
+    <message>
+        <source>Headland pass %1</source>
+        <translation>Kopakkergang %1</translation>
+    </message>
+    <message>
+        <source>Counted from the outside; %1 are worked here in %2.</source>
+        <translation>Van buitenaf geteld; %1 wordt hier in %2 bewerkt.</translation>
+    </message>
+    <message>
+        <source>Turn from %1 to %2</source>
+        <translation>Draai: %1 → %2</translation>
+    </message>
+    <message>
+        <source>%1 in reverse, in %2.</source>
+        <translation>%1 achteruit, in %2.</translation>
+    </message>
+    <message>
+        <source>%1 with the implement up, in %2.</source>
+        <translation>%1 met geheven werktuig, in %2.</translation>
+    </message>
+    <message>
+        <source>Kind</source>
+        <translation>Soort</translation>
+    </message>
+    <message>
+        <source>Way from %1 to %2</source>
+        <translation>Weg: %1 → %2</translation>
+    </message>
+    <message>
+        <source>%1 without working, in %2.</source>
+        <translation>%1 zonder te werken, in %2.</translation>
+    </message>
+    <message>
+        <source>It cannot be driven like this: %1.</source>
+        <translation>Zo is het niet te rijden: %1.</translation>
+    </message>
+    <message>
+        <source>Cell %1</source>
+        <translation>Deelperceel %1</translation>
+    </message>
+    <message numerus="yes">
+        <source>A piece of the mainland whose %n swath(s) are driven together.</source>
+        <translation>
+            <numerusform>Een stuk van de binnenakker met %n werkgang.</numerusform>
+            <numerusform>Een stuk van de binnenakker waarvan de %n werkgangen samen gereden worden.</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>Swaths</source>
+        <translation>Werkgangen</translation>
+    </message>
+    <message>
+        <source>Gate</source>
+        <translation>Inrit</translation>
+    </message>
+    <message>
+        <source>Here the machine may enter and leave the field. Drag it along the boundary.</source>
+        <translation>Hier mag de machine het perceel in en uit. Sleep de inrit langs de perceelsgrens.</translation>
+    </message>
+    <message>
+        <source>Guidance curve</source>
+        <translation>Stuurcurve</translation>
+    </message>
+    <message>
+        <source>The swaths lie beside it. Drag its points, or delete it.</source>
+        <translation>De werkgangen liggen ernaast. Sleep de punten of verwijder de curve.</translation>
+    </message>
+    <message>
+        <source>Points</source>
+        <translation>Punten</translation>
+    </message>
+    <message>
+        <source>Hole</source>
+        <translation>Gat</translation>
+    </message>
+    <message>
+        <source>It is no part of the field. Drag it, or its points and edges.</source>
+        <translation>Het hoort niet bij het perceel. Sleep het, of de punten en zijden.</translation>
+    </message>
+    <message>
+        <source>Finding %1</source>
+        <translation>Bevinding %1</translation>
+    </message>
+</context>
+<context>
+    <name>InspectorPanel</name>
+    <message>
+        <source>selected</source>
+        <translation>geselecteerd</translation>
+    </message>
+    <message>
+        <source>%1: %2</source>
+        <translation>%1: %2</translation>
+    </message>
+    <message>
+        <source>May be driven on</source>
+        <translation>Er mag overheen gereden worden</translation>
+    </message>
+    <message>
+        <source>Swaths along it</source>
+        <translation>Werkgangen erlangs</translation>
+    </message>
+    <message>
+        <source>Delete</source>
+        <translation>Verwijderen</translation>
+    </message>
+</context>
+<context>
+    <name>KeysDialog</name>
+    <message>
+        <source>Drag the map, wheel</source>
+        <translation>Kaart slepen, muiswiel</translation>
+    </message>
+    <message>
+        <source>move, zoom</source>
+        <translation>verplaatsen, zoomen</translation>
+    </message>
+    <message>
+        <source>Arrows, + and −</source>
+        <translation>Pijlen, + en −</translation>
+    </message>
+    <message>
+        <source>move the selection or the map, zoom</source>
+        <translation>de selectie of de kaart verplaatsen, zoomen</translation>
+    </message>
+    <message>
+        <source>, and .</source>
+        <translation>, en .</translation>
+    </message>
+    <message>
+        <source>the point before, the next point</source>
+        <translation>vorig, volgend punt</translation>
+    </message>
+    <message>
+        <source>Enter</source>
+        <translation>Enter</translation>
+    </message>
+    <message>
+        <source>finish drawing; type into the inspector</source>
+        <translation>tekenen afsluiten; in de inspecteur typen</translation>
+    </message>
+    <message>
+        <source>Alt</source>
+        <translation>Alt</translation>
+    </message>
+    <message>
+        <source>no snapping while it is held</source>
+        <translation>niet vastklikken zolang ingedrukt</translation>
+    </message>
+    <message>
+        <source>Esc</source>
+        <translation>Esc</translation>
+    </message>
+    <message>
+        <source>stop what was begun</source>
+        <translation>stoppen waaraan begonnen is</translation>
+    </message>
+    <message>
+        <source>Keys and mouse</source>
+        <translation>Toetsen en muis</translation>
+    </message>
+    <message>
+        <source>%1: %2</source>
+        <translation>%1: %2</translation>
+    </message>
+    <message>
+        <source>Close</source>
+        <translation>Sluiten</translation>
+    </message>
+</context>
+<context>
+    <name>LayerSwitches</name>
+    <message>
+        <source>Boundary</source>
+        <translation>Perceelsgrens</translation>
+    </message>
+    <message>
+        <source>Headland</source>
+        <translation>Kopakker</translation>
+    </message>
+    <message>
+        <source>Swaths</source>
+        <translation>Werkgangen</translation>
+    </message>
+    <message>
+        <source>Order numbers</source>
+        <translation>Volgnummers</translation>
+    </message>
+    <message>
+        <source>Findings</source>
+        <translation>Bevindingen</translation>
+    </message>
+    <message>
+        <source>Imagery</source>
+        <translation>Luchtfoto</translation>
+    </message>
+    <message>
+        <source>Path</source>
+        <translation>Rijweg</translation>
+    </message>
+    <message>
+        <source>Directions</source>
+        <translation>Richtingen</translation>
+    </message>
+    <message>
+        <source>Coverage</source>
+        <translation>Bewerkt</translation>
+    </message>
+    <message>
+        <source>Worked twice</source>
+        <translation>Dubbel bewerkt</translation>
+    </message>
+    <message>
+        <source>Missed</source>
+        <translation>Gemiste plekken</translation>
+    </message>
+    <message>
+        <source>Wheel passes</source>
+        <translation>Wielsporen</translation>
+    </message>
+</context>
+<context>
+    <name>LayersPanel</name>
+    <message>
+        <source>Layers</source>
+        <translation>Lagen</translation>
+    </message>
+    <message>
+        <source>Close the layers</source>
+        <translation>Lagen sluiten</translation>
+    </message>
+    <message>
+        <source>Imagery</source>
+        <translation>Luchtfoto</translation>
+    </message>
+    <message>
+        <source>From the network</source>
+        <translation>Van het netwerk</translation>
+    </message>
+    <message>
+        <source>OpenStreetMap</source>
+        <translation>OpenStreetMap</translation>
+    </message>
+    <message>
+        <source>Asks openstreetmap.org for what is in view. Off, nothing leaves this computer.</source>
+        <translation>Vraagt openstreetmap.org om wat in beeld is. Uitgeschakeld verlaat niets deze computer.</translation>
+    </message>
+</context>
+<context>
+    <name>MachineFields</name>
+    <message>
+        <source>Machine</source>
+        <translation>Machine</translation>
+    </message>
+    <message>
+        <source>Back to the original</source>
+        <translation>Terug naar origineel</translation>
+    </message>
+</context>
+<context>
+    <name>Main</name>
+    <message>
+        <source>%1%2 – Furrow</source>
+        <translation>%1%2 – Furrow</translation>
+    </message>
+    <message>
+        <source>Furrow</source>
+        <translation>Furrow</translation>
+    </message>
+    <message>
+        <source>Rename the field</source>
+        <translation>Perceel hernoemen</translation>
+    </message>
+    <message>
+        <source>Add a plan</source>
+        <translation>Plan toevoegen</translation>
+    </message>
+    <message>
+        <source>Rename the plan</source>
+        <translation>Plan hernoemen</translation>
+    </message>
+    <message>
+        <source>Everything at %1 %</source>
+        <translation>Alles op %1 %</translation>
+    </message>
+    <message>
+        <source>This holds from the next start of Furrow.</source>
+        <translation>Dit geldt vanaf de volgende start van Furrow.</translation>
+    </message>
+    <message>
+        <source>OK</source>
+        <translation>OK</translation>
+    </message>
+</context>
+<context>
+    <name>MapPage</name>
+    <message>
+        <source>Map</source>
+        <translation>Kaart</translation>
+    </message>
+</context>
+<context>
+    <name>MapToolBar</name>
+    <message>
+        <source>Select and change (V)</source>
+        <translation>Selecteren en wijzigen (V)</translation>
+    </message>
+    <message>
+        <source>Draw a field (B)</source>
+        <translation>Perceel tekenen (B)</translation>
+    </message>
+    <message>
+        <source>Draw a hole (H)</source>
+        <translation>Gat tekenen (H)</translation>
+    </message>
+    <message>
+        <source>Draw an obstacle (O)</source>
+        <translation>Obstakel tekenen (O)</translation>
+    </message>
+    <message>
+        <source>Draw an AB line (L)</source>
+        <translation>AB-lijn tekenen (L)</translation>
+    </message>
+    <message>
+        <source>Add a gate (G)</source>
+        <translation>Inrit toevoegen (G)</translation>
+    </message>
+    <message>
+        <source>Show the whole field (F)</source>
+        <translation>Heel perceel tonen (F)</translation>
+    </message>
+    <message>
+        <source>Closer (+)</source>
+        <translation>Inzoomen (+)</translation>
+    </message>
+    <message>
+        <source>Further away (−)</source>
+        <translation>Uitzoomen (−)</translation>
+    </message>
+    <message>
+        <source>Layers (Ctrl+L)</source>
+        <translation>Lagen (Ctrl+L)</translation>
+    </message>
+</context>
+<context>
+    <name>NameDialog</name>
+    <message>
+        <source>Name</source>
+        <translation>Naam</translation>
+    </message>
+    <message>
+        <source>Season</source>
+        <translation>Seizoen</translation>
+    </message>
+    <message>
+        <source>Cancel</source>
+        <translation>Annuleren</translation>
+    </message>
+    <message>
+        <source>OK</source>
+        <translation>OK</translation>
+    </message>
+</context>
+<context>
+    <name>OnlineMap</name>
+    <message>
+        <source>© OpenStreetMap contributors</source>
+        <translation>© OpenStreetMap-bijdragers</translation>
+    </message>
+</context>
+<context>
+    <name>ParameterField</name>
+    <message>
+        <source>Auto</source>
+        <translation>Auto</translation>
+    </message>
+    <message>
+        <source>%1: let Furrow choose</source>
+        <translation>%1: Furrow laten kiezen</translation>
+    </message>
+</context>
+<context>
+    <name>Planner</name>
+    <message>
+        <source> and twice %1 of margin</source>
+        <translation> en tweemaal %1 marge</translation>
+    </message>
+    <message>
+        <source>%1 and %2</source>
+        <translation>%1 en %2</translation>
+    </message>
+    <message>
+        <source>%1 and %2 more</source>
+        <translation>%1 en nog %2</translation>
+    </message>
+    <message>
+        <source>%1 are driven in reverse; the trailed implement cannot.</source>
+        <translation>%1 wordt achteruit gereden; het getrokken werktuig kan dat niet.</translation>
+    </message>
+    <message>
+        <source>%1 are driven in reverse; this machine cannot.</source>
+        <translation>%1 wordt achteruit gereden; deze machine kan dat niet.</translation>
+    </message>
+    <message>
+        <source>%1 are not worked, %2 of the field, in %3; this is the largest.</source>
+        <translation>%1 wordt niet bewerkt, %2 van het perceel, in %3; dit is de grootste gemiste plek.</translation>
+    </message>
+    <message>
+        <source>%1 bends with a radius of %2; this machine needs %3.</source>
+        <translation>%1 heeft bochten met een straal van %2; deze machine heeft %3 nodig.</translation>
+    </message>
+    <message>
+        <source>%1 cannot be driven: %2.</source>
+        <translation>%1 is niet te rijden: %2.</translation>
+    </message>
+    <message>
+        <source>%1 cannot be made: %2</source>
+        <translation>%1 kan niet gemaakt worden: %2</translation>
+    </message>
+    <message>
+        <source>%1 cannot be steered</source>
+        <translation>%1 kan niet gestuurd worden</translation>
+    </message>
+    <message>
+        <source>%1 cannot be worked with</source>
+        <translation>met %1 valt niet te werken</translation>
+    </message>
+    <message>
+        <source>%1 circle(s) within %2 of the centre are tighter than this machine can follow and are left out</source>
+        <translation>%1 cirkel(s) binnen %2 van het midden zijn krapper dan deze machine kan volgen en zijn weggelaten</translation>
+    </message>
+    <message>
+        <source>%1 crosses an obstacle, by %2.</source>
+        <translation>%1 gaat %2 over een obstakel.</translation>
+    </message>
+    <message>
+        <source>%1 crosses an obstacle.</source>
+        <translation>%1 gaat over een obstakel.</translation>
+    </message>
+    <message>
+        <source>%1 does not fit here</source>
+        <translation>%1 past hier niet</translation>
+    </message>
+    <message>
+        <source>%1 for each swath makes over a million swaths</source>
+        <translation>%1 per werkgang geeft meer dan een miljoen werkgangen</translation>
+    </message>
+    <message>
+        <source>%1 in one piece are not worked.</source>
+        <translation>%1 aan één stuk wordt niet bewerkt.</translation>
+    </message>
+    <message>
+        <source>%1 is not a whole number</source>
+        <translation>%1 is geen heel getal</translation>
+    </message>
+    <message>
+        <source>%1 is on the stick already</source>
+        <translation>%1 staat al op de stick</translation>
+    </message>
+    <message>
+        <source>%1 is out of range</source>
+        <translation>%1 valt buiten het bereik</translation>
+    </message>
+    <message>
+        <source>%1 is planned, but nothing of it is driven with the implement down.</source>
+        <translation>%1 is gepland, maar niets ervan wordt met neergelaten werktuig gereden.</translation>
+    </message>
+    <message>
+        <source>%1 is planned, but only %2 of it is driven with the implement down.</source>
+        <translation>%1 is gepland, maar slechts %2 ervan wordt met neergelaten werktuig gereden.</translation>
+    </message>
+    <message>
+        <source>%1 jumps by %2.</source>
+        <translation>%1 verspringt %2.</translation>
+    </message>
+    <message>
+        <source>%1 leaves the field by %2.</source>
+        <translation>%1 komt %2 buiten het perceel.</translation>
+    </message>
+    <message>
+        <source>%1 leaves the field or crosses an obstacle, by up to %2, as this plan allows.</source>
+        <translation>%1 komt buiten het perceel of gaat over een obstakel, tot %2, zoals dit plan toestaat.</translation>
+    </message>
+    <message>
+        <source>%1 moves %2 off where the machine points.</source>
+        <translation>%1 rijdt %2 anders dan de machine wijst.</translation>
+    </message>
+    <message>
+        <source>%1 needs %2</source>
+        <translation>%1 heeft nodig: %2</translation>
+    </message>
+    <message>
+        <source>%1 of %2 guidance lines of &apos;%3&apos; are there</source>
+        <translation>%1 van %2 stuurlijnen van ‘%3’ zijn er</translation>
+    </message>
+    <message>
+        <source>%1 of %2 swaths are not in the order: %3</source>
+        <translation>%1 van %2 werkgangen ontbreken in de volgorde: %3</translation>
+    </message>
+    <message>
+        <source>%1 of margin leaves nothing of the field to work</source>
+        <translation>%1 marge laat niets van het perceel over om te bewerken</translation>
+    </message>
+    <message>
+        <source>%1 reads back other bytes than were written</source>
+        <translation>%1 levert andere bytes terug dan er geschreven zijn</translation>
+    </message>
+    <message>
+        <source>%1 small patches of worked pixels are left out</source>
+        <translation>%1 kleine vlekken bewerkte pixels zijn weggelaten</translation>
+    </message>
+    <message>
+        <source>%1 swaths and turns leave the field or cross an obstacle, by up to %2, as this plan allows.</source>
+        <translation>%1 werkgangen en draaien komen buiten het perceel of gaan over een obstakel, tot %2, zoals dit plan toestaat.</translation>
+    </message>
+    <message>
+        <source>%1, %2 is no longitude and latitude</source>
+        <translation>%1, %2 is geen lengte en breedte</translation>
+    </message>
+    <message>
+        <source>%1, %2 is no longitude and latitude, and the file does not say which coordinate system it uses</source>
+        <translation>%1, %2 is geen lengte en breedte, en het bestand zegt niet welk coördinatenstelsel het gebruikt</translation>
+    </message>
+    <message>
+        <source>%1, %2 is outside longitude -180 to 180 and latitude -90 to 90</source>
+        <translation>%1, %2 ligt buiten lengte -180 tot 180 en breedte -90 tot 90</translation>
+    </message>
+    <message>
+        <source>%1, %2, line %3</source>
+        <translation>%1, %2, regel %3</translation>
+    </message>
+    <message>
+        <source>%1, feature %2</source>
+        <translation>%1, object %2</translation>
+    </message>
+    <message>
+        <source>%1, gate %2</source>
+        <translation>%1, inrit %2</translation>
+    </message>
+    <message>
+        <source>%1, hole %2</source>
+        <translation>%1, gat %2</translation>
+    </message>
+    <message>
+        <source>%1, obstacle %2</source>
+        <translation>%1, obstakel %2</translation>
+    </message>
+    <message>
+        <source>%1, point %2</source>
+        <translation>%1, punt %2</translation>
+    </message>
+    <message>
+        <source>%1, row %2</source>
+        <translation>%1, rij %2</translation>
+    </message>
+    <message>
+        <source>%1: its machine cannot be used: %2</source>
+        <translation>%1: de machine kan niet gebruikt worden: %2</translation>
+    </message>
+    <message>
+        <source>%1: the setting %2 is not used: %3</source>
+        <translation>%1: de instelling %2 wordt niet gebruikt: %3</translation>
+    </message>
+    <message numerus="yes">
+        <source>%n entries without a shape</source>
+        <translation>
+            <numerusform>%n item zonder vorm</numerusform>
+            <numerusform>%n items zonder vorm</numerusform>
+        </translation>
+    </message>
+    <message numerus="yes">
+        <source>%n fields</source>
+        <translation>
+            <numerusform>%n perceel</numerusform>
+            <numerusform>%n percelen</numerusform>
+        </translation>
+    </message>
+    <message numerus="yes">
+        <source>%n open lines</source>
+        <translation>
+            <numerusform>%n open lijn</numerusform>
+            <numerusform>%n open lijnen</numerusform>
+        </translation>
+    </message>
+    <message numerus="yes">
+        <source>%n passes</source>
+        <translation>
+            <numerusform>%n gang</numerusform>
+            <numerusform>%n gangen</numerusform>
+        </translation>
+    </message>
+    <message numerus="yes">
+        <source>%n pieces</source>
+        <translation>
+            <numerusform>%n stuk</numerusform>
+            <numerusform>%n stukken</numerusform>
+        </translation>
+    </message>
+    <message numerus="yes">
+        <source>%n places</source>
+        <translation>
+            <numerusform>%n plek</numerusform>
+            <numerusform>%n plekken</numerusform>
+        </translation>
+    </message>
+    <message numerus="yes">
+        <source>%n points</source>
+        <translation>
+            <numerusform>%n punt</numerusform>
+            <numerusform>%n punten</numerusform>
+        </translation>
+    </message>
+    <message numerus="yes">
+        <source>%n points were given twice and taken once</source>
+        <translation>
+            <numerusform>%n punt was dubbel en telt één keer</numerusform>
+            <numerusform>%n punten waren dubbel en tellen één keer</numerusform>
+        </translation>
+    </message>
+    <message numerus="yes">
+        <source>%n rings did not end where they began and were closed</source>
+        <translation>
+            <numerusform>%n ring eindigde niet waar hij begon en is gesloten</numerusform>
+            <numerusform>%n ringen eindigden niet waar ze begonnen en zijn gesloten</numerusform>
+        </translation>
+    </message>
+    <message numerus="yes">
+        <source>%n rings ran the wrong way round and were turned</source>
+        <translation>
+            <numerusform>%n ring liep verkeerd om en is omgekeerd</numerusform>
+            <numerusform>%n ringen liepen verkeerd om en zijn omgekeerd</numerusform>
+        </translation>
+    </message>
+    <message numerus="yes">
+        <source>%n spikes without area were removed</source>
+        <translation>
+            <numerusform>%n punt zonder oppervlakte is verwijderd</numerusform>
+            <numerusform>%n punten zonder oppervlakte zijn verwijderd</numerusform>
+        </translation>
+    </message>
+    <message numerus="yes">
+        <source>%n turns</source>
+        <translation>
+            <numerusform>%n draai</numerusform>
+            <numerusform>%n draaien</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>&apos;%1&apos; is left out: its kind %2 is not known</source>
+        <translation>‘%1’ is weggelaten: soort %2 is niet bekend</translation>
+    </message>
+    <message>
+        <source>&apos;%1&apos; is no length</source>
+        <translation>‘%1’ is geen lengte</translation>
+    </message>
+    <message>
+        <source>&apos;%1&apos; is no local frame</source>
+        <translation>‘%1’ is geen lokaal coördinatenstelsel</translation>
+    </message>
+    <message>
+        <source>&apos;%1&apos; is not %2</source>
+        <translation>‘%1’ is niet: %2</translation>
+    </message>
+    <message>
+        <source>&apos;%1&apos; is not a line</source>
+        <translation>‘%1’ is geen lijn</translation>
+    </message>
+    <message>
+        <source>&apos;%1&apos; is not well-known text</source>
+        <translation>‘%1’ is geen well-known text</translation>
+    </message>
+    <message>
+        <source>&apos;%1&apos;, &apos;%2&apos; is no latitude and longitude; what it belongs to was left out</source>
+        <translation>‘%1’, ‘%2’ is geen breedte en lengte; wat erbij hoort is weggelaten</translation>
+    </message>
+    <message>
+        <source>&apos;%1&apos;, &apos;%2&apos; is no longitude and latitude</source>
+        <translation>‘%1’, ‘%2’ is geen lengte en breedte</translation>
+    </message>
+    <message>
+        <source>A and B are %1 apart</source>
+        <translation>A en B liggen %1 uit elkaar</translation>
+    </message>
+    <message>
+        <source>A bulb to both sides; for swaths nearer than two turning radii.</source>
+        <translation>Naar beide kanten uitgebogen; voor werkgangen dichterbij dan twee draaistralen.</translation>
+    </message>
+    <message>
+        <source>A bulb to one side and straight back; for swaths nearer than two turning radii.</source>
+        <translation>Naar één kant uitgebogen en recht terug; voor werkgangen dichterbij dan twee draaistralen.</translation>
+    </message>
+    <message>
+        <source>A cell gets a heading of its own where that saves time.</source>
+        <translation>Een deelperceel krijgt een eigen rijrichting waar dat tijd spaart.</translation>
+    </message>
+    <message>
+        <source>A file of lines: planted rows, or the tramlines of a plan.</source>
+        <translation>Een bestand met lijnen: geplante rijen, of de spuitsporen van een plan.</translation>
+    </message>
+    <message>
+        <source>A gate&apos;s name or a point; the first gate where nothing is given.</source>
+        <translation>Naam van een inrit of een punt; de eerste inrit waar niets opgegeven is.</translation>
+    </message>
+    <message>
+        <source>A goal of opennav_coverage has one outline: %1 of %2 parts are left out.</source>
+        <translation>Een doel van opennav_coverage heeft één omtrek: %1 van %2 delen zijn weggelaten.</translation>
+    </message>
+    <message>
+        <source>A headland of %1 may make room (%2 now).</source>
+        <translation>Een kopakker van %1 geeft misschien ruimte (nu %2).</translation>
+    </message>
+    <message>
+        <source>A raster of heights in metres that covers the field, such as a GeoTIFF.</source>
+        <translation>Een raster van hoogten in meters dat het perceel dekt, zoals een GeoTIFF.</translation>
+    </message>
+    <message>
+        <source>A robot with ROS 2</source>
+        <translation>Een robot met ROS 2</translation>
+    </message>
+    <message>
+        <source>A snake within each cluster of swaths, cluster after cluster.</source>
+        <translation>Een slang binnen elke groep werkgangen, groep na groep.</translation>
+    </message>
+    <message>
+        <source>A strip of the same width along the boundary and around obstacles, for turning.</source>
+        <translation>Een strook van gelijke breedte langs de perceelsgrens en rond obstakels, om te draaien.</translation>
+    </message>
+    <message>
+        <source>A+</source>
+        <translation>A+</translation>
+    </message>
+    <message>
+        <source>AB curve</source>
+        <translation>AB-curve</translation>
+    </message>
+    <message>
+        <source>AB line</source>
+        <translation>AB-lijn</translation>
+    </message>
+    <message>
+        <source>Across the slope: beside a line of equal height, and a new one where that no longer fits.</source>
+        <translation>Dwars op de helling: naast een hoogtelijn, en een nieuwe waar dat niet meer past.</translation>
+    </message>
+    <message>
+        <source>After the mainland</source>
+        <translation>Na de binnenakker</translation>
+    </message>
+    <message>
+        <source>AgBot</source>
+        <translation>AgBot</translation>
+    </message>
+    <message>
+        <source>AgGPS folder</source>
+        <translation>AgGPS-map</translation>
+    </message>
+    <message>
+        <source>AgOpenGPS 6, import of ISOXML</source>
+        <translation>AgOpenGPS 6, import van ISOXML</translation>
+    </message>
+    <message>
+        <source>AgOpenGPS drives recorded paths forwards only, and this one reverses %1 times: its %2 forward stretches are &apos;Part 01.rec&apos; and so on, RecPath.txt is the first; %3 under 5 m are left out.</source>
+        <translation>AgOpenGPS rijdt opgenomen wegen alleen vooruit, en deze gaat %1 keer achteruit: de %2 stukken vooruit zijn &apos;Part 01.rec&apos; enzovoort, RecPath.txt is het eerste; %3 onder 5 m zijn weggelaten.</translation>
+    </message>
+    <message>
+        <source>AgOpenGPS field</source>
+        <translation>AgOpenGPS-perceel</translation>
+    </message>
+    <message>
+        <source>AgOpenGPS keeps one outline to a field: the %1 parts of &apos;%2&apos; are fields of their own, and the whole path is in the first.</source>
+        <translation>AgOpenGPS kent één omtrek per perceel: de %1 delen van ‘%2’ zijn aparte percelen, en de hele rijweg zit in het eerste.</translation>
+    </message>
+    <message>
+        <source>AgOpenGPS keeps one outline to a field: the %1 parts of &apos;%2&apos; are fields of their own.</source>
+        <translation>AgOpenGPS kent één omtrek per perceel: de %1 delen van ‘%2’ zijn aparte percelen.</translation>
+    </message>
+    <message>
+        <source>All swaths along the edge of the boundary that you pick.</source>
+        <translation>Alle werkgangen langs de gekozen zijde van de perceelsgrens.</translation>
+    </message>
+    <message>
+        <source>All swaths along the longest straight edge of the mainland.</source>
+        <translation>Alle werkgangen langs de langste rechte zijde van de binnenakker.</translation>
+    </message>
+    <message>
+        <source>All swaths in the direction that you type.</source>
+        <translation>Alle werkgangen in de getypte richting.</translation>
+    </message>
+    <message>
+        <source>Along an edge</source>
+        <translation>Langs een zijde</translation>
+    </message>
+    <message>
+        <source>Along rows that are there already, or between them.</source>
+        <translation>Langs rijen die er al zijn, of ertussen.</translation>
+    </message>
+    <message>
+        <source>Along the boundary</source>
+        <translation>Langs de perceelsgrens</translation>
+    </message>
+    <message>
+        <source>Along the contours</source>
+        <translation>Langs de hoogtelijnen</translation>
+    </message>
+    <message>
+        <source>Along the direction of travel.</source>
+        <translation>In de rijrichting.</translation>
+    </message>
+    <message>
+        <source>Along the headland</source>
+        <translation>Langs de kopakker</translation>
+    </message>
+    <message>
+        <source>Along the line from A to B; one swath lies on it.</source>
+        <translation>Langs de lijn van A naar B; één werkgang ligt erop.</translation>
+    </message>
+    <message>
+        <source>Along the longest edge</source>
+        <translation>Langs de langste zijde</translation>
+    </message>
+    <message>
+        <source>An older ISOBUS terminal</source>
+        <translation>Een oudere ISOBUS-terminal</translation>
+    </message>
+    <message>
+        <source>Another ISOBUS terminal</source>
+        <translation>Een andere ISOBUS-terminal</translation>
+    </message>
+    <message>
+        <source>Anywhere</source>
+        <translation>Overal</translation>
+    </message>
+    <message>
+        <source>Arc, straight, arc; for swaths at least two turning radii apart.</source>
+        <translation>Boog, recht, boog; voor werkgangen minstens twee draaistralen uit elkaar.</translation>
+    </message>
+    <message>
+        <source>As few as possible</source>
+        <translation>Zo weinig mogelijk</translation>
+    </message>
+    <message>
+        <source>As few swaths, and so turns, as possible.</source>
+        <translation>Zo weinig mogelijk werkgangen, en dus draaien.</translation>
+    </message>
+    <message>
+        <source>At obstacles</source>
+        <translation>Bij obstakels</translation>
+    </message>
+    <message>
+        <source>At the left edge</source>
+        <translation>Aan de linkerrand</translation>
+    </message>
+    <message>
+        <source>At the right edge</source>
+        <translation>Aan de rechterrand</translation>
+    </message>
+    <message>
+        <source>At the start of the first swath.</source>
+        <translation>Aan het begin van de eerste werkgang.</translation>
+    </message>
+    <message>
+        <source>Before the mainland</source>
+        <translation>Vóór de binnenakker</translation>
+    </message>
+    <message>
+        <source>Beside a curve of your own, or beside the edges around the one that you pick.</source>
+        <translation>Naast een eigen curve, of naast de zijden rond de gekozen zijde.</translation>
+    </message>
+    <message>
+        <source>Best heading</source>
+        <translation>Beste rijrichting</translation>
+    </message>
+    <message>
+        <source>Best of all headings</source>
+        <translation>Beste van alle richtingen</translation>
+    </message>
+    <message>
+        <source>Best that fits</source>
+        <translation>Beste die past</translation>
+    </message>
+    <message>
+        <source>Between the fixed and the steered axle.</source>
+        <translation>Tussen de vaste en de gestuurde as.</translation>
+    </message>
+    <message>
+        <source>Between the headings that are tried.</source>
+        <translation>Tussen de richtingen die geprobeerd worden.</translation>
+    </message>
+    <message>
+        <source>Between the rows</source>
+        <translation>Tussen de rijen</translation>
+    </message>
+    <message>
+        <source>Boundaries in longitude and latitude.</source>
+        <translation>Perceelsgrenzen in lengte en breedte.</translation>
+    </message>
+    <message>
+        <source>Boundaries, also field files of Fields2Cover and GAOS.</source>
+        <translation>Perceelsgrenzen, ook perceelbestanden van Fields2Cover en GAOS.</translation>
+    </message>
+    <message>
+        <source>Boundaries.</source>
+        <translation>Perceelsgrenzen.</translation>
+    </message>
+    <message>
+        <source>Boundary and guidance lines for Trimble and FM displays; no driving order.</source>
+        <translation>Perceelsgrens en stuurlijnen voor Trimble- en FM-displays; geen rijvolgorde.</translation>
+    </message>
+    <message>
+        <source>Boundary, headland, heading and order; the robot lays swaths and turns itself.</source>
+        <translation>Perceelsgrens, kopakker, rijrichting en volgorde; de robot legt werkgangen en draaien zelf.</translation>
+    </message>
+    <message>
+        <source>Boundary, holes, headland, guidance lines, and the whole driven path as a recorded path.</source>
+        <translation>Perceelsgrens, gaten, kopakker, stuurlijnen en de hele rijweg als opgenomen weg.</translation>
+    </message>
+    <message>
+        <source>Boundary, holes, obstacles and guidance lines for older terminals; no headland, no driving order.</source>
+        <translation>Perceelsgrens, gaten, obstakels en stuurlijnen voor oudere terminals; geen kopakker, geen rijvolgorde.</translation>
+    </message>
+    <message>
+        <source>Boundary, holes, obstacles, gates, headland and guidance lines for terminals; no driving order.</source>
+        <translation>Perceelsgrens, gaten, obstakels, inritten, kopakker en stuurlijnen voor terminals; geen rijvolgorde.</translation>
+    </message>
+    <message>
+        <source>Boundary, holes, obstacles, headland, swaths and path in metres of the UTM zone.</source>
+        <translation>Perceelsgrens, gaten, obstakels, kopakker, werkgangen en rijweg in meters van de UTM-zone.</translation>
+    </message>
+    <message>
+        <source>Boundary, obstacles, gates, headland, swaths and path, to look at.</source>
+        <translation>Perceelsgrens, obstakels, inritten, kopakker, werkgangen en rijweg, om te bekijken.</translation>
+    </message>
+    <message>
+        <source>Boundary, obstacles, gates, headland, swaths, path and findings; for maps and programs.</source>
+        <translation>Perceelsgrens, obstakels, inritten, kopakker, werkgangen, rijweg en bevindingen; voor kaarten en programma&apos;s.</translation>
+    </message>
+    <message>
+        <source>Boundary, obstacles, gates, mainland, swaths and path as layers for a GIS.</source>
+        <translation>Perceelsgrens, obstakels, inritten, binnenakker, werkgangen en rijweg als lagen voor een GIS.</translation>
+    </message>
+    <message>
+        <source>Boundary, obstacles, gates, mainland, swaths and path, a shapefile of each.</source>
+        <translation>Perceelsgrens, obstakels, inritten, binnenakker, werkgangen en rijweg, elk een shapefile.</translation>
+    </message>
+    <message>
+        <source>Bringing the crop in: headland first, swaths overlap a little.</source>
+        <translation>De oogst binnenhalen: kopakker eerst, werkgangen overlappen iets.</translation>
+    </message>
+    <message>
+        <source>CSV table</source>
+        <translation>CSV-tabel</translation>
+    </message>
+    <message>
+        <source>Can reverse</source>
+        <translation>Kan achteruitrijden</translation>
+    </message>
+    <message>
+        <source>Can turn in place</source>
+        <translation>Kan op de plaats draaien</translation>
+    </message>
+    <message>
+        <source>Carried by the tractor, or pulled on a hitch and following its own track.</source>
+        <translation>Door de trekker gedragen, of getrokken aan een aanhanging met een eigen spoor.</translation>
+    </message>
+    <message>
+        <source>Cells</source>
+        <translation>Deelpercelen</translation>
+    </message>
+    <message>
+        <source>Centre line</source>
+        <translation>Middellijn</translation>
+    </message>
+    <message>
+        <source>Check that the machine stays inside the field while it turns.</source>
+        <translation>Controleren of de machine bij het draaien binnen het perceel blijft.</translation>
+    </message>
+    <message>
+        <source>Choose another place.</source>
+        <translation>Kies een andere plek.</translation>
+    </message>
+    <message>
+        <source>Choose forward curves, or a machine that can.</source>
+        <translation>Kies bochten vooruit, of een machine die het kan.</translation>
+    </message>
+    <message>
+        <source>Choose forward curves.</source>
+        <translation>Kies bochten vooruit.</translation>
+    </message>
+    <message>
+        <source>Choose wider turns.</source>
+        <translation>Kies ruimere draaien.</translation>
+    </message>
+    <message>
+        <source>Circles</source>
+        <translation>Cirkels</translation>
+    </message>
+    <message>
+        <source>Clockwise</source>
+        <translation>Met de klok mee</translation>
+    </message>
+    <message>
+        <source>Cluster</source>
+        <translation>Groep</translation>
+    </message>
+    <message>
+        <source>Combine harvester, 7.5 m header</source>
+        <translation>Maaidorser, maaibord 7,5 m</translation>
+    </message>
+    <message>
+        <source>Corners</source>
+        <translation>Hoeken</translation>
+    </message>
+    <message>
+        <source>Counter-clockwise</source>
+        <translation>Tegen de klok in</translation>
+    </message>
+    <message>
+        <source>Crop protection: headland first, ways along the headland.</source>
+        <translation>Gewasbescherming: kopakker eerst, wegen langs de kopakker.</translation>
+    </message>
+    <message>
+        <source>Curves are driven with up to %1 sideways; the machine&apos;s limit is less.</source>
+        <translation>Bochten worden met tot %1 zijwaarts gereden; de grens van de machine is lager.</translation>
+    </message>
+    <message>
+        <source>Curves with reversing</source>
+        <translation>Bochten met achteruit</translation>
+    </message>
+    <message>
+        <source>Curves with reversing, smooth steering</source>
+        <translation>Bochten met achteruit, vloeiend sturen</translation>
+    </message>
+    <message>
+        <source>Cut along the swaths at every corner.</source>
+        <translation>Bij elke hoek langs de werkgangen gesplitst.</translation>
+    </message>
+    <message>
+        <source>Cut along the swaths where an obstacle or a bay begins or ends.</source>
+        <translation>Langs de werkgangen gesplitst waar een obstakel of een inham begint of eindigt.</translation>
+    </message>
+    <message>
+        <source>Cut where an obstacle or a bay begins or ends, and joined again where one follows on the other.</source>
+        <translation>Gesplitst waar een obstakel of een inham begint of eindigt, en weer samengevoegd waar het ene op het andere volgt.</translation>
+    </message>
+    <message>
+        <source>Cutting grass: headland first, swaths overlap a little.</source>
+        <translation>Gras maaien: kopakker eerst, werkgangen overlappen iets.</translation>
+    </message>
+    <message>
+        <source>DXF drawing</source>
+        <translation>DXF-tekening</translation>
+    </message>
+    <message>
+        <source>Direction</source>
+        <translation>Richting</translation>
+    </message>
+    <message>
+        <source>Drawn out until the whole width is covered, as far as there is room.</source>
+        <translation>Doorgetrokken tot de hele breedte bewerkt is, zover er ruimte is.</translation>
+    </message>
+    <message>
+        <source>Drilling or planting: headland last, ways along the headland.</source>
+        <translation>Zaaien of poten: kopakker laatst, wegen langs de kopakker.</translation>
+    </message>
+    <message>
+        <source>Drive</source>
+        <translation>Rijden</translation>
+    </message>
+    <message>
+        <source>Drive along the headland where the crop or the seedbed must not be driven on.</source>
+        <translation>Rijd langs de kopakker waar niet over het gewas of het zaaibed gereden mag worden.</translation>
+    </message>
+    <message>
+        <source>Drive the curves more slowly.</source>
+        <translation>Rijd de bochten langzamer.</translation>
+    </message>
+    <message>
+        <source>Drives the path from waypoint to waypoint, rounding corners its own way; relay 1 is on where the implement works. Not tested on the machine by us.</source>
+        <translation>Rijdt van waypoint naar waypoint en rondt hoeken op eigen wijze af; relais 1 is aan waar het werktuig werkt. Door ons niet op de machine getest.</translation>
+    </message>
+    <message>
+        <source>Drives the whole path, turns included, as a recorded path; stretches in reverse gear are left to the driver. Shows boundary, headland and guidance lines. Copy the field&apos;s folder to Documents/AgOpenGPS/Fields.</source>
+        <translation>Rijdt de hele weg, draaien inbegrepen, als opgenomen weg; stukken achteruit blijven voor de bestuurder. Toont perceelsgrens, kopakker en stuurlijnen. Kopieer de map van het perceel naar Documents/AgOpenGPS/Fields.</translation>
+    </message>
+    <message>
+        <source>Each its own</source>
+        <translation>Elk zijn eigen</translation>
+    </message>
+    <message>
+        <source>Edge</source>
+        <translation>Zijde</translation>
+    </message>
+    <message>
+        <source>Edge directions and every tenth of a degree, refined; says when nothing better exists.</source>
+        <translation>Richtingen van zijden en elke tiende graad, verfijnd; zegt wanneer er niets beters is.</translation>
+    </message>
+    <message>
+        <source>End</source>
+        <translation>Einde</translation>
+    </message>
+    <message>
+        <source>Ends</source>
+        <translation>Uiteinden</translation>
+    </message>
+    <message>
+        <source>Every how many swaths a wider machine will drive again; 0 for none.</source>
+        <translation>Om de hoeveel werkgangen een bredere machine weer rijdt; 0 voor geen.</translation>
+    </message>
+    <message>
+        <source>Every sample of the path; without a plan boundaries as WKT, or as points.</source>
+        <translation>Elk punt van de rijweg; zonder plan perceelsgrenzen als WKT of als punten.</translation>
+    </message>
+    <message>
+        <source>Every second swath on the way out, the others on the way back.</source>
+        <translation>Elke tweede werkgang op de heenweg, de andere op de terugweg.</translation>
+    </message>
+    <message>
+        <source>Every swath after its neighbour, back and forth.</source>
+        <translation>Elke werkgang na zijn buur, heen en terug.</translation>
+    </message>
+    <message>
+        <source>Fendt One, Vario terminal</source>
+        <translation>Fendt One, Varioterminal</translation>
+    </message>
+    <message>
+        <source>Fertiliser or manure: headland first, ways along the headland.</source>
+        <translation>Kunstmest of mest: kopakker eerst, wegen langs de kopakker.</translation>
+    </message>
+    <message>
+        <source>Fertiliser spreader, 36 m</source>
+        <translation>Kunstmeststrooier, 36 m</translation>
+    </message>
+    <message>
+        <source>Fewest swaths</source>
+        <translation>Minste werkgangen</translation>
+    </message>
+    <message>
+        <source>Field robot, 1.5 m weeder</source>
+        <translation>Veldrobot, schoffel 1,5 m</translation>
+    </message>
+    <message>
+        <source>Finish corners</source>
+        <translation>Hoeken afwerken</translation>
+    </message>
+    <message>
+        <source>First tramline</source>
+        <translation>Eerste spuitspoor</translation>
+    </message>
+    <message>
+        <source>Fishtail</source>
+        <translation>Vissenstaart</translation>
+    </message>
+    <message>
+        <source>Five-furrow mounted plough, 2.5 m</source>
+        <translation>Vijfschaar gedragen ploeg, 2,5 m</translation>
+    </message>
+    <message>
+        <source>Forward arc, straight back, forward arc; little room for near swaths.</source>
+        <translation>Boog vooruit, recht achteruit, boog vooruit; weinig ruimte voor nabije werkgangen.</translation>
+    </message>
+    <message>
+        <source>Forward curves</source>
+        <translation>Bochten vooruit</translation>
+    </message>
+    <message>
+        <source>Forward curves, smooth steering</source>
+        <translation>Bochten vooruit, vloeiend sturen</translation>
+    </message>
+    <message>
+        <source>Forward, back with the wheels the other way, forward again.</source>
+        <translation>Vooruit, achteruit met de wielen andersom, weer vooruit.</translation>
+    </message>
+    <message>
+        <source>Forwards and backwards, the wheels turned no faster than the machine can (clothoids).</source>
+        <translation>Vooruit en achteruit, de wielen niet sneller gedraaid dan de machine kan (clothoïden).</translation>
+    </message>
+    <message>
+        <source>From clear of the ground to working depth.</source>
+        <translation>Van vrij van de grond tot werkdiepte.</translation>
+    </message>
+    <message>
+        <source>From inside out</source>
+        <translation>Van binnen naar buiten</translation>
+    </message>
+    <message>
+        <source>From outside in</source>
+        <translation>Van buiten naar binnen</translation>
+    </message>
+    <message>
+        <source>From the boundary to the mainland; holds as many passes as fit.</source>
+        <translation>Van de perceelsgrens tot de binnenakker; bevat zoveel gangen als er passen.</translation>
+    </message>
+    <message>
+        <source>From the fixed axle to the hitch, negative behind the axle.</source>
+        <translation>Van de vaste as tot de aanhanging, negatief achter de as.</translation>
+    </message>
+    <message>
+        <source>From the fixed axle to the middle of the working parts, negative behind the axle.</source>
+        <translation>Van de vaste as tot het midden van de werkende delen, negatief achter de as.</translation>
+    </message>
+    <message>
+        <source>From the fixed axle to the tractor&apos;s rear end.</source>
+        <translation>Van de vaste as tot de achterkant van de trekker.</translation>
+    </message>
+    <message>
+        <source>From the tractor&apos;s nose to its rear end.</source>
+        <translation>Van de neus van de trekker tot de achterkant.</translation>
+    </message>
+    <message>
+        <source>From working depth to clear of the ground.</source>
+        <translation>Van werkdiepte tot vrij van de grond.</translation>
+    </message>
+    <message>
+        <source>Front and rear mower, 9 m</source>
+        <translation>Front- en achtermaaier, 9 m</translation>
+    </message>
+    <message>
+        <source>Fuel at work</source>
+        <translation>Brandstof bij het werk</translation>
+    </message>
+    <message>
+        <source>Fuel in turns</source>
+        <translation>Brandstof in draaien</translation>
+    </message>
+    <message>
+        <source>Full spacing; the last swath is moved back to the edge.</source>
+        <translation>Volle afstand; de laatste werkgang schuift naar de rand.</translation>
+    </message>
+    <message>
+        <source>Full spacing; what does not fit stays uncovered, where it costs least.</source>
+        <translation>Volle afstand; wat niet past blijft liggen waar het het minst kost.</translation>
+    </message>
+    <message>
+        <source>Full width</source>
+        <translation>Volle breedte</translation>
+    </message>
+    <message>
+        <source>Gets the whole path as nav_msgs/Path, and stretches in one gear each where it reverses.</source>
+        <translation>Krijgt de hele rijweg als nav_msgs/Path, en stukken in elk één versnelling waar hij achteruitrijdt.</translation>
+    </message>
+    <message>
+        <source>Given direction</source>
+        <translation>Opgegeven richting</translation>
+    </message>
+    <message>
+        <source>Great Field</source>
+        <translation>Groot Veld</translation>
+    </message>
+    <message>
+        <source>Half way in</source>
+        <translation>Op halve breedte</translation>
+    </message>
+    <message>
+        <source>Halving the step</source>
+        <translation>Stap halveren</translation>
+    </message>
+    <message>
+        <source>Harvest</source>
+        <translation>Oogst</translation>
+    </message>
+    <message>
+        <source>Heading</source>
+        <translation>Rijrichting</translation>
+    </message>
+    <message>
+        <source>Headland</source>
+        <translation>Kopakker</translation>
+    </message>
+    <message>
+        <source>Headland first or last.</source>
+        <translation>Kopakker eerst of laatst.</translation>
+    </message>
+    <message>
+        <source>Heights</source>
+        <translation>Hoogten</translation>
+    </message>
+    <message>
+        <source>Hitch offset</source>
+        <translation>Plaats van de aanhanging</translation>
+    </message>
+    <message>
+        <source>Home Field</source>
+        <translation>Huisveld</translation>
+    </message>
+    <message>
+        <source>How far a trailed implement may swing to one side.</source>
+        <translation>Hoe ver een getrokken werktuig naar één kant mag zwaaien.</translation>
+    </message>
+    <message>
+        <source>How far the steered wheels turn to one side.</source>
+        <translation>Hoe ver de gestuurde wielen naar één kant draaien.</translation>
+    </message>
+    <message>
+        <source>How fast the curvature may change along the path; from the steering rate where it is not given.</source>
+        <translation>Hoe snel de kromming langs de rijweg mag veranderen; uit de stuursnelheid waar ze niet opgegeven is.</translation>
+    </message>
+    <message>
+        <source>How fast the steered wheels turn.</source>
+        <translation>Hoe snel de gestuurde wielen draaien.</translation>
+    </message>
+    <message>
+        <source>How headland passes get round corners.</source>
+        <translation>Hoe kopakkergangen om hoeken komen.</translation>
+    </message>
+    <message>
+        <source>How much neighbouring swaths overlap.</source>
+        <translation>Hoeveel naburige werkgangen overlappen.</translation>
+    </message>
+    <message>
+        <source>How the direction of the swaths is found.</source>
+        <translation>Hoe de rijrichting gevonden wordt.</translation>
+    </message>
+    <message>
+        <source>How the machine gets from one swath to the next.</source>
+        <translation>Hoe de machine van de ene werkgang naar de volgende komt.</translation>
+    </message>
+    <message>
+        <source>How the mainland is divided; the swaths of a cell are driven together.</source>
+        <translation>Hoe de binnenakker verdeeld wordt; de werkgangen van een deelperceel worden samen gereden.</translation>
+    </message>
+    <message>
+        <source>Implement can reverse</source>
+        <translation>Werktuig kan achteruit</translation>
+    </message>
+    <message>
+        <source>Implement length</source>
+        <translation>Lengte van het werktuig</translation>
+    </message>
+    <message>
+        <source>Implement offset</source>
+        <translation>Plaats van het werktuig</translation>
+    </message>
+    <message>
+        <source>In WGS84: A and B of a line, a curve, A alone with a direction, or a pivot&apos;s centre.</source>
+        <translation>In WGS84: A en B van een lijn, een curve, A alleen met een richting, of het midden van een pivot.</translation>
+    </message>
+    <message>
+        <source>In which order the headland passes are driven.</source>
+        <translation>In welke volgorde de kopakkergangen gereden worden.</translation>
+    </message>
+    <message>
+        <source>In which order the swaths are driven.</source>
+        <translation>In welke volgorde de werkgangen gereden worden.</translation>
+    </message>
+    <message>
+        <source>Largest acceleration</source>
+        <translation>Grootste versnelling</translation>
+    </message>
+    <message>
+        <source>Largest curvature rate</source>
+        <translation>Grootste krommingsverandering</translation>
+    </message>
+    <message>
+        <source>Largest hitch angle</source>
+        <translation>Grootste knikhoek</translation>
+    </message>
+    <message>
+        <source>Largest lateral acceleration</source>
+        <translation>Grootste dwarsversnelling</translation>
+    </message>
+    <message>
+        <source>Largest speed in turns.</source>
+        <translation>Hoogste snelheid in draaien.</translation>
+    </message>
+    <message>
+        <source>Largest steering angle</source>
+        <translation>Grootste stuurhoek</translation>
+    </message>
+    <message>
+        <source>Last pass</source>
+        <translation>Laatste werkgang</translation>
+    </message>
+    <message>
+        <source>Lateral offset</source>
+        <translation>Zijdelings verzet</translation>
+    </message>
+    <message>
+        <source>Least overlap</source>
+        <translation>Minste overlap</translation>
+    </message>
+    <message>
+        <source>Least time</source>
+        <translation>Minste tijd</translation>
+    </message>
+    <message>
+        <source>Leaves some swaths out at each turn and comes back for them.</source>
+        <translation>Slaat bij elke draai werkgangen over en komt ervoor terug.</translation>
+    </message>
+    <message>
+        <source>Left out</source>
+        <translation>Overgeslagen</translation>
+    </message>
+    <message>
+        <source>Limits the speed in tight bends.</source>
+        <translation>Begrenst de snelheid in krappe bochten.</translation>
+    </message>
+    <message>
+        <source>Line</source>
+        <translation>Lijn</translation>
+    </message>
+    <message>
+        <source>Lines in WGS84 along which the mainland is cut; they have to run right through it.</source>
+        <translation>Lijnen in WGS84 waarlangs de binnenakker wordt gesplitst; ze moeten er helemaal doorheen lopen.</translation>
+    </message>
+    <message>
+        <source>Litres of fuel per hour of turns and transfers.</source>
+        <translation>Liter brandstof per uur draaien en verplaatsen.</translation>
+    </message>
+    <message>
+        <source>Litres of fuel per hour of work.</source>
+        <translation>Liter brandstof per uur werk.</translation>
+    </message>
+    <message>
+        <source>Long Strip</source>
+        <translation>Lange Strook</translation>
+    </message>
+    <message>
+        <source>Loop</source>
+        <translation>Lus</translation>
+    </message>
+    <message>
+        <source>Lower the speeds, or correct the machine&apos;s.</source>
+        <translation>Verlaag de snelheden, of verbeter die van de machine.</translation>
+    </message>
+    <message>
+        <source>MAVLink waypoints</source>
+        <translation>MAVLink-waypoints</translation>
+    </message>
+    <message>
+        <source>Make the gate wider, or take another.</source>
+        <translation>Maak de inrit breder of neem een andere.</translation>
+    </message>
+    <message>
+        <source>Make the headland wider, or choose other turns.</source>
+        <translation>Maak de kopakker breder of kies andere draaien.</translation>
+    </message>
+    <message>
+        <source>Make the headland wider, or choose tighter turns.</source>
+        <translation>Maak de kopakker breder of kies krappere draaien.</translation>
+    </message>
+    <message>
+        <source>Margin</source>
+        <translation>Marge</translation>
+    </message>
+    <message>
+        <source>Most covered</source>
+        <translation>Meeste bewerkt</translation>
+    </message>
+    <message>
+        <source>Most terminals read FAT32 only; this stick has %1. Format it as FAT32.</source>
+        <translation>De meeste terminals lezen alleen FAT32; deze stick heeft %1. Formatteer hem als FAT32.</translation>
+    </message>
+    <message>
+        <source>Mounted cultivator, 6 m</source>
+        <translation>Gedragen cultivator, 6 m</translation>
+    </message>
+    <message>
+        <source>Mounted drill, 12 m</source>
+        <translation>Gedragen zaaimachine, 12 m</translation>
+    </message>
+    <message>
+        <source>Mounting</source>
+        <translation>Aanbouw</translation>
+    </message>
+    <message>
+        <source>Mowing</source>
+        <translation>Maaien</translation>
+    </message>
+    <message>
+        <source>Name</source>
+        <translation>Naam</translation>
+    </message>
+    <message>
+        <source>No headland</source>
+        <translation>Geen kopakker</translation>
+    </message>
+    <message>
+        <source>Nothing leads to the start of %1, %2 away.</source>
+        <translation>Er leidt geen weg naar het begin, %2 verderop: %1.</translation>
+    </message>
+    <message>
+        <source>Number of the boundary&apos;s edge, from 0 in the order of its points; for curves with all around it up to a corner of 35 degrees within a width, or a bend of 90 in all.</source>
+        <translation>Nummer van de zijde van de perceelsgrens, vanaf 0 in de volgorde van de punten; bij curves met alle eromheen tot een hoek van 35 graden binnen een breedte, of een bocht van 90 in totaal.</translation>
+    </message>
+    <message>
+        <source>Of the four corners and both ways the one with the quickest turns.</source>
+        <translation>Van de vier hoeken en beide richtingen die met de snelste draaien.</translation>
+    </message>
+    <message>
+        <source>Of the middle of the operating width, positive to the left.</source>
+        <translation>Van het midden van de werkbreedte, positief naar links.</translation>
+    </message>
+    <message>
+        <source>Of the swaths.</source>
+        <translation>Van de werkgangen.</translation>
+    </message>
+    <message>
+        <source>Off: the strip is kept for turning only.</source>
+        <translation>Uit: de strook is alleen om te draaien.</translation>
+    </message>
+    <message>
+        <source>Omega turn</source>
+        <translation>Omegadraai</translation>
+    </message>
+    <message>
+        <source>On the rows</source>
+        <translation>Op de rijen</translation>
+    </message>
+    <message>
+        <source>On the rows, or between them.</source>
+        <translation>Op de rijen of ertussen.</translation>
+    </message>
+    <message>
+        <source>On the spot</source>
+        <translation>Op de plaats</translation>
+    </message>
+    <message>
+        <source>One for all</source>
+        <translation>Eén voor alle</translation>
+    </message>
+    <message>
+        <source>One piece</source>
+        <translation>Eén stuk</translation>
+    </message>
+    <message>
+        <source>Operating width</source>
+        <translation>Werkbreedte</translation>
+    </message>
+    <message>
+        <source>Operation</source>
+        <translation>Bewerking</translation>
+    </message>
+    <message>
+        <source>Orchard tractor with 1.5 m sprayer</source>
+        <translation>Boomgaardtrekker met spuit 1,5 m</translation>
+    </message>
+    <message>
+        <source>Order</source>
+        <translation>Volgorde</translation>
+    </message>
+    <message>
+        <source>Overlap</source>
+        <translation>Overlap</translation>
+    </message>
+    <message>
+        <source>Overlaps its neighbour</source>
+        <translation>Overlapt de buur</translation>
+    </message>
+    <message>
+        <source>P turn</source>
+        <translation>P-draai</translation>
+    </message>
+    <message>
+        <source>Passes</source>
+        <translation>Gangen</translation>
+    </message>
+    <message>
+        <source>Plan again with this machine&apos;s turning radius.</source>
+        <translation>Plan opnieuw met de draaistraal van deze machine.</translation>
+    </message>
+    <message>
+        <source>Plan again, or trust the positions.</source>
+        <translation>Plan opnieuw, of vertrouw de posities.</translation>
+    </message>
+    <message>
+        <source>Plan again; the heading or the gear is wrong here.</source>
+        <translation>Plan opnieuw; de richting of de versnelling klopt hier niet.</translation>
+    </message>
+    <message>
+        <source>Plan again; the path lacks this pass.</source>
+        <translation>Plan opnieuw; in de rijweg ontbreekt deze gang.</translation>
+    </message>
+    <message>
+        <source>Plan again; the path was changed or cut here.</source>
+        <translation>Plan opnieuw; de rijweg is hier gewijzigd of afgekapt.</translation>
+    </message>
+    <message>
+        <source>Plan again; the times were changed.</source>
+        <translation>Plan opnieuw; de tijden zijn gewijzigd.</translation>
+    </message>
+    <message>
+        <source>Plan the turn that is missing here.</source>
+        <translation>Plan de draai die hier ontbreekt.</translation>
+    </message>
+    <message>
+        <source>Power harrow and drill, 3 m</source>
+        <translation>Rotorkopeg met zaaimachine, 3 m</translation>
+    </message>
+    <message>
+        <source>Prefer</source>
+        <translation>Voorkeur</translation>
+    </message>
+    <message>
+        <source>Protobuf message</source>
+        <translation>Protobuf-bericht</translation>
+    </message>
+    <message>
+        <source>QGroundControl plan</source>
+        <translation>QGroundControl-plan</translation>
+    </message>
+    <message>
+        <source>Racetrack</source>
+        <translation>Rondgang</translation>
+    </message>
+    <message>
+        <source>Raised width</source>
+        <translation>Breedte geheven</translation>
+    </message>
+    <message>
+        <source>Rate</source>
+        <translation>Dosering</translation>
+    </message>
+    <message>
+        <source>Rear overhang</source>
+        <translation>Achteroverbouw</translation>
+    </message>
+    <message>
+        <source>Recorded path</source>
+        <translation>Opgenomen weg</translation>
+    </message>
+    <message>
+        <source>Relay 1 is on where the implement works.</source>
+        <translation>Relais 1 is aan waar het werktuig werkt.</translation>
+    </message>
+    <message>
+        <source>Repaired in %1: %2.</source>
+        <translation>Hersteld (%1): %2.</translation>
+    </message>
+    <message>
+        <source>Reverse</source>
+        <translation>Achteruit</translation>
+    </message>
+    <message>
+        <source>Reverse speed</source>
+        <translation>Achteruitsnelheid</translation>
+    </message>
+    <message>
+        <source>Round and round the centre of a pivot, from the rim inwards.</source>
+        <translation>Rond en rond om het midden van een pivot, van de rand naar binnen.</translation>
+    </message>
+    <message>
+        <source>Round and round, with half of the swaths between the way out and the way back.</source>
+        <translation>Rond en rond, met de helft van de werkgangen tussen heen- en terugweg.</translation>
+    </message>
+    <message>
+        <source>Round the field</source>
+        <translation>Rond het perceel</translation>
+    </message>
+    <message>
+        <source>Rounded</source>
+        <translation>Afgerond</translation>
+    </message>
+    <message>
+        <source>Route</source>
+        <translation>Rijroute</translation>
+    </message>
+    <message>
+        <source>Rows</source>
+        <translation>Rijen</translation>
+    </message>
+    <message>
+        <source>Rows that are left out, numbered from 1 as in the file; between rows, that on the right.</source>
+        <translation>Rijen die wegblijven, genummerd vanaf 1 zoals in het bestand; tussen rijen de rechter.</translation>
+    </message>
+    <message>
+        <source>Run-in</source>
+        <translation>Aanloop</translation>
+    </message>
+    <message>
+        <source>Same width all round</source>
+        <translation>Rondom even breed</translation>
+    </message>
+    <message>
+        <source>Seen from above, turning left at corners.</source>
+        <translation>Van boven gezien, bij hoeken linksaf.</translation>
+    </message>
+    <message>
+        <source>Seen from above, turning right at corners.</source>
+        <translation>Van boven gezien, bij hoeken rechtsaf.</translation>
+    </message>
+    <message>
+        <source>Short name for the command line.</source>
+        <translation>Korte naam voor de opdrachtregel.</translation>
+    </message>
+    <message>
+        <source>Short passes where corners would leave more than 1 % of the field.</source>
+        <translation>Korte gangen waar in hoeken meer dan 1 % van het perceel zou overblijven.</translation>
+    </message>
+    <message>
+        <source>Shortest swaths</source>
+        <translation>Kortste werkgangen</translation>
+    </message>
+    <message>
+        <source>Shows the boundary and the guidance lines; it plans turns and order itself. Not tested on the machine by us.</source>
+        <translation>Toont de perceelsgrens en de stuurlijnen; draaien en volgorde plant hij zelf. Door ons niet op de machine getest.</translation>
+    </message>
+    <message>
+        <source>Shows the boundary with holes and obstacles and the guidance lines; it plans turns and order itself. The import may have to be unlocked. Not tested on the machine by us.</source>
+        <translation>Toont de perceelsgrens met gaten en obstakels en de stuurlijnen; draaien en volgorde plant hij zelf. De import moet misschien ontgrendeld worden. Door ons niet op de machine getest.</translation>
+    </message>
+    <message>
+        <source>Shows the boundary with holes and obstacles, the headland where the terminal knows it, and the guidance lines; it plans turns and order itself. The import may have to be unlocked. Not tested on the machine by us.</source>
+        <translation>Toont de perceelsgrens met gaten en obstakels, de kopakker waar de terminal die kent, en de stuurlijnen; draaien en volgorde plant hij zelf. De import moet misschien ontgrendeld worden. Door ons niet op de machine getest.</translation>
+    </message>
+    <message>
+        <source>Shows the boundary, its holes, the headland and the guidance lines, not the path. Holes are written as obstacles, since it overlooks others.</source>
+        <translation>Toont de perceelsgrens, de gaten, de kopakker en de stuurlijnen, niet de rijweg. Gaten worden als obstakels geschreven, omdat het andere over het hoofd ziet.</translation>
+    </message>
+    <message>
+        <source>Shows the path as a mission, and the boundary and obstacles as fences. Not tested on the machine by us.</source>
+        <translation>Toont de rijweg als missie, en de perceelsgrens en obstakels als hekken. Door ons niet op de machine getest.</translation>
+    </message>
+    <message>
+        <source>Six directions, then ever finer around the best three (Oksanen &amp; Visala).</source>
+        <translation>Zes richtingen, dan steeds fijner rond de beste drie (Oksanen &amp; Visala).</translation>
+    </message>
+    <message>
+        <source>Six-row planter, 4.5 m</source>
+        <translation>Zesrijige planter, 4,5 m</translation>
+    </message>
+    <message>
+        <source>Skip</source>
+        <translation>Overslaan</translation>
+    </message>
+    <message>
+        <source>Skip and fill</source>
+        <translation>Overslaan en vullen</translation>
+    </message>
+    <message>
+        <source>Slanted Field</source>
+        <translation>Schuin Veld</translation>
+    </message>
+    <message>
+        <source>Slow down or stop there to steer, or choose turns with continuous curvature.</source>
+        <translation>Rijd daar langzamer of stop om te sturen, of kies draaien met vloeiend sturen.</translation>
+    </message>
+    <message>
+        <source>Slurry tanker, 15 m trailing shoe</source>
+        <translation>Mesttank, sleepvoet 15 m</translation>
+    </message>
+    <message>
+        <source>Smallest circle the middle of the fixed axle can follow; from the steering angle where it is not given.</source>
+        <translation>Kleinste cirkel die het midden van de vaste as kan volgen; uit de stuurhoek waar hij niet opgegeven is.</translation>
+    </message>
+    <message>
+        <source>Smallest turning radius</source>
+        <translation>Kleinste draaistraal</translation>
+    </message>
+    <message>
+        <source>Snake</source>
+        <translation>Slang</translation>
+    </message>
+    <message>
+        <source>So that the wide machine begins flush with the left edge, or beside the line that was given.</source>
+        <translation>Zodat de brede machine gelijk met de linkerrand begint, of naast de opgegeven lijn.</translation>
+    </message>
+    <message>
+        <source>Sowing</source>
+        <translation>Zaaien</translation>
+    </message>
+    <message>
+        <source>Speed backwards.</source>
+        <translation>Snelheid achteruit.</translation>
+    </message>
+    <message>
+        <source>Speed on longer ways with the implement lifted.</source>
+        <translation>Snelheid op langere stukken met geheven werktuig.</translation>
+    </message>
+    <message>
+        <source>Speed with the implement at work.</source>
+        <translation>Snelheid met het werktuig aan het werk.</translation>
+    </message>
+    <message>
+        <source>Spiral in clusters</source>
+        <translation>Spiraal in groepen</translation>
+    </message>
+    <message>
+        <source>Split lines</source>
+        <translation>Splitlijnen</translation>
+    </message>
+    <message>
+        <source>Spraying</source>
+        <translation>Spuiten</translation>
+    </message>
+    <message>
+        <source>Spread over all</source>
+        <translation>Over alle verdeeld</translation>
+    </message>
+    <message>
+        <source>Spreading</source>
+        <translation>Strooien</translation>
+    </message>
+    <message>
+        <source>Start</source>
+        <translation>Begin</translation>
+    </message>
+    <message>
+        <source>Start at</source>
+        <translation>Beginnen bij</translation>
+    </message>
+    <message>
+        <source>Stay inside</source>
+        <translation>Binnen het perceel blijven</translation>
+    </message>
+    <message>
+        <source>Steering rate</source>
+        <translation>Stuursnelheid</translation>
+    </message>
+    <message>
+        <source>Step</source>
+        <translation>Stap</translation>
+    </message>
+    <message>
+        <source>Straight into the corner and back into it on the next side.</source>
+        <translation>Recht de hoek in en aan de volgende zijde achteruit erin.</translation>
+    </message>
+    <message>
+        <source>Straight into the corner and on after a loop, where there is room for it.</source>
+        <translation>Recht de hoek in en na een lus verder, waar daar ruimte voor is.</translation>
+    </message>
+    <message>
+        <source>Straight way needed before the implement is lowered.</source>
+        <translation>Rechte weg die nodig is voordat het werktuig neergelaten wordt.</translation>
+    </message>
+    <message>
+        <source>Swath after swath over all of the mainland, whatever cuts them.</source>
+        <translation>Werkgang na werkgang over de hele binnenakker, wat er ook doorheen loopt.</translation>
+    </message>
+    <message>
+        <source>Swath numbers in driving order; a minus drives one the other way.</source>
+        <translation>Nummers van werkgangen in rijvolgorde; een min rijdt er een andersom.</translation>
+    </message>
+    <message>
+        <source>Swaths</source>
+        <translation>Werkgangen</translation>
+    </message>
+    <message>
+        <source>Swaths go on from cell to cell.</source>
+        <translation>Werkgangen lopen door van deelperceel naar deelperceel.</translation>
+    </message>
+    <message>
+        <source>Swaths left out at each turn and driven on the way back.</source>
+        <translation>Werkgangen die bij elke draai worden overgeslagen en op de terugweg gereden.</translation>
+    </message>
+    <message>
+        <source>Swaths reach to the boundary; for fields with room to turn outside.</source>
+        <translation>Werkgangen reiken tot de perceelsgrens; voor percelen met ruimte om erbuiten te draaien.</translation>
+    </message>
+    <message>
+        <source>Swaths that are finished together.</source>
+        <translation>Werkgangen die samen afgemaakt worden.</translation>
+    </message>
+    <message>
+        <source>Switch &quot;Stay inside&quot; on to keep them inside.</source>
+        <translation>Zet ‘Binnen het perceel blijven’ aan om ze binnen te houden.</translation>
+    </message>
+    <message>
+        <source>Takes the boundary only, as an upload from a computer; no guidance lines, no path.</source>
+        <translation>Neemt alleen de perceelsgrens, geüpload van een computer; geen stuurlijnen, geen rijweg.</translation>
+    </message>
+    <message>
+        <source>Tank or bunker</source>
+        <translation>Tank of bunker</translation>
+    </message>
+    <message>
+        <source>Terminals may refuse the task data: %1.</source>
+        <translation>Terminals weigeren de taakgegevens misschien: %1.</translation>
+    </message>
+    <message>
+        <source>The Bend</source>
+        <translation>De Bocht</translation>
+    </message>
+    <message>
+        <source>The best corner</source>
+        <translation>De beste hoek</translation>
+    </message>
+    <message>
+        <source>The boundary alone as a flat zipped shapefile, as operations centres take it.</source>
+        <translation>Alleen de perceelsgrens als platte gezipte shapefile, zoals operations centers die aannemen.</translation>
+    </message>
+    <message>
+        <source>The corner where the route starts.</source>
+        <translation>De hoek waar de rijroute begint.</translation>
+    </message>
+    <message>
+        <source>The field bends inwards here: try another direction of the swaths.</source>
+        <translation>Het perceel springt hier in: probeer een andere rijrichting.</translation>
+    </message>
+    <message>
+        <source>The field is too narrow for %1 of headland; it is %2 with %3</source>
+        <translation>Het perceel is te smal voor %1 kopakker; hij is %2 met %3</translation>
+    </message>
+    <message>
+        <source>The field is too narrow for %1 of headland; there is none</source>
+        <translation>Het perceel is te smal voor %1 kopakker; er is er geen</translation>
+    </message>
+    <message>
+        <source>The field is too narrow for this machine to turn in: turn outside, or take a smaller machine.</source>
+        <translation>Het perceel is te smal om met deze machine te draaien: draai erbuiten of neem een kleinere machine.</translation>
+    </message>
+    <message>
+        <source>The first swath</source>
+        <translation>De eerste werkgang</translation>
+    </message>
+    <message>
+        <source>The first swath on the left is one, or the line that was given.</source>
+        <translation>De eerste werkgang links is er een, of de opgegeven lijn.</translation>
+    </message>
+    <message>
+        <source>The first swath on the right is one, or the line that was given.</source>
+        <translation>De eerste werkgang rechts is er een, of de opgegeven lijn.</translation>
+    </message>
+    <message>
+        <source>The headland is worked first.</source>
+        <translation>De kopakker wordt eerst bewerkt.</translation>
+    </message>
+    <message>
+        <source>The headland is worked last.</source>
+        <translation>De kopakker wordt het laatst bewerkt.</translation>
+    </message>
+    <message>
+        <source>The headland strip, %1, is not worked by this plan, nor are %2 at the ends of the swaths beside it.</source>
+        <translation>De strook van de kopakker, %1, wordt in dit plan niet bewerkt, en ook %2 aan de uiteinden van de werkgangen ernaast niet.</translation>
+    </message>
+    <message>
+        <source>The headland strip, %1, is not worked by this plan.</source>
+        <translation>De strook van de kopakker, %1, wordt in dit plan niet bewerkt.</translation>
+    </message>
+    <message>
+        <source>The hitch bends by %1 in %2; %3 are allowed.</source>
+        <translation>De aanhanging knikt %1 bij %2; toegestaan is %3.</translation>
+    </message>
+    <message>
+        <source>The largest covered share of the mainland.</source>
+        <translation>Het grootste bewerkte deel van de binnenakker.</translation>
+    </message>
+    <message>
+        <source>The least metres driven in swaths.</source>
+        <translation>De minste gereden meters in werkgangen.</translation>
+    </message>
+    <message>
+        <source>The machine does not get in at %1.</source>
+        <translation>De machine komt er hier niet in: %1.</translation>
+    </message>
+    <message>
+        <source>The machine does not get out at %1.</source>
+        <translation>De machine komt er hier niet uit: %1.</translation>
+    </message>
+    <message>
+        <source>The machine drives half way between two neighbours.</source>
+        <translation>De machine rijdt midden tussen twee buren.</translation>
+    </message>
+    <message>
+        <source>The machine drives over them.</source>
+        <translation>De machine rijdt eroverheen.</translation>
+    </message>
+    <message>
+        <source>The machine turns on the spot in %1, by up to %2.</source>
+        <translation>De machine draait op %1 op de plaats, tot %2.</translation>
+    </message>
+    <message>
+        <source>The machine turns on the spot in %1, by up to %2; it cannot.</source>
+        <translation>De machine draait op %1 op de plaats, tot %2; dat kan ze niet.</translation>
+    </message>
+    <message>
+        <source>The mission has %1 items; controllers without a memory card hold about %2.</source>
+        <translation>De missie heeft %1 items; besturingen zonder geheugenkaart bevatten er ongeveer %2.</translation>
+    </message>
+    <message>
+        <source>The outermost pass goes round with the machine&apos;s radius where little is left; others reach into corners.</source>
+        <translation>De buitenste gang gaat met de straal van de machine rond waar weinig blijft liggen; andere reiken in de hoeken.</translation>
+    </message>
+    <message>
+        <source>The pass along the boundary first.</source>
+        <translation>De gang langs de perceelsgrens eerst.</translation>
+    </message>
+    <message>
+        <source>The pass along the mainland first.</source>
+        <translation>De gang langs de binnenakker eerst.</translation>
+    </message>
+    <message>
+        <source>The path as a mission for ArduPilot Rover: waypoints, speeds, gear, implement.</source>
+        <translation>De rijweg als missie voor ArduPilot Rover: waypoints, snelheden, versnelling, werktuig.</translation>
+    </message>
+    <message>
+        <source>The path as a track, swath ends as a route, gates as waypoints; for phones.</source>
+        <translation>De rijweg als track, einden van werkgangen als route, inritten als waypoints; voor telefoons.</translation>
+    </message>
+    <message>
+        <source>The path as nav_msgs/Path in a recording of ROS 2.</source>
+        <translation>De rijweg als nav_msgs/Path in een opname van ROS 2.</translation>
+    </message>
+    <message>
+        <source>The path as one message for ros2 topic pub.</source>
+        <translation>De rijweg als één bericht voor ros2 topic pub.</translation>
+    </message>
+    <message>
+        <source>The path with times, velocities and orientations, and the boundary as a fence; for own robots.</source>
+        <translation>De rijweg met tijden, snelheden en oriëntaties, en de perceelsgrens als hek; voor eigen robots.</translation>
+    </message>
+    <message>
+        <source>The quickest turn of any kind that stays inside the field, in several moves where it must.</source>
+        <translation>De snelste draai van welke soort ook die binnen het perceel blijft, in meer slagen waar nodig.</translation>
+    </message>
+    <message>
+        <source>The same as KML, zipped.</source>
+        <translation>Hetzelfde als KML, gezipt.</translation>
+    </message>
+    <message>
+        <source>The same mission with the boundary and obstacles as fences.</source>
+        <translation>Dezelfde missie met perceelsgrens en obstakels als hekken.</translation>
+    </message>
+    <message>
+        <source>The shortest curve forwards and backwards, at the smallest turning radius (Reeds and Shepp).</source>
+        <translation>De kortste bocht vooruit en achteruit, met de kleinste draaistraal (Reeds en Shepp).</translation>
+    </message>
+    <message>
+        <source>The shortest curve without reversing, at the smallest turning radius (Dubins).</source>
+        <translation>De kortste bocht zonder achteruit, met de kleinste draaistraal (Dubins).</translation>
+    </message>
+    <message>
+        <source>The shortest time in swaths and turns.</source>
+        <translation>De kortste tijd in werkgangen en draaien.</translation>
+    </message>
+    <message>
+        <source>The smallest area worked twice.</source>
+        <translation>De kleinste dubbel bewerkte oppervlakte.</translation>
+    </message>
+    <message>
+        <source>The spacing is reduced evenly so that all fit.</source>
+        <translation>De afstand wordt gelijkmatig verkleind zodat alle passen.</translation>
+    </message>
+    <message>
+        <source>The stated curvature differs from the path in %1, by up to %2 1/m.</source>
+        <translation>De opgegeven kromming wijkt op %1 af van de rijweg, tot %2 1/m.</translation>
+    </message>
+    <message>
+        <source>The stated speed is up to %1 above the machine&apos;s.</source>
+        <translation>De opgegeven snelheid ligt tot %1 boven die van de machine.</translation>
+    </message>
+    <message>
+        <source>The steering has to turn faster than this machine can in %1.</source>
+        <translation>Op %1 moet sneller gestuurd worden dan deze machine kan.</translation>
+    </message>
+    <message>
+        <source>The strip kept for turning.</source>
+        <translation>De strook om te draaien.</translation>
+    </message>
+    <message>
+        <source>The swaths in the order and direction that you type.</source>
+        <translation>De werkgangen in getypte volgorde en richting.</translation>
+    </message>
+    <message>
+        <source>The table holds boundaries only: obstacles, gates and lines are left out.</source>
+        <translation>De tabel bevat alleen perceelsgrenzen: obstakels, inritten en lijnen zijn weggelaten.</translation>
+    </message>
+    <message>
+        <source>The task data has %1 MB; old terminals take at most 2 MB.</source>
+        <translation>De taakgegevens zijn %1 MB; oude terminals nemen hoogstens 2 MB.</translation>
+    </message>
+    <message>
+        <source>The tractor may drive backwards with it.</source>
+        <translation>De trekker mag er achteruit mee rijden.</translation>
+    </message>
+    <message>
+        <source>The tractor may drive backwards.</source>
+        <translation>De trekker mag achteruitrijden.</translation>
+    </message>
+    <message>
+        <source>The tractor may turn about its own middle.</source>
+        <translation>De trekker mag om zijn eigen midden draaien.</translation>
+    </message>
+    <message>
+        <source>The way from %1 to %2</source>
+        <translation>De weg %1 → %2</translation>
+    </message>
+    <message>
+        <source>This machine cannot turn on the spot.</source>
+        <translation>Deze machine kan niet op de plaats draaien.</translation>
+    </message>
+    <message>
+        <source>This stick has %1 partitions; terminals see the first one only, if any.</source>
+        <translation>Deze stick heeft %1 partities; terminals zien hoogstens de eerste.</translation>
+    </message>
+    <message>
+        <source>Three Ponds</source>
+        <translation>Drie Vijvers</translation>
+    </message>
+    <message>
+        <source>Three-point turn</source>
+        <translation>Steekbocht</translation>
+    </message>
+    <message>
+        <source>Through point A in the direction that you type.</source>
+        <translation>Door punt A in de getypte richting.</translation>
+    </message>
+    <message>
+        <source>Tillage</source>
+        <translation>Grondbewerking</translation>
+    </message>
+    <message>
+        <source>Time and way do not fit the speed in %1.</source>
+        <translation>Tijd en weg passen op %1 niet bij de snelheid.</translation>
+    </message>
+    <message>
+        <source>Time to lift</source>
+        <translation>Tijd om te heffen</translation>
+    </message>
+    <message>
+        <source>Time to lower</source>
+        <translation>Tijd om neer te laten</translation>
+    </message>
+    <message>
+        <source>To and fro</source>
+        <translation>Heen en weer</translation>
+    </message>
+    <message>
+        <source>Trailed sprayer, 24 m boom</source>
+        <translation>Getrokken spuit, boom 24 m</translation>
+    </message>
+    <message>
+        <source>Tramline every</source>
+        <translation>Spuitspoor elke</translation>
+    </message>
+    <message>
+        <source>Transfer speed</source>
+        <translation>Verplaatssnelheid</translation>
+    </message>
+    <message>
+        <source>Trapezoids</source>
+        <translation>Trapezia</translation>
+    </message>
+    <message>
+        <source>Tries every heading in steps and keeps the best (the paper&apos;s search).</source>
+        <translation>Probeert alle richtingen in stappen en houdt de beste (de zoekmethode uit het artikel).</translation>
+    </message>
+    <message>
+        <source>Try another direction of the swaths, or let the last pass overlap.</source>
+        <translation>Probeer een andere rijrichting, of laat de laatste gang overlappen.</translation>
+    </message>
+    <message>
+        <source>Try another direction of the swaths, or plan the sides of the obstacle apart.</source>
+        <translation>Probeer een andere rijrichting, of plan de kanten van het obstakel apart.</translation>
+    </message>
+    <message>
+        <source>Turn</source>
+        <translation>Draai</translation>
+    </message>
+    <message>
+        <source>Turning speed</source>
+        <translation>Draaisnelheid</translation>
+    </message>
+    <message>
+        <source>Turns</source>
+        <translation>Draaien</translation>
+    </message>
+    <message>
+        <source>Turns in place and drives straight to the next swath; only for machines that can.</source>
+        <translation>Draait op de plaats en rijdt recht naar de volgende werkgang; alleen voor machines die dat kunnen.</translation>
+    </message>
+    <message>
+        <source>U turn</source>
+        <translation>U-draai</translation>
+    </message>
+    <message>
+        <source>Vehicle length</source>
+        <translation>Voertuiglengte</translation>
+    </message>
+    <message>
+        <source>Vehicle width</source>
+        <translation>Voertuigbreedte</translation>
+    </message>
+    <message>
+        <source>Ways</source>
+        <translation>Wegen</translation>
+    </message>
+    <message>
+        <source>Ways keep to the field&apos;s edge.</source>
+        <translation>Wegen blijven aan de rand van het perceel.</translation>
+    </message>
+    <message>
+        <source>Ways keep to the headland; crop and seedbed are not driven over.</source>
+        <translation>Wegen blijven op de kopakker; over gewas en zaaibed wordt niet gereden.</translation>
+    </message>
+    <message>
+        <source>Ways may cross the mainland.</source>
+        <translation>Wegen mogen over de binnenakker gaan.</translation>
+    </message>
+    <message>
+        <source>Well-known text</source>
+        <translation>Well-known text</translation>
+    </message>
+    <message>
+        <source>What becomes of the width that is left over at the far side.</source>
+        <translation>Wat er gebeurt met de breedte die aan de andere kant overblijft.</translation>
+    </message>
+    <message>
+        <source>What everything keeps from the boundary; auto is the boundary&apos;s accuracy.</source>
+        <translation>Wat alles tot de perceelsgrens houdt; auto is de nauwkeurigheid van de perceelsgrens.</translation>
+    </message>
+    <message>
+        <source>What is spread or gathered on a square metre, in the same unit.</source>
+        <translation>Wat op een vierkante meter verdeeld of geoogst wordt, in dezelfde eenheid.</translation>
+    </message>
+    <message>
+        <source>What it holds, in your own unit: litres, kilograms, seeds.</source>
+        <translation>Wat erin gaat, in de eigen eenheid: liters, kilo&apos;s, zaden.</translation>
+    </message>
+    <message>
+        <source>What the field is driven over for: sets when the headland is worked, ways and overlap.</source>
+        <translation>Waarvoor gereden wordt: bepaalt wanneer de kopakker bewerkt wordt, wegen en overlap.</translation>
+    </message>
+    <message>
+        <source>What the machine is called.</source>
+        <translation>Hoe de machine heet.</translation>
+    </message>
+    <message>
+        <source>What the search for the best heading looks for.</source>
+        <translation>Waar het zoeken naar de beste rijrichting op let.</translation>
+    </message>
+    <message>
+        <source>Wheelbase</source>
+        <translation>Wielbasis</translation>
+    </message>
+    <message>
+        <source>When</source>
+        <translation>Wanneer</translation>
+    </message>
+    <message>
+        <source>When speeding up and when braking.</source>
+        <translation>Bij optrekken en bij remmen.</translation>
+    </message>
+    <message>
+        <source>Where a swath ends at a slanting edge.</source>
+        <translation>Waar een werkgang aan een schuine zijde eindigt.</translation>
+    </message>
+    <message>
+        <source>Where the machine may drive from swath to swath; follows from the operation.</source>
+        <translation>Waar de machine van werkgang naar werkgang mag rijden; volgt uit de bewerking.</translation>
+    </message>
+    <message>
+        <source>Where the middle of the swath meets the mainland&apos;s edge.</source>
+        <translation>Waar het midden van de werkgang de rand van de binnenakker raakt.</translation>
+    </message>
+    <message>
+        <source>Where tramlines are counted from.</source>
+        <translation>Vanwaar de spuitsporen geteld worden.</translation>
+    </message>
+    <message>
+        <source>Whether cells have a heading of their own.</source>
+        <translation>Of deelpercelen een eigen rijrichting hebben.</translation>
+    </message>
+    <message>
+        <source>Which way round the headland passes are driven.</source>
+        <translation>In welke richting de kopakkergangen gereden worden.</translation>
+    </message>
+    <message>
+        <source>Width</source>
+        <translation>Breedte</translation>
+    </message>
+    <message>
+        <source>Width in operating widths; auto leaves room for the turns.</source>
+        <translation>Breedte in werkbreedtes; auto laat ruimte voor de draaien.</translation>
+    </message>
+    <message>
+        <source>Width the tractor occupies, wheels included.</source>
+        <translation>Breedte die de trekker inneemt, wielen inbegrepen.</translation>
+    </message>
+    <message>
+        <source>Width while lifted or folded for a turn; the operating width where it is not given.</source>
+        <translation>Breedte terwijl het werktuig voor een draai geheven of opgeklapt is; de werkbreedte waar ze niet opgegeven is.</translation>
+    </message>
+    <message>
+        <source>Width worked in one pass.</source>
+        <translation>Breedte die in één werkgang bewerkt wordt.</translation>
+    </message>
+    <message>
+        <source>With the implement up, %1 are driven over worked land and %2 over land that is worked later; %3 is the longest.</source>
+        <translation>Met geheven werktuig wordt %1 over bewerkt land gereden en %2 over land dat later bewerkt wordt; het langst is %3.</translation>
+    </message>
+    <message>
+        <source>Without reversing, the wheels turned no faster than the machine can (clothoids).</source>
+        <translation>Zonder achteruit, de wielen niet sneller gedraaid dan de machine kan (clothoïden).</translation>
+    </message>
+    <message>
+        <source>Work it along the boundary, before or after the swaths.</source>
+        <translation>Bewerk hem langs de perceelsgrens, vóór of na de werkgangen.</translation>
+    </message>
+    <message>
+        <source>Work the headland</source>
+        <translation>Kopakker bewerken</translation>
+    </message>
+    <message>
+        <source>Working speed</source>
+        <translation>Werksnelheid</translation>
+    </message>
+    <message>
+        <source>Working the soil: the mainland may be crossed.</source>
+        <translation>Grondbewerking: er mag over de binnenakker gereden worden.</translation>
+    </message>
+    <message>
+        <source>Your own order</source>
+        <translation>Eigen volgorde</translation>
+    </message>
+    <message>
+        <source>Zipped boundary</source>
+        <translation>Gezipte perceelsgrens</translation>
+    </message>
+    <message>
+        <source>a coordinate is not a number</source>
+        <translation>een coördinaat is geen getal</translation>
+    </message>
+    <message>
+        <source>a curve needs at least two points that differ</source>
+        <translation>een curve heeft minstens twee verschillende punten nodig</translation>
+    </message>
+    <message>
+        <source>a drawing does not say which coordinate system it uses</source>
+        <translation>een tekening zegt niet welk coördinatenstelsel ze gebruikt</translation>
+    </message>
+    <message>
+        <source>a hole lies outside the boundary</source>
+        <translation>een gat ligt buiten de perceelsgrens</translation>
+    </message>
+    <message>
+        <source>a hole of &apos;%1&apos; is missing or another</source>
+        <translation>een gat van ‘%1’ ontbreekt of is anders</translation>
+    </message>
+    <message>
+        <source>a machine is one JSON object</source>
+        <translation>een machine is één JSON-object</translation>
+    </message>
+    <message>
+        <source>a number</source>
+        <translation>een getal</translation>
+    </message>
+    <message>
+        <source>a number is too large to be read</source>
+        <translation>een getal is te groot om te lezen</translation>
+    </message>
+    <message>
+        <source>a part of the boundary of &apos;%1&apos; is missing or another</source>
+        <translation>een deel van de perceelsgrens van ‘%1’ ontbreekt of is anders</translation>
+    </message>
+    <message>
+        <source>a point</source>
+        <translation>een punt</translation>
+    </message>
+    <message>
+        <source>a point has no place in EPSG:%1</source>
+        <translation>een punt heeft geen plaats in EPSG:%1</translation>
+    </message>
+    <message>
+        <source>a point or a line in WGS84 such as LINESTRING (4.1 52.0, 4.2 52.0)</source>
+        <translation>een punt of een lijn in WGS84 zoals LINESTRING (4.1 52.0, 4.2 52.0)</translation>
+    </message>
+    <message>
+        <source>a sliver of %1 was left out</source>
+        <translation>een snipper van %1 is weggelaten</translation>
+    </message>
+    <message>
+        <source>a track that ended %1 from where it began was closed</source>
+        <translation>een spoor dat %1 van zijn begin eindigde is gesloten</translation>
+    </message>
+    <message>
+        <source>a value of its own</source>
+        <translation>een eigen waarde</translation>
+    </message>
+    <message>
+        <source>add the .prj file that belongs to it, or export the field again in WGS84</source>
+        <translation>voeg het .prj-bestand toe dat erbij hoort, of exporteer het perceel opnieuw in WGS84</translation>
+    </message>
+    <message>
+        <source>allow it to be kept as a backup</source>
+        <translation>sta toe dat het als reservekopie bewaard blijft</translation>
+    </message>
+    <message>
+        <source>an obstacle</source>
+        <translation>een obstakel</translation>
+    </message>
+    <message>
+        <source>an offset is not a finite number</source>
+        <translation>een verzet is geen eindig getal</translation>
+    </message>
+    <message>
+        <source>an overlap of %1 leaves nothing of %2</source>
+        <translation>een overlap van %1 laat niets over van %2</translation>
+    </message>
+    <message>
+        <source>both headland.width_m and headland.passes are given</source>
+        <translation>headland.width_m en headland.passes zijn allebei opgegeven</translation>
+    </message>
+    <message>
+        <source>boundary accuracy</source>
+        <translation>nauwkeurigheid van de perceelsgrens</translation>
+    </message>
+    <message>
+        <source>changes cannot be kept for the case of a crash: %1</source>
+        <translation>wijzigingen kunnen niet bewaard worden voor het geval van een crash: %1</translation>
+    </message>
+    <message>
+        <source>check its coordinates</source>
+        <translation>controleer de coördinaten</translation>
+    </message>
+    <message>
+        <source>check that the folder can be written to</source>
+        <translation>controleer of er in de map geschreven mag worden</translation>
+    </message>
+    <message>
+        <source>check that you may read it</source>
+        <translation>controleer of het gelezen mag worden</translation>
+    </message>
+    <message>
+        <source>check the boundary for crossings</source>
+        <translation>controleer de perceelsgrens op kruisingen</translation>
+    </message>
+    <message>
+        <source>check the coordinate system, correct this point, or split the field</source>
+        <translation>controleer het coördinatenstelsel, verbeter dit punt of splits het perceel</translation>
+    </message>
+    <message>
+        <source>check the file&apos;s coordinate system</source>
+        <translation>controleer het coördinatenstelsel van het bestand</translation>
+    </message>
+    <message>
+        <source>check the operating width and the overlap</source>
+        <translation>controleer de werkbreedte en de overlap</translation>
+    </message>
+    <message>
+        <source>check the path</source>
+        <translation>controleer het pad</translation>
+    </message>
+    <message>
+        <source>choose a narrower headland or a narrower machine</source>
+        <translation>kies een smallere kopakker of een smallere machine</translation>
+    </message>
+    <message>
+        <source>choose a smaller machine or check the boundary&apos;s coordinate system</source>
+        <translation>kies een kleinere machine of controleer het coördinatenstelsel van de perceelsgrens</translation>
+    </message>
+    <message>
+        <source>choose another format</source>
+        <translation>kies een ander formaat</translation>
+    </message>
+    <message>
+        <source>choose one by its number in the file: %1</source>
+        <translation>kies er een op nummer in het bestand: %1</translation>
+    </message>
+    <message>
+        <source>choose the format rosbag2-mcap</source>
+        <translation>kies het formaat rosbag2-mcap</translation>
+    </message>
+    <message>
+        <source>close it there first</source>
+        <translation>sluit het daar eerst</translation>
+    </message>
+    <message>
+        <source>contour needs heights</source>
+        <translation>hoogtelijnen hebben hoogten nodig</translation>
+    </message>
+    <message>
+        <source>copy or export it again</source>
+        <translation>kopieer of exporteer het opnieuw</translation>
+    </message>
+    <message>
+        <source>copy the whole folder</source>
+        <translation>kopieer de hele map</translation>
+    </message>
+    <message>
+        <source>correct or delete this point in the file</source>
+        <translation>verbeter of verwijder dit punt in het bestand</translation>
+    </message>
+    <message>
+        <source>could not be read: %1</source>
+        <translation>kon niet gelezen worden: %1</translation>
+    </message>
+    <message>
+        <source>could not be written: %1</source>
+        <translation>kon niet geschreven worden: %1</translation>
+    </message>
+    <message>
+        <source>crosses an obstacle</source>
+        <translation>gaat over een obstakel</translation>
+    </message>
+    <message>
+        <source>cut it into the days or fields that it holds</source>
+        <translation>splits het in de dagen of percelen die erin zitten</translation>
+    </message>
+    <message>
+        <source>decimal commas in the place of the field were taken for points</source>
+        <translation>decimale komma&apos;s in de plaats van het perceel zijn als punten gelezen</translation>
+    </message>
+    <message>
+        <source>delete some of them</source>
+        <translation>verwijder er enkele</translation>
+    </message>
+    <message>
+        <source>delete the hole that covers it</source>
+        <translation>verwijder het gat dat alles bedekt</translation>
+    </message>
+    <message>
+        <source>did you mean &apos;%1&apos;?</source>
+        <translation>bedoeld ‘%1’?</translation>
+    </message>
+    <message>
+        <source>did you mean &apos;%1&apos;? use one of: %2; or give a machine file (.json)</source>
+        <translation>bedoeld ‘%1’? gebruik een van: %2; of geef een machinebestand (.json)</translation>
+    </message>
+    <message>
+        <source>download the file and give its path</source>
+        <translation>download het bestand en geef het pad</translation>
+    </message>
+    <message>
+        <source>draw it again</source>
+        <translation>teken het opnieuw</translation>
+    </message>
+    <message>
+        <source>draw it again with at least 3 corners</source>
+        <translation>teken het opnieuw met minstens 3 hoeken</translation>
+    </message>
+    <message>
+        <source>draw one or open a file that has one</source>
+        <translation>teken er een of open een bestand dat er een heeft</translation>
+    </message>
+    <message>
+        <source>export fewer fields at once</source>
+        <translation>exporteer minder percelen tegelijk</translation>
+    </message>
+    <message>
+        <source>export it again</source>
+        <translation>exporteer het opnieuw</translation>
+    </message>
+    <message>
+        <source>export it again with its coordinate system</source>
+        <translation>exporteer het opnieuw met het coördinatenstelsel</translation>
+    </message>
+    <message>
+        <source>export or copy it again</source>
+        <translation>exporteer of kopieer het opnieuw</translation>
+    </message>
+    <message>
+        <source>export the boundary as a polygon</source>
+        <translation>exporteer de perceelsgrens als polygoon</translation>
+    </message>
+    <message>
+        <source>export the field again in WGS84 (longitude and latitude)</source>
+        <translation>exporteer het perceel opnieuw in WGS84 (lengte en breedte)</translation>
+    </message>
+    <message>
+        <source>export the field with its boundary</source>
+        <translation>exporteer het perceel met de perceelsgrens</translation>
+    </message>
+    <message>
+        <source>export the field with its boundary; furrow-cli compare reads what a machine recorded</source>
+        <translation>exporteer het perceel met de perceelsgrens; furrow-cli compare leest wat een machine heeft opgenomen</translation>
+    </message>
+    <message>
+        <source>feature %1</source>
+        <translation>object %1</translation>
+    </message>
+    <message>
+        <source>fewer than 3 different points enclose nothing</source>
+        <translation>minder dan 3 verschillende punten sluiten niets in</translation>
+    </message>
+    <message>
+        <source>free some space on it, or use another one</source>
+        <translation>maak er ruimte op vrij, of gebruik een andere</translation>
+    </message>
+    <message>
+        <source>free some space on the stick</source>
+        <translation>maak ruimte vrij op de stick</translation>
+    </message>
+    <message>
+        <source>free some space or choose another folder</source>
+        <translation>maak ruimte vrij of kies een andere map</translation>
+    </message>
+    <message>
+        <source>gate %1</source>
+        <translation>inrit %1</translation>
+    </message>
+    <message>
+        <source>give %1</source>
+        <translation>geef %1</translation>
+    </message>
+    <message>
+        <source>give 0 m or more</source>
+        <translation>geef 0 m of meer</translation>
+    </message>
+    <message>
+        <source>give GeoJSON, a shapefile (.shp or .zip), TASKDATA.XML, KML, KMZ, GeoPackage, GML, FlatGeobuf, DXF, WKT or CSV</source>
+        <translation>geef GeoJSON, een shapefile (.shp of .zip), TASKDATA.XML, KML, KMZ, GeoPackage, GML, FlatGeobuf, DXF, WKT of CSV</translation>
+    </message>
+    <message>
+        <source>give a GeoTIFF, or a world file (.pgw) beside the PNG</source>
+        <translation>geef een GeoTIFF, of een worldbestand (.pgw) naast de PNG</translation>
+    </message>
+    <message>
+        <source>give a buffer of 0 m or more</source>
+        <translation>geef een afstand van 0 m of meer</translation>
+    </message>
+    <message>
+        <source>give a curve that does not, or plan its parts apart</source>
+        <translation>geef een curve die dat niet doet, of plan de delen apart</translation>
+    </message>
+    <message>
+        <source>give a file on a disk</source>
+        <translation>geef een bestand op een schijf</translation>
+    </message>
+    <message>
+        <source>give a file with a line for each row</source>
+        <translation>geef een bestand met een lijn per rij</translation>
+    </message>
+    <message>
+        <source>give a gate, or a point in the field</source>
+        <translation>geef een inrit, of een punt in het perceel</translation>
+    </message>
+    <message>
+        <source>give a gentler curve, or one without a turn back</source>
+        <translation>geef een flauwere curve, of een zonder omkering</translation>
+    </message>
+    <message>
+        <source>give a machine file (JSON)</source>
+        <translation>geef een machinebestand (JSON)</translation>
+    </message>
+    <message>
+        <source>give a number</source>
+        <translation>geef een getal</translation>
+    </message>
+    <message>
+        <source>give a number above 0</source>
+        <translation>geef een getal boven 0</translation>
+    </message>
+    <message>
+        <source>give a number from %1 to %2</source>
+        <translation>geef een getal van %1 tot %2</translation>
+    </message>
+    <message>
+        <source>give a number from 0 to %1</source>
+        <translation>geef een getal van 0 tot %1</translation>
+    </message>
+    <message>
+        <source>give a number in %1</source>
+        <translation>geef een getal in %1</translation>
+    </message>
+    <message>
+        <source>give a number of 0 or more</source>
+        <translation>geef een getal van 0 of meer</translation>
+    </message>
+    <message>
+        <source>give a picture of at most 100 million pixels</source>
+        <translation>geef een beeld van hoogstens 100 miljoen pixels</translation>
+    </message>
+    <message>
+        <source>give a point such as POINT (4.1 52.0)</source>
+        <translation>geef een punt zoals POINT (4.1 52.0)</translation>
+    </message>
+    <message>
+        <source>give a smaller margin or check the obstacles</source>
+        <translation>geef een kleinere marge of controleer de obstakels</translation>
+    </message>
+    <message>
+        <source>give a smaller number</source>
+        <translation>geef een kleiner getal</translation>
+    </message>
+    <message>
+        <source>give a text in quotes</source>
+        <translation>geef een tekst tussen aanhalingstekens</translation>
+    </message>
+    <message>
+        <source>give a transverse Mercator with +lat_0 and +lon_0</source>
+        <translation>geef een transversale mercatorprojectie met +lat_0 en +lon_0</translation>
+    </message>
+    <message>
+        <source>give a width of 0 m or more</source>
+        <translation>geef een breedte van 0 m of meer</translation>
+    </message>
+    <message>
+        <source>give an EPSG code, as in SRID=4326;POLYGON(...)</source>
+        <translation>geef een EPSG-code, zoals SRID=4326;POLYGON(...)</translation>
+    </message>
+    <message>
+        <source>give an angle above 0 and below 90 degrees</source>
+        <translation>geef een hoek boven 0 en onder 90 graden</translation>
+    </message>
+    <message>
+        <source>give at most one of the two</source>
+        <translation>geef er hoogstens een van de twee</translation>
+    </message>
+    <message>
+        <source>give both in degrees, or remove the row</source>
+        <translation>geef beide in graden, of verwijder de rij</translation>
+    </message>
+    <message>
+        <source>give each point as [longitude, latitude]</source>
+        <translation>geef elk punt als [lengte, breedte]</translation>
+    </message>
+    <message>
+        <source>give heights as a GeoTIFF or an ASCII grid</source>
+        <translation>geef hoogten als GeoTIFF of ASCII-raster</translation>
+    </message>
+    <message>
+        <source>give heights that cover the field</source>
+        <translation>geef hoogten die het perceel dekken</translation>
+    </message>
+    <message>
+        <source>give it as WKT in WGS84, %1</source>
+        <translation>geef het als WKT in WGS84, %1</translation>
+    </message>
+    <message>
+        <source>give it as WKT in WGS84, such as LINESTRING (4.1 52.0, 4.2 52.0, 4.3 52.1)</source>
+        <translation>geef het als WKT in WGS84, zoals LINESTRING (4.1 52.0, 4.2 52.0, 4.3 52.1)</translation>
+    </message>
+    <message>
+        <source>give it as WKT in WGS84, such as POINT (4.1 52.0)</source>
+        <translation>geef het als WKT in WGS84, zoals POINT (4.1 52.0)</translation>
+    </message>
+    <message>
+        <source>give less than the operating width</source>
+        <translation>geef minder dan de werkbreedte</translation>
+    </message>
+    <message>
+        <source>give metres, 0 or more</source>
+        <translation>geef meters, 0 of meer</translation>
+    </message>
+    <message>
+        <source>give min_turning_radius_m or max_steering_angle_deg</source>
+        <translation>geef min_turning_radius_m of max_steering_angle_deg</translation>
+    </message>
+    <message>
+        <source>give one of %1 or a point such as POINT (4.1 52.0)</source>
+        <translation>geef een van %1 of een punt zoals POINT (4.1 52.0)</translation>
+    </message>
+    <message>
+        <source>give one of the files in it</source>
+        <translation>geef een van de bestanden erin</translation>
+    </message>
+    <message>
+        <source>give operating_width_m in metres</source>
+        <translation>geef operating_width_m in meters</translation>
+    </message>
+    <message>
+        <source>give the file TASKDATA.XML</source>
+        <translation>geef het bestand TASKDATA.XML</translation>
+    </message>
+    <message>
+        <source>give the folder of a field</source>
+        <translation>geef de map van een perceel</translation>
+    </message>
+    <message>
+        <source>give the folder of one of these, or a file in it</source>
+        <translation>geef de map van een daarvan, of een bestand erin</translation>
+    </message>
+    <message>
+        <source>give the folder of one recording</source>
+        <translation>geef de map van één opname</translation>
+    </message>
+    <message>
+        <source>give the offsets in metres</source>
+        <translation>geef het verzet in meters</translation>
+    </message>
+    <message>
+        <source>give the points in degrees (WGS84), longitude in lon and latitude in lat</source>
+        <translation>geef de punten in graden (WGS84), lengte in lon en breedte in lat</translation>
+    </message>
+    <message>
+        <source>give true or false</source>
+        <translation>geef true of false</translation>
+    </message>
+    <message>
+        <source>give two points at least 1 m apart</source>
+        <translation>geef twee punten die minstens 1 m uit elkaar liggen</translation>
+    </message>
+    <message>
+        <source>guidance lines without two points</source>
+        <translation>stuurlijnen zonder twee punten</translation>
+    </message>
+    <message>
+        <source>guidance patterns whose points do not fit their kind</source>
+        <translation>stuurpatronen waarvan de punten niet bij hun soort passen</translation>
+    </message>
+    <message>
+        <source>guidance patterns without a line</source>
+        <translation>stuurpatronen zonder lijn</translation>
+    </message>
+    <message>
+        <source>headland pass %1</source>
+        <translation>kopakkergang %1</translation>
+    </message>
+    <message>
+        <source>hole %1 encloses no area and was left out</source>
+        <translation>gat %1 sluit geen oppervlakte in en is weggelaten</translation>
+    </message>
+    <message>
+        <source>implement offsets</source>
+        <translation>verzet van het werktuig</translation>
+    </message>
+    <message>
+        <source>it does not say in which coordinate system it is</source>
+        <translation>het zegt niet in welk coördinatenstelsel het is</translation>
+    </message>
+    <message>
+        <source>it has %1 by %2 pixels</source>
+        <translation>het heeft %1 bij %2 pixels</translation>
+    </message>
+    <message>
+        <source>it has %1: %2</source>
+        <translation>het heeft %1: %2</translation>
+    </message>
+    <message>
+        <source>it has more than %1 parts</source>
+        <translation>het heeft meer dan %1 delen</translation>
+    </message>
+    <message>
+        <source>it has no heights where the field is</source>
+        <translation>het heeft geen hoogten waar het perceel ligt</translation>
+    </message>
+    <message>
+        <source>it holds more than %1 files</source>
+        <translation>er zitten meer dan %1 bestanden in</translation>
+    </message>
+    <message>
+        <source>it is no raster of heights</source>
+        <translation>het is geen hoogteraster</translation>
+    </message>
+    <message>
+        <source>it is not JSON (byte %1)</source>
+        <translation>het is geen JSON (byte %1)</translation>
+    </message>
+    <message>
+        <source>it is not JSON at %1</source>
+        <translation>het is geen JSON: %1</translation>
+    </message>
+    <message>
+        <source>it is not a length</source>
+        <translation>dat is geen lengte</translation>
+    </message>
+    <message>
+        <source>it is not what a plan&apos;s is</source>
+        <translation>het is niet dat van een plan</translation>
+    </message>
+    <message>
+        <source>it lies in none of the %1 fields</source>
+        <translation>het ligt in geen van de %1 percelen</translation>
+    </message>
+    <message>
+        <source>it lies outside the field</source>
+        <translation>het ligt buiten het perceel</translation>
+    </message>
+    <message>
+        <source>it may be damaged; copy or export it again</source>
+        <translation>misschien is die beschadigd; kopieer of exporteer opnieuw</translation>
+    </message>
+    <message>
+        <source>it names no local frame</source>
+        <translation>het noemt geen lokaal coördinatenstelsel</translation>
+    </message>
+    <message>
+        <source>it names no machine</source>
+        <translation>het noemt geen machine</translation>
+    </message>
+    <message>
+        <source>it needs latitude and longitude, as in 52.09,5.66</source>
+        <translation>die heeft breedte en lengte nodig, zoals 52.09,5.66</translation>
+    </message>
+    <message>
+        <source>it would grow more than a thousandfold when it is unpacked</source>
+        <translation>het zou bij het uitpakken meer dan duizendmaal zo groot worden</translation>
+    </message>
+    <message>
+        <source>its buffer is not a length</source>
+        <translation>de afstand is geen lengte</translation>
+    </message>
+    <message>
+        <source>its coordinate system &apos;%1&apos; cannot be turned into WGS84</source>
+        <translation>het coördinatenstelsel ‘%1’ kan niet naar WGS84 omgerekend worden</translation>
+    </message>
+    <message>
+        <source>its coordinate system cannot be turned into WGS84</source>
+        <translation>het coördinatenstelsel kan niet naar WGS84 omgerekend worden</translation>
+    </message>
+    <message>
+        <source>its file is missing</source>
+        <translation>het bestand ontbreekt</translation>
+    </message>
+    <message>
+        <source>its heights cannot be read</source>
+        <translation>de hoogten kunnen niet gelezen worden</translation>
+    </message>
+    <message>
+        <source>its holes leave nothing of it</source>
+        <translation>de gaten laten er niets van over</translation>
+    </message>
+    <message>
+        <source>its points enclose no area</source>
+        <translation>de punten sluiten geen oppervlakte in</translation>
+    </message>
+    <message>
+        <source>its width is not a length</source>
+        <translation>de breedte is geen lengte</translation>
+    </message>
+    <message>
+        <source>keep one of them</source>
+        <translation>houd er een van</translation>
+    </message>
+    <message>
+        <source>keep the .shp, .shx, .dbf and .prj files together</source>
+        <translation>houd .shp, .shx, .dbf en .prj bij elkaar</translation>
+    </message>
+    <message>
+        <source>leaves the field by %1</source>
+        <translation>komt %1 buiten het perceel</translation>
+    </message>
+    <message>
+        <source>left out: %1</source>
+        <translation>weggelaten: %1</translation>
+    </message>
+    <message>
+        <source>left out: %1 %2</source>
+        <translation>weggelaten: %1 %2</translation>
+    </message>
+    <message>
+        <source>line %1 is left out: it is damaged</source>
+        <translation>regel %1 is weggelaten: die is beschadigd</translation>
+    </message>
+    <message>
+        <source>line %1, column %2</source>
+        <translation>regel %1, kolom %2</translation>
+    </message>
+    <message>
+        <source>lines in WGS84 such as MULTILINESTRING ((4.1 52.0, 4.2 52.0), (4.1 52.1, 4.2 52.1))</source>
+        <translation>lijnen in WGS84 zoals MULTILINESTRING ((4.1 52.0, 4.2 52.0), (4.1 52.1, 4.2 52.1))</translation>
+    </message>
+    <message>
+        <source>lines that guide nothing</source>
+        <translation>lijnen die niets sturen</translation>
+    </message>
+    <message>
+        <source>look for a missing comma, quote or brace just before it</source>
+        <translation>zoek er vlak voor naar een ontbrekende komma, aanhalingsteken of accolade</translation>
+    </message>
+    <message>
+        <source>move one of the points there, so that it is clear which side is field</source>
+        <translation>verplaats daar een punt, zodat duidelijk is welke kant perceel is</translation>
+    </message>
+    <message>
+        <source>move or delete it</source>
+        <translation>verplaats of verwijder het</translation>
+    </message>
+    <message>
+        <source>name a raster of heights, such as a GeoTIFF</source>
+        <translation>noem een hoogteraster, zoals een GeoTIFF</translation>
+    </message>
+    <message>
+        <source>name each swath once</source>
+        <translation>noem elke werkgang één keer</translation>
+    </message>
+    <message>
+        <source>name each swath once, with a minus where it is driven backwards</source>
+        <translation>noem elke werkgang één keer, met een min waar hij andersom gereden wordt</translation>
+    </message>
+    <message>
+        <source>name one, such as GeoJSON with a LineString for each row</source>
+        <translation>noem er een, zoals GeoJSON met een LineString per rij</translation>
+    </message>
+    <message>
+        <source>name the columns in the first row</source>
+        <translation>noem de kolommen in de eerste rij</translation>
+    </message>
+    <message>
+        <source>name the folder of a plan, as furrow-cli plan writes it</source>
+        <translation>noem de map van een plan, zoals furrow-cli plan die schrijft</translation>
+    </message>
+    <message>
+        <source>neither turning radius nor steering angle is given</source>
+        <translation>er is geen draaistraal en geen stuurhoek opgegeven</translation>
+    </message>
+    <message>
+        <source>no boundary can be read from this file (%1)</source>
+        <translation>uit dit bestand kan geen perceelsgrens gelezen worden (%1)</translation>
+    </message>
+    <message>
+        <source>no pixel of the picture is worked</source>
+        <translation>geen pixel van het beeld is bewerkt</translation>
+    </message>
+    <message>
+        <source>no swath fits into the mainland</source>
+        <translation>er past geen werkgang in de binnenakker</translation>
+    </message>
+    <message>
+        <source>obstacle %1</source>
+        <translation>obstakel %1</translation>
+    </message>
+    <message>
+        <source>obstacles outside the boundary</source>
+        <translation>obstakels buiten de perceelsgrens</translation>
+    </message>
+    <message>
+        <source>obstacles that are holes already</source>
+        <translation>obstakels die al gaten zijn</translation>
+    </message>
+    <message>
+        <source>one of its choices</source>
+        <translation>een van de keuzes</translation>
+    </message>
+    <message>
+        <source>only files on this computer are read</source>
+        <translation>alleen bestanden op deze computer worden gelezen</translation>
+    </message>
+    <message>
+        <source>open it as a field boundary, or choose another file</source>
+        <translation>open het als perceelsgrens, of kies een ander bestand</translation>
+    </message>
+    <message>
+        <source>open it with a newer Furrow; the file was left as it is</source>
+        <translation>open het met een nieuwere Furrow; het bestand is gebleven zoals het was</translation>
+    </message>
+    <message>
+        <source>opennav_coverage goal</source>
+        <translation>opennav_coverage-doel</translation>
+    </message>
+    <message>
+        <source>opennav_coverage lays swaths and turns of its own from the goal; they need not be those of this plan.</source>
+        <translation>opennav_coverage legt uit het doel eigen werkgangen en draaien; dat hoeven niet die van dit plan te zijn.</translation>
+    </message>
+    <message>
+        <source>part %1</source>
+        <translation>deel %1</translation>
+    </message>
+    <message>
+        <source>part %1, point %2</source>
+        <translation>deel %1, punt %2</translation>
+    </message>
+    <message>
+        <source>path.csv has %1 segments and plan.geojson %2</source>
+        <translation>path.csv heeft %1 stukken en plan.geojson %2</translation>
+    </message>
+    <message>
+        <source>per m²</source>
+        <translation>per m²</translation>
+    </message>
+    <message>
+        <source>pivot needs its centre</source>
+        <translation>cirkels hebben hun midden nodig</translation>
+    </message>
+    <message>
+        <source>plan the field first: furrow-cli plan FIELD --out plan</source>
+        <translation>plan eerst het perceel: furrow-cli plan FIELD --out plan</translation>
+    </message>
+    <message>
+        <source>points that are no gates</source>
+        <translation>punten die geen inritten zijn</translation>
+    </message>
+    <message>
+        <source>polygons of a kind that is not used</source>
+        <translation>polygonen van een niet gebruikte soort</translation>
+    </message>
+    <message>
+        <source>put the EPSG code into its name, as in field_EPSG32632.dxf</source>
+        <translation>zet de EPSG-code in de naam, zoals field_EPSG32632.dxf</translation>
+    </message>
+    <message>
+        <source>record or draw its boundary first</source>
+        <translation>neem eerst de perceelsgrens op of teken haar</translation>
+    </message>
+    <message>
+        <source>record or export it again</source>
+        <translation>neem het opnieuw op of exporteer het opnieuw</translation>
+    </message>
+    <message>
+        <source>remove it from the file, or add its field</source>
+        <translation>verwijder het uit het bestand, of voeg het perceel toe</translation>
+    </message>
+    <message>
+        <source>remove it; keys look like operating_width_m, vehicle_width_m, can_reverse</source>
+        <translation>verwijder het; sleutels zien eruit als operating_width_m, vehicle_width_m, can_reverse</translation>
+    </message>
+    <message>
+        <source>restore a copy of the file</source>
+        <translation>zet een kopie van het bestand terug</translation>
+    </message>
+    <message>
+        <source>rings that overlap each other were joined</source>
+        <translation>ringen die elkaar overlappen zijn samengevoegd</translation>
+    </message>
+    <message>
+        <source>rings with fewer than three corners</source>
+        <translation>ringen met minder dan drie hoeken</translation>
+    </message>
+    <message>
+        <source>rows needs a file of lines</source>
+        <translation>rijen hebben een bestand met lijnen nodig</translation>
+    </message>
+    <message>
+        <source>save it again in WGS84</source>
+        <translation>sla het opnieuw op in WGS84</translation>
+    </message>
+    <message>
+        <source>save it as GeoTIFF, or with a world file in degrees</source>
+        <translation>sla het op als GeoTIFF, of met een worldbestand in graden</translation>
+    </message>
+    <message>
+        <source>save the field again, or remove this file</source>
+        <translation>sla het perceel opnieuw op of verwijder dit bestand</translation>
+    </message>
+    <message>
+        <source>save the project, and free some space</source>
+        <translation>sla het project op en maak ruimte vrij</translation>
+    </message>
+    <message>
+        <source>several fields are called &apos;%1&apos;</source>
+        <translation>meerdere percelen heten ‘%1’</translation>
+    </message>
+    <message>
+        <source>simplify it to at most a million</source>
+        <translation>vereenvoudig haar tot hoogstens een miljoen</translation>
+    </message>
+    <message>
+        <source>such as LINESTRING (4.1 52.0, 4.2 52.0)</source>
+        <translation>zoals LINESTRING (4.1 52.0, 4.2 52.0)</translation>
+    </message>
+    <message>
+        <source>such as POINT (4.1 52.0)</source>
+        <translation>zoals POINT (4.1 52.0)</translation>
+    </message>
+    <message>
+        <source>swath %1</source>
+        <translation>werkgang %1</translation>
+    </message>
+    <message>
+        <source>swath %1 is named twice</source>
+        <translation>werkgang %1 is twee keer genoemd</translation>
+    </message>
+    <message>
+        <source>take off its write protection, or use another one</source>
+        <translation>haal de schrijfbeveiliging eraf, of gebruik een andere</translation>
+    </message>
+    <message>
+        <source>take off the write protection of the stick</source>
+        <translation>haal de schrijfbeveiliging van de stick af</translation>
+    </message>
+    <message>
+        <source>the .shx file that belongs to it is missing</source>
+        <translation>het bijbehorende .shx-bestand ontbreekt</translation>
+    </message>
+    <message>
+        <source>the boundary</source>
+        <translation>de perceelsgrens</translation>
+    </message>
+    <message>
+        <source>the boundary has %1 points</source>
+        <translation>de perceelsgrens heeft %1 punten</translation>
+    </message>
+    <message>
+        <source>the boundary is that of the guidance group; the field itself has none</source>
+        <translation>de perceelsgrens is die van de stuurlijngroep; het perceel zelf heeft er geen</translation>
+    </message>
+    <message>
+        <source>the coordinates lie outside longitude -180 to 180 and latitude -90 to 90</source>
+        <translation>de coördinaten liggen buiten lengte -180 tot 180 en breedte -90 tot 90</translation>
+    </message>
+    <message>
+        <source>the curve bends more sharply than this machine can follow (%1 of radius)</source>
+        <translation>de curve is krapper dan deze machine kan volgen (straal %1)</translation>
+    </message>
+    <message>
+        <source>the curve crosses itself, %1 from its start</source>
+        <translation>de curve kruist zichzelf, %1 vanaf het begin</translation>
+    </message>
+    <message>
+        <source>the curves from line %1 on are left out: it is damaged</source>
+        <translation>de curves vanaf regel %1 zijn weggelaten: die is beschadigd</translation>
+    </message>
+    <message>
+        <source>the end</source>
+        <translation>einde</translation>
+    </message>
+    <message>
+        <source>the field &apos;%1&apos; has no boundary</source>
+        <translation>perceel ‘%1’ heeft geen perceelsgrens</translation>
+    </message>
+    <message>
+        <source>the field &apos;%1&apos; is left out: %2</source>
+        <translation>perceel ‘%1’ is weggelaten: %2</translation>
+    </message>
+    <message>
+        <source>the field has neither boundary nor guidance line</source>
+        <translation>het perceel heeft geen perceelsgrens en geen stuurlijn</translation>
+    </message>
+    <message>
+        <source>the field has no boundary</source>
+        <translation>het perceel heeft geen perceelsgrens</translation>
+    </message>
+    <message>
+        <source>the field is more than 100 km across; %1, %2 is farthest from the others</source>
+        <translation>het perceel is meer dan 100 km groot; %1, %2 ligt het verst van de andere punten</translation>
+    </message>
+    <message>
+        <source>the field is nowhere as wide as the machine (%1%2)</source>
+        <translation>het perceel is nergens zo breed als de machine (%1%2)</translation>
+    </message>
+    <message>
+        <source>the fields in this task data have neither boundary nor guidance line</source>
+        <translation>de percelen in deze taakgegevens hebben geen perceelsgrens en geen stuurlijn</translation>
+    </message>
+    <message>
+        <source>the file cannot be read</source>
+        <translation>het bestand kan niet gelezen worden</translation>
+    </message>
+    <message>
+        <source>the file has %1 fields: %2</source>
+        <translation>het bestand heeft %1 percelen: %2</translation>
+    </message>
+    <message>
+        <source>the file is damaged</source>
+        <translation>het bestand is beschadigd</translation>
+    </message>
+    <message>
+        <source>the file is damaged (%1)</source>
+        <translation>het bestand is beschadigd (%1)</translation>
+    </message>
+    <message>
+        <source>the file is damaged here</source>
+        <translation>het bestand is hier beschadigd</translation>
+    </message>
+    <message>
+        <source>the file is empty</source>
+        <translation>het bestand is leeg</translation>
+    </message>
+    <message>
+        <source>the file is larger than 1 GiB</source>
+        <translation>het bestand is groter dan 1 GiB</translation>
+    </message>
+    <message>
+        <source>the file may be cut off or damaged; copy or export it again</source>
+        <translation>het bestand is misschien afgekapt of beschadigd; kopieer of exporteer het opnieuw</translation>
+    </message>
+    <message>
+        <source>the file may be cut off or damaged; export it again</source>
+        <translation>het bestand is misschien afgekapt of beschadigd; exporteer het opnieuw</translation>
+    </message>
+    <message>
+        <source>the folder or zip cannot be read</source>
+        <translation>de map of zip kan niet gelezen worden</translation>
+    </message>
+    <message>
+        <source>the headland is left out: line %1 is damaged</source>
+        <translation>de kopakker is weggelaten: regel %1 is beschadigd</translation>
+    </message>
+    <message>
+        <source>the key is there twice</source>
+        <translation>de sleutel staat er twee keer</translation>
+    </message>
+    <message>
+        <source>the line after StartFix is no place</source>
+        <translation>de regel na StartFix is geen plaats</translation>
+    </message>
+    <message>
+        <source>the line crosses itself at %1, %2</source>
+        <translation>de lijn kruist zichzelf bij %1, %2</translation>
+    </message>
+    <message>
+        <source>the line touches or crosses itself by a sliver; taken apart there</source>
+        <translation>de lijn raakt of kruist zichzelf heel licht; daar uit elkaar gehaald</translation>
+    </message>
+    <message>
+        <source>the lines from line %1 on are left out: it is damaged</source>
+        <translation>de lijnen vanaf regel %1 zijn weggelaten: die is beschadigd</translation>
+    </message>
+    <message>
+        <source>the machine (%1 wide, %2 long%3) fits nowhere into the field</source>
+        <translation>de machine (%1 breed, %2 lang%3) past nergens in het perceel</translation>
+    </message>
+    <message>
+        <source>the name of a gate or a point in WGS84 such as POINT (4.1 52.0)</source>
+        <translation>de naam van een inrit of een punt in WGS84 zoals POINT (4.1 52.0)</translation>
+    </message>
+    <message>
+        <source>the number after SRID= is no coordinate system that is known</source>
+        <translation>het getal na SRID= is geen bekend coördinatenstelsel</translation>
+    </message>
+    <message>
+        <source>the obstacles leave nothing of the field</source>
+        <translation>de obstakels laten niets van het perceel over</translation>
+    </message>
+    <message>
+        <source>the operating width is missing</source>
+        <translation>de werkbreedte ontbreekt</translation>
+    </message>
+    <message>
+        <source>the part %1 is left out: %2</source>
+        <translation>deel %1 is weggelaten: %2</translation>
+    </message>
+    <message>
+        <source>the path of a file</source>
+        <translation>het pad van een bestand</translation>
+    </message>
+    <message>
+        <source>the picture cannot be read (%1)</source>
+        <translation>het beeld kan niet gelezen worden (%1)</translation>
+    </message>
+    <message>
+        <source>the picture does not say where it lies</source>
+        <translation>het beeld zegt niet waar het ligt</translation>
+    </message>
+    <message>
+        <source>the picture does not say which coordinate system it uses</source>
+        <translation>het beeld zegt niet welk coördinatenstelsel het gebruikt</translation>
+    </message>
+    <message>
+        <source>the picture is damaged</source>
+        <translation>het beeld is beschadigd</translation>
+    </message>
+    <message>
+        <source>the place lies outside of the field</source>
+        <translation>de plaats ligt buiten het perceel</translation>
+    </message>
+    <message>
+        <source>the plan gives no reason</source>
+        <translation>het plan noemt geen reden</translation>
+    </message>
+    <message>
+        <source>the recorded path is left out: it is damaged</source>
+        <translation>de opgenomen weg is weggelaten: hij is beschadigd</translation>
+    </message>
+    <message>
+        <source>the recording cannot be made: %1</source>
+        <translation>de opname kan niet gemaakt worden: %1</translation>
+    </message>
+    <message>
+        <source>the shape could not be computed with (%1)</source>
+        <translation>met de vorm kon niet gerekend worden (%1)</translation>
+    </message>
+    <message>
+        <source>the start</source>
+        <translation>begin</translation>
+    </message>
+    <message>
+        <source>the stick does not answer any more (%1)</source>
+        <translation>de stick antwoordt niet meer (%1)</translation>
+    </message>
+    <message>
+        <source>the stick has %1 MB free, and %2 MB are needed</source>
+        <translation>op de stick is %1 MB vrij, en er is %2 MB nodig</translation>
+    </message>
+    <message>
+        <source>the stick is damaged: use another one</source>
+        <translation>de stick is beschadigd: gebruik een andere</translation>
+    </message>
+    <message>
+        <source>the stick is write-protected</source>
+        <translation>de stick is tegen schrijven beveiligd</translation>
+    </message>
+    <message>
+        <source>the swaths are left out: %1</source>
+        <translation>de werkgangen zijn weggelaten: %1</translation>
+    </message>
+    <message>
+        <source>the table has neither a column WKT nor columns lon and lat</source>
+        <translation>de tabel heeft geen kolom WKT en geen kolommen lon en lat</translation>
+    </message>
+    <message>
+        <source>the transfer after %1</source>
+        <translation>de overgang na %1</translation>
+    </message>
+    <message>
+        <source>the transfer at %1</source>
+        <translation>de overgang bij %1</translation>
+    </message>
+    <message>
+        <source>the turn after %1</source>
+        <translation>de draai na %1</translation>
+    </message>
+    <message>
+        <source>the turn at %1</source>
+        <translation>de draai bij %1</translation>
+    </message>
+    <message>
+        <source>the way to refill</source>
+        <translation>de rit om bij te vullen</translation>
+    </message>
+    <message>
+        <source>the zip cannot be made: %1</source>
+        <translation>de zip kan niet gemaakt worden: %1</translation>
+    </message>
+    <message>
+        <source>there is no &apos;%1&apos;</source>
+        <translation>er is geen ‘%1’</translation>
+    </message>
+    <message>
+        <source>there is no &apos;%1&apos; in a machine</source>
+        <translation>in een machine bestaat geen ‘%1’</translation>
+    </message>
+    <message>
+        <source>there is no Field.txt</source>
+        <translation>Field.txt ontbreekt</translation>
+    </message>
+    <message>
+        <source>there is no boundary</source>
+        <translation>er is geen perceelsgrens</translation>
+    </message>
+    <message>
+        <source>there is no boundary file in this zip</source>
+        <translation>er zit geen bestand met perceelsgrenzen in deze zip</translation>
+    </message>
+    <message>
+        <source>there is no edge %1</source>
+        <translation>er is geen zijde %1</translation>
+    </message>
+    <message>
+        <source>there is no field &apos;%1&apos; in the file</source>
+        <translation>er is geen perceel ‘%1’ in het bestand</translation>
+    </message>
+    <message>
+        <source>there is no field boundary in it</source>
+        <translation>er zit geen perceelsgrens in</translation>
+    </message>
+    <message>
+        <source>there is no field boundary in it, only %1</source>
+        <translation>er zit geen perceelsgrens in, alleen %1</translation>
+    </message>
+    <message>
+        <source>there is no field in this task data</source>
+        <translation>er zit geen perceel in deze taakgegevens</translation>
+    </message>
+    <message>
+        <source>there is no gate &apos;%1&apos;</source>
+        <translation>er is geen inrit ‘%1’</translation>
+    </message>
+    <message>
+        <source>there is no line in it</source>
+        <translation>er zit geen lijn in</translation>
+    </message>
+    <message>
+        <source>there is no machine &apos;%1&apos;</source>
+        <translation>er is geen machine ‘%1’</translation>
+    </message>
+    <message>
+        <source>there is no path in it</source>
+        <translation>er zit geen rijweg in</translation>
+    </message>
+    <message>
+        <source>there is no project format %1</source>
+        <translation>er is geen projectformaat %1</translation>
+    </message>
+    <message>
+        <source>there is no setting &apos;%1&apos;</source>
+        <translation>er is geen instelling ‘%1’</translation>
+    </message>
+    <message>
+        <source>there is no such file</source>
+        <translation>dat bestand is er niet</translation>
+    </message>
+    <message>
+        <source>there is no swath %1</source>
+        <translation>er is geen werkgang %1</translation>
+    </message>
+    <message>
+        <source>there is no terminal &apos;%1&apos;</source>
+        <translation>er is geen terminal ‘%1’</translation>
+    </message>
+    <message>
+        <source>this XML is no task data</source>
+        <translation>deze XML bevat geen taakgegevens</translation>
+    </message>
+    <message>
+        <source>this folder holds no TASKDATA.XML, no field of AgOpenGPS and no AgGPS boundary</source>
+        <translation>deze map bevat geen TASKDATA.XML, geen perceel van AgOpenGPS en geen AgGPS-perceelsgrens</translation>
+    </message>
+    <message>
+        <source>this format holds the path of a plan, and there is only a field</source>
+        <translation>dit formaat bevat de rijweg van een plan, en er is alleen een perceel</translation>
+    </message>
+    <message>
+        <source>this is a folder</source>
+        <translation>dit is een map</translation>
+    </message>
+    <message>
+        <source>this is no boundary file that can be read</source>
+        <translation>dit is geen leesbaar bestand met perceelsgrenzen</translation>
+    </message>
+    <message>
+        <source>this is no ordinary file</source>
+        <translation>dit is geen gewoon bestand</translation>
+    </message>
+    <message>
+        <source>this is no zip of fields or recordings</source>
+        <translation>dit is geen zip met percelen of opnamen</translation>
+    </message>
+    <message>
+        <source>this is not JSON from here on</source>
+        <translation>vanaf hier is dit geen JSON</translation>
+    </message>
+    <message>
+        <source>this is not XML from here on</source>
+        <translation>vanaf hier is dit geen XML</translation>
+    </message>
+    <message>
+        <source>this is not a project of Furrow</source>
+        <translation>dit is geen project van Furrow</translation>
+    </message>
+    <message>
+        <source>this is not well-known text from here on</source>
+        <translation>vanaf hier is dit geen well-known text</translation>
+    </message>
+    <message>
+        <source>this place</source>
+        <translation>deze plek</translation>
+    </message>
+    <message>
+        <source>this polygon cannot be read</source>
+        <translation>deze polygoon kan niet gelezen worden</translation>
+    </message>
+    <message>
+        <source>this project file is damaged: %1</source>
+        <translation>dit projectbestand is beschadigd: %1</translation>
+    </message>
+    <message>
+        <source>this project is open in another window of Furrow</source>
+        <translation>dit project is open in een ander venster van Furrow</translation>
+    </message>
+    <message>
+        <source>this project was saved by a newer Furrow (format %1, this one knows %2)</source>
+        <translation>dit project is door een nieuwere Furrow opgeslagen (formaat %1, deze kent %2)</translation>
+    </message>
+    <message>
+        <source>true or false</source>
+        <translation>true of false</translation>
+    </message>
+    <message>
+        <source>try another stick</source>
+        <translation>probeer een andere stick</translation>
+    </message>
+    <message>
+        <source>two points</source>
+        <translation>twee punten</translation>
+    </message>
+    <message>
+        <source>use another terminal&apos;s format, and report this</source>
+        <translation>gebruik het formaat van een andere terminal, en meld dit</translation>
+    </message>
+    <message>
+        <source>use one of: %1</source>
+        <translation>gebruik een van: %1</translation>
+    </message>
+    <message>
+        <source>use one of: %1; or give a machine file (.json)</source>
+        <translation>gebruik een van: %1; of geef een machinebestand (.json)</translation>
+    </message>
+    <message>
+        <source>use one or more of: %1</source>
+        <translation>gebruik een of meer van: %1</translation>
+    </message>
+    <message>
+        <source>use the numbers from 1 to %1</source>
+        <translation>gebruik de nummers van 1 tot %1</translation>
+    </message>
+    <message>
+        <source>was it pulled out? Plug it in again and write once more</source>
+        <translation>is hij eruit getrokken? Steek hem er weer in en schrijf nog eens</translation>
+    </message>
+    <message>
+        <source>what is on the stick is not the plan: %1</source>
+        <translation>wat op de stick staat is niet het plan: %1</translation>
+    </message>
+    <message>
+        <source>whole numbers divided by commas</source>
+        <translation>hele getallen, gescheiden door komma&apos;s</translation>
+    </message>
+    <message>
+        <source>worked pixels need a value other than 0</source>
+        <translation>bewerkte pixels hebben een andere waarde dan 0 nodig</translation>
+    </message>
+    <message>
+        <source>write POLYGON((lon lat, lon lat, ...))</source>
+        <translation>schrijf POLYGON((lon lat, lon lat, ...))</translation>
+    </message>
+    <message>
+        <source>write POLYGON((lon lat, lon lat, ...)), one polygon a line</source>
+        <translation>schrijf POLYGON((lon lat, lon lat, ...)), één polygoon per regel</translation>
+    </message>
+    <message>
+        <source>write it like LINESTRING (4.1 52.0, 4.2 52.0)</source>
+        <translation>schrijf het als LINESTRING (4.1 52.0, 4.2 52.0)</translation>
+    </message>
+    <message>
+        <source>write the plan again with furrow-cli plan</source>
+        <translation>schrijf het plan opnieuw met furrow-cli plan</translation>
+    </message>
+    <message>
+        <source>write {&quot;name&quot;: ..., &quot;operating_width_m&quot;: ...}</source>
+        <translation>schrijf {&quot;name&quot;: ..., &quot;operating_width_m&quot;: ...}</translation>
+    </message>
+    <message>
+        <source>a part of it cannot be read</source>
+        <translation>een deel ervan is niet te lezen</translation>
+    </message>
+    <message>
+        <source>a part of it is damaged: %1</source>
+        <translation>een deel ervan is beschadigd: %1</translation>
+    </message>
+    <message>
+        <source>a tile is damaged</source>
+        <translation>een tegel is beschadigd</translation>
+    </message>
+    <message>
+        <source>choose a file or a folder of tiles</source>
+        <translation>kies een bestand of een map met tegels</translation>
+    </message>
+    <message>
+        <source>choose the folder that holds the folders of the zooms, 0 to 24</source>
+        <translation>kies de map waarin de mappen van de zoomniveaus staan, 0 tot 24</translation>
+    </message>
+    <message>
+        <source>copy or export the file again</source>
+        <translation>kopieer of exporteer het bestand opnieuw</translation>
+    </message>
+    <message>
+        <source>give a GeoTIFF, MBTiles, or a folder of tiles</source>
+        <translation>geef een GeoTIFF, MBTiles of een map met tegels</translation>
+    </message>
+    <message>
+        <source>give a GeoTIFF, or export it again with its coordinate system</source>
+        <translation>geef een GeoTIFF of exporteer het opnieuw met zijn coördinatenstelsel</translation>
+    </message>
+    <message>
+        <source>it is damaged, or no picture that Furrow can show</source>
+        <translation>het is beschadigd of geen beeld dat Furrow kan tonen</translation>
+    </message>
+    <message>
+        <source>it is no file</source>
+        <translation>het is geen bestand</translation>
+    </message>
+    <message>
+        <source>it is too large to be shown without overviews</source>
+        <translation>het is te groot om zonder overzichten te worden getoond</translation>
+    </message>
+    <message>
+        <source>its tiles are in degrees, not in web Mercator</source>
+        <translation>de tegels zijn in graden, niet in Web Mercator</translation>
+    </message>
+    <message>
+        <source>make the tiles again</source>
+        <translation>maak de tegels opnieuw</translation>
+    </message>
+    <message>
+        <source>make them again with the profile mercator, or give the raster itself</source>
+        <translation>maak ze opnieuw met het profiel mercator of geef het raster zelf</translation>
+    </message>
+    <message>
+        <source>open it again</source>
+        <translation>open het opnieuw</translation>
+    </message>
+    <message>
+        <source>put it back, or choose another one</source>
+        <translation>zet het terug of kies iets anders</translation>
+    </message>
+    <message>
+        <source>put it back, or remove the layer</source>
+        <translation>zet het terug of verwijder de laag</translation>
+    </message>
+    <message>
+        <source>save it in tiles and with overviews (gdal_translate -of COG)</source>
+        <translation>sla het op in tegels en met overzichten (gdal_translate -of COG)</translation>
+    </message>
+    <message>
+        <source>the file cannot be read any more</source>
+        <translation>het bestand is niet meer te lezen</translation>
+    </message>
+    <message>
+        <source>the file is not there any more</source>
+        <translation>het bestand is er niet meer</translation>
+    </message>
+    <message>
+        <source>the file was changed while it was open</source>
+        <translation>het bestand is gewijzigd terwijl het open was</translation>
+    </message>
+    <message>
+        <source>the folder is not there any more</source>
+        <translation>de map is er niet meer</translation>
+    </message>
+    <message>
+        <source>there are no tiles in this folder</source>
+        <translation>er zitten geen tegels in deze map</translation>
+    </message>
+    <message>
+        <source>there is no picture in it</source>
+        <translation>er zit geen beeld in</translation>
+    </message>
+    <message>
+        <source>there is no such file or folder</source>
+        <translation>dit bestand of deze map bestaat niet</translation>
+    </message>
+</context>
+<context>
+    <name>PreferencesDialog</name>
+    <message>
+        <source>Language and units</source>
+        <translation>Taal en eenheden</translation>
+    </message>
+    <message>
+        <source>Language</source>
+        <translation>Taal</translation>
+    </message>
+    <message>
+        <source>As the computer</source>
+        <translation>Zoals de computer</translation>
+    </message>
+    <message>
+        <source>Units</source>
+        <translation>Eenheden</translation>
+    </message>
+    <message>
+        <source>Metres, hectares, km/h</source>
+        <translation>Meters, hectaren, km/h</translation>
+    </message>
+    <message>
+        <source>Feet, acres, mph</source>
+        <translation>Voeten, acres, mph</translation>
+    </message>
+    <message>
+        <source>Fields take both: 7.3 m, 24 ft, 10&apos;6&quot;, 8 km/h, 5 mph. Files always hold metres.</source>
+        <translation>Velden nemen beide: 7,3 m, 24 ft, 10&apos;6&quot;, 8 km/h, 5 mph. Bestanden bevatten altijd meters.</translation>
+    </message>
+    <message>
+        <source>Close</source>
+        <translation>Sluiten</translation>
+    </message>
+</context>
+<context>
+    <name>ProblemCard</name>
+    <message>
+        <source>Show the place</source>
+        <translation>Plek tonen</translation>
+    </message>
+    <message>
+        <source>Open another file…</source>
+        <translation>Ander bestand openen…</translation>
+    </message>
+</context>
+<context>
+    <name>ProjectDialogs</name>
+    <message>
+        <source>Open projects or field boundaries</source>
+        <translation>Projecten of perceelsgrenzen openen</translation>
+    </message>
+    <message>
+        <source>Projects and field boundaries (%1)</source>
+        <translation>Projecten en perceelsgrenzen (%1)</translation>
+    </message>
+    <message>
+        <source>Projects (%1)</source>
+        <translation>Projecten (%1)</translation>
+    </message>
+    <message>
+        <source>All files (*)</source>
+        <translation>Alle bestanden (*)</translation>
+    </message>
+    <message>
+        <source>Save the project</source>
+        <translation>Project opslaan</translation>
+    </message>
+    <message>
+        <source>Add imagery</source>
+        <translation>Luchtfoto toevoegen</translation>
+    </message>
+    <message>
+        <source>Pictures and heights (%1)</source>
+        <translation>Beelden en hoogten (%1)</translation>
+    </message>
+    <message>
+        <source>Add a folder of tiles</source>
+        <translation>Map met tegels toevoegen</translation>
+    </message>
+</context>
+<context>
+    <name>RecentList</name>
+    <message>
+        <source>Open recent</source>
+        <translation>Recent geopend</translation>
+    </message>
+    <message>
+        <source>%1 — %2</source>
+        <translation>%1 — %2</translation>
+    </message>
+</context>
+<context>
+    <name>RecentProjects</name>
+    <message>
+        <source>Go on with</source>
+        <translation>Doorgaan met</translation>
+    </message>
+    <message>
+        <source>Project %1 in %2, %3</source>
+        <translation>Project %1 in %2, %3</translation>
+    </message>
+    <message>
+        <source>%1 · %2</source>
+        <translation>%1 · %2</translation>
+    </message>
+</context>
+<context>
+    <name>ResultsPanel</name>
+    <message>
+        <source>Plan</source>
+        <translation>Plan</translation>
+    </message>
+    <message>
+        <source>%1: %2</source>
+        <translation>%1: %2</translation>
+    </message>
+    <message numerus="yes">
+        <source>%n finding(s)</source>
+        <translation>
+            <numerusform>%n bevinding</numerusform>
+            <numerusform>%n bevindingen</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>Show the first %1 only</source>
+        <translation>Alleen de eerste %1 tonen</translation>
+    </message>
+    <message>
+        <source>Show all %1</source>
+        <translation>Alle %1 tonen</translation>
+    </message>
+</context>
+<context>
+    <name>ScaleBar</name>
+    <message>
+        <source>Scale: the bar is %1 long</source>
+        <translation>Schaal: de balk is %1 lang</translation>
+    </message>
+</context>
+<context>
+    <name>SearchButton</name>
+    <message>
+        <source>Search commands</source>
+        <translation>Opdrachten zoeken</translation>
+    </message>
+    <message>
+        <source>Ctrl K</source>
+        <translation>Ctrl K</translation>
+    </message>
+</context>
+<context>
+    <name>StatusChip</name>
+    <message>
+        <source>Stop</source>
+        <translation>Stoppen</translation>
+    </message>
+    <message>
+        <source>Plan again</source>
+        <translation>Opnieuw plannen</translation>
+    </message>
+</context>
+<context>
+    <name>StepItem</name>
+    <message>
+        <source>%1. %2: %3. %4</source>
+        <translation>%1. %2: %3. %4</translation>
+    </message>
+</context>
+<context>
+    <name>ThemeSwitch</name>
+    <message>
+        <source>Sunlight colours; press for light</source>
+        <translation>Kleuren voor zonlicht; druk voor licht</translation>
+    </message>
+    <message>
+        <source>Dark colours; press for sunlight</source>
+        <translation>Donkere kleuren; druk voor zonlicht</translation>
+    </message>
+    <message>
+        <source>Light colours; press for dark</source>
+        <translation>Lichte kleuren; druk voor donker</translation>
+    </message>
+</context>
+<context>
+    <name>TopBar</name>
+    <message>
+        <source>Not saved yet</source>
+        <translation>Nog niet opgeslagen</translation>
+    </message>
+    <message>
+        <source>There are changes that are not saved</source>
+        <translation>Er zijn niet opgeslagen wijzigingen</translation>
+    </message>
+    <message>
+        <source>Hide the results</source>
+        <translation>Resultaten verbergen</translation>
+    </message>
+    <message>
+        <source>Show the results</source>
+        <translation>Resultaten tonen</translation>
+    </message>
+    <message>
+        <source>Open</source>
+        <translation>Openen</translation>
+    </message>
+    <message>
+        <source>Export</source>
+        <translation>Exporteren</translation>
+    </message>
+</context>
+<context>
+    <name>Tour</name>
+    <message>
+        <source>Welcome to Furrow</source>
+        <translation>Welkom bij Furrow</translation>
+    </message>
+    <message>
+        <source>In three minutes from a field to a plan that can be driven. A sample field is opened for you; Ctrl+Z takes everything back. Leave whenever you like: the tour is in the Help menu.</source>
+        <translation>In drie minuten van perceel naar een plan dat te rijden is. Er wordt een voorbeeldperceel voor u geopend; Ctrl+Z maakt alles ongedaan. U kunt op elk moment stoppen: de rondleiding staat in het menu Help.</translation>
+    </message>
+    <message>
+        <source>The steps</source>
+        <translation>De stappen</translation>
+    </message>
+    <message>
+        <source>From top to bottom: the field, the machine, and how it works. Each step says what is chosen and what came of it; press one to change it. Every change plans anew at once.</source>
+        <translation>Van boven naar beneden: het perceel, de machine en hoe zij werkt. Elke stap zegt wat er gekozen is en wat het opleverde; klik op een stap om die te wijzigen. Elke wijziging plant meteen opnieuw.</translation>
+    </message>
+    <message>
+        <source>The map</source>
+        <translation>De kaart</translation>
+    </message>
+    <message>
+        <source>Drag a corner of the field and watch the plan follow. The wheel zooms, dragging the ground moves the map. The dot in the middle of an edge makes another corner; Alt lets go of what catches.</source>
+        <translation>Sleep een hoek van het perceel en het plan volgt. Het wiel zoomt, slepen aan de ondergrond verschuift de kaart. De stip midden op een rand maakt een nieuwe hoek; Alt schakelt het vastklikken uit.</translation>
+    </message>
+    <message>
+        <source>The tools</source>
+        <translation>De gereedschappen</translation>
+    </message>
+    <message>
+        <source>Draw a field, a hole, an obstacle, an AB line or a gate. The lowest button shows the layers: what is drawn of the plan, and your own aerial photos or heights beneath it.</source>
+        <translation>Teken een perceel, een gat, een obstakel, een AB-lijn of een inrit. De onderste knop toont de lagen: wat er van het plan getekend wordt, en daaronder uw eigen luchtfoto’s of hoogten.</translation>
+    </message>
+    <message>
+        <source>What came out</source>
+        <translation>Het resultaat</translation>
+    </message>
+    <message>
+        <source>Area, way and time, and what was found: press a finding and the map goes there. Findings in the way of driving come first, with what would help.</source>
+        <translation>Oppervlakte, weg en tijd, en wat er gevonden is: klik op een bevinding en de kaart gaat erheen. Bevindingen die het rijden verhinderen staan bovenaan, met wat zou helpen.</translation>
+    </message>
+    <message>
+        <source>To the terminal</source>
+        <translation>Naar de terminal</translation>
+    </message>
+    <message>
+        <source>Export writes the plan to a folder or a USB stick, for many terminals, reads it back and compares it. Then save the project: Ctrl+S. Ctrl+K finds every command by name.</source>
+        <translation>Exporteren schrijft het plan voor vele terminals naar een map of een USB-stick, leest het terug en vergelijkt het. Sla daarna het project op: Ctrl+S. Ctrl+K vindt elke opdracht op naam.</translation>
+    </message>
+    <message>
+        <source>%1 of %2</source>
+        <translation>%1 van %2</translation>
+    </message>
+    <message>
+        <source>Leave</source>
+        <translation>Stoppen</translation>
+    </message>
+    <message>
+        <source>Back</source>
+        <translation>Terug</translation>
+    </message>
+    <message>
+        <source>Next</source>
+        <translation>Volgende</translation>
+    </message>
+    <message>
+        <source>Done</source>
+        <translation>Klaar</translation>
+    </message>
+</context>
+<context>
+    <name>UnitText</name>
+    <message>
+        <source>%1 ft</source>
+        <translation>%1 ft</translation>
+    </message>
+    <message>
+        <source>%1 ft²</source>
+        <translation>%1 ft²</translation>
+    </message>
+    <message>
+        <source>%1 m²</source>
+        <translation>%1 m²</translation>
+    </message>
+    <message>
+        <source>%1 ac</source>
+        <translation>%1 ac</translation>
+    </message>
+    <message>
+        <source>%1 ha</source>
+        <translation>%1 ha</translation>
+    </message>
+    <message>
+        <source>%1 mi</source>
+        <translation>%1 mi</translation>
+    </message>
+    <message>
+        <source>%1 km</source>
+        <translation>%1 km</translation>
+    </message>
+    <message>
+        <source>%1 m</source>
+        <translation>%1 m</translation>
+    </message>
+    <message>
+        <source>%1 mph</source>
+        <translation>%1 mph</translation>
+    </message>
+    <message>
+        <source>%1 km/h</source>
+        <translation>%1 km/h</translation>
+    </message>
+    <message>
+        <source>%1 ft/s²</source>
+        <translation>%1 ft/s²</translation>
+    </message>
+    <message>
+        <source>%1 m/s²</source>
+        <translation>%1 m/s²</translation>
+    </message>
+    <message>
+        <source>%1 s</source>
+        <translation>%1 s</translation>
+    </message>
+    <message>
+        <source>%1 min</source>
+        <translation>%1 min</translation>
+    </message>
+    <message>
+        <source>%1 h %2 min</source>
+        <translation>%1 h %2 min</translation>
+    </message>
+    <message>
+        <source>%1 %</source>
+        <translation>%1 %</translation>
+    </message>
+    <message>
+        <source>%1°</source>
+        <translation>%1°</translation>
+    </message>
+</context>
+<context>
+    <name>UnsavedDialog</name>
+    <message>
+        <source>Save the changes of “%1”?</source>
+        <translation>De wijzigingen in ‘%1’ opslaan?</translation>
+    </message>
+    <message>
+        <source>Save your work?</source>
+        <translation>Het werk opslaan?</translation>
+    </message>
+    <message>
+        <source>Cancel</source>
+        <translation>Annuleren</translation>
+    </message>
+    <message>
+        <source>Do not save</source>
+        <translation>Niet opslaan</translation>
+    </message>
+    <message>
+        <source>Save</source>
+        <translation>Opslaan</translation>
+    </message>
+</context>
+<context>
+    <name>furrow::ExportModel</name>
+    <message>
+        <source>Furrow plan</source>
+        <translation>Furrow-plan</translation>
+    </message>
+    <message>
+        <source>Furrow %1</source>
+        <translation>Furrow %1</translation>
+    </message>
+    <message>
+        <source>Writing …</source>
+        <translation>Bezig met schrijven…</translation>
+    </message>
+    <message numerus="yes">
+        <source>%n file(s) written to %1</source>
+        <translation>
+            <numerusform>%n bestand geschreven naar %1</numerusform>
+            <numerusform>%n bestanden geschreven naar %1</numerusform>
+        </translation>
+    </message>
+</context>
+<context>
+    <name>furrow::FarmModel</name>
+    <message>
+        <source>%1 · %2</source>
+        <translation>%1 · %2</translation>
+    </message>
+    <message>
+        <source>Rename the field</source>
+        <translation>Perceel hernoemen</translation>
+    </message>
+    <message>
+        <source>Remove field %1</source>
+        <translation>Perceel %1 verwijderen</translation>
+    </message>
+    <message>
+        <source>Add a plan</source>
+        <translation>Plan toevoegen</translation>
+    </message>
+    <message>
+        <source>Rename the plan</source>
+        <translation>Plan hernoemen</translation>
+    </message>
+    <message>
+        <source>Remove the plan</source>
+        <translation>Plan verwijderen</translation>
+    </message>
+</context>
+<context>
+    <name>furrow::FieldEditor</name>
+    <message>
+        <source>Add a point</source>
+        <translation>Punt toevoegen</translation>
+    </message>
+    <message>
+        <source>Move a point</source>
+        <translation>Punt verplaatsen</translation>
+    </message>
+    <message>
+        <source>Move an edge</source>
+        <translation>Zijde verplaatsen</translation>
+    </message>
+    <message>
+        <source>Move a hole</source>
+        <translation>Gat verplaatsen</translation>
+    </message>
+    <message>
+        <source>Move an obstacle</source>
+        <translation>Obstakel verplaatsen</translation>
+    </message>
+    <message>
+        <source>Move a gate</source>
+        <translation>Inrit verplaatsen</translation>
+    </message>
+    <message>
+        <source>Change the buffer</source>
+        <translation>Afstand wijzigen</translation>
+    </message>
+    <message>
+        <source>Draw a hole</source>
+        <translation>Gat tekenen</translation>
+    </message>
+    <message>
+        <source>Draw an obstacle</source>
+        <translation>Obstakel tekenen</translation>
+    </message>
+    <message>
+        <source>Obstacle %1</source>
+        <translation>Obstakel %1</translation>
+    </message>
+    <message>
+        <source>Add a gate</source>
+        <translation>Inrit toevoegen</translation>
+    </message>
+    <message>
+        <source>Gate %1</source>
+        <translation>Inrit %1</translation>
+    </message>
+    <message>
+        <source>Draw a guidance curve</source>
+        <translation>Stuurcurve tekenen</translation>
+    </message>
+    <message>
+        <source>Draw an AB line</source>
+        <translation>AB-lijn tekenen</translation>
+    </message>
+    <message>
+        <source>Delete a point</source>
+        <translation>Punt verwijderen</translation>
+    </message>
+    <message>
+        <source>Delete a hole</source>
+        <translation>Gat verwijderen</translation>
+    </message>
+    <message>
+        <source>Delete an obstacle</source>
+        <translation>Obstakel verwijderen</translation>
+    </message>
+    <message>
+        <source>Delete a gate</source>
+        <translation>Inrit verwijderen</translation>
+    </message>
+    <message>
+        <source>Delete the guidance line</source>
+        <translation>Stuurlijn verwijderen</translation>
+    </message>
+    <message>
+        <source>Move</source>
+        <translation>Verplaatsen</translation>
+    </message>
+    <message>
+        <source>Change a length</source>
+        <translation>Lengte wijzigen</translation>
+    </message>
+    <message>
+        <source>Change a direction</source>
+        <translation>Richting wijzigen</translation>
+    </message>
+    <message>
+        <source>Let the obstacle be driven on</source>
+        <translation>Obstakel berijdbaar maken</translation>
+    </message>
+    <message>
+        <source>Keep off the obstacle</source>
+        <translation>Niet over het obstakel rijden</translation>
+    </message>
+    <message>
+        <source>Change the gate</source>
+        <translation>Inrit wijzigen</translation>
+    </message>
+    <message>
+        <source>Rename</source>
+        <translation>Hernoemen</translation>
+    </message>
+    <message>
+        <source>AB line along an edge</source>
+        <translation>AB-lijn langs een zijde</translation>
+    </message>
+</context>
+<context>
+    <name>furrow::FiguresModel</name>
+    <message>
+        <source>Area</source>
+        <translation>Oppervlakte</translation>
+    </message>
+    <message>
+        <source>Of the field, holes and obstacles taken out</source>
+        <translation>Van het perceel, zonder gaten en obstakels</translation>
+    </message>
+    <message>
+        <source>Mainland</source>
+        <translation>Binnenakker</translation>
+    </message>
+    <message>
+        <source>What is left inside the headland</source>
+        <translation>Wat binnen de kopakker overblijft</translation>
+    </message>
+    <message>
+        <source>Swaths</source>
+        <translation>Werkgangen</translation>
+    </message>
+    <message>
+        <source>Path</source>
+        <translation>Rijweg</translation>
+    </message>
+    <message>
+        <source>Everything that is driven</source>
+        <translation>Alles wat gereden wordt</translation>
+    </message>
+    <message>
+        <source>Working</source>
+        <translation>Werk</translation>
+    </message>
+    <message>
+        <source>Turning</source>
+        <translation>Draaien</translation>
+    </message>
+    <message>
+        <source>Time</source>
+        <translation>Tijd</translation>
+    </message>
+    <message>
+        <source>Covered</source>
+        <translation>Bewerkt</translation>
+    </message>
+    <message>
+        <source>Share of the field that is worked, measured on the finished path</source>
+        <translation>Bewerkt deel van het perceel, gemeten op de voltooide rijweg</translation>
+    </message>
+    <message>
+        <source>Overlap</source>
+        <translation>Overlap</translation>
+    </message>
+    <message>
+        <source>Share of the field that is worked twice</source>
+        <translation>Deel van het perceel dat dubbel bewerkt wordt</translation>
+    </message>
+</context>
+<context>
+    <name>furrow::ImageryModel</name>
+    <message>
+        <source>%1: %2</source>
+        <translation>%1: %2</translation>
+    </message>
+    <message>
+        <source>Add %1</source>
+        <translation>%1 toevoegen</translation>
+    </message>
+    <message>
+        <source>Add imagery</source>
+        <translation>Luchtfoto toevoegen</translation>
+    </message>
+    <message>
+        <source>Remove %1</source>
+        <translation>%1 verwijderen</translation>
+    </message>
+    <message>
+        <source>Move a layer</source>
+        <translation>Laag verplaatsen</translation>
+    </message>
+    <message>
+        <source>Rename a layer</source>
+        <translation>Laag hernoemen</translation>
+    </message>
+    <message>
+        <source>Show a layer</source>
+        <translation>Laag tonen</translation>
+    </message>
+    <message>
+        <source>Hide a layer</source>
+        <translation>Laag verbergen</translation>
+    </message>
+    <message>
+        <source>Change how strong a layer is</source>
+        <translation>Dekking van een laag wijzigen</translation>
+    </message>
+    <message>
+        <source>Turn the rows of tiles round</source>
+        <translation>Volgorde van de tegelrijen omkeren</translation>
+    </message>
+</context>
+<context>
+    <name>furrow::MachineModel</name>
+    <message>
+        <source>auto · %1</source>
+        <translation>auto · %1</translation>
+    </message>
+</context>
+<context>
+    <name>furrow::ParameterModel</name>
+    <message>
+        <source>auto</source>
+        <translation>auto</translation>
+    </message>
+    <message>
+        <source>auto · %1</source>
+        <translation>auto · %1</translation>
+    </message>
+</context>
+<context>
+    <name>furrow::PlanSession</name>
+    <message>
+        <source>Change the machine</source>
+        <translation>Machine wijzigen</translation>
+    </message>
+    <message>
+        <source>Reading %1 …</source>
+        <translation>%1 lezen…</translation>
+    </message>
+    <message numerus="yes">
+        <source>%n field(s) in this file</source>
+        <translation>
+            <numerusform>%n perceel in dit bestand</numerusform>
+            <numerusform>%n percelen in dit bestand</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>Planning …</source>
+        <translation>Bezig met plannen…</translation>
+    </message>
+    <message>
+        <source>Stopped · this is the plan before the change</source>
+        <translation>Gestopt · dit is het plan van vóór de wijziging</translation>
+    </message>
+    <message>
+        <source>Stopped</source>
+        <translation>Gestopt</translation>
+    </message>
+    <message>
+        <source>No plan</source>
+        <translation>Geen plan</translation>
+    </message>
+    <message>
+        <source>Plan ready · %1 ms</source>
+        <translation>Plan klaar · %1 ms</translation>
+    </message>
+    <message numerus="yes">
+        <source>%1 · %n turn(s) leave the field</source>
+        <translation>
+            <numerusform>%1 · %n draai komt buiten het perceel</numerusform>
+            <numerusform>%1 · %n draaien komen buiten het perceel</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>%1 · %2</source>
+        <translation>%1 · %2</translation>
+    </message>
+    <message numerus="yes">
+        <source>%n file(s)</source>
+        <translation>
+            <numerusform>%n bestand</numerusform>
+            <numerusform>%n bestanden</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>Add field %1</source>
+        <translation>Perceel %1 toevoegen</translation>
+    </message>
+    <message numerus="yes">
+        <source>Add %n field(s)</source>
+        <translation>
+            <numerusform>%n perceel toevoegen</numerusform>
+            <numerusform>%n percelen toevoegen</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>Field %1</source>
+        <translation>Perceel %1</translation>
+    </message>
+    <message>
+        <source>drawn on the map</source>
+        <translation>op de kaart getekend</translation>
+    </message>
+    <message>
+        <source>Change: %1</source>
+        <translation>Wijzigen: %1</translation>
+    </message>
+    <message>
+        <source>Draft · planning …</source>
+        <translation>Concept · bezig met plannen…</translation>
+    </message>
+    <message>
+        <source>Stopped · this is a draft</source>
+        <translation>Gestopt · dit is een concept</translation>
+    </message>
+    <message>
+        <source>Draft · the whole plan follows when you let go</source>
+        <translation>Concept · het hele plan volgt bij het loslaten</translation>
+    </message>
+</context>
+<context>
+    <name>furrow::ProjectFiles</name>
+    <message>
+        <source>Your last work was not saved. Here it is again.</source>
+        <translation>Het laatste werk was niet opgeslagen. Hier is het weer.</translation>
+    </message>
+    <message>
+        <source>Changes of “%1” were not saved. Here they are again.</source>
+        <translation>Wijzigingen in ‘%1’ waren niet opgeslagen. Hier zijn ze weer.</translation>
+    </message>
+    <message>
+        <source>It is kept in the file all the same.</source>
+        <translation>Het blijft toch in het bestand staan.</translation>
+    </message>
+    <message>
+        <source>Restore changes that were not saved</source>
+        <translation>Niet opgeslagen wijzigingen herstellen</translation>
+    </message>
+    <message>
+        <source>Another program changed “%1” while changes of yours were not saved. Yours are shown; undo shows the file.</source>
+        <translation>Een ander programma heeft ‘%1’ gewijzigd terwijl eigen wijzigingen niet opgeslagen waren. De eigen worden getoond; ongedaan maken toont het bestand.</translation>
+    </message>
+    <message>
+        <source>Another program has changed “%1” since it was opened here.</source>
+        <translation>Een ander programma heeft ‘%1’ gewijzigd sinds het hier geopend is.</translation>
+    </message>
+    <message>
+        <source>Save over it, or save yours under another name.</source>
+        <translation>Overschrijven, of onder een andere naam opslaan.</translation>
+    </message>
+    <message>
+        <source>Farm</source>
+        <translation>Bedrijf</translation>
+    </message>
+    <message>
+        <source>%1: %2</source>
+        <translation>%1: %2</translation>
+    </message>
+</context>
+<context>
+    <name>furrow::QuantityText</name>
+    <message>
+        <source>ft</source>
+        <translation>ft</translation>
+    </message>
+    <message>
+        <source>m</source>
+        <translation>m</translation>
+    </message>
+    <message>
+        <source>ac</source>
+        <translation>ac</translation>
+    </message>
+    <message>
+        <source>ha</source>
+        <translation>ha</translation>
+    </message>
+    <message>
+        <source>mph</source>
+        <translation>mph</translation>
+    </message>
+    <message>
+        <source>km/h</source>
+        <translation>km/h</translation>
+    </message>
+    <message>
+        <source>°</source>
+        <translation>°</translation>
+    </message>
+    <message>
+        <source>This is not a length. Type it like 7.3 m, 24 ft or 10&apos;6&quot;.</source>
+        <translation>Dit is geen lengte. Typ bijvoorbeeld 7,3 m, 24 ft of 10&apos;6&quot;.</translation>
+    </message>
+    <message>
+        <source>This is not an area. Type it like 12.5 ha or 30 ac.</source>
+        <translation>Dit is geen oppervlakte. Typ bijvoorbeeld 12,5 ha of 30 ac.</translation>
+    </message>
+    <message>
+        <source>This is not a speed. Type it like 8 km/h or 5 mph.</source>
+        <translation>Dit is geen snelheid. Typ bijvoorbeeld 8 km/h of 5 mph.</translation>
+    </message>
+    <message>
+        <source>This is not an angle. Type it in degrees, like 87.5.</source>
+        <translation>Dit is geen hoek. Typ hem in graden, bijvoorbeeld 87,5.</translation>
+    </message>
+    <message>
+        <source>This is not a number.</source>
+        <translation>Dit is geen getal.</translation>
+    </message>
+    <message>
+        <source>%1 %2</source>
+        <translation>%1 %2</translation>
+    </message>
+    <message>
+        <source>Type something from %1 to %2.</source>
+        <translation>Typ iets van %1 tot %2.</translation>
+    </message>
+    <message>
+        <source>%1 mi</source>
+        <translation>%1 mi</translation>
+    </message>
+    <message>
+        <source>%1 km</source>
+        <translation>%1 km</translation>
+    </message>
+    <message>
+        <source>%1 ft</source>
+        <translation>%1 ft</translation>
+    </message>
+    <message>
+        <source>%1 m</source>
+        <translation>%1 m</translation>
+    </message>
+</context>
+<context>
+    <name>furrow::RecentFiles</name>
+    <message numerus="yes">
+        <source>%n field(s)</source>
+        <translation>
+            <numerusform>%n perceel</numerusform>
+            <numerusform>%n percelen</numerusform>
+        </translation>
+    </message>
+</context>
+<context>
+    <name>furrow::StepsModel</name>
+    <message>
+        <source>mainland %1</source>
+        <translation>binnenakker %1</translation>
+    </message>
+    <message numerus="yes">
+        <source>%n pass(es)</source>
+        <translation>
+            <numerusform>%n gang</numerusform>
+            <numerusform>%n gangen</numerusform>
+        </translation>
+    </message>
+    <message numerus="yes">
+        <source>%n cell(s)</source>
+        <translation>
+            <numerusform>%n deelperceel</numerusform>
+            <numerusform>%n deelpercelen</numerusform>
+        </translation>
+    </message>
+    <message numerus="yes">
+        <source>%n swath(s)</source>
+        <translation>
+            <numerusform>%n werkgang</numerusform>
+            <numerusform>%n werkgangen</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>%1 with turns on the spot</source>
+        <translation>%1 met draaien op de plaats</translation>
+    </message>
+    <message numerus="yes">
+        <source>%n turn(s)</source>
+        <translation>
+            <numerusform>%n draai</numerusform>
+            <numerusform>%n draaien</numerusform>
+        </translation>
+    </message>
+    <message numerus="yes">
+        <source>%n not drivable</source>
+        <translation>
+            <numerusform>%n niet te rijden</numerusform>
+            <numerusform>%n niet te rijden</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>No usable boundary</source>
+        <translation>Geen bruikbare perceelsgrens</translation>
+    </message>
+    <message>
+        <source>No field yet</source>
+        <translation>Nog geen perceel</translation>
+    </message>
+    <message numerus="yes">
+        <source>%n obstacle(s)</source>
+        <translation>
+            <numerusform>%n obstakel</numerusform>
+            <numerusform>%n obstakels</numerusform>
+        </translation>
+    </message>
+    <message numerus="yes">
+        <source>%n hole(s)</source>
+        <translation>
+            <numerusform>%n gat</numerusform>
+            <numerusform>%n gaten</numerusform>
+        </translation>
+    </message>
+    <message numerus="yes">
+        <source>%n boundary point(s)</source>
+        <translation>
+            <numerusform>%n grenspunt</numerusform>
+            <numerusform>%n grenspunten</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>The message on the map says why</source>
+        <translation>De melding op de kaart zegt waarom</translation>
+    </message>
+    <message>
+        <source>Open a file or draw a boundary</source>
+        <translation>Bestand openen of grens tekenen</translation>
+    </message>
+    <message>
+        <source>%1 wide</source>
+        <translation>%1 breed</translation>
+    </message>
+    <message>
+        <source>%1 radius</source>
+        <translation>%1 straal</translation>
+    </message>
+    <message>
+        <source>Field</source>
+        <translation>Perceel</translation>
+    </message>
+    <message>
+        <source>Machine</source>
+        <translation>Machine</translation>
+    </message>
+</context>
+<context>
+    <name>furrow::StickExport</name>
+    <message>
+        <source>%1 free of %2</source>
+        <translation>%1 vrij van %2</translation>
+    </message>
+    <message>
+        <source>Writing …</source>
+        <translation>Bezig met schrijven…</translation>
+    </message>
+    <message>
+        <source>every byte was read back, and the plan read from there is this plan.</source>
+        <translation>elke byte is teruggelezen, en het plan van daar is dit plan.</translation>
+    </message>
+    <message>
+        <source>every byte was read back and is as written.</source>
+        <translation>elke byte is teruggelezen en is zoals geschreven.</translation>
+    </message>
+    <message>
+        <source>Written: %1</source>
+        <translation>Geschreven: %1</translation>
+    </message>
+    <message>
+        <source>Safe to unplug: %1</source>
+        <translation>Stick kan eruit: %1</translation>
+    </message>
+    <message>
+        <source>What was there before is kept as %1.</source>
+        <translation>Wat er eerst stond, blijft bewaard als %1.</translation>
+    </message>
+</context>
+</TS>

@@ -1,0 +1,5509 @@
+<?xml version="1.0" encoding="utf-8"?>
+<!DOCTYPE TS>
+<TS version="2.1" language="pt_BR" sourcelanguage="en">
+<context>
+    <name>AppCommands</name>
+    <message>
+        <source>File</source>
+        <translation>Arquivo</translation>
+    </message>
+    <message>
+        <source>Edit</source>
+        <translation>Editar</translation>
+    </message>
+    <message>
+        <source>Field</source>
+        <translation>Talhão</translation>
+    </message>
+    <message>
+        <source>Plan</source>
+        <translation>Plano</translation>
+    </message>
+    <message>
+        <source>View</source>
+        <translation>Exibir</translation>
+    </message>
+    <message>
+        <source>Help</source>
+        <translation>Ajuda</translation>
+    </message>
+    <message>
+        <source>New project</source>
+        <translation>Novo projeto</translation>
+    </message>
+    <message>
+        <source>farm</source>
+        <translation>propriedade</translation>
+    </message>
+    <message>
+        <source>Open…</source>
+        <translation>Abrir…</translation>
+    </message>
+    <message>
+        <source>boundary import project</source>
+        <translation>limite importar projeto</translation>
+    </message>
+    <message>
+        <source>Save</source>
+        <translation>Salvar</translation>
+    </message>
+    <message>
+        <source>Save as…</source>
+        <translation>Salvar como…</translation>
+    </message>
+    <message>
+        <source>Export the plan…</source>
+        <translation>Exportar o plano…</translation>
+    </message>
+    <message>
+        <source>ISOXML USB terminal</source>
+        <translation>ISOXML USB terminal</translation>
+    </message>
+    <message>
+        <source>Quit</source>
+        <translation>Sair</translation>
+    </message>
+    <message>
+        <source>Undo: %1</source>
+        <translation>Desfazer: %1</translation>
+    </message>
+    <message>
+        <source>Undo</source>
+        <translation>Desfazer</translation>
+    </message>
+    <message>
+        <source>Redo: %1</source>
+        <translation>Refazer: %1</translation>
+    </message>
+    <message>
+        <source>Redo</source>
+        <translation>Refazer</translation>
+    </message>
+    <message>
+        <source>Delete what is selected</source>
+        <translation>Excluir a seleção</translation>
+    </message>
+    <message>
+        <source>Del</source>
+        <translation>Del</translation>
+    </message>
+    <message>
+        <source>Select the next point</source>
+        <translation>Selecionar o próximo ponto</translation>
+    </message>
+    <message>
+        <source>Space</source>
+        <translation>Espaço</translation>
+    </message>
+    <message>
+        <source>Find a command…</source>
+        <translation>Buscar um comando…</translation>
+    </message>
+    <message>
+        <source>Draw a field</source>
+        <translation>Desenhar um talhão</translation>
+    </message>
+    <message>
+        <source>boundary polygon</source>
+        <translation>limite polígono</translation>
+    </message>
+    <message>
+        <source>Draw a hole</source>
+        <translation>Desenhar um vazio</translation>
+    </message>
+    <message>
+        <source>Draw an obstacle</source>
+        <translation>Desenhar um obstáculo</translation>
+    </message>
+    <message>
+        <source>pond tree pole wet</source>
+        <translation>lagoa árvore poste úmido</translation>
+    </message>
+    <message>
+        <source>Draw an AB line</source>
+        <translation>Desenhar uma linha AB</translation>
+    </message>
+    <message>
+        <source>guidance curve direction</source>
+        <translation>orientação curva direção</translation>
+    </message>
+    <message>
+        <source>Add a gate</source>
+        <translation>Adicionar uma entrada</translation>
+    </message>
+    <message>
+        <source>entry road</source>
+        <translation>acesso estrada</translation>
+    </message>
+    <message>
+        <source>Select and change</source>
+        <translation>Selecionar e alterar</translation>
+    </message>
+    <message>
+        <source>Rename the field…</source>
+        <translation>Renomear o talhão…</translation>
+    </message>
+    <message>
+        <source>Remove the field</source>
+        <translation>Remover o talhão</translation>
+    </message>
+    <message>
+        <source>delete</source>
+        <translation>excluir</translation>
+    </message>
+    <message>
+        <source>Next field</source>
+        <translation>Próximo talhão</translation>
+    </message>
+    <message>
+        <source>Add a plan…</source>
+        <translation>Adicionar um plano…</translation>
+    </message>
+    <message>
+        <source>season operation copy</source>
+        <translation>safra operação cópia</translation>
+    </message>
+    <message>
+        <source>Rename the plan…</source>
+        <translation>Renomear o plano…</translation>
+    </message>
+    <message>
+        <source>Remove the plan</source>
+        <translation>Remover o plano</translation>
+    </message>
+    <message>
+        <source>Plan again</source>
+        <translation>Planejar de novo</translation>
+    </message>
+    <message>
+        <source>Show the whole field</source>
+        <translation>Mostrar todo o talhão</translation>
+    </message>
+    <message>
+        <source>Closer</source>
+        <translation>Aproximar</translation>
+    </message>
+    <message>
+        <source>zoom in</source>
+        <translation>ampliar zoom</translation>
+    </message>
+    <message>
+        <source>Further away</source>
+        <translation>Afastar</translation>
+    </message>
+    <message>
+        <source>zoom out</source>
+        <translation>reduzir zoom</translation>
+    </message>
+    <message>
+        <source>Results panel</source>
+        <translation>Resultados</translation>
+    </message>
+    <message>
+        <source>Layer: boundary</source>
+        <translation>Camada: limite do talhão</translation>
+    </message>
+    <message>
+        <source>Layer: headland</source>
+        <translation>Camada: cabeceira</translation>
+    </message>
+    <message>
+        <source>Layer: swaths</source>
+        <translation>Camada: passadas</translation>
+    </message>
+    <message>
+        <source>Layer: turns</source>
+        <translation>Camada: manobras</translation>
+    </message>
+    <message>
+        <source>Layer: driving direction</source>
+        <translation>Camada: sentido de marcha</translation>
+    </message>
+    <message>
+        <source>Layer: order numbers</source>
+        <translation>Camada: números de ordem</translation>
+    </message>
+    <message>
+        <source>Layer: findings</source>
+        <translation>Camada: avisos</translation>
+    </message>
+    <message>
+        <source>Language and units…</source>
+        <translation>Idioma e unidades…</translation>
+    </message>
+    <message>
+        <source>preferences settings metric imperial feet acres</source>
+        <translation>preferências configurações métrico imperial pés acres</translation>
+    </message>
+    <message>
+        <source>Light colours</source>
+        <translation>Cores claras</translation>
+    </message>
+    <message>
+        <source>theme</source>
+        <translation>tema</translation>
+    </message>
+    <message>
+        <source>Dark colours</source>
+        <translation>Cores escuras</translation>
+    </message>
+    <message>
+        <source>theme night</source>
+        <translation>tema noite</translation>
+    </message>
+    <message>
+        <source>Sunlight colours</source>
+        <translation>Cores para pleno sol</translation>
+    </message>
+    <message>
+        <source>theme contrast</source>
+        <translation>tema contraste</translation>
+    </message>
+    <message>
+        <source>Keys and mouse</source>
+        <translation>Teclas e mouse</translation>
+    </message>
+    <message>
+        <source>shortcuts help</source>
+        <translation>atalhos ajuda</translation>
+    </message>
+    <message>
+        <source>Everything at %1 %</source>
+        <translation>Tudo em %1 %</translation>
+    </message>
+    <message>
+        <source>size scaling zoom large text</source>
+        <translation>tamanho escala zoom texto grande</translation>
+    </message>
+    <message>
+        <source>Add imagery…</source>
+        <translation>Adicionar imagens…</translation>
+    </message>
+    <message>
+        <source>GeoTIFF MBTiles aerial photo satellite background heights elevation</source>
+        <translation>GeoTIFF MBTiles foto aérea satélite fundo altitude relevo</translation>
+    </message>
+    <message>
+        <source>Add a folder of tiles…</source>
+        <translation>Adicionar uma pasta de blocos…</translation>
+    </message>
+    <message>
+        <source>imagery XYZ TMS</source>
+        <translation>imagens XYZ TMS</translation>
+    </message>
+    <message>
+        <source>Layers</source>
+        <translation>Camadas</translation>
+    </message>
+    <message>
+        <source>imagery map background</source>
+        <translation>imagens mapa fundo</translation>
+    </message>
+    <message>
+        <source>Layer: imagery</source>
+        <translation>Camada: imagens</translation>
+    </message>
+    <message>
+        <source>Layer: OpenStreetMap from the network</source>
+        <translation>Camada: OpenStreetMap da rede</translation>
+    </message>
+    <message>
+        <source>online tiles</source>
+        <translation>on-line blocos</translation>
+    </message>
+    <message>
+        <source>Layer: coverage</source>
+        <translation>Camada: área trabalhada</translation>
+    </message>
+    <message>
+        <source>Layer: worked twice</source>
+        <translation>Camada: trabalhado duas vezes</translation>
+    </message>
+    <message>
+        <source>overlap</source>
+        <translation>sobreposição</translation>
+    </message>
+    <message>
+        <source>Layer: missed</source>
+        <translation>Camada: falhas</translation>
+    </message>
+    <message>
+        <source>gap uncovered</source>
+        <translation>lacuna não coberta</translation>
+    </message>
+    <message>
+        <source>Layer: driven over often</source>
+        <translation>Camada: muito transitado</translation>
+    </message>
+    <message>
+        <source>wheel passes traffic compaction</source>
+        <translation>passagens de roda tráfego compactação</translation>
+    </message>
+    <message>
+        <source>Take the tour</source>
+        <translation>Fazer a visita guiada</translation>
+    </message>
+    <message>
+        <source>help introduction first start</source>
+        <translation>ajuda introdução primeiro início</translation>
+    </message>
+</context>
+<context>
+    <name>Command</name>
+    <message>
+        <source>Ctrl</source>
+        <translation>Ctrl</translation>
+    </message>
+    <message>
+        <source>Shift</source>
+        <translation>Shift</translation>
+    </message>
+</context>
+<context>
+    <name>CommandPalette</name>
+    <message>
+        <source>Search commands</source>
+        <translation>Buscar comandos</translation>
+    </message>
+    <message>
+        <source>%1: %2</source>
+        <translation>%1: %2</translation>
+    </message>
+    <message>
+        <source>There is no such command</source>
+        <translation>Esse comando não existe</translation>
+    </message>
+</context>
+<context>
+    <name>DraftHint</name>
+    <message>
+        <source>Click the first corner of the field</source>
+        <translation>Clique no primeiro canto do talhão</translation>
+    </message>
+    <message>
+        <source>Click the first corner of the hole</source>
+        <translation>Clique no primeiro canto do vazio</translation>
+    </message>
+    <message>
+        <source>Click the first corner of the obstacle</source>
+        <translation>Clique no primeiro canto do obstáculo</translation>
+    </message>
+    <message>
+        <source>Click on the boundary where the gate is</source>
+        <translation>Clique no limite onde fica a entrada</translation>
+    </message>
+    <message>
+        <source>Click where the AB line begins</source>
+        <translation>Clique onde começa a linha AB</translation>
+    </message>
+    <message>
+        <source>Press and trace it with the pointer</source>
+        <translation>Pressione e siga o contorno com o ponteiro</translation>
+    </message>
+    <message>
+        <source>Length of the next edge</source>
+        <translation>Comprimento do próximo lado</translation>
+    </message>
+    <message>
+        <source>Direction of the next edge</source>
+        <translation>Direção do próximo lado</translation>
+    </message>
+    <message>
+        <source>Add</source>
+        <translation>Adicionar</translation>
+    </message>
+    <message>
+        <source>By hand</source>
+        <translation>À mão livre</translation>
+    </message>
+    <message>
+        <source>Cancel</source>
+        <translation>Cancelar</translation>
+    </message>
+    <message>
+        <source>Finish</source>
+        <translation>Concluir</translation>
+    </message>
+    <message>
+        <source>Close boundary</source>
+        <translation>Fechar o limite</translation>
+    </message>
+</context>
+<context>
+    <name>EmptyState</name>
+    <message>
+        <source>Which field?</source>
+        <translation>Qual talhão?</translation>
+    </message>
+    <message>
+        <source>Open its boundary, or drop the file anywhere on this window. Shapefile, GeoJSON, KML, GeoPackage, GML and others are understood, zipped or not.</source>
+        <translation>Abra o limite ou solte o arquivo em qualquer parte desta janela. Shapefile, GeoJSON, KML, GeoPackage, GML e outros são lidos, compactados ou não.</translation>
+    </message>
+    <message>
+        <source>Open a file…</source>
+        <translation>Abrir um arquivo…</translation>
+    </message>
+    <message>
+        <source>Draw it</source>
+        <translation>Desenhar</translation>
+    </message>
+    <message>
+        <source>Or try one of these</source>
+        <translation>Ou experimente um destes</translation>
+    </message>
+    <message>
+        <source>Sample field %1</source>
+        <translation>Talhão de exemplo %1</translation>
+    </message>
+</context>
+<context>
+    <name>ExportDialog</name>
+    <message>
+        <source>Export the plan</source>
+        <translation>Exportar o plano</translation>
+    </message>
+    <message>
+        <source>USB stick</source>
+        <translation>Pen drive</translation>
+    </message>
+    <message>
+        <source>Files in a folder</source>
+        <translation>Arquivos em uma pasta</translation>
+    </message>
+    <message numerus="yes">
+        <source>%n place(s) in this plan cannot be driven as drawn. The files say so too.</source>
+        <translation>
+            <numerusform>%n lugar deste plano não pode ser percorrido como está. Os arquivos também dizem isso.</numerusform>
+            <numerusform>%n lugares deste plano não podem ser percorridos como estão. Os arquivos também dizem isso.</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>Close</source>
+        <translation>Fechar</translation>
+    </message>
+    <message>
+        <source>Cancel</source>
+        <translation>Cancelar</translation>
+    </message>
+    <message>
+        <source>Writing …</source>
+        <translation>Gravando…</translation>
+    </message>
+    <message>
+        <source>Write to the stick</source>
+        <translation>Gravar no pen drive</translation>
+    </message>
+    <message>
+        <source>Write files</source>
+        <translation>Gravar os arquivos</translation>
+    </message>
+</context>
+<context>
+    <name>ExportFolderPage</name>
+    <message>
+        <source>Folder</source>
+        <translation>Pasta</translation>
+    </message>
+    <message>
+        <source>Choose…</source>
+        <translation>Escolher…</translation>
+    </message>
+    <message>
+        <source>Folder for the plan</source>
+        <translation>Pasta para o plano</translation>
+    </message>
+</context>
+<context>
+    <name>ExportStickPage</name>
+    <message>
+        <source>Terminal</source>
+        <translation>Terminal</translation>
+    </message>
+    <message>
+        <source>Stick</source>
+        <translation>Pen drive</translation>
+    </message>
+    <message>
+        <source>No USB stick is plugged in. It appears here when it is; or choose a folder to carry the files yourself.</source>
+        <translation>Nenhum pen drive conectado. Ele aparece aqui ao ser conectado; ou escolha uma pasta para levar os arquivos por conta própria.</translation>
+    </message>
+    <message>
+        <source>Another folder…</source>
+        <translation>Outra pasta…</translation>
+    </message>
+    <message>
+        <source>%1 is on it already.</source>
+        <translation>%1 já está nele.</translation>
+    </message>
+    <message>
+        <source>It will not be deleted: it is kept under another name.</source>
+        <translation>Não será apagado: fica guardado com outro nome.</translation>
+    </message>
+    <message>
+        <source>Keep it as a backup and write the plan</source>
+        <translation>Guardar como cópia e gravar o plano</translation>
+    </message>
+    <message numerus="yes">
+        <source>and %n more</source>
+        <translation>
+            <numerusform>e mais %n</numerusform>
+            <numerusform>e mais %n</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>Folder in the place of a stick</source>
+        <translation>Pasta no lugar de um pen drive</translation>
+    </message>
+</context>
+<context>
+    <name>FieldActions</name>
+    <message>
+        <source>Open file…</source>
+        <translation>Abrir arquivo…</translation>
+    </message>
+    <message>
+        <source>Draw</source>
+        <translation>Desenhar</translation>
+    </message>
+    <message>
+        <source>Sample field</source>
+        <translation>Talhão de exemplo</translation>
+    </message>
+    <message>
+        <source>Add one to look at</source>
+        <translation>Adicionar um para ver</translation>
+    </message>
+</context>
+<context>
+    <name>FieldChooser</name>
+    <message numerus="yes">
+        <source>Which of the %n field(s)?</source>
+        <translation>
+            <numerusform>É este %n talhão?</numerusform>
+            <numerusform>Qual dos %n talhões?</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>Open none of them</source>
+        <translation>Não abrir nenhum</translation>
+    </message>
+    <message>
+        <source>Open all of them</source>
+        <translation>Abrir todos</translation>
+    </message>
+    <message>
+        <source>%1, %2</source>
+        <translation>%1, %2</translation>
+    </message>
+</context>
+<context>
+    <name>FilesNotice</name>
+    <message>
+        <source>Keep</source>
+        <translation>Manter</translation>
+    </message>
+    <message>
+        <source>OK</source>
+        <translation>OK</translation>
+    </message>
+    <message>
+        <source>Throw away</source>
+        <translation>Descartar</translation>
+    </message>
+    <message>
+        <source>Save over it</source>
+        <translation>Substituir</translation>
+    </message>
+    <message>
+        <source>Save as…</source>
+        <translation>Salvar como…</translation>
+    </message>
+    <message>
+        <source>Later</source>
+        <translation>Mais tarde</translation>
+    </message>
+</context>
+<context>
+    <name>FindingRow</name>
+    <message>
+        <source>Finding %1: %2 %3</source>
+        <translation>Aviso %1: %2 %3</translation>
+    </message>
+</context>
+<context>
+    <name>ImageryList</name>
+    <message>
+        <source>Your own pictures and heights: GeoTIFF, MBTiles or a folder of tiles. They stay on this computer.</source>
+        <translation>Suas próprias imagens e altitudes: GeoTIFF, MBTiles ou uma pasta de blocos. Elas ficam neste computador.</translation>
+    </message>
+    <message>
+        <source>Add files…</source>
+        <translation>Adicionar arquivos…</translation>
+    </message>
+    <message>
+        <source>Add a folder of tiles…</source>
+        <translation>Adicionar uma pasta de blocos…</translation>
+    </message>
+</context>
+<context>
+    <name>ImageryNotice</name>
+    <message>
+        <source>OK</source>
+        <translation>OK</translation>
+    </message>
+</context>
+<context>
+    <name>ImageryRow</name>
+    <message>
+        <source>Show all of %1</source>
+        <translation>Mostrar %1 por inteiro</translation>
+    </message>
+    <message>
+        <source>Move %1 up</source>
+        <translation>Mover %1 para cima</translation>
+    </message>
+    <message>
+        <source>Move %1 down</source>
+        <translation>Mover %1 para baixo</translation>
+    </message>
+    <message>
+        <source>Remove %1</source>
+        <translation>Remover %1</translation>
+    </message>
+    <message>
+        <source>How strong %1 is</source>
+        <translation>Opacidade de %1</translation>
+    </message>
+    <message>
+        <source>Opening …</source>
+        <translation>Abrindo…</translation>
+    </message>
+    <message>
+        <source>Contour lines every %1</source>
+        <translation>Curvas de nível a cada %1</translation>
+    </message>
+    <message>
+        <source>Rows count from the south (TMS)</source>
+        <translation>Linhas contadas a partir do sul (TMS)</translation>
+    </message>
+    <message>
+        <source>Try again</source>
+        <translation>Tentar novamente</translation>
+    </message>
+</context>
+<context>
+    <name>Inspector</name>
+    <message>
+        <source>Name</source>
+        <translation>Nome</translation>
+    </message>
+    <message>
+        <source>boundary</source>
+        <translation>limite do talhão</translation>
+    </message>
+    <message>
+        <source>hole</source>
+        <translation>vazio</translation>
+    </message>
+    <message>
+        <source>obstacle</source>
+        <translation>obstáculo</translation>
+    </message>
+    <message>
+        <source>guidance line</source>
+        <translation>linha de orientação</translation>
+    </message>
+    <message>
+        <source>Several moves</source>
+        <translation>Vários movimentos</translation>
+    </message>
+    <message>
+        <source>Point %1 of the %2</source>
+        <translation>Ponto %1 (%2)</translation>
+    </message>
+    <message>
+        <source>Drag it on the map, move it by arrow keys, or type where it is.</source>
+        <translation>Arraste no mapa, mova com as setas ou digite onde fica.</translation>
+    </message>
+    <message>
+        <source>Latitude</source>
+        <translation>Latitude</translation>
+    </message>
+    <message>
+        <source>Longitude</source>
+        <translation>Longitude</translation>
+    </message>
+    <message>
+        <source>Angle</source>
+        <translation>Ângulo</translation>
+    </message>
+    <message>
+        <source>%1°</source>
+        <translation>%1°</translation>
+    </message>
+    <message>
+        <source>AB line</source>
+        <translation>Linha AB</translation>
+    </message>
+    <message>
+        <source>Edge %1 of the %2</source>
+        <translation>Lado %1 (%2)</translation>
+    </message>
+    <message>
+        <source>One swath lies on it, the others beside it. Drag it or its ends, or type its direction.</source>
+        <translation>Uma passada fica sobre ela, as outras ao lado. Arraste a linha ou as pontas, ou digite a direção.</translation>
+    </message>
+    <message>
+        <source>Drag it to move it sideways; the dot in its middle makes another point.</source>
+        <translation>Arrastar move o lado lateralmente; o ponto no meio cria mais um vértice.</translation>
+    </message>
+    <message>
+        <source>Length</source>
+        <translation>Comprimento</translation>
+    </message>
+    <message>
+        <source>Direction</source>
+        <translation>Direção</translation>
+    </message>
+    <message>
+        <source>Obstacle</source>
+        <translation>Obstáculo</translation>
+    </message>
+    <message>
+        <source>It is not worked, but may be driven on.</source>
+        <translation>Não é trabalhado, mas pode-se passar sobre ele.</translation>
+    </message>
+    <message>
+        <source>It is not worked, and nothing drives nearer than its buffer.</source>
+        <translation>Não é trabalhado, e nada se aproxima mais que a distância.</translation>
+    </message>
+    <message>
+        <source>Buffer</source>
+        <translation>Distância</translation>
+    </message>
+    <message>
+        <source>Area</source>
+        <translation>Área</translation>
+    </message>
+    <message>
+        <source>the end</source>
+        <translation>fim</translation>
+    </message>
+    <message>
+        <source>swath %1</source>
+        <translation>passada %1</translation>
+    </message>
+    <message>
+        <source>pass %1</source>
+        <translation>passada de cabeceira %1</translation>
+    </message>
+    <message>
+        <source>Time</source>
+        <translation>Tempo</translation>
+    </message>
+    <message>
+        <source>Swath %1</source>
+        <translation>Passada %1</translation>
+    </message>
+    <message>
+        <source>It is worked as number %1 of %2, %3 long, in %4.</source>
+        <translation>É trabalhada como número %1 de %2, %3 de comprimento, em %4.</translation>
+    </message>
+    <message>
+        <source>Width</source>
+        <translation>Largura</translation>
+    </message>
+    <message>
+        <source>Headland pass %1</source>
+        <translation>Passada de cabeceira %1</translation>
+    </message>
+    <message>
+        <source>Counted from the outside; %1 are worked here in %2.</source>
+        <translation>Contada de fora; aqui são trabalhados %1 em %2.</translation>
+    </message>
+    <message>
+        <source>Turn from %1 to %2</source>
+        <translation>Manobra: %1 → %2</translation>
+    </message>
+    <message>
+        <source>%1 in reverse, in %2.</source>
+        <translation>%1 de ré, em %2.</translation>
+    </message>
+    <message>
+        <source>%1 with the implement up, in %2.</source>
+        <translation>%1 com o implemento levantado, em %2.</translation>
+    </message>
+    <message>
+        <source>Kind</source>
+        <translation>Tipo</translation>
+    </message>
+    <message>
+        <source>Way from %1 to %2</source>
+        <translation>Caminho: %1 → %2</translation>
+    </message>
+    <message>
+        <source>%1 without working, in %2.</source>
+        <translation>%1 sem trabalhar, em %2.</translation>
+    </message>
+    <message>
+        <source>It cannot be driven like this: %1.</source>
+        <translation>Assim não pode ser percorrido: %1.</translation>
+    </message>
+    <message>
+        <source>Cell %1</source>
+        <translation>Subtalhão %1</translation>
+    </message>
+    <message numerus="yes">
+        <source>A piece of the mainland whose %n swath(s) are driven together.</source>
+        <translation>
+            <numerusform>Um pedaço do interior do talhão com %n passada.</numerusform>
+            <numerusform>Um pedaço do interior do talhão cujas %n passadas são feitas juntas.</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>Swaths</source>
+        <translation>Passadas</translation>
+    </message>
+    <message>
+        <source>Gate</source>
+        <translation>Entrada</translation>
+    </message>
+    <message>
+        <source>Here the machine may enter and leave the field. Drag it along the boundary.</source>
+        <translation>Aqui a máquina pode entrar e sair. Arraste ao longo do limite.</translation>
+    </message>
+    <message>
+        <source>Guidance curve</source>
+        <translation>Curva de orientação</translation>
+    </message>
+    <message>
+        <source>The swaths lie beside it. Drag its points, or delete it.</source>
+        <translation>As passadas ficam ao lado. Arraste os pontos ou exclua a curva.</translation>
+    </message>
+    <message>
+        <source>Points</source>
+        <translation>Pontos</translation>
+    </message>
+    <message>
+        <source>Hole</source>
+        <translation>Vazio</translation>
+    </message>
+    <message>
+        <source>It is no part of the field. Drag it, or its points and edges.</source>
+        <translation>Não faz parte do talhão. Arraste-o, ou seus pontos e lados.</translation>
+    </message>
+    <message>
+        <source>Finding %1</source>
+        <translation>Aviso %1</translation>
+    </message>
+</context>
+<context>
+    <name>InspectorPanel</name>
+    <message>
+        <source>selected</source>
+        <translation>selecionado</translation>
+    </message>
+    <message>
+        <source>%1: %2</source>
+        <translation>%1: %2</translation>
+    </message>
+    <message>
+        <source>May be driven on</source>
+        <translation>Pode-se passar sobre ele</translation>
+    </message>
+    <message>
+        <source>Swaths along it</source>
+        <translation>Passadas ao longo</translation>
+    </message>
+    <message>
+        <source>Delete</source>
+        <translation>Excluir</translation>
+    </message>
+</context>
+<context>
+    <name>KeysDialog</name>
+    <message>
+        <source>Drag the map, wheel</source>
+        <translation>Arrastar o mapa, roda</translation>
+    </message>
+    <message>
+        <source>move, zoom</source>
+        <translation>mover, ampliar</translation>
+    </message>
+    <message>
+        <source>Arrows, + and −</source>
+        <translation>Setas, + e −</translation>
+    </message>
+    <message>
+        <source>move the selection or the map, zoom</source>
+        <translation>mover a seleção ou o mapa, ampliar</translation>
+    </message>
+    <message>
+        <source>, and .</source>
+        <translation>, e .</translation>
+    </message>
+    <message>
+        <source>the point before, the next point</source>
+        <translation>ponto anterior, próximo</translation>
+    </message>
+    <message>
+        <source>Enter</source>
+        <translation>Enter</translation>
+    </message>
+    <message>
+        <source>finish drawing; type into the inspector</source>
+        <translation>concluir o desenho; digitar no inspetor</translation>
+    </message>
+    <message>
+        <source>Alt</source>
+        <translation>Alt</translation>
+    </message>
+    <message>
+        <source>no snapping while it is held</source>
+        <translation>sem encaixe enquanto pressionada</translation>
+    </message>
+    <message>
+        <source>Esc</source>
+        <translation>Esc</translation>
+    </message>
+    <message>
+        <source>stop what was begun</source>
+        <translation>parar o que foi começado</translation>
+    </message>
+    <message>
+        <source>Keys and mouse</source>
+        <translation>Teclas e mouse</translation>
+    </message>
+    <message>
+        <source>%1: %2</source>
+        <translation>%1: %2</translation>
+    </message>
+    <message>
+        <source>Close</source>
+        <translation>Fechar</translation>
+    </message>
+</context>
+<context>
+    <name>LayerSwitches</name>
+    <message>
+        <source>Boundary</source>
+        <translation>Limite do talhão</translation>
+    </message>
+    <message>
+        <source>Headland</source>
+        <translation>Cabeceira</translation>
+    </message>
+    <message>
+        <source>Swaths</source>
+        <translation>Passadas</translation>
+    </message>
+    <message>
+        <source>Order numbers</source>
+        <translation>Números de ordem</translation>
+    </message>
+    <message>
+        <source>Findings</source>
+        <translation>Avisos</translation>
+    </message>
+    <message>
+        <source>Imagery</source>
+        <translation>Imagens</translation>
+    </message>
+    <message>
+        <source>Path</source>
+        <translation>Percurso</translation>
+    </message>
+    <message>
+        <source>Directions</source>
+        <translation>Sentidos</translation>
+    </message>
+    <message>
+        <source>Coverage</source>
+        <translation>Trabalhado</translation>
+    </message>
+    <message>
+        <source>Worked twice</source>
+        <translation>Trabalhado duas vezes</translation>
+    </message>
+    <message>
+        <source>Missed</source>
+        <translation>Falhas</translation>
+    </message>
+    <message>
+        <source>Wheel passes</source>
+        <translation>Passagens de roda</translation>
+    </message>
+</context>
+<context>
+    <name>LayersPanel</name>
+    <message>
+        <source>Layers</source>
+        <translation>Camadas</translation>
+    </message>
+    <message>
+        <source>Close the layers</source>
+        <translation>Fechar as camadas</translation>
+    </message>
+    <message>
+        <source>Imagery</source>
+        <translation>Imagens</translation>
+    </message>
+    <message>
+        <source>From the network</source>
+        <translation>Da rede</translation>
+    </message>
+    <message>
+        <source>OpenStreetMap</source>
+        <translation>OpenStreetMap</translation>
+    </message>
+    <message>
+        <source>Asks openstreetmap.org for what is in view. Off, nothing leaves this computer.</source>
+        <translation>Pede a openstreetmap.org o que está à vista. Desativado, nada sai deste computador.</translation>
+    </message>
+</context>
+<context>
+    <name>MachineFields</name>
+    <message>
+        <source>Machine</source>
+        <translation>Máquina</translation>
+    </message>
+    <message>
+        <source>Back to the original</source>
+        <translation>Valores originais</translation>
+    </message>
+</context>
+<context>
+    <name>Main</name>
+    <message>
+        <source>%1%2 – Furrow</source>
+        <translation>%1%2 – Furrow</translation>
+    </message>
+    <message>
+        <source>Furrow</source>
+        <translation>Furrow</translation>
+    </message>
+    <message>
+        <source>Rename the field</source>
+        <translation>Renomear o talhão</translation>
+    </message>
+    <message>
+        <source>Add a plan</source>
+        <translation>Adicionar um plano</translation>
+    </message>
+    <message>
+        <source>Rename the plan</source>
+        <translation>Renomear o plano</translation>
+    </message>
+    <message>
+        <source>Everything at %1 %</source>
+        <translation>Tudo em %1 %</translation>
+    </message>
+    <message>
+        <source>This holds from the next start of Furrow.</source>
+        <translation>Isto vale a partir do próximo início do Furrow.</translation>
+    </message>
+    <message>
+        <source>OK</source>
+        <translation>OK</translation>
+    </message>
+</context>
+<context>
+    <name>MapPage</name>
+    <message>
+        <source>Map</source>
+        <translation>Mapa</translation>
+    </message>
+</context>
+<context>
+    <name>MapToolBar</name>
+    <message>
+        <source>Select and change (V)</source>
+        <translation>Selecionar e alterar (V)</translation>
+    </message>
+    <message>
+        <source>Draw a field (B)</source>
+        <translation>Desenhar um talhão (B)</translation>
+    </message>
+    <message>
+        <source>Draw a hole (H)</source>
+        <translation>Desenhar um vazio (H)</translation>
+    </message>
+    <message>
+        <source>Draw an obstacle (O)</source>
+        <translation>Desenhar um obstáculo (O)</translation>
+    </message>
+    <message>
+        <source>Draw an AB line (L)</source>
+        <translation>Desenhar uma linha AB (L)</translation>
+    </message>
+    <message>
+        <source>Add a gate (G)</source>
+        <translation>Adicionar uma entrada (G)</translation>
+    </message>
+    <message>
+        <source>Show the whole field (F)</source>
+        <translation>Mostrar todo o talhão (F)</translation>
+    </message>
+    <message>
+        <source>Closer (+)</source>
+        <translation>Aproximar (+)</translation>
+    </message>
+    <message>
+        <source>Further away (−)</source>
+        <translation>Afastar (−)</translation>
+    </message>
+    <message>
+        <source>Layers (Ctrl+L)</source>
+        <translation>Camadas (Ctrl+L)</translation>
+    </message>
+</context>
+<context>
+    <name>NameDialog</name>
+    <message>
+        <source>Name</source>
+        <translation>Nome</translation>
+    </message>
+    <message>
+        <source>Season</source>
+        <translation>Safra</translation>
+    </message>
+    <message>
+        <source>Cancel</source>
+        <translation>Cancelar</translation>
+    </message>
+    <message>
+        <source>OK</source>
+        <translation>OK</translation>
+    </message>
+</context>
+<context>
+    <name>OnlineMap</name>
+    <message>
+        <source>© OpenStreetMap contributors</source>
+        <translation>© Colaboradores do OpenStreetMap</translation>
+    </message>
+</context>
+<context>
+    <name>ParameterField</name>
+    <message>
+        <source>Auto</source>
+        <translation>Auto</translation>
+    </message>
+    <message>
+        <source>%1: let Furrow choose</source>
+        <translation>%1: deixar o Furrow escolher</translation>
+    </message>
+</context>
+<context>
+    <name>Planner</name>
+    <message>
+        <source> and twice %1 of margin</source>
+        <translation> e duas vezes %1 de margem</translation>
+    </message>
+    <message>
+        <source>%1 and %2</source>
+        <translation>%1 e %2</translation>
+    </message>
+    <message>
+        <source>%1 and %2 more</source>
+        <translation>%1 e mais %2</translation>
+    </message>
+    <message>
+        <source>%1 are driven in reverse; the trailed implement cannot.</source>
+        <translation>%1 são percorridos de ré; o implemento rebocado não consegue.</translation>
+    </message>
+    <message>
+        <source>%1 are driven in reverse; this machine cannot.</source>
+        <translation>%1 são percorridos de ré; esta máquina não consegue.</translation>
+    </message>
+    <message>
+        <source>%1 are not worked, %2 of the field, in %3; this is the largest.</source>
+        <translation>%1 não são trabalhados, %2 do talhão, em %3; esta é a maior falha.</translation>
+    </message>
+    <message>
+        <source>%1 bends with a radius of %2; this machine needs %3.</source>
+        <translation>%1 tem curvas com raio de %2; esta máquina precisa de %3.</translation>
+    </message>
+    <message>
+        <source>%1 cannot be driven: %2.</source>
+        <translation>%1 não pode ser percorrido: %2.</translation>
+    </message>
+    <message>
+        <source>%1 cannot be made: %2</source>
+        <translation>não é possível criar %1: %2</translation>
+    </message>
+    <message>
+        <source>%1 cannot be steered</source>
+        <translation>%1 não pode ser esterçado</translation>
+    </message>
+    <message>
+        <source>%1 cannot be worked with</source>
+        <translation>não dá para trabalhar com %1</translation>
+    </message>
+    <message>
+        <source>%1 circle(s) within %2 of the centre are tighter than this machine can follow and are left out</source>
+        <translation>%1 círculo(s) a menos de %2 do centro são mais fechados do que esta máquina consegue seguir e ficam de fora</translation>
+    </message>
+    <message>
+        <source>%1 crosses an obstacle, by %2.</source>
+        <translation>%1 cruza um obstáculo, %2.</translation>
+    </message>
+    <message>
+        <source>%1 crosses an obstacle.</source>
+        <translation>%1 cruza um obstáculo.</translation>
+    </message>
+    <message>
+        <source>%1 does not fit here</source>
+        <translation>%1 não serve aqui</translation>
+    </message>
+    <message>
+        <source>%1 for each swath makes over a million swaths</source>
+        <translation>%1 por passada dão mais de um milhão de passadas</translation>
+    </message>
+    <message>
+        <source>%1 in one piece are not worked.</source>
+        <translation>%1 em um só pedaço não são trabalhados.</translation>
+    </message>
+    <message>
+        <source>%1 is not a whole number</source>
+        <translation>%1 não é um número inteiro</translation>
+    </message>
+    <message>
+        <source>%1 is on the stick already</source>
+        <translation>%1 já está no pen drive</translation>
+    </message>
+    <message>
+        <source>%1 is out of range</source>
+        <translation>%1 está fora da faixa</translation>
+    </message>
+    <message>
+        <source>%1 is planned, but nothing of it is driven with the implement down.</source>
+        <translation>%1 está prevista, mas nada dela é percorrido com o implemento abaixado.</translation>
+    </message>
+    <message>
+        <source>%1 is planned, but only %2 of it is driven with the implement down.</source>
+        <translation>%1 está prevista, mas só %2 dela é percorrido com o implemento abaixado.</translation>
+    </message>
+    <message>
+        <source>%1 jumps by %2.</source>
+        <translation>%1 salta %2.</translation>
+    </message>
+    <message>
+        <source>%1 leaves the field by %2.</source>
+        <translation>%1 sai %2 do talhão.</translation>
+    </message>
+    <message>
+        <source>%1 leaves the field or crosses an obstacle, by up to %2, as this plan allows.</source>
+        <translation>%1 sai do talhão ou cruza um obstáculo, até %2, como este plano permite.</translation>
+    </message>
+    <message>
+        <source>%1 moves %2 off where the machine points.</source>
+        <translation>%1 avança a %2 de onde a máquina aponta.</translation>
+    </message>
+    <message>
+        <source>%1 needs %2</source>
+        <translation>%1 precisa de: %2</translation>
+    </message>
+    <message>
+        <source>%1 of %2 guidance lines of &apos;%3&apos; are there</source>
+        <translation>há %1 de %2 linhas de orientação de “%3”</translation>
+    </message>
+    <message>
+        <source>%1 of %2 swaths are not in the order: %3</source>
+        <translation>%1 de %2 passadas não estão na ordem: %3</translation>
+    </message>
+    <message>
+        <source>%1 of margin leaves nothing of the field to work</source>
+        <translation>%1 de margem não deixam nada do talhão para trabalhar</translation>
+    </message>
+    <message>
+        <source>%1 reads back other bytes than were written</source>
+        <translation>%1 devolve outros bytes que os gravados</translation>
+    </message>
+    <message>
+        <source>%1 small patches of worked pixels are left out</source>
+        <translation>%1 pequenas manchas de pixels trabalhados ficam de fora</translation>
+    </message>
+    <message>
+        <source>%1 swaths and turns leave the field or cross an obstacle, by up to %2, as this plan allows.</source>
+        <translation>%1 passadas e manobras saem do talhão ou cruzam um obstáculo, até %2, como este plano permite.</translation>
+    </message>
+    <message>
+        <source>%1, %2 is no longitude and latitude</source>
+        <translation>%1, %2 não é longitude e latitude</translation>
+    </message>
+    <message>
+        <source>%1, %2 is no longitude and latitude, and the file does not say which coordinate system it uses</source>
+        <translation>%1, %2 não é longitude e latitude, e o arquivo não diz qual sistema de coordenadas usa</translation>
+    </message>
+    <message>
+        <source>%1, %2 is outside longitude -180 to 180 and latitude -90 to 90</source>
+        <translation>%1, %2 está fora da longitude -180 a 180 e latitude -90 a 90</translation>
+    </message>
+    <message>
+        <source>%1, %2, line %3</source>
+        <translation>%1, %2, linha %3</translation>
+    </message>
+    <message>
+        <source>%1, feature %2</source>
+        <translation>%1, objeto %2</translation>
+    </message>
+    <message>
+        <source>%1, gate %2</source>
+        <translation>%1, entrada %2</translation>
+    </message>
+    <message>
+        <source>%1, hole %2</source>
+        <translation>%1, vazio %2</translation>
+    </message>
+    <message>
+        <source>%1, obstacle %2</source>
+        <translation>%1, obstáculo %2</translation>
+    </message>
+    <message>
+        <source>%1, point %2</source>
+        <translation>%1, ponto %2</translation>
+    </message>
+    <message>
+        <source>%1, row %2</source>
+        <translation>%1, linha %2</translation>
+    </message>
+    <message>
+        <source>%1: its machine cannot be used: %2</source>
+        <translation>%1: a máquina não pode ser usada: %2</translation>
+    </message>
+    <message>
+        <source>%1: the setting %2 is not used: %3</source>
+        <translation>%1: a configuração %2 não é usada: %3</translation>
+    </message>
+    <message numerus="yes">
+        <source>%n entries without a shape</source>
+        <translation>
+            <numerusform>%n item sem forma</numerusform>
+            <numerusform>%n itens sem forma</numerusform>
+        </translation>
+    </message>
+    <message numerus="yes">
+        <source>%n fields</source>
+        <translation>
+            <numerusform>%n talhão</numerusform>
+            <numerusform>%n talhões</numerusform>
+        </translation>
+    </message>
+    <message numerus="yes">
+        <source>%n open lines</source>
+        <translation>
+            <numerusform>%n linha aberta</numerusform>
+            <numerusform>%n linhas abertas</numerusform>
+        </translation>
+    </message>
+    <message numerus="yes">
+        <source>%n passes</source>
+        <translation>
+            <numerusform>%n passada</numerusform>
+            <numerusform>%n passadas</numerusform>
+        </translation>
+    </message>
+    <message numerus="yes">
+        <source>%n pieces</source>
+        <translation>
+            <numerusform>%n pedaço</numerusform>
+            <numerusform>%n pedaços</numerusform>
+        </translation>
+    </message>
+    <message numerus="yes">
+        <source>%n places</source>
+        <translation>
+            <numerusform>%n lugar</numerusform>
+            <numerusform>%n lugares</numerusform>
+        </translation>
+    </message>
+    <message numerus="yes">
+        <source>%n points</source>
+        <translation>
+            <numerusform>%n ponto</numerusform>
+            <numerusform>%n pontos</numerusform>
+        </translation>
+    </message>
+    <message numerus="yes">
+        <source>%n points were given twice and taken once</source>
+        <translation>
+            <numerusform>%n ponto estava repetido e conta uma vez</numerusform>
+            <numerusform>%n pontos estavam repetidos e contam uma vez</numerusform>
+        </translation>
+    </message>
+    <message numerus="yes">
+        <source>%n rings did not end where they began and were closed</source>
+        <translation>
+            <numerusform>%n anel não terminava onde começou e foi fechado</numerusform>
+            <numerusform>%n anéis não terminavam onde começaram e foram fechados</numerusform>
+        </translation>
+    </message>
+    <message numerus="yes">
+        <source>%n rings ran the wrong way round and were turned</source>
+        <translation>
+            <numerusform>%n anel estava ao contrário e foi invertido</numerusform>
+            <numerusform>%n anéis estavam ao contrário e foram invertidos</numerusform>
+        </translation>
+    </message>
+    <message numerus="yes">
+        <source>%n spikes without area were removed</source>
+        <translation>
+            <numerusform>%n ponta sem área foi removida</numerusform>
+            <numerusform>%n pontas sem área foram removidas</numerusform>
+        </translation>
+    </message>
+    <message numerus="yes">
+        <source>%n turns</source>
+        <translation>
+            <numerusform>%n manobra</numerusform>
+            <numerusform>%n manobras</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>&apos;%1&apos; is left out: its kind %2 is not known</source>
+        <translation>“%1” fica de fora: o tipo %2 não é conhecido</translation>
+    </message>
+    <message>
+        <source>&apos;%1&apos; is no length</source>
+        <translation>“%1” não é um comprimento</translation>
+    </message>
+    <message>
+        <source>&apos;%1&apos; is no local frame</source>
+        <translation>“%1” não é um sistema local</translation>
+    </message>
+    <message>
+        <source>&apos;%1&apos; is not %2</source>
+        <translation>“%1” não é: %2</translation>
+    </message>
+    <message>
+        <source>&apos;%1&apos; is not a line</source>
+        <translation>“%1” não é uma linha</translation>
+    </message>
+    <message>
+        <source>&apos;%1&apos; is not well-known text</source>
+        <translation>“%1” não é well-known text</translation>
+    </message>
+    <message>
+        <source>&apos;%1&apos;, &apos;%2&apos; is no latitude and longitude; what it belongs to was left out</source>
+        <translation>“%1”, “%2” não é latitude e longitude; o que pertence a ele ficou de fora</translation>
+    </message>
+    <message>
+        <source>&apos;%1&apos;, &apos;%2&apos; is no longitude and latitude</source>
+        <translation>“%1”, “%2” não é longitude e latitude</translation>
+    </message>
+    <message>
+        <source>A and B are %1 apart</source>
+        <translation>A e B estão a %1 um do outro</translation>
+    </message>
+    <message>
+        <source>A bulb to both sides; for swaths nearer than two turning radii.</source>
+        <translation>Com bojo para os dois lados; para passadas a menos de dois raios de giro.</translation>
+    </message>
+    <message>
+        <source>A bulb to one side and straight back; for swaths nearer than two turning radii.</source>
+        <translation>Com bojo para um lado e volta reta; para passadas a menos de dois raios de giro.</translation>
+    </message>
+    <message>
+        <source>A cell gets a heading of its own where that saves time.</source>
+        <translation>Um subtalhão tem direção própria onde isso poupa tempo.</translation>
+    </message>
+    <message>
+        <source>A file of lines: planted rows, or the tramlines of a plan.</source>
+        <translation>Um arquivo de linhas: fileiras plantadas ou os rastros de pulverização de um plano.</translation>
+    </message>
+    <message>
+        <source>A gate&apos;s name or a point; the first gate where nothing is given.</source>
+        <translation>Nome de uma entrada ou um ponto; a primeira entrada onde nada é dado.</translation>
+    </message>
+    <message>
+        <source>A goal of opennav_coverage has one outline: %1 of %2 parts are left out.</source>
+        <translation>Um objetivo do opennav_coverage tem um contorno: %1 de %2 partes ficam de fora.</translation>
+    </message>
+    <message>
+        <source>A headland of %1 may make room (%2 now).</source>
+        <translation>Uma cabeceira de %1 talvez dê espaço (agora %2).</translation>
+    </message>
+    <message>
+        <source>A raster of heights in metres that covers the field, such as a GeoTIFF.</source>
+        <translation>Um raster de altitudes em metros que cubra o talhão, como um GeoTIFF.</translation>
+    </message>
+    <message>
+        <source>A robot with ROS 2</source>
+        <translation>Um robô com ROS 2</translation>
+    </message>
+    <message>
+        <source>A snake within each cluster of swaths, cluster after cluster.</source>
+        <translation>Uma serpente em cada grupo de passadas, grupo após grupo.</translation>
+    </message>
+    <message>
+        <source>A strip of the same width along the boundary and around obstacles, for turning.</source>
+        <translation>Uma faixa de mesma largura ao longo do limite e em volta de obstáculos, para manobrar.</translation>
+    </message>
+    <message>
+        <source>A+</source>
+        <translation>A+</translation>
+    </message>
+    <message>
+        <source>AB curve</source>
+        <translation>Curva AB</translation>
+    </message>
+    <message>
+        <source>AB line</source>
+        <translation>Linha AB</translation>
+    </message>
+    <message>
+        <source>Across the slope: beside a line of equal height, and a new one where that no longer fits.</source>
+        <translation>Cruzando o declive: ao lado de uma curva de nível, e de uma nova onde não serve mais.</translation>
+    </message>
+    <message>
+        <source>After the mainland</source>
+        <translation>Depois do interior</translation>
+    </message>
+    <message>
+        <source>AgBot</source>
+        <translation>AgBot</translation>
+    </message>
+    <message>
+        <source>AgGPS folder</source>
+        <translation>Pasta AgGPS</translation>
+    </message>
+    <message>
+        <source>AgOpenGPS 6, import of ISOXML</source>
+        <translation>AgOpenGPS 6, importação de ISOXML</translation>
+    </message>
+    <message>
+        <source>AgOpenGPS drives recorded paths forwards only, and this one reverses %1 times: its %2 forward stretches are &apos;Part 01.rec&apos; and so on, RecPath.txt is the first; %3 under 5 m are left out.</source>
+        <translation>O AgOpenGPS só percorre para a frente, e este percurso dá ré %1 vezes: seus %2 trechos para a frente são &apos;Part 01.rec&apos; e assim por diante, RecPath.txt é o primeiro; %3 com menos de 5 m ficam de fora.</translation>
+    </message>
+    <message>
+        <source>AgOpenGPS field</source>
+        <translation>Talhão do AgOpenGPS</translation>
+    </message>
+    <message>
+        <source>AgOpenGPS keeps one outline to a field: the %1 parts of &apos;%2&apos; are fields of their own, and the whole path is in the first.</source>
+        <translation>O AgOpenGPS guarda um contorno por talhão: as %1 partes de “%2” são talhões próprios, e todo o percurso está no primeiro.</translation>
+    </message>
+    <message>
+        <source>AgOpenGPS keeps one outline to a field: the %1 parts of &apos;%2&apos; are fields of their own.</source>
+        <translation>O AgOpenGPS guarda um contorno por talhão: as %1 partes de “%2” são talhões próprios.</translation>
+    </message>
+    <message>
+        <source>All swaths along the edge of the boundary that you pick.</source>
+        <translation>Todas as passadas ao longo do lado escolhido do limite.</translation>
+    </message>
+    <message>
+        <source>All swaths along the longest straight edge of the mainland.</source>
+        <translation>Todas as passadas ao longo do lado reto mais longo do interior.</translation>
+    </message>
+    <message>
+        <source>All swaths in the direction that you type.</source>
+        <translation>Todas as passadas na direção digitada.</translation>
+    </message>
+    <message>
+        <source>Along an edge</source>
+        <translation>Ao longo de um lado</translation>
+    </message>
+    <message>
+        <source>Along rows that are there already, or between them.</source>
+        <translation>Ao longo de fileiras que já existem ou entre elas.</translation>
+    </message>
+    <message>
+        <source>Along the boundary</source>
+        <translation>Ao longo do limite</translation>
+    </message>
+    <message>
+        <source>Along the contours</source>
+        <translation>Pelas curvas de nível</translation>
+    </message>
+    <message>
+        <source>Along the direction of travel.</source>
+        <translation>No sentido da marcha.</translation>
+    </message>
+    <message>
+        <source>Along the headland</source>
+        <translation>Pela cabeceira</translation>
+    </message>
+    <message>
+        <source>Along the line from A to B; one swath lies on it.</source>
+        <translation>Ao longo da linha de A a B; uma passada fica sobre ela.</translation>
+    </message>
+    <message>
+        <source>Along the longest edge</source>
+        <translation>Ao longo do lado mais longo</translation>
+    </message>
+    <message>
+        <source>An older ISOBUS terminal</source>
+        <translation>Um terminal ISOBUS mais antigo</translation>
+    </message>
+    <message>
+        <source>Another ISOBUS terminal</source>
+        <translation>Outro terminal ISOBUS</translation>
+    </message>
+    <message>
+        <source>Anywhere</source>
+        <translation>Em qualquer lugar</translation>
+    </message>
+    <message>
+        <source>Arc, straight, arc; for swaths at least two turning radii apart.</source>
+        <translation>Arco, reta, arco; para passadas separadas por pelo menos dois raios de giro.</translation>
+    </message>
+    <message>
+        <source>As few as possible</source>
+        <translation>O mínimo possível</translation>
+    </message>
+    <message>
+        <source>As few swaths, and so turns, as possible.</source>
+        <translation>O mínimo de passadas, e portanto de manobras.</translation>
+    </message>
+    <message>
+        <source>At obstacles</source>
+        <translation>Nos obstáculos</translation>
+    </message>
+    <message>
+        <source>At the left edge</source>
+        <translation>Na borda esquerda</translation>
+    </message>
+    <message>
+        <source>At the right edge</source>
+        <translation>Na borda direita</translation>
+    </message>
+    <message>
+        <source>At the start of the first swath.</source>
+        <translation>No começo da primeira passada.</translation>
+    </message>
+    <message>
+        <source>Before the mainland</source>
+        <translation>Antes do interior</translation>
+    </message>
+    <message>
+        <source>Beside a curve of your own, or beside the edges around the one that you pick.</source>
+        <translation>Ao lado de uma curva própria ou dos lados em torno do escolhido.</translation>
+    </message>
+    <message>
+        <source>Best heading</source>
+        <translation>Melhor direção</translation>
+    </message>
+    <message>
+        <source>Best of all headings</source>
+        <translation>Melhor de todas</translation>
+    </message>
+    <message>
+        <source>Best that fits</source>
+        <translation>A melhor que cabe</translation>
+    </message>
+    <message>
+        <source>Between the fixed and the steered axle.</source>
+        <translation>Entre o eixo fixo e o direcional.</translation>
+    </message>
+    <message>
+        <source>Between the headings that are tried.</source>
+        <translation>Entre as direções testadas.</translation>
+    </message>
+    <message>
+        <source>Between the rows</source>
+        <translation>Entre as fileiras</translation>
+    </message>
+    <message>
+        <source>Boundaries in longitude and latitude.</source>
+        <translation>Limites em longitude e latitude.</translation>
+    </message>
+    <message>
+        <source>Boundaries, also field files of Fields2Cover and GAOS.</source>
+        <translation>Limites, também arquivos do Fields2Cover e GAOS.</translation>
+    </message>
+    <message>
+        <source>Boundaries.</source>
+        <translation>Limites de talhão.</translation>
+    </message>
+    <message>
+        <source>Boundary and guidance lines for Trimble and FM displays; no driving order.</source>
+        <translation>Limite e linhas de orientação para monitores Trimble e FM; sem ordem.</translation>
+    </message>
+    <message>
+        <source>Boundary, headland, heading and order; the robot lays swaths and turns itself.</source>
+        <translation>Limite, cabeceira, direção e ordem; o robô traça ele mesmo passadas e manobras.</translation>
+    </message>
+    <message>
+        <source>Boundary, holes, headland, guidance lines, and the whole driven path as a recorded path.</source>
+        <translation>Limite, vazios, cabeceira, linhas de orientação e todo o percurso como percurso gravado.</translation>
+    </message>
+    <message>
+        <source>Boundary, holes, obstacles and guidance lines for older terminals; no headland, no driving order.</source>
+        <translation>Limite, vazios, obstáculos e linhas de orientação para terminais antigos; sem cabeceira nem ordem.</translation>
+    </message>
+    <message>
+        <source>Boundary, holes, obstacles, gates, headland and guidance lines for terminals; no driving order.</source>
+        <translation>Limite, vazios, obstáculos, entradas, cabeceira e linhas de orientação para terminais; sem ordem.</translation>
+    </message>
+    <message>
+        <source>Boundary, holes, obstacles, headland, swaths and path in metres of the UTM zone.</source>
+        <translation>Limite, vazios, obstáculos, cabeceira, passadas e percurso em metros da zona UTM.</translation>
+    </message>
+    <message>
+        <source>Boundary, obstacles, gates, headland, swaths and path, to look at.</source>
+        <translation>Limite, obstáculos, entradas, cabeceira, passadas e percurso, para ver.</translation>
+    </message>
+    <message>
+        <source>Boundary, obstacles, gates, headland, swaths, path and findings; for maps and programs.</source>
+        <translation>Limite, obstáculos, entradas, cabeceira, passadas, percurso e avisos; para mapas e programas.</translation>
+    </message>
+    <message>
+        <source>Boundary, obstacles, gates, mainland, swaths and path as layers for a GIS.</source>
+        <translation>Limite, obstáculos, entradas, interior, passadas e percurso como camadas para um SIG.</translation>
+    </message>
+    <message>
+        <source>Boundary, obstacles, gates, mainland, swaths and path, a shapefile of each.</source>
+        <translation>Limite, obstáculos, entradas, interior, passadas e percurso, um shapefile de cada.</translation>
+    </message>
+    <message>
+        <source>Bringing the crop in: headland first, swaths overlap a little.</source>
+        <translation>Colher a safra: cabeceira primeiro, as passadas se sobrepõem um pouco.</translation>
+    </message>
+    <message>
+        <source>CSV table</source>
+        <translation>Tabela CSV</translation>
+    </message>
+    <message>
+        <source>Can reverse</source>
+        <translation>Pode dar ré</translation>
+    </message>
+    <message>
+        <source>Can turn in place</source>
+        <translation>Pode girar no lugar</translation>
+    </message>
+    <message>
+        <source>Carried by the tractor, or pulled on a hitch and following its own track.</source>
+        <translation>Montado no trator, ou rebocado em um engate seguindo seu próprio rastro.</translation>
+    </message>
+    <message>
+        <source>Cells</source>
+        <translation>Subtalhões</translation>
+    </message>
+    <message>
+        <source>Centre line</source>
+        <translation>Linha central</translation>
+    </message>
+    <message>
+        <source>Check that the machine stays inside the field while it turns.</source>
+        <translation>Verificar se a máquina fica dentro do talhão ao manobrar.</translation>
+    </message>
+    <message>
+        <source>Choose another place.</source>
+        <translation>Escolha outro lugar.</translation>
+    </message>
+    <message>
+        <source>Choose forward curves, or a machine that can.</source>
+        <translation>Escolha curvas para a frente ou uma máquina que consiga.</translation>
+    </message>
+    <message>
+        <source>Choose forward curves.</source>
+        <translation>Escolha curvas para a frente.</translation>
+    </message>
+    <message>
+        <source>Choose wider turns.</source>
+        <translation>Escolha manobras mais largas.</translation>
+    </message>
+    <message>
+        <source>Circles</source>
+        <translation>Círculos</translation>
+    </message>
+    <message>
+        <source>Clockwise</source>
+        <translation>Sentido horário</translation>
+    </message>
+    <message>
+        <source>Cluster</source>
+        <translation>Grupo</translation>
+    </message>
+    <message>
+        <source>Combine harvester, 7.5 m header</source>
+        <translation>Colheitadeira, plataforma de 7,5 m</translation>
+    </message>
+    <message>
+        <source>Corners</source>
+        <translation>Cantos</translation>
+    </message>
+    <message>
+        <source>Counter-clockwise</source>
+        <translation>Sentido anti-horário</translation>
+    </message>
+    <message>
+        <source>Crop protection: headland first, ways along the headland.</source>
+        <translation>Proteção de plantas: cabeceira primeiro, caminhos pela cabeceira.</translation>
+    </message>
+    <message>
+        <source>Curves are driven with up to %1 sideways; the machine&apos;s limit is less.</source>
+        <translation>As curvas são feitas com até %1 lateral; o limite da máquina é menor.</translation>
+    </message>
+    <message>
+        <source>Curves with reversing</source>
+        <translation>Curvas com ré</translation>
+    </message>
+    <message>
+        <source>Curves with reversing, smooth steering</source>
+        <translation>Curvas com ré, direção suave</translation>
+    </message>
+    <message>
+        <source>Cut along the swaths at every corner.</source>
+        <translation>Dividido ao longo das passadas em cada canto.</translation>
+    </message>
+    <message>
+        <source>Cut along the swaths where an obstacle or a bay begins or ends.</source>
+        <translation>Dividido ao longo das passadas onde começa ou termina um obstáculo ou uma reentrância.</translation>
+    </message>
+    <message>
+        <source>Cut where an obstacle or a bay begins or ends, and joined again where one follows on the other.</source>
+        <translation>Dividido onde começa ou termina um obstáculo ou uma reentrância, e unido de novo onde um segue o outro.</translation>
+    </message>
+    <message>
+        <source>Cutting grass: headland first, swaths overlap a little.</source>
+        <translation>Corte de capim: cabeceira primeiro, as passadas se sobrepõem um pouco.</translation>
+    </message>
+    <message>
+        <source>DXF drawing</source>
+        <translation>Desenho DXF</translation>
+    </message>
+    <message>
+        <source>Direction</source>
+        <translation>Direção</translation>
+    </message>
+    <message>
+        <source>Drawn out until the whole width is covered, as far as there is room.</source>
+        <translation>Prolongado até cobrir toda a largura, enquanto houver espaço.</translation>
+    </message>
+    <message>
+        <source>Drilling or planting: headland last, ways along the headland.</source>
+        <translation>Semeadura ou plantio: cabeceira por último, caminhos pela cabeceira.</translation>
+    </message>
+    <message>
+        <source>Drive</source>
+        <translation>Andar</translation>
+    </message>
+    <message>
+        <source>Drive along the headland where the crop or the seedbed must not be driven on.</source>
+        <translation>Siga pela cabeceira onde não se deve passar sobre a cultura ou o leito de semeadura.</translation>
+    </message>
+    <message>
+        <source>Drive the curves more slowly.</source>
+        <translation>Faça as curvas mais devagar.</translation>
+    </message>
+    <message>
+        <source>Drives the path from waypoint to waypoint, rounding corners its own way; relay 1 is on where the implement works. Not tested on the machine by us.</source>
+        <translation>Vai de ponto em ponto, arredondando cantos a seu modo; o relé 1 fica ligado onde o implemento trabalha. Não testado por nós na máquina.</translation>
+    </message>
+    <message>
+        <source>Drives the whole path, turns included, as a recorded path; stretches in reverse gear are left to the driver. Shows boundary, headland and guidance lines. Copy the field&apos;s folder to Documents/AgOpenGPS/Fields.</source>
+        <translation>Percorre tudo, inclusive as manobras, como percurso gravado; os trechos de ré ficam para o operador. Mostra limite, cabeceira e linhas de orientação. Copie a pasta do talhão para Documents/AgOpenGPS/Fields.</translation>
+    </message>
+    <message>
+        <source>Each its own</source>
+        <translation>Cada um a sua</translation>
+    </message>
+    <message>
+        <source>Edge</source>
+        <translation>Lado</translation>
+    </message>
+    <message>
+        <source>Edge directions and every tenth of a degree, refined; says when nothing better exists.</source>
+        <translation>Direções dos lados e cada décimo de grau, refinado; diz quando não há nada melhor.</translation>
+    </message>
+    <message>
+        <source>End</source>
+        <translation>Fim</translation>
+    </message>
+    <message>
+        <source>Ends</source>
+        <translation>Pontas</translation>
+    </message>
+    <message>
+        <source>Every how many swaths a wider machine will drive again; 0 for none.</source>
+        <translation>A cada quantas passadas uma máquina mais larga passará; 0 para nenhuma.</translation>
+    </message>
+    <message>
+        <source>Every sample of the path; without a plan boundaries as WKT, or as points.</source>
+        <translation>Cada ponto do percurso; sem plano, limites como WKT ou pontos.</translation>
+    </message>
+    <message>
+        <source>Every second swath on the way out, the others on the way back.</source>
+        <translation>Uma passada sim, outra não na ida; as outras na volta.</translation>
+    </message>
+    <message>
+        <source>Every swath after its neighbour, back and forth.</source>
+        <translation>Cada passada após sua vizinha, ida e volta.</translation>
+    </message>
+    <message>
+        <source>Fendt One, Vario terminal</source>
+        <translation>Fendt One, Varioterminal</translation>
+    </message>
+    <message>
+        <source>Fertiliser or manure: headland first, ways along the headland.</source>
+        <translation>Adubo ou esterco: cabeceira primeiro, caminhos pela cabeceira.</translation>
+    </message>
+    <message>
+        <source>Fertiliser spreader, 36 m</source>
+        <translation>Distribuidor de adubo, 36 m</translation>
+    </message>
+    <message>
+        <source>Fewest swaths</source>
+        <translation>Menos passadas</translation>
+    </message>
+    <message>
+        <source>Field robot, 1.5 m weeder</source>
+        <translation>Robô de campo, capinador de 1,5 m</translation>
+    </message>
+    <message>
+        <source>Finish corners</source>
+        <translation>Terminar os cantos</translation>
+    </message>
+    <message>
+        <source>First tramline</source>
+        <translation>Primeiro rastro de pulverização</translation>
+    </message>
+    <message>
+        <source>Fishtail</source>
+        <translation>Manobra rabo de peixe</translation>
+    </message>
+    <message>
+        <source>Five-furrow mounted plough, 2.5 m</source>
+        <translation>Arado montado de cinco corpos, 2,5 m</translation>
+    </message>
+    <message>
+        <source>Forward arc, straight back, forward arc; little room for near swaths.</source>
+        <translation>Arco à frente, reto de ré, arco à frente; pouco espaço para passadas próximas.</translation>
+    </message>
+    <message>
+        <source>Forward curves</source>
+        <translation>Curvas para a frente</translation>
+    </message>
+    <message>
+        <source>Forward curves, smooth steering</source>
+        <translation>Curvas para a frente, direção suave</translation>
+    </message>
+    <message>
+        <source>Forward, back with the wheels the other way, forward again.</source>
+        <translation>À frente, de ré com as rodas para o outro lado, à frente de novo.</translation>
+    </message>
+    <message>
+        <source>Forwards and backwards, the wheels turned no faster than the machine can (clothoids).</source>
+        <translation>Para a frente e de ré, sem virar as rodas mais rápido do que a máquina consegue (clotoides).</translation>
+    </message>
+    <message>
+        <source>From clear of the ground to working depth.</source>
+        <translation>De livre do solo até a profundidade de trabalho.</translation>
+    </message>
+    <message>
+        <source>From inside out</source>
+        <translation>De dentro para fora</translation>
+    </message>
+    <message>
+        <source>From outside in</source>
+        <translation>De fora para dentro</translation>
+    </message>
+    <message>
+        <source>From the boundary to the mainland; holds as many passes as fit.</source>
+        <translation>Do limite ao interior do talhão; contém tantas passadas quantas couberem.</translation>
+    </message>
+    <message>
+        <source>From the fixed axle to the hitch, negative behind the axle.</source>
+        <translation>Do eixo fixo ao engate, negativo atrás do eixo.</translation>
+    </message>
+    <message>
+        <source>From the fixed axle to the middle of the working parts, negative behind the axle.</source>
+        <translation>Do eixo fixo ao meio das partes de trabalho, negativo atrás do eixo.</translation>
+    </message>
+    <message>
+        <source>From the fixed axle to the tractor&apos;s rear end.</source>
+        <translation>Do eixo fixo até a traseira do trator.</translation>
+    </message>
+    <message>
+        <source>From the tractor&apos;s nose to its rear end.</source>
+        <translation>Da frente do trator até a traseira.</translation>
+    </message>
+    <message>
+        <source>From working depth to clear of the ground.</source>
+        <translation>Da profundidade de trabalho até livre do solo.</translation>
+    </message>
+    <message>
+        <source>Front and rear mower, 9 m</source>
+        <translation>Segadora frontal e traseira, 9 m</translation>
+    </message>
+    <message>
+        <source>Fuel at work</source>
+        <translation>Combustível no trabalho</translation>
+    </message>
+    <message>
+        <source>Fuel in turns</source>
+        <translation>Combustível nas manobras</translation>
+    </message>
+    <message>
+        <source>Full spacing; the last swath is moved back to the edge.</source>
+        <translation>Espaçamento total; a última passada é levada à borda.</translation>
+    </message>
+    <message>
+        <source>Full spacing; what does not fit stays uncovered, where it costs least.</source>
+        <translation>Espaçamento total; o que não cabe fica sem cobrir onde custa menos.</translation>
+    </message>
+    <message>
+        <source>Full width</source>
+        <translation>Largura total</translation>
+    </message>
+    <message>
+        <source>Gets the whole path as nav_msgs/Path, and stretches in one gear each where it reverses.</source>
+        <translation>Recebe todo o percurso como nav_msgs/Path, e trechos de uma só marcha onde dá ré.</translation>
+    </message>
+    <message>
+        <source>Given direction</source>
+        <translation>Direção dada</translation>
+    </message>
+    <message>
+        <source>Great Field</source>
+        <translation>Campo Grande</translation>
+    </message>
+    <message>
+        <source>Half way in</source>
+        <translation>A meia largura</translation>
+    </message>
+    <message>
+        <source>Halving the step</source>
+        <translation>Passo pela metade</translation>
+    </message>
+    <message>
+        <source>Harvest</source>
+        <translation>Colheita</translation>
+    </message>
+    <message>
+        <source>Heading</source>
+        <translation>Direção das passadas</translation>
+    </message>
+    <message>
+        <source>Headland</source>
+        <translation>Cabeceira</translation>
+    </message>
+    <message>
+        <source>Headland first or last.</source>
+        <translation>Cabeceira primeiro ou por último.</translation>
+    </message>
+    <message>
+        <source>Heights</source>
+        <translation>Altitudes</translation>
+    </message>
+    <message>
+        <source>Hitch offset</source>
+        <translation>Posição do engate</translation>
+    </message>
+    <message>
+        <source>Home Field</source>
+        <translation>Campo da Sede</translation>
+    </message>
+    <message>
+        <source>How far a trailed implement may swing to one side.</source>
+        <translation>Quanto um implemento rebocado pode virar para um lado.</translation>
+    </message>
+    <message>
+        <source>How far the steered wheels turn to one side.</source>
+        <translation>Quanto as rodas direcionais viram para um lado.</translation>
+    </message>
+    <message>
+        <source>How fast the curvature may change along the path; from the steering rate where it is not given.</source>
+        <translation>Com que rapidez a curvatura pode mudar ao longo do percurso; da velocidade de esterçamento onde não é dada.</translation>
+    </message>
+    <message>
+        <source>How fast the steered wheels turn.</source>
+        <translation>Com que rapidez as rodas direcionais viram.</translation>
+    </message>
+    <message>
+        <source>How headland passes get round corners.</source>
+        <translation>Como as passadas de cabeceira passam pelos cantos.</translation>
+    </message>
+    <message>
+        <source>How much neighbouring swaths overlap.</source>
+        <translation>Quanto as passadas vizinhas se sobrepõem.</translation>
+    </message>
+    <message>
+        <source>How the direction of the swaths is found.</source>
+        <translation>Como se encontra a direção das passadas.</translation>
+    </message>
+    <message>
+        <source>How the machine gets from one swath to the next.</source>
+        <translation>Como a máquina vai de uma passada à próxima.</translation>
+    </message>
+    <message>
+        <source>How the mainland is divided; the swaths of a cell are driven together.</source>
+        <translation>Como o interior é dividido; as passadas de um subtalhão são feitas juntas.</translation>
+    </message>
+    <message>
+        <source>Implement can reverse</source>
+        <translation>O implemento aceita ré</translation>
+    </message>
+    <message>
+        <source>Implement length</source>
+        <translation>Comprimento do implemento</translation>
+    </message>
+    <message>
+        <source>Implement offset</source>
+        <translation>Posição do implemento</translation>
+    </message>
+    <message>
+        <source>In WGS84: A and B of a line, a curve, A alone with a direction, or a pivot&apos;s centre.</source>
+        <translation>Em WGS84: A e B de uma linha, uma curva, só A com uma direção, ou o centro de um pivô.</translation>
+    </message>
+    <message>
+        <source>In which order the headland passes are driven.</source>
+        <translation>Em que ordem são feitas as passadas de cabeceira.</translation>
+    </message>
+    <message>
+        <source>In which order the swaths are driven.</source>
+        <translation>Em que ordem as passadas são feitas.</translation>
+    </message>
+    <message>
+        <source>Largest acceleration</source>
+        <translation>Aceleração máxima</translation>
+    </message>
+    <message>
+        <source>Largest curvature rate</source>
+        <translation>Variação de curvatura máxima</translation>
+    </message>
+    <message>
+        <source>Largest hitch angle</source>
+        <translation>Ângulo de engate máximo</translation>
+    </message>
+    <message>
+        <source>Largest lateral acceleration</source>
+        <translation>Aceleração lateral máxima</translation>
+    </message>
+    <message>
+        <source>Largest speed in turns.</source>
+        <translation>Velocidade máxima nas manobras.</translation>
+    </message>
+    <message>
+        <source>Largest steering angle</source>
+        <translation>Ângulo de esterçamento máximo</translation>
+    </message>
+    <message>
+        <source>Last pass</source>
+        <translation>Última passada</translation>
+    </message>
+    <message>
+        <source>Lateral offset</source>
+        <translation>Deslocamento lateral</translation>
+    </message>
+    <message>
+        <source>Least overlap</source>
+        <translation>Menos sobreposição</translation>
+    </message>
+    <message>
+        <source>Least time</source>
+        <translation>Menos tempo</translation>
+    </message>
+    <message>
+        <source>Leaves some swaths out at each turn and comes back for them.</source>
+        <translation>Pula passadas em cada manobra e volta para fazê-las.</translation>
+    </message>
+    <message>
+        <source>Left out</source>
+        <translation>Puladas</translation>
+    </message>
+    <message>
+        <source>Limits the speed in tight bends.</source>
+        <translation>Limita a velocidade em curvas fechadas.</translation>
+    </message>
+    <message>
+        <source>Line</source>
+        <translation>Linha</translation>
+    </message>
+    <message>
+        <source>Lines in WGS84 along which the mainland is cut; they have to run right through it.</source>
+        <translation>Linhas em WGS84 ao longo das quais o interior é dividido; precisam atravessá-lo por inteiro.</translation>
+    </message>
+    <message>
+        <source>Litres of fuel per hour of turns and transfers.</source>
+        <translation>Litros de combustível por hora de manobras e deslocamentos.</translation>
+    </message>
+    <message>
+        <source>Litres of fuel per hour of work.</source>
+        <translation>Litros de combustível por hora de trabalho.</translation>
+    </message>
+    <message>
+        <source>Long Strip</source>
+        <translation>Faixa Longa</translation>
+    </message>
+    <message>
+        <source>Loop</source>
+        <translation>Laço</translation>
+    </message>
+    <message>
+        <source>Lower the speeds, or correct the machine&apos;s.</source>
+        <translation>Reduza as velocidades ou corrija as da máquina.</translation>
+    </message>
+    <message>
+        <source>MAVLink waypoints</source>
+        <translation>Pontos de passagem MAVLink</translation>
+    </message>
+    <message>
+        <source>Make the gate wider, or take another.</source>
+        <translation>Alargue a entrada ou use outra.</translation>
+    </message>
+    <message>
+        <source>Make the headland wider, or choose other turns.</source>
+        <translation>Alargue a cabeceira ou escolha outras manobras.</translation>
+    </message>
+    <message>
+        <source>Make the headland wider, or choose tighter turns.</source>
+        <translation>Alargue a cabeceira ou escolha manobras mais fechadas.</translation>
+    </message>
+    <message>
+        <source>Margin</source>
+        <translation>Margem</translation>
+    </message>
+    <message>
+        <source>Most covered</source>
+        <translation>Maior área</translation>
+    </message>
+    <message>
+        <source>Most terminals read FAT32 only; this stick has %1. Format it as FAT32.</source>
+        <translation>A maioria dos terminais só lê FAT32; este pen drive tem %1. Formate como FAT32.</translation>
+    </message>
+    <message>
+        <source>Mounted cultivator, 6 m</source>
+        <translation>Cultivador montado, 6 m</translation>
+    </message>
+    <message>
+        <source>Mounted drill, 12 m</source>
+        <translation>Semeadora montada, 12 m</translation>
+    </message>
+    <message>
+        <source>Mounting</source>
+        <translation>Acoplamento</translation>
+    </message>
+    <message>
+        <source>Mowing</source>
+        <translation>Corte</translation>
+    </message>
+    <message>
+        <source>Name</source>
+        <translation>Nome</translation>
+    </message>
+    <message>
+        <source>No headland</source>
+        <translation>Sem cabeceira</translation>
+    </message>
+    <message>
+        <source>Nothing leads to the start of %1, %2 away.</source>
+        <translation>Nada leva ao começo, a %2: %1.</translation>
+    </message>
+    <message>
+        <source>Number of the boundary&apos;s edge, from 0 in the order of its points; for curves with all around it up to a corner of 35 degrees within a width, or a bend of 90 in all.</source>
+        <translation>Número do lado do limite, a partir de 0 na ordem dos pontos; em curvas com todos em volta até um canto de 35 graus em uma largura, ou uma curva de 90 ao todo.</translation>
+    </message>
+    <message>
+        <source>Of the four corners and both ways the one with the quickest turns.</source>
+        <translation>Dos quatro cantos e dos dois sentidos, o de manobras mais rápidas.</translation>
+    </message>
+    <message>
+        <source>Of the middle of the operating width, positive to the left.</source>
+        <translation>Do meio da largura de trabalho, positivo para a esquerda.</translation>
+    </message>
+    <message>
+        <source>Of the swaths.</source>
+        <translation>Das passadas.</translation>
+    </message>
+    <message>
+        <source>Off: the strip is kept for turning only.</source>
+        <translation>Não: a faixa serve só para manobrar.</translation>
+    </message>
+    <message>
+        <source>Omega turn</source>
+        <translation>Manobra em ômega</translation>
+    </message>
+    <message>
+        <source>On the rows</source>
+        <translation>Sobre as fileiras</translation>
+    </message>
+    <message>
+        <source>On the rows, or between them.</source>
+        <translation>Sobre as fileiras ou entre elas.</translation>
+    </message>
+    <message>
+        <source>On the spot</source>
+        <translation>No lugar</translation>
+    </message>
+    <message>
+        <source>One for all</source>
+        <translation>Uma para todos</translation>
+    </message>
+    <message>
+        <source>One piece</source>
+        <translation>Inteiro</translation>
+    </message>
+    <message>
+        <source>Operating width</source>
+        <translation>Largura de trabalho</translation>
+    </message>
+    <message>
+        <source>Operation</source>
+        <translation>Operação</translation>
+    </message>
+    <message>
+        <source>Orchard tractor with 1.5 m sprayer</source>
+        <translation>Trator de pomar com pulverizador de 1,5 m</translation>
+    </message>
+    <message>
+        <source>Order</source>
+        <translation>Ordem</translation>
+    </message>
+    <message>
+        <source>Overlap</source>
+        <translation>Sobreposição</translation>
+    </message>
+    <message>
+        <source>Overlaps its neighbour</source>
+        <translation>Sobrepõe a vizinha</translation>
+    </message>
+    <message>
+        <source>P turn</source>
+        <translation>Manobra em P</translation>
+    </message>
+    <message>
+        <source>Passes</source>
+        <translation>Passadas</translation>
+    </message>
+    <message>
+        <source>Plan again with this machine&apos;s turning radius.</source>
+        <translation>Planeje de novo com o raio de giro desta máquina.</translation>
+    </message>
+    <message>
+        <source>Plan again, or trust the positions.</source>
+        <translation>Planeje de novo ou confie nas posições.</translation>
+    </message>
+    <message>
+        <source>Plan again; the heading or the gear is wrong here.</source>
+        <translation>Planeje de novo; o rumo ou a marcha está errada aqui.</translation>
+    </message>
+    <message>
+        <source>Plan again; the path lacks this pass.</source>
+        <translation>Planeje de novo; falta esta passada no percurso.</translation>
+    </message>
+    <message>
+        <source>Plan again; the path was changed or cut here.</source>
+        <translation>Planeje de novo; o percurso foi alterado ou cortado aqui.</translation>
+    </message>
+    <message>
+        <source>Plan again; the times were changed.</source>
+        <translation>Planeje de novo; os tempos foram alterados.</translation>
+    </message>
+    <message>
+        <source>Plan the turn that is missing here.</source>
+        <translation>Planeje a manobra que falta aqui.</translation>
+    </message>
+    <message>
+        <source>Power harrow and drill, 3 m</source>
+        <translation>Grade rotativa e semeadora, 3 m</translation>
+    </message>
+    <message>
+        <source>Prefer</source>
+        <translation>Preferir</translation>
+    </message>
+    <message>
+        <source>Protobuf message</source>
+        <translation>Mensagem Protobuf</translation>
+    </message>
+    <message>
+        <source>QGroundControl plan</source>
+        <translation>Plano do QGroundControl</translation>
+    </message>
+    <message>
+        <source>Racetrack</source>
+        <translation>Circuito</translation>
+    </message>
+    <message>
+        <source>Raised width</source>
+        <translation>Largura levantado</translation>
+    </message>
+    <message>
+        <source>Rate</source>
+        <translation>Dose</translation>
+    </message>
+    <message>
+        <source>Rear overhang</source>
+        <translation>Balanço traseiro</translation>
+    </message>
+    <message>
+        <source>Recorded path</source>
+        <translation>Percurso gravado</translation>
+    </message>
+    <message>
+        <source>Relay 1 is on where the implement works.</source>
+        <translation>O relé 1 fica ligado onde o implemento trabalha.</translation>
+    </message>
+    <message>
+        <source>Repaired in %1: %2.</source>
+        <translation>Corrigido (%1): %2.</translation>
+    </message>
+    <message>
+        <source>Reverse</source>
+        <translation>Ré</translation>
+    </message>
+    <message>
+        <source>Reverse speed</source>
+        <translation>Velocidade de ré</translation>
+    </message>
+    <message>
+        <source>Round and round the centre of a pivot, from the rim inwards.</source>
+        <translation>Em volta do centro de um pivô, da borda para dentro.</translation>
+    </message>
+    <message>
+        <source>Round and round, with half of the swaths between the way out and the way back.</source>
+        <translation>Em círculo, com metade das passadas entre a ida e a volta.</translation>
+    </message>
+    <message>
+        <source>Round the field</source>
+        <translation>Em volta do talhão</translation>
+    </message>
+    <message>
+        <source>Rounded</source>
+        <translation>Arredondado</translation>
+    </message>
+    <message>
+        <source>Route</source>
+        <translation>Rota</translation>
+    </message>
+    <message>
+        <source>Rows</source>
+        <translation>Fileiras</translation>
+    </message>
+    <message>
+        <source>Rows that are left out, numbered from 1 as in the file; between rows, that on the right.</source>
+        <translation>Fileiras que ficam de fora, a partir de 1 como no arquivo; entre fileiras, a da direita.</translation>
+    </message>
+    <message>
+        <source>Run-in</source>
+        <translation>Aproximação</translation>
+    </message>
+    <message>
+        <source>Same width all round</source>
+        <translation>Mesma largura em volta</translation>
+    </message>
+    <message>
+        <source>Seen from above, turning left at corners.</source>
+        <translation>Visto de cima, virando à esquerda nos cantos.</translation>
+    </message>
+    <message>
+        <source>Seen from above, turning right at corners.</source>
+        <translation>Visto de cima, virando à direita nos cantos.</translation>
+    </message>
+    <message>
+        <source>Short name for the command line.</source>
+        <translation>Nome curto para a linha de comando.</translation>
+    </message>
+    <message>
+        <source>Short passes where corners would leave more than 1 % of the field.</source>
+        <translation>Passadas curtas onde os cantos deixariam mais de 1 % do talhão.</translation>
+    </message>
+    <message>
+        <source>Shortest swaths</source>
+        <translation>Passadas mais curtas</translation>
+    </message>
+    <message>
+        <source>Shows the boundary and the guidance lines; it plans turns and order itself. Not tested on the machine by us.</source>
+        <translation>Mostra o limite e as linhas de orientação; ele mesmo planeja manobras e ordem. Não testado por nós na máquina.</translation>
+    </message>
+    <message>
+        <source>Shows the boundary with holes and obstacles and the guidance lines; it plans turns and order itself. The import may have to be unlocked. Not tested on the machine by us.</source>
+        <translation>Mostra o limite com vazios e obstáculos e as linhas de orientação; ele mesmo planeja manobras e ordem. Talvez seja preciso desbloquear a importação. Não testado por nós na máquina.</translation>
+    </message>
+    <message>
+        <source>Shows the boundary with holes and obstacles, the headland where the terminal knows it, and the guidance lines; it plans turns and order itself. The import may have to be unlocked. Not tested on the machine by us.</source>
+        <translation>Mostra o limite com vazios e obstáculos, a cabeceira se o terminal a conhece, e as linhas de orientação; ele mesmo planeja manobras e ordem. Talvez seja preciso desbloquear a importação. Não testado por nós na máquina.</translation>
+    </message>
+    <message>
+        <source>Shows the boundary, its holes, the headland and the guidance lines, not the path. Holes are written as obstacles, since it overlooks others.</source>
+        <translation>Mostra o limite, os vazios, a cabeceira e as linhas de orientação, não o percurso. Os vazios são gravados como obstáculos, pois ele ignora os outros.</translation>
+    </message>
+    <message>
+        <source>Shows the path as a mission, and the boundary and obstacles as fences. Not tested on the machine by us.</source>
+        <translation>Mostra o percurso como missão, e o limite e os obstáculos como cercas. Não testado por nós na máquina.</translation>
+    </message>
+    <message>
+        <source>Six directions, then ever finer around the best three (Oksanen &amp; Visala).</source>
+        <translation>Seis direções, depois cada vez mais fino em torno das três melhores (Oksanen &amp; Visala).</translation>
+    </message>
+    <message>
+        <source>Six-row planter, 4.5 m</source>
+        <translation>Plantadeira de seis fileiras, 4,5 m</translation>
+    </message>
+    <message>
+        <source>Skip</source>
+        <translation>Pular</translation>
+    </message>
+    <message>
+        <source>Skip and fill</source>
+        <translation>Pular e preencher</translation>
+    </message>
+    <message>
+        <source>Slanted Field</source>
+        <translation>Campo Inclinado</translation>
+    </message>
+    <message>
+        <source>Slow down or stop there to steer, or choose turns with continuous curvature.</source>
+        <translation>Reduza ou pare ali para esterçar, ou escolha manobras com curvatura contínua.</translation>
+    </message>
+    <message>
+        <source>Slurry tanker, 15 m trailing shoe</source>
+        <translation>Tanque de chorume, sapatas de 15 m</translation>
+    </message>
+    <message>
+        <source>Smallest circle the middle of the fixed axle can follow; from the steering angle where it is not given.</source>
+        <translation>Menor círculo que o meio do eixo fixo consegue seguir; do ângulo de esterçamento onde não é dado.</translation>
+    </message>
+    <message>
+        <source>Smallest turning radius</source>
+        <translation>Raio de giro mínimo</translation>
+    </message>
+    <message>
+        <source>Snake</source>
+        <translation>Serpente</translation>
+    </message>
+    <message>
+        <source>So that the wide machine begins flush with the left edge, or beside the line that was given.</source>
+        <translation>Para que a máquina larga comece rente à borda esquerda ou ao lado da linha dada.</translation>
+    </message>
+    <message>
+        <source>Sowing</source>
+        <translation>Semeadura</translation>
+    </message>
+    <message>
+        <source>Speed backwards.</source>
+        <translation>Velocidade para trás.</translation>
+    </message>
+    <message>
+        <source>Speed on longer ways with the implement lifted.</source>
+        <translation>Velocidade em caminhos longos com o implemento levantado.</translation>
+    </message>
+    <message>
+        <source>Speed with the implement at work.</source>
+        <translation>Velocidade com o implemento trabalhando.</translation>
+    </message>
+    <message>
+        <source>Spiral in clusters</source>
+        <translation>Espiral em grupos</translation>
+    </message>
+    <message>
+        <source>Split lines</source>
+        <translation>Linhas de divisão</translation>
+    </message>
+    <message>
+        <source>Spraying</source>
+        <translation>Pulverização</translation>
+    </message>
+    <message>
+        <source>Spread over all</source>
+        <translation>Repartido entre todas</translation>
+    </message>
+    <message>
+        <source>Spreading</source>
+        <translation>Adubação</translation>
+    </message>
+    <message>
+        <source>Start</source>
+        <translation>Início</translation>
+    </message>
+    <message>
+        <source>Start at</source>
+        <translation>Começar em</translation>
+    </message>
+    <message>
+        <source>Stay inside</source>
+        <translation>Ficar dentro</translation>
+    </message>
+    <message>
+        <source>Steering rate</source>
+        <translation>Velocidade de esterçamento</translation>
+    </message>
+    <message>
+        <source>Step</source>
+        <translation>Passo</translation>
+    </message>
+    <message>
+        <source>Straight into the corner and back into it on the next side.</source>
+        <translation>Reto até o canto e de ré no lado seguinte.</translation>
+    </message>
+    <message>
+        <source>Straight into the corner and on after a loop, where there is room for it.</source>
+        <translation>Reto até o canto e adiante após um laço, onde houver espaço.</translation>
+    </message>
+    <message>
+        <source>Straight way needed before the implement is lowered.</source>
+        <translation>Caminho reto necessário antes de abaixar o implemento.</translation>
+    </message>
+    <message>
+        <source>Swath after swath over all of the mainland, whatever cuts them.</source>
+        <translation>Passada após passada por todo o interior, não importa o que as corte.</translation>
+    </message>
+    <message>
+        <source>Swath numbers in driving order; a minus drives one the other way.</source>
+        <translation>Números das passadas em ordem; um menos faz uma ao contrário.</translation>
+    </message>
+    <message>
+        <source>Swaths</source>
+        <translation>Passadas</translation>
+    </message>
+    <message>
+        <source>Swaths go on from cell to cell.</source>
+        <translation>As passadas continuam de um subtalhão ao outro.</translation>
+    </message>
+    <message>
+        <source>Swaths left out at each turn and driven on the way back.</source>
+        <translation>Passadas puladas em cada manobra e feitas na volta.</translation>
+    </message>
+    <message>
+        <source>Swaths reach to the boundary; for fields with room to turn outside.</source>
+        <translation>As passadas vão até o limite; para talhões com espaço para manobrar fora.</translation>
+    </message>
+    <message>
+        <source>Swaths that are finished together.</source>
+        <translation>Passadas concluídas juntas.</translation>
+    </message>
+    <message>
+        <source>Switch &quot;Stay inside&quot; on to keep them inside.</source>
+        <translation>Ative “Ficar dentro” para que não saiam.</translation>
+    </message>
+    <message>
+        <source>Takes the boundary only, as an upload from a computer; no guidance lines, no path.</source>
+        <translation>Recebe só o limite, enviado de um computador; sem linhas de orientação, sem percurso.</translation>
+    </message>
+    <message>
+        <source>Tank or bunker</source>
+        <translation>Tanque ou depósito</translation>
+    </message>
+    <message>
+        <source>Terminals may refuse the task data: %1.</source>
+        <translation>Os terminais podem recusar os dados de tarefa: %1.</translation>
+    </message>
+    <message>
+        <source>The Bend</source>
+        <translation>A Curva</translation>
+    </message>
+    <message>
+        <source>The best corner</source>
+        <translation>O melhor canto</translation>
+    </message>
+    <message>
+        <source>The boundary alone as a flat zipped shapefile, as operations centres take it.</source>
+        <translation>Só o limite como shapefile compactado plano, como aceitam os centros de operações.</translation>
+    </message>
+    <message>
+        <source>The corner where the route starts.</source>
+        <translation>O canto onde a rota começa.</translation>
+    </message>
+    <message>
+        <source>The field bends inwards here: try another direction of the swaths.</source>
+        <translation>O talhão entra aqui para dentro: tente outra direção das passadas.</translation>
+    </message>
+    <message>
+        <source>The field is too narrow for %1 of headland; it is %2 with %3</source>
+        <translation>O talhão é estreito demais para %1 de cabeceira; tem %2 com %3</translation>
+    </message>
+    <message>
+        <source>The field is too narrow for %1 of headland; there is none</source>
+        <translation>O talhão é estreito demais para %1 de cabeceira; não há nenhuma</translation>
+    </message>
+    <message>
+        <source>The field is too narrow for this machine to turn in: turn outside, or take a smaller machine.</source>
+        <translation>O talhão é estreito demais para manobrar com esta máquina: manobre fora ou use uma máquina menor.</translation>
+    </message>
+    <message>
+        <source>The first swath</source>
+        <translation>A primeira passada</translation>
+    </message>
+    <message>
+        <source>The first swath on the left is one, or the line that was given.</source>
+        <translation>A primeira passada à esquerda é um, ou a linha dada.</translation>
+    </message>
+    <message>
+        <source>The first swath on the right is one, or the line that was given.</source>
+        <translation>A primeira passada à direita é um, ou a linha dada.</translation>
+    </message>
+    <message>
+        <source>The headland is worked first.</source>
+        <translation>A cabeceira é trabalhada primeiro.</translation>
+    </message>
+    <message>
+        <source>The headland is worked last.</source>
+        <translation>A cabeceira é trabalhada por último.</translation>
+    </message>
+    <message>
+        <source>The headland strip, %1, is not worked by this plan, nor are %2 at the ends of the swaths beside it.</source>
+        <translation>A faixa da cabeceira, %1, não é trabalhada neste plano, nem %2 nas pontas das passadas ao lado.</translation>
+    </message>
+    <message>
+        <source>The headland strip, %1, is not worked by this plan.</source>
+        <translation>A faixa da cabeceira, %1, não é trabalhada neste plano.</translation>
+    </message>
+    <message>
+        <source>The hitch bends by %1 in %2; %3 are allowed.</source>
+        <translation>O engate dobra %1 em %2; são permitidos %3.</translation>
+    </message>
+    <message>
+        <source>The largest covered share of the mainland.</source>
+        <translation>A maior parte trabalhada do interior.</translation>
+    </message>
+    <message>
+        <source>The least metres driven in swaths.</source>
+        <translation>O mínimo de metros percorridos em passadas.</translation>
+    </message>
+    <message>
+        <source>The machine does not get in at %1.</source>
+        <translation>A máquina não consegue entrar por aqui: %1.</translation>
+    </message>
+    <message>
+        <source>The machine does not get out at %1.</source>
+        <translation>A máquina não consegue sair por aqui: %1.</translation>
+    </message>
+    <message>
+        <source>The machine drives half way between two neighbours.</source>
+        <translation>A máquina vai no meio entre duas vizinhas.</translation>
+    </message>
+    <message>
+        <source>The machine drives over them.</source>
+        <translation>A máquina passa sobre elas.</translation>
+    </message>
+    <message>
+        <source>The machine turns on the spot in %1, by up to %2.</source>
+        <translation>A máquina gira no lugar em %1, até %2.</translation>
+    </message>
+    <message>
+        <source>The machine turns on the spot in %1, by up to %2; it cannot.</source>
+        <translation>A máquina gira no lugar em %1, até %2; ela não consegue.</translation>
+    </message>
+    <message>
+        <source>The mission has %1 items; controllers without a memory card hold about %2.</source>
+        <translation>A missão tem %1 itens; controladores sem cartão guardam cerca de %2.</translation>
+    </message>
+    <message>
+        <source>The outermost pass goes round with the machine&apos;s radius where little is left; others reach into corners.</source>
+        <translation>A passada externa segue o raio da máquina onde sobra pouco; as outras entram nos cantos.</translation>
+    </message>
+    <message>
+        <source>The pass along the boundary first.</source>
+        <translation>Primeiro a passada junto ao limite.</translation>
+    </message>
+    <message>
+        <source>The pass along the mainland first.</source>
+        <translation>Primeiro a passada junto ao interior.</translation>
+    </message>
+    <message>
+        <source>The path as a mission for ArduPilot Rover: waypoints, speeds, gear, implement.</source>
+        <translation>O percurso como missão para ArduPilot Rover: pontos, velocidades, marcha, implemento.</translation>
+    </message>
+    <message>
+        <source>The path as a track, swath ends as a route, gates as waypoints; for phones.</source>
+        <translation>O percurso como trilha, pontas das passadas como rota, entradas como pontos; para celulares.</translation>
+    </message>
+    <message>
+        <source>The path as nav_msgs/Path in a recording of ROS 2.</source>
+        <translation>O percurso como nav_msgs/Path em uma gravação do ROS 2.</translation>
+    </message>
+    <message>
+        <source>The path as one message for ros2 topic pub.</source>
+        <translation>O percurso como uma mensagem para ros2 topic pub.</translation>
+    </message>
+    <message>
+        <source>The path with times, velocities and orientations, and the boundary as a fence; for own robots.</source>
+        <translation>O percurso com tempos, velocidades e orientações, e o limite como cerca; para robôs próprios.</translation>
+    </message>
+    <message>
+        <source>The quickest turn of any kind that stays inside the field, in several moves where it must.</source>
+        <translation>A manobra mais rápida de qualquer tipo que fica dentro do talhão, em vários movimentos se preciso.</translation>
+    </message>
+    <message>
+        <source>The same as KML, zipped.</source>
+        <translation>O mesmo que KML, compactado.</translation>
+    </message>
+    <message>
+        <source>The same mission with the boundary and obstacles as fences.</source>
+        <translation>A mesma missão com o limite e os obstáculos como cercas.</translation>
+    </message>
+    <message>
+        <source>The shortest curve forwards and backwards, at the smallest turning radius (Reeds and Shepp).</source>
+        <translation>A curva mais curta para a frente e de ré, com o menor raio de giro (Reeds e Shepp).</translation>
+    </message>
+    <message>
+        <source>The shortest curve without reversing, at the smallest turning radius (Dubins).</source>
+        <translation>A curva mais curta sem ré, com o menor raio de giro (Dubins).</translation>
+    </message>
+    <message>
+        <source>The shortest time in swaths and turns.</source>
+        <translation>O menor tempo em passadas e manobras.</translation>
+    </message>
+    <message>
+        <source>The smallest area worked twice.</source>
+        <translation>A menor área trabalhada duas vezes.</translation>
+    </message>
+    <message>
+        <source>The spacing is reduced evenly so that all fit.</source>
+        <translation>O espaçamento é reduzido por igual para caberem todas.</translation>
+    </message>
+    <message>
+        <source>The stated curvature differs from the path in %1, by up to %2 1/m.</source>
+        <translation>A curvatura indicada difere do percurso em %1, até %2 1/m.</translation>
+    </message>
+    <message>
+        <source>The stated speed is up to %1 above the machine&apos;s.</source>
+        <translation>A velocidade indicada passa em até %1 a da máquina.</translation>
+    </message>
+    <message>
+        <source>The steering has to turn faster than this machine can in %1.</source>
+        <translation>É preciso esterçar mais rápido do que esta máquina consegue em %1.</translation>
+    </message>
+    <message>
+        <source>The strip kept for turning.</source>
+        <translation>A faixa reservada para manobrar.</translation>
+    </message>
+    <message>
+        <source>The swaths in the order and direction that you type.</source>
+        <translation>As passadas na ordem e no sentido digitados.</translation>
+    </message>
+    <message>
+        <source>The table holds boundaries only: obstacles, gates and lines are left out.</source>
+        <translation>A tabela contém só limites: obstáculos, entradas e linhas ficam de fora.</translation>
+    </message>
+    <message>
+        <source>The task data has %1 MB; old terminals take at most 2 MB.</source>
+        <translation>Os dados de tarefa têm %1 MB; terminais antigos aceitam no máximo 2 MB.</translation>
+    </message>
+    <message>
+        <source>The tractor may drive backwards with it.</source>
+        <translation>O trator pode dar ré com ele.</translation>
+    </message>
+    <message>
+        <source>The tractor may drive backwards.</source>
+        <translation>O trator pode andar de ré.</translation>
+    </message>
+    <message>
+        <source>The tractor may turn about its own middle.</source>
+        <translation>O trator pode girar sobre o próprio centro.</translation>
+    </message>
+    <message>
+        <source>The way from %1 to %2</source>
+        <translation>O caminho %1 → %2</translation>
+    </message>
+    <message>
+        <source>This machine cannot turn on the spot.</source>
+        <translation>Esta máquina não consegue girar no lugar.</translation>
+    </message>
+    <message>
+        <source>This stick has %1 partitions; terminals see the first one only, if any.</source>
+        <translation>Este pen drive tem %1 partições; os terminais veem no máximo a primeira.</translation>
+    </message>
+    <message>
+        <source>Three Ponds</source>
+        <translation>Três Lagoas</translation>
+    </message>
+    <message>
+        <source>Three-point turn</source>
+        <translation>Manobra em três pontos</translation>
+    </message>
+    <message>
+        <source>Through point A in the direction that you type.</source>
+        <translation>Pelo ponto A na direção digitada.</translation>
+    </message>
+    <message>
+        <source>Tillage</source>
+        <translation>Preparo do solo</translation>
+    </message>
+    <message>
+        <source>Time and way do not fit the speed in %1.</source>
+        <translation>O tempo e a distância não combinam com a velocidade em %1.</translation>
+    </message>
+    <message>
+        <source>Time to lift</source>
+        <translation>Tempo para levantar</translation>
+    </message>
+    <message>
+        <source>Time to lower</source>
+        <translation>Tempo para abaixar</translation>
+    </message>
+    <message>
+        <source>To and fro</source>
+        <translation>Ida e volta</translation>
+    </message>
+    <message>
+        <source>Trailed sprayer, 24 m boom</source>
+        <translation>Pulverizador rebocado, barra de 24 m</translation>
+    </message>
+    <message>
+        <source>Tramline every</source>
+        <translation>Rastro de pulverização a cada</translation>
+    </message>
+    <message>
+        <source>Transfer speed</source>
+        <translation>Velocidade de deslocamento</translation>
+    </message>
+    <message>
+        <source>Trapezoids</source>
+        <translation>Trapézios</translation>
+    </message>
+    <message>
+        <source>Tries every heading in steps and keeps the best (the paper&apos;s search).</source>
+        <translation>Testa todas as direções em passos e fica com a melhor (a busca do artigo).</translation>
+    </message>
+    <message>
+        <source>Try another direction of the swaths, or let the last pass overlap.</source>
+        <translation>Tente outra direção das passadas ou deixe a última sobrepor.</translation>
+    </message>
+    <message>
+        <source>Try another direction of the swaths, or plan the sides of the obstacle apart.</source>
+        <translation>Tente outra direção das passadas ou planeje separadamente os lados do obstáculo.</translation>
+    </message>
+    <message>
+        <source>Turn</source>
+        <translation>Manobra</translation>
+    </message>
+    <message>
+        <source>Turning speed</source>
+        <translation>Velocidade de manobra</translation>
+    </message>
+    <message>
+        <source>Turns</source>
+        <translation>Manobras</translation>
+    </message>
+    <message>
+        <source>Turns in place and drives straight to the next swath; only for machines that can.</source>
+        <translation>Gira no lugar e vai reto à próxima passada; só para máquinas que conseguem.</translation>
+    </message>
+    <message>
+        <source>U turn</source>
+        <translation>Manobra em U</translation>
+    </message>
+    <message>
+        <source>Vehicle length</source>
+        <translation>Comprimento do veículo</translation>
+    </message>
+    <message>
+        <source>Vehicle width</source>
+        <translation>Largura do veículo</translation>
+    </message>
+    <message>
+        <source>Ways</source>
+        <translation>Caminhos</translation>
+    </message>
+    <message>
+        <source>Ways keep to the field&apos;s edge.</source>
+        <translation>Os caminhos ficam na borda do talhão.</translation>
+    </message>
+    <message>
+        <source>Ways keep to the headland; crop and seedbed are not driven over.</source>
+        <translation>Os caminhos ficam na cabeceira; não se passa sobre a cultura nem o leito de semeadura.</translation>
+    </message>
+    <message>
+        <source>Ways may cross the mainland.</source>
+        <translation>Os caminhos podem cruzar o interior.</translation>
+    </message>
+    <message>
+        <source>Well-known text</source>
+        <translation>Well-known text</translation>
+    </message>
+    <message>
+        <source>What becomes of the width that is left over at the far side.</source>
+        <translation>O que acontece com a largura que sobra do outro lado.</translation>
+    </message>
+    <message>
+        <source>What everything keeps from the boundary; auto is the boundary&apos;s accuracy.</source>
+        <translation>O que tudo mantém do limite; auto é a precisão do limite.</translation>
+    </message>
+    <message>
+        <source>What is spread or gathered on a square metre, in the same unit.</source>
+        <translation>O que se aplica ou se colhe em um metro quadrado, na mesma unidade.</translation>
+    </message>
+    <message>
+        <source>What it holds, in your own unit: litres, kilograms, seeds.</source>
+        <translation>O que cabe, na sua própria unidade: litros, quilos, sementes.</translation>
+    </message>
+    <message>
+        <source>What the field is driven over for: sets when the headland is worked, ways and overlap.</source>
+        <translation>Para que se entra no talhão: define quando a cabeceira é trabalhada, os caminhos e a sobreposição.</translation>
+    </message>
+    <message>
+        <source>What the machine is called.</source>
+        <translation>Como a máquina se chama.</translation>
+    </message>
+    <message>
+        <source>What the search for the best heading looks for.</source>
+        <translation>O que a busca da melhor direção procura.</translation>
+    </message>
+    <message>
+        <source>Wheelbase</source>
+        <translation>Entre-eixos</translation>
+    </message>
+    <message>
+        <source>When</source>
+        <translation>Quando</translation>
+    </message>
+    <message>
+        <source>When speeding up and when braking.</source>
+        <translation>Ao acelerar e ao frear.</translation>
+    </message>
+    <message>
+        <source>Where a swath ends at a slanting edge.</source>
+        <translation>Onde uma passada termina em uma borda inclinada.</translation>
+    </message>
+    <message>
+        <source>Where the machine may drive from swath to swath; follows from the operation.</source>
+        <translation>Por onde a máquina pode ir de passada a passada; segue da operação.</translation>
+    </message>
+    <message>
+        <source>Where the middle of the swath meets the mainland&apos;s edge.</source>
+        <translation>Onde o meio da passada encontra a borda do interior.</translation>
+    </message>
+    <message>
+        <source>Where tramlines are counted from.</source>
+        <translation>De onde se contam os rastros de pulverização.</translation>
+    </message>
+    <message>
+        <source>Whether cells have a heading of their own.</source>
+        <translation>Se os subtalhões têm direção própria.</translation>
+    </message>
+    <message>
+        <source>Which way round the headland passes are driven.</source>
+        <translation>Em que sentido são feitas as passadas de cabeceira.</translation>
+    </message>
+    <message>
+        <source>Width</source>
+        <translation>Largura</translation>
+    </message>
+    <message>
+        <source>Width in operating widths; auto leaves room for the turns.</source>
+        <translation>Largura em larguras de trabalho; auto deixa espaço para as manobras.</translation>
+    </message>
+    <message>
+        <source>Width the tractor occupies, wheels included.</source>
+        <translation>Largura que o trator ocupa, rodas incluídas.</translation>
+    </message>
+    <message>
+        <source>Width while lifted or folded for a turn; the operating width where it is not given.</source>
+        <translation>Largura levantado ou dobrado para uma manobra; a largura de trabalho onde não é dada.</translation>
+    </message>
+    <message>
+        <source>Width worked in one pass.</source>
+        <translation>Largura trabalhada em uma passada.</translation>
+    </message>
+    <message>
+        <source>With the implement up, %1 are driven over worked land and %2 over land that is worked later; %3 is the longest.</source>
+        <translation>Com o implemento levantado, passa-se %1 sobre solo trabalhado e %2 sobre solo trabalhado depois; o mais longo é %3.</translation>
+    </message>
+    <message>
+        <source>Without reversing, the wheels turned no faster than the machine can (clothoids).</source>
+        <translation>Sem ré, sem virar as rodas mais rápido do que a máquina consegue (clotoides).</translation>
+    </message>
+    <message>
+        <source>Work it along the boundary, before or after the swaths.</source>
+        <translation>Trabalhe-a ao longo do limite, antes ou depois das passadas.</translation>
+    </message>
+    <message>
+        <source>Work the headland</source>
+        <translation>Trabalhar a cabeceira</translation>
+    </message>
+    <message>
+        <source>Working speed</source>
+        <translation>Velocidade de trabalho</translation>
+    </message>
+    <message>
+        <source>Working the soil: the mainland may be crossed.</source>
+        <translation>Preparo do solo: o interior pode ser cruzado.</translation>
+    </message>
+    <message>
+        <source>Your own order</source>
+        <translation>Ordem própria</translation>
+    </message>
+    <message>
+        <source>Zipped boundary</source>
+        <translation>Limite compactado</translation>
+    </message>
+    <message>
+        <source>a coordinate is not a number</source>
+        <translation>uma coordenada não é um número</translation>
+    </message>
+    <message>
+        <source>a curve needs at least two points that differ</source>
+        <translation>uma curva precisa de pelo menos dois pontos diferentes</translation>
+    </message>
+    <message>
+        <source>a drawing does not say which coordinate system it uses</source>
+        <translation>um desenho não diz qual sistema de coordenadas usa</translation>
+    </message>
+    <message>
+        <source>a hole lies outside the boundary</source>
+        <translation>um vazio fica fora do limite</translation>
+    </message>
+    <message>
+        <source>a hole of &apos;%1&apos; is missing or another</source>
+        <translation>um vazio de “%1” falta ou é outro</translation>
+    </message>
+    <message>
+        <source>a machine is one JSON object</source>
+        <translation>uma máquina é um objeto JSON</translation>
+    </message>
+    <message>
+        <source>a number</source>
+        <translation>um número</translation>
+    </message>
+    <message>
+        <source>a number is too large to be read</source>
+        <translation>um número é grande demais para ser lido</translation>
+    </message>
+    <message>
+        <source>a part of the boundary of &apos;%1&apos; is missing or another</source>
+        <translation>uma parte do limite de “%1” falta ou é outra</translation>
+    </message>
+    <message>
+        <source>a point</source>
+        <translation>um ponto</translation>
+    </message>
+    <message>
+        <source>a point has no place in EPSG:%1</source>
+        <translation>um ponto não tem lugar em EPSG:%1</translation>
+    </message>
+    <message>
+        <source>a point or a line in WGS84 such as LINESTRING (4.1 52.0, 4.2 52.0)</source>
+        <translation>um ponto ou uma linha em WGS84 como LINESTRING (4.1 52.0, 4.2 52.0)</translation>
+    </message>
+    <message>
+        <source>a sliver of %1 was left out</source>
+        <translation>uma lasca de %1 foi deixada de fora</translation>
+    </message>
+    <message>
+        <source>a track that ended %1 from where it began was closed</source>
+        <translation>uma trilha que terminava a %1 do começo foi fechada</translation>
+    </message>
+    <message>
+        <source>a value of its own</source>
+        <translation>um valor próprio</translation>
+    </message>
+    <message>
+        <source>add the .prj file that belongs to it, or export the field again in WGS84</source>
+        <translation>adicione o arquivo .prj correspondente ou exporte o talhão de novo em WGS84</translation>
+    </message>
+    <message>
+        <source>allow it to be kept as a backup</source>
+        <translation>permita guardá-lo como cópia</translation>
+    </message>
+    <message>
+        <source>an obstacle</source>
+        <translation>um obstáculo</translation>
+    </message>
+    <message>
+        <source>an offset is not a finite number</source>
+        <translation>um deslocamento não é um número finito</translation>
+    </message>
+    <message>
+        <source>an overlap of %1 leaves nothing of %2</source>
+        <translation>uma sobreposição de %1 não deixa nada de %2</translation>
+    </message>
+    <message>
+        <source>both headland.width_m and headland.passes are given</source>
+        <translation>headland.width_m e headland.passes foram dados juntos</translation>
+    </message>
+    <message>
+        <source>boundary accuracy</source>
+        <translation>precisão do limite</translation>
+    </message>
+    <message>
+        <source>changes cannot be kept for the case of a crash: %1</source>
+        <translation>as alterações não podem ser guardadas para o caso de uma falha: %1</translation>
+    </message>
+    <message>
+        <source>check its coordinates</source>
+        <translation>verifique as coordenadas</translation>
+    </message>
+    <message>
+        <source>check that the folder can be written to</source>
+        <translation>verifique se é possível gravar na pasta</translation>
+    </message>
+    <message>
+        <source>check that you may read it</source>
+        <translation>verifique se há permissão para lê-lo</translation>
+    </message>
+    <message>
+        <source>check the boundary for crossings</source>
+        <translation>verifique se o limite se cruza</translation>
+    </message>
+    <message>
+        <source>check the coordinate system, correct this point, or split the field</source>
+        <translation>verifique o sistema de coordenadas, corrija este ponto ou divida o talhão</translation>
+    </message>
+    <message>
+        <source>check the file&apos;s coordinate system</source>
+        <translation>verifique o sistema de coordenadas do arquivo</translation>
+    </message>
+    <message>
+        <source>check the operating width and the overlap</source>
+        <translation>verifique a largura de trabalho e a sobreposição</translation>
+    </message>
+    <message>
+        <source>check the path</source>
+        <translation>verifique o caminho</translation>
+    </message>
+    <message>
+        <source>choose a narrower headland or a narrower machine</source>
+        <translation>escolha uma cabeceira ou uma máquina mais estreita</translation>
+    </message>
+    <message>
+        <source>choose a smaller machine or check the boundary&apos;s coordinate system</source>
+        <translation>escolha uma máquina menor ou verifique o sistema de coordenadas do limite</translation>
+    </message>
+    <message>
+        <source>choose another format</source>
+        <translation>escolha outro formato</translation>
+    </message>
+    <message>
+        <source>choose one by its number in the file: %1</source>
+        <translation>escolha um pelo número no arquivo: %1</translation>
+    </message>
+    <message>
+        <source>choose the format rosbag2-mcap</source>
+        <translation>escolha o formato rosbag2-mcap</translation>
+    </message>
+    <message>
+        <source>close it there first</source>
+        <translation>feche-o lá primeiro</translation>
+    </message>
+    <message>
+        <source>contour needs heights</source>
+        <translation>curvas de nível precisam de altitudes</translation>
+    </message>
+    <message>
+        <source>copy or export it again</source>
+        <translation>copie ou exporte de novo</translation>
+    </message>
+    <message>
+        <source>copy the whole folder</source>
+        <translation>copie a pasta inteira</translation>
+    </message>
+    <message>
+        <source>correct or delete this point in the file</source>
+        <translation>corrija ou exclua este ponto no arquivo</translation>
+    </message>
+    <message>
+        <source>could not be read: %1</source>
+        <translation>não foi possível ler: %1</translation>
+    </message>
+    <message>
+        <source>could not be written: %1</source>
+        <translation>não foi possível gravar: %1</translation>
+    </message>
+    <message>
+        <source>crosses an obstacle</source>
+        <translation>cruza um obstáculo</translation>
+    </message>
+    <message>
+        <source>cut it into the days or fields that it holds</source>
+        <translation>divida-o nos dias ou talhões que contém</translation>
+    </message>
+    <message>
+        <source>decimal commas in the place of the field were taken for points</source>
+        <translation>vírgulas decimais na posição do talhão foram lidas como pontos</translation>
+    </message>
+    <message>
+        <source>delete some of them</source>
+        <translation>exclua alguns</translation>
+    </message>
+    <message>
+        <source>delete the hole that covers it</source>
+        <translation>exclua o vazio que o cobre</translation>
+    </message>
+    <message>
+        <source>did you mean &apos;%1&apos;?</source>
+        <translation>seria “%1”?</translation>
+    </message>
+    <message>
+        <source>did you mean &apos;%1&apos;? use one of: %2; or give a machine file (.json)</source>
+        <translation>seria “%1”? use uma de: %2; ou dê um arquivo de máquina (.json)</translation>
+    </message>
+    <message>
+        <source>download the file and give its path</source>
+        <translation>baixe o arquivo e dê o caminho</translation>
+    </message>
+    <message>
+        <source>draw it again</source>
+        <translation>desenhe de novo</translation>
+    </message>
+    <message>
+        <source>draw it again with at least 3 corners</source>
+        <translation>desenhe de novo com pelo menos 3 cantos</translation>
+    </message>
+    <message>
+        <source>draw one or open a file that has one</source>
+        <translation>desenhe um ou abra um arquivo que o tenha</translation>
+    </message>
+    <message>
+        <source>export fewer fields at once</source>
+        <translation>exporte menos talhões de cada vez</translation>
+    </message>
+    <message>
+        <source>export it again</source>
+        <translation>exporte de novo</translation>
+    </message>
+    <message>
+        <source>export it again with its coordinate system</source>
+        <translation>exporte de novo com o sistema de coordenadas</translation>
+    </message>
+    <message>
+        <source>export or copy it again</source>
+        <translation>exporte ou copie de novo</translation>
+    </message>
+    <message>
+        <source>export the boundary as a polygon</source>
+        <translation>exporte o limite como polígono</translation>
+    </message>
+    <message>
+        <source>export the field again in WGS84 (longitude and latitude)</source>
+        <translation>exporte o talhão de novo em WGS84 (longitude e latitude)</translation>
+    </message>
+    <message>
+        <source>export the field with its boundary</source>
+        <translation>exporte o talhão com seu limite</translation>
+    </message>
+    <message>
+        <source>export the field with its boundary; furrow-cli compare reads what a machine recorded</source>
+        <translation>exporte o talhão com seu limite; furrow-cli compare lê o que uma máquina gravou</translation>
+    </message>
+    <message>
+        <source>feature %1</source>
+        <translation>objeto %1</translation>
+    </message>
+    <message>
+        <source>fewer than 3 different points enclose nothing</source>
+        <translation>menos de 3 pontos diferentes não cercam nada</translation>
+    </message>
+    <message>
+        <source>free some space on it, or use another one</source>
+        <translation>libere espaço ou use outro</translation>
+    </message>
+    <message>
+        <source>free some space on the stick</source>
+        <translation>libere espaço no pen drive</translation>
+    </message>
+    <message>
+        <source>free some space or choose another folder</source>
+        <translation>libere espaço ou escolha outra pasta</translation>
+    </message>
+    <message>
+        <source>gate %1</source>
+        <translation>entrada %1</translation>
+    </message>
+    <message>
+        <source>give %1</source>
+        <translation>dê %1</translation>
+    </message>
+    <message>
+        <source>give 0 m or more</source>
+        <translation>dê 0 m ou mais</translation>
+    </message>
+    <message>
+        <source>give GeoJSON, a shapefile (.shp or .zip), TASKDATA.XML, KML, KMZ, GeoPackage, GML, FlatGeobuf, DXF, WKT or CSV</source>
+        <translation>dê GeoJSON, um shapefile (.shp ou .zip), TASKDATA.XML, KML, KMZ, GeoPackage, GML, FlatGeobuf, DXF, WKT ou CSV</translation>
+    </message>
+    <message>
+        <source>give a GeoTIFF, or a world file (.pgw) beside the PNG</source>
+        <translation>dê um GeoTIFF ou um arquivo de georreferência (.pgw) ao lado do PNG</translation>
+    </message>
+    <message>
+        <source>give a buffer of 0 m or more</source>
+        <translation>dê uma distância de 0 m ou mais</translation>
+    </message>
+    <message>
+        <source>give a curve that does not, or plan its parts apart</source>
+        <translation>dê uma curva que não se cruze ou planeje as partes separadamente</translation>
+    </message>
+    <message>
+        <source>give a file on a disk</source>
+        <translation>dê um arquivo em um disco</translation>
+    </message>
+    <message>
+        <source>give a file with a line for each row</source>
+        <translation>dê um arquivo com uma linha por fileira</translation>
+    </message>
+    <message>
+        <source>give a gate, or a point in the field</source>
+        <translation>dê uma entrada ou um ponto no talhão</translation>
+    </message>
+    <message>
+        <source>give a gentler curve, or one without a turn back</source>
+        <translation>dê uma curva mais suave ou sem volta</translation>
+    </message>
+    <message>
+        <source>give a machine file (JSON)</source>
+        <translation>dê um arquivo de máquina (JSON)</translation>
+    </message>
+    <message>
+        <source>give a number</source>
+        <translation>dê um número</translation>
+    </message>
+    <message>
+        <source>give a number above 0</source>
+        <translation>dê um número maior que 0</translation>
+    </message>
+    <message>
+        <source>give a number from %1 to %2</source>
+        <translation>dê um número de %1 a %2</translation>
+    </message>
+    <message>
+        <source>give a number from 0 to %1</source>
+        <translation>dê um número de 0 a %1</translation>
+    </message>
+    <message>
+        <source>give a number in %1</source>
+        <translation>dê um número em %1</translation>
+    </message>
+    <message>
+        <source>give a number of 0 or more</source>
+        <translation>dê um número de 0 ou mais</translation>
+    </message>
+    <message>
+        <source>give a picture of at most 100 million pixels</source>
+        <translation>dê uma imagem de no máximo 100 milhões de pixels</translation>
+    </message>
+    <message>
+        <source>give a point such as POINT (4.1 52.0)</source>
+        <translation>dê um ponto como POINT (4.1 52.0)</translation>
+    </message>
+    <message>
+        <source>give a smaller margin or check the obstacles</source>
+        <translation>dê uma margem menor ou verifique os obstáculos</translation>
+    </message>
+    <message>
+        <source>give a smaller number</source>
+        <translation>dê um número menor</translation>
+    </message>
+    <message>
+        <source>give a text in quotes</source>
+        <translation>dê um texto entre aspas</translation>
+    </message>
+    <message>
+        <source>give a transverse Mercator with +lat_0 and +lon_0</source>
+        <translation>dê uma transversa de Mercator com +lat_0 e +lon_0</translation>
+    </message>
+    <message>
+        <source>give a width of 0 m or more</source>
+        <translation>dê uma largura de 0 m ou mais</translation>
+    </message>
+    <message>
+        <source>give an EPSG code, as in SRID=4326;POLYGON(...)</source>
+        <translation>dê um código EPSG, como SRID=4326;POLYGON(...)</translation>
+    </message>
+    <message>
+        <source>give an angle above 0 and below 90 degrees</source>
+        <translation>dê um ângulo acima de 0 e abaixo de 90 graus</translation>
+    </message>
+    <message>
+        <source>give at most one of the two</source>
+        <translation>dê no máximo um dos dois</translation>
+    </message>
+    <message>
+        <source>give both in degrees, or remove the row</source>
+        <translation>dê ambas em graus ou remova a linha</translation>
+    </message>
+    <message>
+        <source>give each point as [longitude, latitude]</source>
+        <translation>dê cada ponto como [longitude, latitude]</translation>
+    </message>
+    <message>
+        <source>give heights as a GeoTIFF or an ASCII grid</source>
+        <translation>dê as altitudes como GeoTIFF ou grade ASCII</translation>
+    </message>
+    <message>
+        <source>give heights that cover the field</source>
+        <translation>dê altitudes que cubram o talhão</translation>
+    </message>
+    <message>
+        <source>give it as WKT in WGS84, %1</source>
+        <translation>dê como WKT em WGS84, %1</translation>
+    </message>
+    <message>
+        <source>give it as WKT in WGS84, such as LINESTRING (4.1 52.0, 4.2 52.0, 4.3 52.1)</source>
+        <translation>dê como WKT em WGS84, como LINESTRING (4.1 52.0, 4.2 52.0, 4.3 52.1)</translation>
+    </message>
+    <message>
+        <source>give it as WKT in WGS84, such as POINT (4.1 52.0)</source>
+        <translation>dê como WKT em WGS84, como POINT (4.1 52.0)</translation>
+    </message>
+    <message>
+        <source>give less than the operating width</source>
+        <translation>dê menos que a largura de trabalho</translation>
+    </message>
+    <message>
+        <source>give metres, 0 or more</source>
+        <translation>dê metros, 0 ou mais</translation>
+    </message>
+    <message>
+        <source>give min_turning_radius_m or max_steering_angle_deg</source>
+        <translation>dê min_turning_radius_m ou max_steering_angle_deg</translation>
+    </message>
+    <message>
+        <source>give one of %1 or a point such as POINT (4.1 52.0)</source>
+        <translation>dê uma de %1 ou um ponto como POINT (4.1 52.0)</translation>
+    </message>
+    <message>
+        <source>give one of the files in it</source>
+        <translation>dê um dos arquivos nela</translation>
+    </message>
+    <message>
+        <source>give operating_width_m in metres</source>
+        <translation>dê operating_width_m em metros</translation>
+    </message>
+    <message>
+        <source>give the file TASKDATA.XML</source>
+        <translation>dê o arquivo TASKDATA.XML</translation>
+    </message>
+    <message>
+        <source>give the folder of a field</source>
+        <translation>dê a pasta de um talhão</translation>
+    </message>
+    <message>
+        <source>give the folder of one of these, or a file in it</source>
+        <translation>dê a pasta de um deles ou um arquivo nela</translation>
+    </message>
+    <message>
+        <source>give the folder of one recording</source>
+        <translation>dê a pasta de uma gravação</translation>
+    </message>
+    <message>
+        <source>give the offsets in metres</source>
+        <translation>dê os deslocamentos em metros</translation>
+    </message>
+    <message>
+        <source>give the points in degrees (WGS84), longitude in lon and latitude in lat</source>
+        <translation>dê os pontos em graus (WGS84), longitude em lon e latitude em lat</translation>
+    </message>
+    <message>
+        <source>give true or false</source>
+        <translation>dê true ou false</translation>
+    </message>
+    <message>
+        <source>give two points at least 1 m apart</source>
+        <translation>dê dois pontos separados por pelo menos 1 m</translation>
+    </message>
+    <message>
+        <source>guidance lines without two points</source>
+        <translation>linhas de orientação sem dois pontos</translation>
+    </message>
+    <message>
+        <source>guidance patterns whose points do not fit their kind</source>
+        <translation>padrões de orientação cujos pontos não combinam com o tipo</translation>
+    </message>
+    <message>
+        <source>guidance patterns without a line</source>
+        <translation>padrões de orientação sem linha</translation>
+    </message>
+    <message>
+        <source>headland pass %1</source>
+        <translation>passada de cabeceira %1</translation>
+    </message>
+    <message>
+        <source>hole %1 encloses no area and was left out</source>
+        <translation>o vazio %1 não cerca área e foi deixado de fora</translation>
+    </message>
+    <message>
+        <source>implement offsets</source>
+        <translation>deslocamentos do implemento</translation>
+    </message>
+    <message>
+        <source>it does not say in which coordinate system it is</source>
+        <translation>não diz em qual sistema de coordenadas está</translation>
+    </message>
+    <message>
+        <source>it has %1 by %2 pixels</source>
+        <translation>tem %1 por %2 pixels</translation>
+    </message>
+    <message>
+        <source>it has %1: %2</source>
+        <translation>ele tem %1: %2</translation>
+    </message>
+    <message>
+        <source>it has more than %1 parts</source>
+        <translation>tem mais de %1 partes</translation>
+    </message>
+    <message>
+        <source>it has no heights where the field is</source>
+        <translation>não tem altitudes onde fica o talhão</translation>
+    </message>
+    <message>
+        <source>it holds more than %1 files</source>
+        <translation>contém mais de %1 arquivos</translation>
+    </message>
+    <message>
+        <source>it is no raster of heights</source>
+        <translation>não é um raster de altitudes</translation>
+    </message>
+    <message>
+        <source>it is not JSON (byte %1)</source>
+        <translation>não é JSON (byte %1)</translation>
+    </message>
+    <message>
+        <source>it is not JSON at %1</source>
+        <translation>não é JSON: %1</translation>
+    </message>
+    <message>
+        <source>it is not a length</source>
+        <translation>não é um comprimento</translation>
+    </message>
+    <message>
+        <source>it is not what a plan&apos;s is</source>
+        <translation>não é o de um plano</translation>
+    </message>
+    <message>
+        <source>it lies in none of the %1 fields</source>
+        <translation>não fica em nenhum dos %1 talhões</translation>
+    </message>
+    <message>
+        <source>it lies outside the field</source>
+        <translation>fica fora do talhão</translation>
+    </message>
+    <message>
+        <source>it may be damaged; copy or export it again</source>
+        <translation>pode estar danificado; copie ou exporte de novo</translation>
+    </message>
+    <message>
+        <source>it names no local frame</source>
+        <translation>não nomeia um sistema local</translation>
+    </message>
+    <message>
+        <source>it names no machine</source>
+        <translation>não nomeia uma máquina</translation>
+    </message>
+    <message>
+        <source>it needs latitude and longitude, as in 52.09,5.66</source>
+        <translation>precisa de latitude e longitude, como 52.09,5.66</translation>
+    </message>
+    <message>
+        <source>it would grow more than a thousandfold when it is unpacked</source>
+        <translation>cresceria mais de mil vezes ao descompactar</translation>
+    </message>
+    <message>
+        <source>its buffer is not a length</source>
+        <translation>sua distância não é um comprimento</translation>
+    </message>
+    <message>
+        <source>its coordinate system &apos;%1&apos; cannot be turned into WGS84</source>
+        <translation>o sistema de coordenadas “%1” não pode ser convertido para WGS84</translation>
+    </message>
+    <message>
+        <source>its coordinate system cannot be turned into WGS84</source>
+        <translation>o sistema de coordenadas não pode ser convertido para WGS84</translation>
+    </message>
+    <message>
+        <source>its file is missing</source>
+        <translation>falta o arquivo</translation>
+    </message>
+    <message>
+        <source>its heights cannot be read</source>
+        <translation>não é possível ler as altitudes</translation>
+    </message>
+    <message>
+        <source>its holes leave nothing of it</source>
+        <translation>os vazios não deixam nada</translation>
+    </message>
+    <message>
+        <source>its points enclose no area</source>
+        <translation>seus pontos não cercam área</translation>
+    </message>
+    <message>
+        <source>its width is not a length</source>
+        <translation>sua largura não é um comprimento</translation>
+    </message>
+    <message>
+        <source>keep one of them</source>
+        <translation>mantenha uma delas</translation>
+    </message>
+    <message>
+        <source>keep the .shp, .shx, .dbf and .prj files together</source>
+        <translation>mantenha juntos .shp, .shx, .dbf e .prj</translation>
+    </message>
+    <message>
+        <source>leaves the field by %1</source>
+        <translation>sai %1 do talhão</translation>
+    </message>
+    <message>
+        <source>left out: %1</source>
+        <translation>deixado de fora: %1</translation>
+    </message>
+    <message>
+        <source>left out: %1 %2</source>
+        <translation>deixado de fora: %1 %2</translation>
+    </message>
+    <message>
+        <source>line %1 is left out: it is damaged</source>
+        <translation>a linha %1 fica de fora: está danificada</translation>
+    </message>
+    <message>
+        <source>line %1, column %2</source>
+        <translation>linha %1, coluna %2</translation>
+    </message>
+    <message>
+        <source>lines in WGS84 such as MULTILINESTRING ((4.1 52.0, 4.2 52.0), (4.1 52.1, 4.2 52.1))</source>
+        <translation>linhas em WGS84 como MULTILINESTRING ((4.1 52.0, 4.2 52.0), (4.1 52.1, 4.2 52.1))</translation>
+    </message>
+    <message>
+        <source>lines that guide nothing</source>
+        <translation>linhas que não orientam nada</translation>
+    </message>
+    <message>
+        <source>look for a missing comma, quote or brace just before it</source>
+        <translation>procure logo antes uma vírgula, aspas ou chave que falte</translation>
+    </message>
+    <message>
+        <source>move one of the points there, so that it is clear which side is field</source>
+        <translation>mova ali um ponto, para ficar claro de que lado está o talhão</translation>
+    </message>
+    <message>
+        <source>move or delete it</source>
+        <translation>mova ou exclua</translation>
+    </message>
+    <message>
+        <source>name a raster of heights, such as a GeoTIFF</source>
+        <translation>indique um raster de altitudes, como um GeoTIFF</translation>
+    </message>
+    <message>
+        <source>name each swath once</source>
+        <translation>cite cada passada uma vez</translation>
+    </message>
+    <message>
+        <source>name each swath once, with a minus where it is driven backwards</source>
+        <translation>cite cada passada uma vez, com um menos onde é feita ao contrário</translation>
+    </message>
+    <message>
+        <source>name one, such as GeoJSON with a LineString for each row</source>
+        <translation>indique um, como GeoJSON com um LineString por fileira</translation>
+    </message>
+    <message>
+        <source>name the columns in the first row</source>
+        <translation>nomeie as colunas na primeira linha</translation>
+    </message>
+    <message>
+        <source>name the folder of a plan, as furrow-cli plan writes it</source>
+        <translation>dê a pasta de um plano, como furrow-cli plan a grava</translation>
+    </message>
+    <message>
+        <source>neither turning radius nor steering angle is given</source>
+        <translation>não foi dado raio de giro nem ângulo de esterçamento</translation>
+    </message>
+    <message>
+        <source>no boundary can be read from this file (%1)</source>
+        <translation>não é possível ler limite deste arquivo (%1)</translation>
+    </message>
+    <message>
+        <source>no pixel of the picture is worked</source>
+        <translation>nenhum pixel da imagem está trabalhado</translation>
+    </message>
+    <message>
+        <source>no swath fits into the mainland</source>
+        <translation>não cabe nenhuma passada no interior do talhão</translation>
+    </message>
+    <message>
+        <source>obstacle %1</source>
+        <translation>obstáculo %1</translation>
+    </message>
+    <message>
+        <source>obstacles outside the boundary</source>
+        <translation>obstáculos fora do limite</translation>
+    </message>
+    <message>
+        <source>obstacles that are holes already</source>
+        <translation>obstáculos que já são vazios</translation>
+    </message>
+    <message>
+        <source>one of its choices</source>
+        <translation>uma das opções</translation>
+    </message>
+    <message>
+        <source>only files on this computer are read</source>
+        <translation>só são lidos arquivos deste computador</translation>
+    </message>
+    <message>
+        <source>open it as a field boundary, or choose another file</source>
+        <translation>abra como limite de talhão ou escolha outro arquivo</translation>
+    </message>
+    <message>
+        <source>open it with a newer Furrow; the file was left as it is</source>
+        <translation>abra com um Furrow mais novo; o arquivo ficou como estava</translation>
+    </message>
+    <message>
+        <source>opennav_coverage goal</source>
+        <translation>Objetivo do opennav_coverage</translation>
+    </message>
+    <message>
+        <source>opennav_coverage lays swaths and turns of its own from the goal; they need not be those of this plan.</source>
+        <translation>O opennav_coverage traça passadas e manobras próprias; não precisam ser as deste plano.</translation>
+    </message>
+    <message>
+        <source>part %1</source>
+        <translation>parte %1</translation>
+    </message>
+    <message>
+        <source>part %1, point %2</source>
+        <translation>parte %1, ponto %2</translation>
+    </message>
+    <message>
+        <source>path.csv has %1 segments and plan.geojson %2</source>
+        <translation>path.csv tem %1 trechos e plan.geojson %2</translation>
+    </message>
+    <message>
+        <source>per m²</source>
+        <translation>por m²</translation>
+    </message>
+    <message>
+        <source>pivot needs its centre</source>
+        <translation>os círculos precisam do centro</translation>
+    </message>
+    <message>
+        <source>plan the field first: furrow-cli plan FIELD --out plan</source>
+        <translation>planeje primeiro o talhão: furrow-cli plan FIELD --out plan</translation>
+    </message>
+    <message>
+        <source>points that are no gates</source>
+        <translation>pontos que não são entradas</translation>
+    </message>
+    <message>
+        <source>polygons of a kind that is not used</source>
+        <translation>polígonos de um tipo não usado</translation>
+    </message>
+    <message>
+        <source>put the EPSG code into its name, as in field_EPSG32632.dxf</source>
+        <translation>ponha o código EPSG no nome, como field_EPSG32632.dxf</translation>
+    </message>
+    <message>
+        <source>record or draw its boundary first</source>
+        <translation>grave ou desenhe primeiro o limite</translation>
+    </message>
+    <message>
+        <source>record or export it again</source>
+        <translation>grave ou exporte de novo</translation>
+    </message>
+    <message>
+        <source>remove it from the file, or add its field</source>
+        <translation>remova-o do arquivo ou adicione seu talhão</translation>
+    </message>
+    <message>
+        <source>remove it; keys look like operating_width_m, vehicle_width_m, can_reverse</source>
+        <translation>remova; as chaves são como operating_width_m, vehicle_width_m, can_reverse</translation>
+    </message>
+    <message>
+        <source>restore a copy of the file</source>
+        <translation>restaure uma cópia do arquivo</translation>
+    </message>
+    <message>
+        <source>rings that overlap each other were joined</source>
+        <translation>anéis que se sobrepõem foram unidos</translation>
+    </message>
+    <message>
+        <source>rings with fewer than three corners</source>
+        <translation>anéis com menos de três cantos</translation>
+    </message>
+    <message>
+        <source>rows needs a file of lines</source>
+        <translation>as fileiras precisam de um arquivo de linhas</translation>
+    </message>
+    <message>
+        <source>save it again in WGS84</source>
+        <translation>salve de novo em WGS84</translation>
+    </message>
+    <message>
+        <source>save it as GeoTIFF, or with a world file in degrees</source>
+        <translation>salve como GeoTIFF ou com arquivo de georreferência em graus</translation>
+    </message>
+    <message>
+        <source>save the field again, or remove this file</source>
+        <translation>salve o talhão de novo ou remova este arquivo</translation>
+    </message>
+    <message>
+        <source>save the project, and free some space</source>
+        <translation>salve o projeto e libere espaço</translation>
+    </message>
+    <message>
+        <source>several fields are called &apos;%1&apos;</source>
+        <translation>vários talhões se chamam “%1”</translation>
+    </message>
+    <message>
+        <source>simplify it to at most a million</source>
+        <translation>simplifique-o a no máximo um milhão</translation>
+    </message>
+    <message>
+        <source>such as LINESTRING (4.1 52.0, 4.2 52.0)</source>
+        <translation>como LINESTRING (4.1 52.0, 4.2 52.0)</translation>
+    </message>
+    <message>
+        <source>such as POINT (4.1 52.0)</source>
+        <translation>como POINT (4.1 52.0)</translation>
+    </message>
+    <message>
+        <source>swath %1</source>
+        <translation>passada %1</translation>
+    </message>
+    <message>
+        <source>swath %1 is named twice</source>
+        <translation>a passada %1 foi citada duas vezes</translation>
+    </message>
+    <message>
+        <source>take off its write protection, or use another one</source>
+        <translation>tire a proteção ou use outro</translation>
+    </message>
+    <message>
+        <source>take off the write protection of the stick</source>
+        <translation>tire a proteção contra gravação do pen drive</translation>
+    </message>
+    <message>
+        <source>the .shx file that belongs to it is missing</source>
+        <translation>falta o arquivo .shx correspondente</translation>
+    </message>
+    <message>
+        <source>the boundary</source>
+        <translation>o limite do talhão</translation>
+    </message>
+    <message>
+        <source>the boundary has %1 points</source>
+        <translation>o limite tem %1 pontos</translation>
+    </message>
+    <message>
+        <source>the boundary is that of the guidance group; the field itself has none</source>
+        <translation>o limite é o do grupo de orientação; o próprio talhão não tem</translation>
+    </message>
+    <message>
+        <source>the coordinates lie outside longitude -180 to 180 and latitude -90 to 90</source>
+        <translation>as coordenadas estão fora da longitude -180 a 180 e latitude -90 a 90</translation>
+    </message>
+    <message>
+        <source>the curve bends more sharply than this machine can follow (%1 of radius)</source>
+        <translation>a curva é mais fechada do que esta máquina consegue seguir (raio de %1)</translation>
+    </message>
+    <message>
+        <source>the curve crosses itself, %1 from its start</source>
+        <translation>a curva cruza a si mesma, a %1 do começo</translation>
+    </message>
+    <message>
+        <source>the curves from line %1 on are left out: it is damaged</source>
+        <translation>as curvas a partir da linha %1 ficam de fora: ela está danificada</translation>
+    </message>
+    <message>
+        <source>the end</source>
+        <translation>fim</translation>
+    </message>
+    <message>
+        <source>the field &apos;%1&apos; has no boundary</source>
+        <translation>o talhão “%1” não tem limite</translation>
+    </message>
+    <message>
+        <source>the field &apos;%1&apos; is left out: %2</source>
+        <translation>o talhão “%1” fica de fora: %2</translation>
+    </message>
+    <message>
+        <source>the field has neither boundary nor guidance line</source>
+        <translation>o talhão não tem limite nem linha de orientação</translation>
+    </message>
+    <message>
+        <source>the field has no boundary</source>
+        <translation>o talhão não tem limite</translation>
+    </message>
+    <message>
+        <source>the field is more than 100 km across; %1, %2 is farthest from the others</source>
+        <translation>o talhão tem mais de 100 km; %1, %2 é o mais distante dos outros</translation>
+    </message>
+    <message>
+        <source>the field is nowhere as wide as the machine (%1%2)</source>
+        <translation>o talhão não é em lugar nenhum tão largo quanto a máquina (%1%2)</translation>
+    </message>
+    <message>
+        <source>the fields in this task data have neither boundary nor guidance line</source>
+        <translation>os talhões destes dados não têm limite nem linha de orientação</translation>
+    </message>
+    <message>
+        <source>the file cannot be read</source>
+        <translation>não é possível ler o arquivo</translation>
+    </message>
+    <message>
+        <source>the file has %1 fields: %2</source>
+        <translation>o arquivo tem %1 talhões: %2</translation>
+    </message>
+    <message>
+        <source>the file is damaged</source>
+        <translation>o arquivo está danificado</translation>
+    </message>
+    <message>
+        <source>the file is damaged (%1)</source>
+        <translation>o arquivo está danificado (%1)</translation>
+    </message>
+    <message>
+        <source>the file is damaged here</source>
+        <translation>o arquivo está danificado aqui</translation>
+    </message>
+    <message>
+        <source>the file is empty</source>
+        <translation>o arquivo está vazio</translation>
+    </message>
+    <message>
+        <source>the file is larger than 1 GiB</source>
+        <translation>o arquivo é maior que 1 GiB</translation>
+    </message>
+    <message>
+        <source>the file may be cut off or damaged; copy or export it again</source>
+        <translation>o arquivo pode estar cortado ou danificado; copie ou exporte de novo</translation>
+    </message>
+    <message>
+        <source>the file may be cut off or damaged; export it again</source>
+        <translation>o arquivo pode estar cortado ou danificado; exporte de novo</translation>
+    </message>
+    <message>
+        <source>the folder or zip cannot be read</source>
+        <translation>não é possível ler a pasta ou o zip</translation>
+    </message>
+    <message>
+        <source>the headland is left out: line %1 is damaged</source>
+        <translation>a cabeceira fica de fora: a linha %1 está danificada</translation>
+    </message>
+    <message>
+        <source>the key is there twice</source>
+        <translation>a chave aparece duas vezes</translation>
+    </message>
+    <message>
+        <source>the line after StartFix is no place</source>
+        <translation>a linha após StartFix não é um lugar</translation>
+    </message>
+    <message>
+        <source>the line crosses itself at %1, %2</source>
+        <translation>a linha cruza a si mesma em %1, %2</translation>
+    </message>
+    <message>
+        <source>the line touches or crosses itself by a sliver; taken apart there</source>
+        <translation>a linha toca ou cruza a si mesma por muito pouco; foi separada ali</translation>
+    </message>
+    <message>
+        <source>the lines from line %1 on are left out: it is damaged</source>
+        <translation>as linhas a partir da linha %1 ficam de fora: ela está danificada</translation>
+    </message>
+    <message>
+        <source>the machine (%1 wide, %2 long%3) fits nowhere into the field</source>
+        <translation>a máquina (%1 de largura, %2 de comprimento%3) não cabe em lugar nenhum do talhão</translation>
+    </message>
+    <message>
+        <source>the name of a gate or a point in WGS84 such as POINT (4.1 52.0)</source>
+        <translation>o nome de uma entrada ou um ponto em WGS84 como POINT (4.1 52.0)</translation>
+    </message>
+    <message>
+        <source>the number after SRID= is no coordinate system that is known</source>
+        <translation>o número após SRID= não é um sistema de coordenadas conhecido</translation>
+    </message>
+    <message>
+        <source>the obstacles leave nothing of the field</source>
+        <translation>os obstáculos não deixam nada do talhão</translation>
+    </message>
+    <message>
+        <source>the operating width is missing</source>
+        <translation>falta a largura de trabalho</translation>
+    </message>
+    <message>
+        <source>the part %1 is left out: %2</source>
+        <translation>a parte %1 fica de fora: %2</translation>
+    </message>
+    <message>
+        <source>the path of a file</source>
+        <translation>o caminho de um arquivo</translation>
+    </message>
+    <message>
+        <source>the picture cannot be read (%1)</source>
+        <translation>não é possível ler a imagem (%1)</translation>
+    </message>
+    <message>
+        <source>the picture does not say where it lies</source>
+        <translation>a imagem não diz onde fica</translation>
+    </message>
+    <message>
+        <source>the picture does not say which coordinate system it uses</source>
+        <translation>a imagem não diz qual sistema de coordenadas usa</translation>
+    </message>
+    <message>
+        <source>the picture is damaged</source>
+        <translation>a imagem está danificada</translation>
+    </message>
+    <message>
+        <source>the place lies outside of the field</source>
+        <translation>o lugar fica fora do talhão</translation>
+    </message>
+    <message>
+        <source>the plan gives no reason</source>
+        <translation>o plano não diz por quê</translation>
+    </message>
+    <message>
+        <source>the recorded path is left out: it is damaged</source>
+        <translation>o percurso gravado fica de fora: está danificado</translation>
+    </message>
+    <message>
+        <source>the recording cannot be made: %1</source>
+        <translation>não é possível criar a gravação: %1</translation>
+    </message>
+    <message>
+        <source>the shape could not be computed with (%1)</source>
+        <translation>não foi possível calcular com a forma (%1)</translation>
+    </message>
+    <message>
+        <source>the start</source>
+        <translation>início</translation>
+    </message>
+    <message>
+        <source>the stick does not answer any more (%1)</source>
+        <translation>o pen drive não responde mais (%1)</translation>
+    </message>
+    <message>
+        <source>the stick has %1 MB free, and %2 MB are needed</source>
+        <translation>o pen drive tem %1 MB livres, e são necessários %2 MB</translation>
+    </message>
+    <message>
+        <source>the stick is damaged: use another one</source>
+        <translation>o pen drive está danificado: use outro</translation>
+    </message>
+    <message>
+        <source>the stick is write-protected</source>
+        <translation>o pen drive está protegido contra gravação</translation>
+    </message>
+    <message>
+        <source>the swaths are left out: %1</source>
+        <translation>as passadas ficam de fora: %1</translation>
+    </message>
+    <message>
+        <source>the table has neither a column WKT nor columns lon and lat</source>
+        <translation>a tabela não tem coluna WKT nem colunas lon e lat</translation>
+    </message>
+    <message>
+        <source>the transfer after %1</source>
+        <translation>o deslocamento após %1</translation>
+    </message>
+    <message>
+        <source>the transfer at %1</source>
+        <translation>o deslocamento em %1</translation>
+    </message>
+    <message>
+        <source>the turn after %1</source>
+        <translation>a manobra após %1</translation>
+    </message>
+    <message>
+        <source>the turn at %1</source>
+        <translation>a manobra em %1</translation>
+    </message>
+    <message>
+        <source>the way to refill</source>
+        <translation>o caminho de reabastecimento</translation>
+    </message>
+    <message>
+        <source>the zip cannot be made: %1</source>
+        <translation>não é possível criar o zip: %1</translation>
+    </message>
+    <message>
+        <source>there is no &apos;%1&apos;</source>
+        <translation>não há “%1”</translation>
+    </message>
+    <message>
+        <source>there is no &apos;%1&apos; in a machine</source>
+        <translation>em uma máquina não há “%1”</translation>
+    </message>
+    <message>
+        <source>there is no Field.txt</source>
+        <translation>falta o Field.txt</translation>
+    </message>
+    <message>
+        <source>there is no boundary</source>
+        <translation>não há limite do talhão</translation>
+    </message>
+    <message>
+        <source>there is no boundary file in this zip</source>
+        <translation>não há arquivo de limites neste zip</translation>
+    </message>
+    <message>
+        <source>there is no edge %1</source>
+        <translation>não há lado %1</translation>
+    </message>
+    <message>
+        <source>there is no field &apos;%1&apos; in the file</source>
+        <translation>não há talhão “%1” no arquivo</translation>
+    </message>
+    <message>
+        <source>there is no field boundary in it</source>
+        <translation>não há limite de talhão nele</translation>
+    </message>
+    <message>
+        <source>there is no field boundary in it, only %1</source>
+        <translation>não há limite de talhão nele, só %1</translation>
+    </message>
+    <message>
+        <source>there is no field in this task data</source>
+        <translation>não há talhão nestes dados</translation>
+    </message>
+    <message>
+        <source>there is no gate &apos;%1&apos;</source>
+        <translation>não há entrada “%1”</translation>
+    </message>
+    <message>
+        <source>there is no line in it</source>
+        <translation>não há linha nele</translation>
+    </message>
+    <message>
+        <source>there is no machine &apos;%1&apos;</source>
+        <translation>não há máquina “%1”</translation>
+    </message>
+    <message>
+        <source>there is no path in it</source>
+        <translation>não há percurso nele</translation>
+    </message>
+    <message>
+        <source>there is no project format %1</source>
+        <translation>não há formato de projeto %1</translation>
+    </message>
+    <message>
+        <source>there is no setting &apos;%1&apos;</source>
+        <translation>não há configuração “%1”</translation>
+    </message>
+    <message>
+        <source>there is no such file</source>
+        <translation>esse arquivo não existe</translation>
+    </message>
+    <message>
+        <source>there is no swath %1</source>
+        <translation>não há passada %1</translation>
+    </message>
+    <message>
+        <source>there is no terminal &apos;%1&apos;</source>
+        <translation>não há terminal “%1”</translation>
+    </message>
+    <message>
+        <source>this XML is no task data</source>
+        <translation>este XML não são dados de tarefa</translation>
+    </message>
+    <message>
+        <source>this folder holds no TASKDATA.XML, no field of AgOpenGPS and no AgGPS boundary</source>
+        <translation>esta pasta não contém TASKDATA.XML, nem talhão do AgOpenGPS, nem limite AgGPS</translation>
+    </message>
+    <message>
+        <source>this format holds the path of a plan, and there is only a field</source>
+        <translation>este formato contém o percurso de um plano, e há só um talhão</translation>
+    </message>
+    <message>
+        <source>this is a folder</source>
+        <translation>isto é uma pasta</translation>
+    </message>
+    <message>
+        <source>this is no boundary file that can be read</source>
+        <translation>não é um arquivo de limites que possa ser lido</translation>
+    </message>
+    <message>
+        <source>this is no ordinary file</source>
+        <translation>não é um arquivo comum</translation>
+    </message>
+    <message>
+        <source>this is no zip of fields or recordings</source>
+        <translation>não é um zip de talhões ou gravações</translation>
+    </message>
+    <message>
+        <source>this is not JSON from here on</source>
+        <translation>daqui em diante não é JSON</translation>
+    </message>
+    <message>
+        <source>this is not XML from here on</source>
+        <translation>daqui em diante não é XML</translation>
+    </message>
+    <message>
+        <source>this is not a project of Furrow</source>
+        <translation>não é um projeto do Furrow</translation>
+    </message>
+    <message>
+        <source>this is not well-known text from here on</source>
+        <translation>daqui em diante não é well-known text</translation>
+    </message>
+    <message>
+        <source>this place</source>
+        <translation>este lugar</translation>
+    </message>
+    <message>
+        <source>this polygon cannot be read</source>
+        <translation>não é possível ler este polígono</translation>
+    </message>
+    <message>
+        <source>this project file is damaged: %1</source>
+        <translation>este arquivo de projeto está danificado: %1</translation>
+    </message>
+    <message>
+        <source>this project is open in another window of Furrow</source>
+        <translation>este projeto está aberto em outra janela do Furrow</translation>
+    </message>
+    <message>
+        <source>this project was saved by a newer Furrow (format %1, this one knows %2)</source>
+        <translation>este projeto foi salvo por um Furrow mais novo (formato %1, este conhece %2)</translation>
+    </message>
+    <message>
+        <source>true or false</source>
+        <translation>true ou false</translation>
+    </message>
+    <message>
+        <source>try another stick</source>
+        <translation>tente outro pen drive</translation>
+    </message>
+    <message>
+        <source>two points</source>
+        <translation>dois pontos</translation>
+    </message>
+    <message>
+        <source>use another terminal&apos;s format, and report this</source>
+        <translation>use o formato de outro terminal e relate isto</translation>
+    </message>
+    <message>
+        <source>use one of: %1</source>
+        <translation>use um de: %1</translation>
+    </message>
+    <message>
+        <source>use one of: %1; or give a machine file (.json)</source>
+        <translation>use uma de: %1; ou dê um arquivo de máquina (.json)</translation>
+    </message>
+    <message>
+        <source>use one or more of: %1</source>
+        <translation>use um ou mais de: %1</translation>
+    </message>
+    <message>
+        <source>use the numbers from 1 to %1</source>
+        <translation>use os números de 1 a %1</translation>
+    </message>
+    <message>
+        <source>was it pulled out? Plug it in again and write once more</source>
+        <translation>foi retirado? Conecte de novo e grave outra vez</translation>
+    </message>
+    <message>
+        <source>what is on the stick is not the plan: %1</source>
+        <translation>o que está no pen drive não é o plano: %1</translation>
+    </message>
+    <message>
+        <source>whole numbers divided by commas</source>
+        <translation>números inteiros separados por vírgulas</translation>
+    </message>
+    <message>
+        <source>worked pixels need a value other than 0</source>
+        <translation>pixels trabalhados precisam de valor diferente de 0</translation>
+    </message>
+    <message>
+        <source>write POLYGON((lon lat, lon lat, ...))</source>
+        <translation>escreva POLYGON((lon lat, lon lat, ...))</translation>
+    </message>
+    <message>
+        <source>write POLYGON((lon lat, lon lat, ...)), one polygon a line</source>
+        <translation>escreva POLYGON((lon lat, lon lat, ...)), um polígono por linha</translation>
+    </message>
+    <message>
+        <source>write it like LINESTRING (4.1 52.0, 4.2 52.0)</source>
+        <translation>escreva como LINESTRING (4.1 52.0, 4.2 52.0)</translation>
+    </message>
+    <message>
+        <source>write the plan again with furrow-cli plan</source>
+        <translation>grave o plano de novo com furrow-cli plan</translation>
+    </message>
+    <message>
+        <source>write {&quot;name&quot;: ..., &quot;operating_width_m&quot;: ...}</source>
+        <translation>escreva {&quot;name&quot;: ..., &quot;operating_width_m&quot;: ...}</translation>
+    </message>
+    <message>
+        <source>a part of it cannot be read</source>
+        <translation>uma parte não pode ser lida</translation>
+    </message>
+    <message>
+        <source>a part of it is damaged: %1</source>
+        <translation>uma parte está danificada: %1</translation>
+    </message>
+    <message>
+        <source>a tile is damaged</source>
+        <translation>um bloco está danificado</translation>
+    </message>
+    <message>
+        <source>choose a file or a folder of tiles</source>
+        <translation>escolha um arquivo ou uma pasta de blocos</translation>
+    </message>
+    <message>
+        <source>choose the folder that holds the folders of the zooms, 0 to 24</source>
+        <translation>escolha a pasta que contém as pastas dos níveis de zoom, de 0 a 24</translation>
+    </message>
+    <message>
+        <source>copy or export the file again</source>
+        <translation>copie ou exporte o arquivo novamente</translation>
+    </message>
+    <message>
+        <source>give a GeoTIFF, MBTiles, or a folder of tiles</source>
+        <translation>forneça um GeoTIFF, MBTiles ou uma pasta de blocos</translation>
+    </message>
+    <message>
+        <source>give a GeoTIFF, or export it again with its coordinate system</source>
+        <translation>forneça um GeoTIFF ou exporte-a novamente com seu sistema de coordenadas</translation>
+    </message>
+    <message>
+        <source>it is damaged, or no picture that Furrow can show</source>
+        <translation>está danificado ou não é uma imagem que o Furrow possa mostrar</translation>
+    </message>
+    <message>
+        <source>it is no file</source>
+        <translation>não é um arquivo</translation>
+    </message>
+    <message>
+        <source>it is too large to be shown without overviews</source>
+        <translation>é grande demais para ser mostrada sem visões gerais</translation>
+    </message>
+    <message>
+        <source>its tiles are in degrees, not in web Mercator</source>
+        <translation>seus blocos estão em graus, não em Web Mercator</translation>
+    </message>
+    <message>
+        <source>make the tiles again</source>
+        <translation>crie os blocos novamente</translation>
+    </message>
+    <message>
+        <source>make them again with the profile mercator, or give the raster itself</source>
+        <translation>crie-os novamente com o perfil mercator ou forneça o próprio raster</translation>
+    </message>
+    <message>
+        <source>open it again</source>
+        <translation>abra-o novamente</translation>
+    </message>
+    <message>
+        <source>put it back, or choose another one</source>
+        <translation>coloque-o de volta ou escolha outro</translation>
+    </message>
+    <message>
+        <source>put it back, or remove the layer</source>
+        <translation>coloque-o de volta ou remova a camada</translation>
+    </message>
+    <message>
+        <source>save it in tiles and with overviews (gdal_translate -of COG)</source>
+        <translation>salve-a em blocos e com visões gerais (gdal_translate -of COG)</translation>
+    </message>
+    <message>
+        <source>the file cannot be read any more</source>
+        <translation>o arquivo não pode mais ser lido</translation>
+    </message>
+    <message>
+        <source>the file is not there any more</source>
+        <translation>o arquivo não está mais lá</translation>
+    </message>
+    <message>
+        <source>the file was changed while it was open</source>
+        <translation>o arquivo foi alterado enquanto estava aberto</translation>
+    </message>
+    <message>
+        <source>the folder is not there any more</source>
+        <translation>a pasta não está mais lá</translation>
+    </message>
+    <message>
+        <source>there are no tiles in this folder</source>
+        <translation>não há blocos nesta pasta</translation>
+    </message>
+    <message>
+        <source>there is no picture in it</source>
+        <translation>não contém nenhuma imagem</translation>
+    </message>
+    <message>
+        <source>there is no such file or folder</source>
+        <translation>esse arquivo ou essa pasta não existe</translation>
+    </message>
+</context>
+<context>
+    <name>PreferencesDialog</name>
+    <message>
+        <source>Language and units</source>
+        <translation>Idioma e unidades</translation>
+    </message>
+    <message>
+        <source>Language</source>
+        <translation>Idioma</translation>
+    </message>
+    <message>
+        <source>As the computer</source>
+        <translation>Como o computador</translation>
+    </message>
+    <message>
+        <source>Units</source>
+        <translation>Unidades</translation>
+    </message>
+    <message>
+        <source>Metres, hectares, km/h</source>
+        <translation>Metros, hectares, km/h</translation>
+    </message>
+    <message>
+        <source>Feet, acres, mph</source>
+        <translation>Pés, acres, mph</translation>
+    </message>
+    <message>
+        <source>Fields take both: 7.3 m, 24 ft, 10&apos;6&quot;, 8 km/h, 5 mph. Files always hold metres.</source>
+        <translation>Os campos aceitam ambas: 7,3 m, 24 ft, 10&apos;6&quot;, 8 km/h, 5 mph. Os arquivos contêm sempre metros.</translation>
+    </message>
+    <message>
+        <source>Close</source>
+        <translation>Fechar</translation>
+    </message>
+</context>
+<context>
+    <name>ProblemCard</name>
+    <message>
+        <source>Show the place</source>
+        <translation>Mostrar o lugar</translation>
+    </message>
+    <message>
+        <source>Open another file…</source>
+        <translation>Abrir outro arquivo…</translation>
+    </message>
+</context>
+<context>
+    <name>ProjectDialogs</name>
+    <message>
+        <source>Open projects or field boundaries</source>
+        <translation>Abrir projetos ou limites de talhão</translation>
+    </message>
+    <message>
+        <source>Projects and field boundaries (%1)</source>
+        <translation>Projetos e limites de talhão (%1)</translation>
+    </message>
+    <message>
+        <source>Projects (%1)</source>
+        <translation>Projetos (%1)</translation>
+    </message>
+    <message>
+        <source>All files (*)</source>
+        <translation>Todos os arquivos (*)</translation>
+    </message>
+    <message>
+        <source>Save the project</source>
+        <translation>Salvar o projeto</translation>
+    </message>
+    <message>
+        <source>Add imagery</source>
+        <translation>Adicionar imagens</translation>
+    </message>
+    <message>
+        <source>Pictures and heights (%1)</source>
+        <translation>Imagens e altitudes (%1)</translation>
+    </message>
+    <message>
+        <source>Add a folder of tiles</source>
+        <translation>Adicionar uma pasta de blocos</translation>
+    </message>
+</context>
+<context>
+    <name>RecentList</name>
+    <message>
+        <source>Open recent</source>
+        <translation>Abrir recente</translation>
+    </message>
+    <message>
+        <source>%1 — %2</source>
+        <translation>%1 — %2</translation>
+    </message>
+</context>
+<context>
+    <name>RecentProjects</name>
+    <message>
+        <source>Go on with</source>
+        <translation>Continuar com</translation>
+    </message>
+    <message>
+        <source>Project %1 in %2, %3</source>
+        <translation>Projeto %1 em %2, %3</translation>
+    </message>
+    <message>
+        <source>%1 · %2</source>
+        <translation>%1 · %2</translation>
+    </message>
+</context>
+<context>
+    <name>ResultsPanel</name>
+    <message>
+        <source>Plan</source>
+        <translation>Plano</translation>
+    </message>
+    <message>
+        <source>%1: %2</source>
+        <translation>%1: %2</translation>
+    </message>
+    <message numerus="yes">
+        <source>%n finding(s)</source>
+        <translation>
+            <numerusform>%n aviso</numerusform>
+            <numerusform>%n avisos</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>Show the first %1 only</source>
+        <translation>Mostrar só os primeiros %1</translation>
+    </message>
+    <message>
+        <source>Show all %1</source>
+        <translation>Mostrar todos os %1</translation>
+    </message>
+</context>
+<context>
+    <name>ScaleBar</name>
+    <message>
+        <source>Scale: the bar is %1 long</source>
+        <translation>Escala: a barra mede %1</translation>
+    </message>
+</context>
+<context>
+    <name>SearchButton</name>
+    <message>
+        <source>Search commands</source>
+        <translation>Buscar comandos</translation>
+    </message>
+    <message>
+        <source>Ctrl K</source>
+        <translation>Ctrl K</translation>
+    </message>
+</context>
+<context>
+    <name>StatusChip</name>
+    <message>
+        <source>Stop</source>
+        <translation>Parar</translation>
+    </message>
+    <message>
+        <source>Plan again</source>
+        <translation>Planejar de novo</translation>
+    </message>
+</context>
+<context>
+    <name>StepItem</name>
+    <message>
+        <source>%1. %2: %3. %4</source>
+        <translation>%1. %2: %3. %4</translation>
+    </message>
+</context>
+<context>
+    <name>ThemeSwitch</name>
+    <message>
+        <source>Sunlight colours; press for light</source>
+        <translation>Cores para pleno sol; pressione para claras</translation>
+    </message>
+    <message>
+        <source>Dark colours; press for sunlight</source>
+        <translation>Cores escuras; pressione para pleno sol</translation>
+    </message>
+    <message>
+        <source>Light colours; press for dark</source>
+        <translation>Cores claras; pressione para escuras</translation>
+    </message>
+</context>
+<context>
+    <name>TopBar</name>
+    <message>
+        <source>Not saved yet</source>
+        <translation>Ainda não salvo</translation>
+    </message>
+    <message>
+        <source>There are changes that are not saved</source>
+        <translation>Há alterações não salvas</translation>
+    </message>
+    <message>
+        <source>Hide the results</source>
+        <translation>Ocultar os resultados</translation>
+    </message>
+    <message>
+        <source>Show the results</source>
+        <translation>Mostrar os resultados</translation>
+    </message>
+    <message>
+        <source>Open</source>
+        <translation>Abrir</translation>
+    </message>
+    <message>
+        <source>Export</source>
+        <translation>Exportar</translation>
+    </message>
+</context>
+<context>
+    <name>Tour</name>
+    <message>
+        <source>Welcome to Furrow</source>
+        <translation>Bem-vindo ao Furrow</translation>
+    </message>
+    <message>
+        <source>In three minutes from a field to a plan that can be driven. A sample field is opened for you; Ctrl+Z takes everything back. Leave whenever you like: the tour is in the Help menu.</source>
+        <translation>Em três minutos, de um talhão a um plano que pode ser conduzido. Um talhão de exemplo é aberto para você; Ctrl+Z desfaz tudo. Saia quando quiser: a visita guiada está no menu Ajuda.</translation>
+    </message>
+    <message>
+        <source>The steps</source>
+        <translation>As etapas</translation>
+    </message>
+    <message>
+        <source>From top to bottom: the field, the machine, and how it works. Each step says what is chosen and what came of it; press one to change it. Every change plans anew at once.</source>
+        <translation>De cima para baixo: o talhão, a máquina e como ela trabalha. Cada etapa diz o que foi escolhido e o que resultou; clique em uma para alterá-la. Cada alteração planeja de novo na hora.</translation>
+    </message>
+    <message>
+        <source>The map</source>
+        <translation>O mapa</translation>
+    </message>
+    <message>
+        <source>Drag a corner of the field and watch the plan follow. The wheel zooms, dragging the ground moves the map. The dot in the middle of an edge makes another corner; Alt lets go of what catches.</source>
+        <translation>Arraste um canto do talhão e veja o plano acompanhar. A roda amplia, arrastar o fundo move o mapa. O ponto no meio de uma borda cria outro canto; Alt solta o encaixe automático.</translation>
+    </message>
+    <message>
+        <source>The tools</source>
+        <translation>As ferramentas</translation>
+    </message>
+    <message>
+        <source>Draw a field, a hole, an obstacle, an AB line or a gate. The lowest button shows the layers: what is drawn of the plan, and your own aerial photos or heights beneath it.</source>
+        <translation>Desenhe um talhão, um vazio, um obstáculo, uma linha AB ou uma entrada. O botão de baixo mostra as camadas: o que é desenhado do plano e, embaixo, suas próprias fotos aéreas ou altitudes.</translation>
+    </message>
+    <message>
+        <source>What came out</source>
+        <translation>O resultado</translation>
+    </message>
+    <message>
+        <source>Area, way and time, and what was found: press a finding and the map goes there. Findings in the way of driving come first, with what would help.</source>
+        <translation>Área, distância e tempo, e o que foi encontrado: clique em um aviso e o mapa vai até lá. Os avisos que impedem de conduzir vêm primeiro, com o que ajudaria.</translation>
+    </message>
+    <message>
+        <source>To the terminal</source>
+        <translation>Para o terminal</translation>
+    </message>
+    <message>
+        <source>Export writes the plan to a folder or a USB stick, for many terminals, reads it back and compares it. Then save the project: Ctrl+S. Ctrl+K finds every command by name.</source>
+        <translation>Exportar grava o plano em uma pasta ou em um pen drive, para muitos terminais, lê-o de volta e o compara. Depois salve o projeto: Ctrl+S. Ctrl+K encontra qualquer comando pelo nome.</translation>
+    </message>
+    <message>
+        <source>%1 of %2</source>
+        <translation>%1 de %2</translation>
+    </message>
+    <message>
+        <source>Leave</source>
+        <translation>Sair</translation>
+    </message>
+    <message>
+        <source>Back</source>
+        <translation>Voltar</translation>
+    </message>
+    <message>
+        <source>Next</source>
+        <translation>Avançar</translation>
+    </message>
+    <message>
+        <source>Done</source>
+        <translation>Concluir</translation>
+    </message>
+</context>
+<context>
+    <name>UnitText</name>
+    <message>
+        <source>%1 ft</source>
+        <translation>%1 ft</translation>
+    </message>
+    <message>
+        <source>%1 ft²</source>
+        <translation>%1 ft²</translation>
+    </message>
+    <message>
+        <source>%1 m²</source>
+        <translation>%1 m²</translation>
+    </message>
+    <message>
+        <source>%1 ac</source>
+        <translation>%1 ac</translation>
+    </message>
+    <message>
+        <source>%1 ha</source>
+        <translation>%1 ha</translation>
+    </message>
+    <message>
+        <source>%1 mi</source>
+        <translation>%1 mi</translation>
+    </message>
+    <message>
+        <source>%1 km</source>
+        <translation>%1 km</translation>
+    </message>
+    <message>
+        <source>%1 m</source>
+        <translation>%1 m</translation>
+    </message>
+    <message>
+        <source>%1 mph</source>
+        <translation>%1 mph</translation>
+    </message>
+    <message>
+        <source>%1 km/h</source>
+        <translation>%1 km/h</translation>
+    </message>
+    <message>
+        <source>%1 ft/s²</source>
+        <translation>%1 ft/s²</translation>
+    </message>
+    <message>
+        <source>%1 m/s²</source>
+        <translation>%1 m/s²</translation>
+    </message>
+    <message>
+        <source>%1 s</source>
+        <translation>%1 s</translation>
+    </message>
+    <message>
+        <source>%1 min</source>
+        <translation>%1 min</translation>
+    </message>
+    <message>
+        <source>%1 h %2 min</source>
+        <translation>%1 h %2 min</translation>
+    </message>
+    <message>
+        <source>%1 %</source>
+        <translation>%1 %</translation>
+    </message>
+    <message>
+        <source>%1°</source>
+        <translation>%1°</translation>
+    </message>
+</context>
+<context>
+    <name>UnsavedDialog</name>
+    <message>
+        <source>Save the changes of “%1”?</source>
+        <translation>Salvar as alterações de “%1”?</translation>
+    </message>
+    <message>
+        <source>Save your work?</source>
+        <translation>Salvar o trabalho?</translation>
+    </message>
+    <message>
+        <source>Cancel</source>
+        <translation>Cancelar</translation>
+    </message>
+    <message>
+        <source>Do not save</source>
+        <translation>Não salvar</translation>
+    </message>
+    <message>
+        <source>Save</source>
+        <translation>Salvar</translation>
+    </message>
+</context>
+<context>
+    <name>furrow::ExportModel</name>
+    <message>
+        <source>Furrow plan</source>
+        <translation>Plano do Furrow</translation>
+    </message>
+    <message>
+        <source>Furrow %1</source>
+        <translation>Furrow %1</translation>
+    </message>
+    <message>
+        <source>Writing …</source>
+        <translation>Gravando…</translation>
+    </message>
+    <message numerus="yes">
+        <source>%n file(s) written to %1</source>
+        <translation>
+            <numerusform>%n arquivo gravado em %1</numerusform>
+            <numerusform>%n arquivos gravados em %1</numerusform>
+        </translation>
+    </message>
+</context>
+<context>
+    <name>furrow::FarmModel</name>
+    <message>
+        <source>%1 · %2</source>
+        <translation>%1 · %2</translation>
+    </message>
+    <message>
+        <source>Rename the field</source>
+        <translation>Renomear o talhão</translation>
+    </message>
+    <message>
+        <source>Remove field %1</source>
+        <translation>Remover o talhão %1</translation>
+    </message>
+    <message>
+        <source>Add a plan</source>
+        <translation>Adicionar um plano</translation>
+    </message>
+    <message>
+        <source>Rename the plan</source>
+        <translation>Renomear o plano</translation>
+    </message>
+    <message>
+        <source>Remove the plan</source>
+        <translation>Remover o plano</translation>
+    </message>
+</context>
+<context>
+    <name>furrow::FieldEditor</name>
+    <message>
+        <source>Add a point</source>
+        <translation>Adicionar um ponto</translation>
+    </message>
+    <message>
+        <source>Move a point</source>
+        <translation>Mover um ponto</translation>
+    </message>
+    <message>
+        <source>Move an edge</source>
+        <translation>Mover um lado</translation>
+    </message>
+    <message>
+        <source>Move a hole</source>
+        <translation>Mover um vazio</translation>
+    </message>
+    <message>
+        <source>Move an obstacle</source>
+        <translation>Mover um obstáculo</translation>
+    </message>
+    <message>
+        <source>Move a gate</source>
+        <translation>Mover uma entrada</translation>
+    </message>
+    <message>
+        <source>Change the buffer</source>
+        <translation>Alterar a distância</translation>
+    </message>
+    <message>
+        <source>Draw a hole</source>
+        <translation>Desenhar um vazio</translation>
+    </message>
+    <message>
+        <source>Draw an obstacle</source>
+        <translation>Desenhar um obstáculo</translation>
+    </message>
+    <message>
+        <source>Obstacle %1</source>
+        <translation>Obstáculo %1</translation>
+    </message>
+    <message>
+        <source>Add a gate</source>
+        <translation>Adicionar uma entrada</translation>
+    </message>
+    <message>
+        <source>Gate %1</source>
+        <translation>Entrada %1</translation>
+    </message>
+    <message>
+        <source>Draw a guidance curve</source>
+        <translation>Desenhar uma curva de orientação</translation>
+    </message>
+    <message>
+        <source>Draw an AB line</source>
+        <translation>Desenhar uma linha AB</translation>
+    </message>
+    <message>
+        <source>Delete a point</source>
+        <translation>Excluir um ponto</translation>
+    </message>
+    <message>
+        <source>Delete a hole</source>
+        <translation>Excluir um vazio</translation>
+    </message>
+    <message>
+        <source>Delete an obstacle</source>
+        <translation>Excluir um obstáculo</translation>
+    </message>
+    <message>
+        <source>Delete a gate</source>
+        <translation>Excluir uma entrada</translation>
+    </message>
+    <message>
+        <source>Delete the guidance line</source>
+        <translation>Excluir a linha de orientação</translation>
+    </message>
+    <message>
+        <source>Move</source>
+        <translation>Mover</translation>
+    </message>
+    <message>
+        <source>Change a length</source>
+        <translation>Alterar um comprimento</translation>
+    </message>
+    <message>
+        <source>Change a direction</source>
+        <translation>Alterar uma direção</translation>
+    </message>
+    <message>
+        <source>Let the obstacle be driven on</source>
+        <translation>Permitir passar sobre o obstáculo</translation>
+    </message>
+    <message>
+        <source>Keep off the obstacle</source>
+        <translation>Não passar sobre o obstáculo</translation>
+    </message>
+    <message>
+        <source>Change the gate</source>
+        <translation>Alterar a entrada</translation>
+    </message>
+    <message>
+        <source>Rename</source>
+        <translation>Renomear</translation>
+    </message>
+    <message>
+        <source>AB line along an edge</source>
+        <translation>Linha AB ao longo de um lado</translation>
+    </message>
+</context>
+<context>
+    <name>furrow::FiguresModel</name>
+    <message>
+        <source>Area</source>
+        <translation>Área</translation>
+    </message>
+    <message>
+        <source>Of the field, holes and obstacles taken out</source>
+        <translation>Do talhão, sem vazios nem obstáculos</translation>
+    </message>
+    <message>
+        <source>Mainland</source>
+        <translation>Interior do talhão</translation>
+    </message>
+    <message>
+        <source>What is left inside the headland</source>
+        <translation>O que resta dentro da cabeceira</translation>
+    </message>
+    <message>
+        <source>Swaths</source>
+        <translation>Passadas</translation>
+    </message>
+    <message>
+        <source>Path</source>
+        <translation>Percurso</translation>
+    </message>
+    <message>
+        <source>Everything that is driven</source>
+        <translation>Tudo o que é percorrido</translation>
+    </message>
+    <message>
+        <source>Working</source>
+        <translation>Trabalho</translation>
+    </message>
+    <message>
+        <source>Turning</source>
+        <translation>Manobras</translation>
+    </message>
+    <message>
+        <source>Time</source>
+        <translation>Tempo</translation>
+    </message>
+    <message>
+        <source>Covered</source>
+        <translation>Trabalhado</translation>
+    </message>
+    <message>
+        <source>Share of the field that is worked, measured on the finished path</source>
+        <translation>Parte do talhão trabalhada, medida no percurso concluído</translation>
+    </message>
+    <message>
+        <source>Overlap</source>
+        <translation>Sobreposição</translation>
+    </message>
+    <message>
+        <source>Share of the field that is worked twice</source>
+        <translation>Parte do talhão trabalhada duas vezes</translation>
+    </message>
+</context>
+<context>
+    <name>furrow::ImageryModel</name>
+    <message>
+        <source>%1: %2</source>
+        <translation>%1: %2</translation>
+    </message>
+    <message>
+        <source>Add %1</source>
+        <translation>Adicionar %1</translation>
+    </message>
+    <message>
+        <source>Add imagery</source>
+        <translation>Adicionar imagens</translation>
+    </message>
+    <message>
+        <source>Remove %1</source>
+        <translation>Remover %1</translation>
+    </message>
+    <message>
+        <source>Move a layer</source>
+        <translation>Mover uma camada</translation>
+    </message>
+    <message>
+        <source>Rename a layer</source>
+        <translation>Renomear uma camada</translation>
+    </message>
+    <message>
+        <source>Show a layer</source>
+        <translation>Mostrar uma camada</translation>
+    </message>
+    <message>
+        <source>Hide a layer</source>
+        <translation>Ocultar uma camada</translation>
+    </message>
+    <message>
+        <source>Change how strong a layer is</source>
+        <translation>Alterar a opacidade de uma camada</translation>
+    </message>
+    <message>
+        <source>Turn the rows of tiles round</source>
+        <translation>Inverter a ordem das linhas de blocos</translation>
+    </message>
+</context>
+<context>
+    <name>furrow::MachineModel</name>
+    <message>
+        <source>auto · %1</source>
+        <translation>auto · %1</translation>
+    </message>
+</context>
+<context>
+    <name>furrow::ParameterModel</name>
+    <message>
+        <source>auto</source>
+        <translation>auto</translation>
+    </message>
+    <message>
+        <source>auto · %1</source>
+        <translation>auto · %1</translation>
+    </message>
+</context>
+<context>
+    <name>furrow::PlanSession</name>
+    <message>
+        <source>Change the machine</source>
+        <translation>Alterar a máquina</translation>
+    </message>
+    <message>
+        <source>Reading %1 …</source>
+        <translation>Lendo %1…</translation>
+    </message>
+    <message numerus="yes">
+        <source>%n field(s) in this file</source>
+        <translation>
+            <numerusform>%n talhão neste arquivo</numerusform>
+            <numerusform>%n talhões neste arquivo</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>Planning …</source>
+        <translation>Planejando…</translation>
+    </message>
+    <message>
+        <source>Stopped · this is the plan before the change</source>
+        <translation>Parado · este é o plano anterior à alteração</translation>
+    </message>
+    <message>
+        <source>Stopped</source>
+        <translation>Parado</translation>
+    </message>
+    <message>
+        <source>No plan</source>
+        <translation>Sem plano</translation>
+    </message>
+    <message>
+        <source>Plan ready · %1 ms</source>
+        <translation>Plano pronto · %1 ms</translation>
+    </message>
+    <message numerus="yes">
+        <source>%1 · %n turn(s) leave the field</source>
+        <translation>
+            <numerusform>%1 · %n manobra sai do talhão</numerusform>
+            <numerusform>%1 · %n manobras saem do talhão</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>%1 · %2</source>
+        <translation>%1 · %2</translation>
+    </message>
+    <message numerus="yes">
+        <source>%n file(s)</source>
+        <translation>
+            <numerusform>%n arquivo</numerusform>
+            <numerusform>%n arquivos</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>Add field %1</source>
+        <translation>Adicionar o talhão %1</translation>
+    </message>
+    <message numerus="yes">
+        <source>Add %n field(s)</source>
+        <translation>
+            <numerusform>Adicionar %n talhão</numerusform>
+            <numerusform>Adicionar %n talhões</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>Field %1</source>
+        <translation>Talhão %1</translation>
+    </message>
+    <message>
+        <source>drawn on the map</source>
+        <translation>desenhado no mapa</translation>
+    </message>
+    <message>
+        <source>Change: %1</source>
+        <translation>Alterar: %1</translation>
+    </message>
+    <message>
+        <source>Draft · planning …</source>
+        <translation>Rascunho · planejando…</translation>
+    </message>
+    <message>
+        <source>Stopped · this is a draft</source>
+        <translation>Parado · isto é um rascunho</translation>
+    </message>
+    <message>
+        <source>Draft · the whole plan follows when you let go</source>
+        <translation>Rascunho · o plano completo vem ao soltar</translation>
+    </message>
+</context>
+<context>
+    <name>furrow::ProjectFiles</name>
+    <message>
+        <source>Your last work was not saved. Here it is again.</source>
+        <translation>O último trabalho não foi salvo. Aqui está ele.</translation>
+    </message>
+    <message>
+        <source>Changes of “%1” were not saved. Here they are again.</source>
+        <translation>As alterações de “%1” não foram salvas. Aqui estão elas.</translation>
+    </message>
+    <message>
+        <source>It is kept in the file all the same.</source>
+        <translation>Mesmo assim continua no arquivo.</translation>
+    </message>
+    <message>
+        <source>Restore changes that were not saved</source>
+        <translation>Recuperar alterações não salvas</translation>
+    </message>
+    <message>
+        <source>Another program changed “%1” while changes of yours were not saved. Yours are shown; undo shows the file.</source>
+        <translation>Outro programa alterou “%1” enquanto havia alterações suas não salvas. As suas são mostradas; desfazer mostra o arquivo.</translation>
+    </message>
+    <message>
+        <source>Another program has changed “%1” since it was opened here.</source>
+        <translation>Outro programa alterou “%1” desde que foi aberto aqui.</translation>
+    </message>
+    <message>
+        <source>Save over it, or save yours under another name.</source>
+        <translation>Substitua-o ou salve o seu com outro nome.</translation>
+    </message>
+    <message>
+        <source>Farm</source>
+        <translation>Propriedade</translation>
+    </message>
+    <message>
+        <source>%1: %2</source>
+        <translation>%1: %2</translation>
+    </message>
+</context>
+<context>
+    <name>furrow::QuantityText</name>
+    <message>
+        <source>ft</source>
+        <translation>ft</translation>
+    </message>
+    <message>
+        <source>m</source>
+        <translation>m</translation>
+    </message>
+    <message>
+        <source>ac</source>
+        <translation>ac</translation>
+    </message>
+    <message>
+        <source>ha</source>
+        <translation>ha</translation>
+    </message>
+    <message>
+        <source>mph</source>
+        <translation>mph</translation>
+    </message>
+    <message>
+        <source>km/h</source>
+        <translation>km/h</translation>
+    </message>
+    <message>
+        <source>°</source>
+        <translation>°</translation>
+    </message>
+    <message>
+        <source>This is not a length. Type it like 7.3 m, 24 ft or 10&apos;6&quot;.</source>
+        <translation>Isto não é um comprimento. Digite por exemplo 7,3 m, 24 ft ou 10&apos;6&quot;.</translation>
+    </message>
+    <message>
+        <source>This is not an area. Type it like 12.5 ha or 30 ac.</source>
+        <translation>Isto não é uma área. Digite por exemplo 12,5 ha ou 30 ac.</translation>
+    </message>
+    <message>
+        <source>This is not a speed. Type it like 8 km/h or 5 mph.</source>
+        <translation>Isto não é uma velocidade. Digite por exemplo 8 km/h ou 5 mph.</translation>
+    </message>
+    <message>
+        <source>This is not an angle. Type it in degrees, like 87.5.</source>
+        <translation>Isto não é um ângulo. Digite em graus, por exemplo 87,5.</translation>
+    </message>
+    <message>
+        <source>This is not a number.</source>
+        <translation>Isto não é um número.</translation>
+    </message>
+    <message>
+        <source>%1 %2</source>
+        <translation>%1 %2</translation>
+    </message>
+    <message>
+        <source>Type something from %1 to %2.</source>
+        <translation>Digite algo de %1 a %2.</translation>
+    </message>
+    <message>
+        <source>%1 mi</source>
+        <translation>%1 mi</translation>
+    </message>
+    <message>
+        <source>%1 km</source>
+        <translation>%1 km</translation>
+    </message>
+    <message>
+        <source>%1 ft</source>
+        <translation>%1 ft</translation>
+    </message>
+    <message>
+        <source>%1 m</source>
+        <translation>%1 m</translation>
+    </message>
+</context>
+<context>
+    <name>furrow::RecentFiles</name>
+    <message numerus="yes">
+        <source>%n field(s)</source>
+        <translation>
+            <numerusform>%n talhão</numerusform>
+            <numerusform>%n talhões</numerusform>
+        </translation>
+    </message>
+</context>
+<context>
+    <name>furrow::StepsModel</name>
+    <message>
+        <source>mainland %1</source>
+        <translation>interior %1</translation>
+    </message>
+    <message numerus="yes">
+        <source>%n pass(es)</source>
+        <translation>
+            <numerusform>%n passada</numerusform>
+            <numerusform>%n passadas</numerusform>
+        </translation>
+    </message>
+    <message numerus="yes">
+        <source>%n cell(s)</source>
+        <translation>
+            <numerusform>%n subtalhão</numerusform>
+            <numerusform>%n subtalhões</numerusform>
+        </translation>
+    </message>
+    <message numerus="yes">
+        <source>%n swath(s)</source>
+        <translation>
+            <numerusform>%n passada</numerusform>
+            <numerusform>%n passadas</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>%1 with turns on the spot</source>
+        <translation>%1 com manobras no lugar</translation>
+    </message>
+    <message numerus="yes">
+        <source>%n turn(s)</source>
+        <translation>
+            <numerusform>%n manobra</numerusform>
+            <numerusform>%n manobras</numerusform>
+        </translation>
+    </message>
+    <message numerus="yes">
+        <source>%n not drivable</source>
+        <translation>
+            <numerusform>%n impossível</numerusform>
+            <numerusform>%n impossíveis</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>No usable boundary</source>
+        <translation>Sem limite utilizável</translation>
+    </message>
+    <message>
+        <source>No field yet</source>
+        <translation>Ainda sem talhão</translation>
+    </message>
+    <message numerus="yes">
+        <source>%n obstacle(s)</source>
+        <translation>
+            <numerusform>%n obstáculo</numerusform>
+            <numerusform>%n obstáculos</numerusform>
+        </translation>
+    </message>
+    <message numerus="yes">
+        <source>%n hole(s)</source>
+        <translation>
+            <numerusform>%n vazio</numerusform>
+            <numerusform>%n vazios</numerusform>
+        </translation>
+    </message>
+    <message numerus="yes">
+        <source>%n boundary point(s)</source>
+        <translation>
+            <numerusform>%n ponto do limite</numerusform>
+            <numerusform>%n pontos do limite</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>The message on the map says why</source>
+        <translation>A mensagem no mapa diz por quê</translation>
+    </message>
+    <message>
+        <source>Open a file or draw a boundary</source>
+        <translation>Abra um arquivo ou desenhe um limite</translation>
+    </message>
+    <message>
+        <source>%1 wide</source>
+        <translation>%1 de largura</translation>
+    </message>
+    <message>
+        <source>%1 radius</source>
+        <translation>%1 de raio</translation>
+    </message>
+    <message>
+        <source>Field</source>
+        <translation>Talhão</translation>
+    </message>
+    <message>
+        <source>Machine</source>
+        <translation>Máquina</translation>
+    </message>
+</context>
+<context>
+    <name>furrow::StickExport</name>
+    <message>
+        <source>%1 free of %2</source>
+        <translation>%1 livres de %2</translation>
+    </message>
+    <message>
+        <source>Writing …</source>
+        <translation>Gravando…</translation>
+    </message>
+    <message>
+        <source>every byte was read back, and the plan read from there is this plan.</source>
+        <translation>cada byte foi relido, e o plano lido de lá é este plano.</translation>
+    </message>
+    <message>
+        <source>every byte was read back and is as written.</source>
+        <translation>cada byte foi relido e está como foi gravado.</translation>
+    </message>
+    <message>
+        <source>Written: %1</source>
+        <translation>Gravado: %1</translation>
+    </message>
+    <message>
+        <source>Safe to unplug: %1</source>
+        <translation>O pen drive pode ser retirado: %1</translation>
+    </message>
+    <message>
+        <source>What was there before is kept as %1.</source>
+        <translation>O que havia antes fica guardado como %1.</translation>
+    </message>
+</context>
+</TS>
