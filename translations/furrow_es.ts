@@ -5198,6 +5198,10 @@
         <source>Plan ready · %1 ms</source>
         <translation>Plan listo · %1 ms</translation>
     </message>
+    <message>
+        <source>Plan ready · %1 s</source>
+        <translation>Plan listo · %1 s</translation>
+    </message>
     <message numerus="yes">
         <source>%1 · %n turn(s) leave the field</source>
         <translation>

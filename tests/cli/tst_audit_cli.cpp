@@ -104,7 +104,8 @@ private slots:
         // Headings come from the points alone: a pass along the boundary may seem centimetres outside.
         QVERIFY2(with.status <= 1, with.all());
         QVERIFY(std::abs(with.json()["covered_m2"].toDouble() - plan->audit.covered->si()) < plan->audit.areaError.si());
-        QVERIFY(std::abs(with.json()["overlap_m2"].toDouble() - plan->audit.overlap->si()) < plan->audit.areaError.si());
+        // And where one bends along it the strip beside its neighbour is a little wider or narrower.
+        QVERIFY(std::abs(with.json()["overlap_m2"].toDouble() - plan->audit.overlap->si()) < 0.002 * plan->audit.overlap->si());
         QVERIFY(std::abs(with.json()["min_clearance_m"].toDouble() - plan->audit.minClearance->si()) < 0.06);
     }
     void aBrokenFileIsNoticed() {

@@ -137,7 +137,9 @@ QString PlanSession::statusText() const {
         return tr("Draft · the whole plan follows when you let go");
     }
     const double milliseconds = plan_->timings.total.si() * 1e3;
-    const QString ready = tr("Plan ready · %1 ms").arg(numberText(milliseconds, milliseconds < 10.0 ? 1 : 0));
+    const QString ready = milliseconds < 1e3
+                              ? tr("Plan ready · %1 ms").arg(numberText(milliseconds, milliseconds < 10.0 ? 1 : 0))
+                              : tr("Plan ready · %1 s").arg(numberText(1e-3 * milliseconds, 1));
     const int undrivable = plan_->path.undrivableCount();
     return undrivable > 0 ? tr("%1 · %n turn(s) leave the field", nullptr, undrivable).arg(ready)
                           : tr("%1 · %2").arg(ready, durationText(plan_->path.duration()));

@@ -88,7 +88,7 @@ private slots:
         if (editor()->isDrawing()) {
             key(Qt::Key_Return);
         }
-        QTRY_VERIFY(session_->plan() && std::abs(std::cos(session_->plan()->swaths.heading.si())) < 0.01);
+        QTRY_VERIFY_WITH_TIMEOUT(session_->plan() && std::abs(std::cos(session_->plan()->swaths.heading.si())) < 0.01, 30000);
         ready();
         picture(QStringLiteral("walk5_ab_line"));
 
