@@ -12,6 +12,9 @@ using namespace furrow;
 
 namespace {
 
+// Plans take seconds where the machine has other things to do.
+constexpr int kPatienceMs = 30000;
+
 QList<QGeoCoordinate> rectangle() {
     return {{58.25, 22.5}, {58.25, 22.507}, {58.2535, 22.507}, {58.2535, 22.5}};
 }
@@ -85,10 +88,10 @@ private slots:
                 std::make_unique<QAbstractItemModelTester>(session.steps()->parameters(QLatin1String{step})));
         }
         session.setBoundary(rectangle());
-        QTRY_COMPARE(session.state(), PlanSession::State::Ready);
+        QTRY_COMPARE_WITH_TIMEOUT(session.state(), PlanSession::State::Ready, kPatienceMs);
         ParameterModel* headland = session.steps()->parameters(QStringLiteral("headland"));
         headland->setChoice(rowOf(*headland, QStringLiteral("headland.method")), methodIndex("headland", "none"));
-        QTRY_COMPARE(session.plan()->headland.width.si(), 0.0);
+        QTRY_COMPARE_WITH_TIMEOUT(session.plan()->headland.width.si(), 0.0, kPatienceMs);
         session.closeField();
         QCOMPARE(session.figures()->rowCount(), 0);
     }
@@ -105,7 +108,7 @@ private slots:
         QSignalSpy opened{&session, &PlanSession::fieldOpened};
         session.setBoundary(rectangle());
         QCOMPARE(session.state(), PlanSession::State::Planning);
-        QTRY_COMPARE(session.state(), PlanSession::State::Ready);
+        QTRY_COMPARE_WITH_TIMEOUT(session.state(), PlanSession::State::Ready, kPatienceMs);
         QCOMPARE(opened.count(), 1);
         QVERIFY(!session.drawing().isEmpty());
         QVERIFY(session.statusText().startsWith(QStringLiteral("Plan ready")));
@@ -115,20 +118,20 @@ private slots:
     void aNumberChangesThePlan() {
         PlanSession session;
         session.setBoundary(rectangle());
-        QTRY_COMPARE(session.state(), PlanSession::State::Ready);
+        QTRY_COMPARE_WITH_TIMEOUT(session.state(), PlanSession::State::Ready, kPatienceMs);
         ParameterModel* headland = session.steps()->parameters(QStringLiteral("headland"));
         const QString width = QStringLiteral("headland.width_m");
         QVERIFY(roleOf(*headland, width, ParameterModel::AutoTextRole).toString().startsWith(QStringLiteral("auto · ")));
         headland->setNumber(rowOf(*headland, width), 30.0);
-        QTRY_COMPARE(session.plan()->headland.width.si(), 30.0);
+        QTRY_COMPARE_WITH_TIMEOUT(session.plan()->headland.width.si(), 30.0, kPatienceMs);
         QCOMPARE(roleOf(*headland, width, ParameterModel::AutoTextRole).toString(), QString{});
         QCOMPARE(roleOf(*headland, width, ParameterModel::ValueRole).toDouble(), 30.0);
         // At most one of width and passes is given: the later one counts.
         headland->setNumber(rowOf(*headland, QStringLiteral("headland.passes")), 2.0);
-        QTRY_COMPARE(session.plan()->headland.passes, 2);
+        QTRY_COMPARE_WITH_TIMEOUT(session.plan()->headland.passes, 2, kPatienceMs);
         QVERIFY(!roleOf(*headland, width, ParameterModel::AutoTextRole).toString().isEmpty());
         headland->setAuto(rowOf(*headland, QStringLiteral("headland.passes")));
-        QTRY_VERIFY(session.settings() == Settings{} || session.plan()->headland.passes != 2);
+        QTRY_VERIFY_WITH_TIMEOUT(session.settings() == Settings{} || session.plan()->headland.passes != 2, kPatienceMs);
     }
     void directionsAreBearings_data() {
         QTest::addColumn<double>("bearing");
@@ -149,7 +152,7 @@ private slots:
         QVERIFY(row >= 0);
         swaths->setNumber(row, bearing);
         QCOMPARE(swaths->data(swaths->index(row), ParameterModel::ValueRole).toDouble(), bearing);
-        QTRY_VERIFY(session.plan() && std::abs(inDegrees(session.plan()->swaths.heading) - degreesFromEast) < 1e-6);
+        QTRY_VERIFY_WITH_TIMEOUT(session.plan() && std::abs(inDegrees(session.plan()->swaths.heading) - degreesFromEast) < 1e-6, kPatienceMs);
     }
     // Also over a choice that was made before.
     void anOperationBringsItsDefaults() {
@@ -179,7 +182,7 @@ private slots:
     void aDraggedVertexIsFollowed() {
         PlanSession session;
         session.setBoundary(rectangle());
-        QTRY_COMPARE(session.state(), PlanSession::State::Ready);
+        QTRY_COMPARE_WITH_TIMEOUT(session.state(), PlanSession::State::Ready, kPatienceMs);
         const double before = session.plan()->field().area().si();
         for (int i = 1; i <= 30; ++i) {
             moveVertex(session, 1, QGeoCoordinate{58.25, 22.507 + i * 1e-4}, false);
@@ -187,39 +190,39 @@ private slots:
         }
         const QGeoCoordinate last{58.25, 22.511};
         moveVertex(session, 1, last, true);
-        QTRY_VERIFY(session.plan()->field().area().si() > before * 1.2);
+        QTRY_VERIFY_WITH_TIMEOUT(session.plan()->field().area().si() > before * 1.2, kPatienceMs);
         const std::vector<WorldPoint>& ring = session.drawing().geometry()->rings.front().points;
         QVERIFY(std::ranges::any_of(ring, [&](WorldPoint p) { return coordinate(p).distanceTo(last) < 0.01; }));
     }
     void aDragShowsDraftsAndTheWholePlanWhenItIsLetGo() {
         PlanSession session;
         session.setBoundary(rectangle());
-        QTRY_COMPARE(session.state(), PlanSession::State::Ready);
+        QTRY_COMPARE_WITH_TIMEOUT(session.state(), PlanSession::State::Ready, kPatienceMs);
         QVERIFY(!session.isDraft());
         const double heading = session.plan()->swaths.heading.si();
         const QString covered = figure(session, 7);
         moveVertex(session, 1, QGeoCoordinate{58.25, 22.5085}, false);
-        QTRY_VERIFY(session.isDraft());
+        QTRY_VERIFY_WITH_TIMEOUT(session.isDraft(), kPatienceMs);
         QVERIFY(session.statusText().startsWith(QStringLiteral("Draft")));
         QCOMPARE(session.plan()->swaths.heading.si(), heading);
         QCOMPARE(figure(session, 7), QStringLiteral("–"));
         QVERIFY(!session.drawing().isEmpty());
         moveVertex(session, 1, QGeoCoordinate{58.25, 22.5086}, true);
-        QTRY_VERIFY(!session.isDraft());
+        QTRY_VERIFY_WITH_TIMEOUT(!session.isDraft(), kPatienceMs);
         QCOMPARE(session.state(), PlanSession::State::Ready);
         QVERIFY(session.plan()->audit.coveredShare.has_value());
         QVERIFY(figure(session, 7) != QStringLiteral("–"));
         // Ended without another change, as when the tool is changed.
         moveVertex(session, 1, QGeoCoordinate{58.25, 22.5090}, false);
-        QTRY_VERIFY(session.isDraft());
+        QTRY_VERIFY_WITH_TIMEOUT(session.isDraft(), kPatienceMs);
         session.document()->endDrag();
-        QTRY_VERIFY(!session.isDraft());
+        QTRY_VERIFY_WITH_TIMEOUT(!session.isDraft(), kPatienceMs);
         QCOMPARE(session.state(), PlanSession::State::Ready);
     }
     void aBoundaryThatCrossesItselfIsToldWithItsPlace() {
         PlanSession session;
         session.setBoundary({{58.25, 22.5}, {58.2535, 22.507}, {58.25, 22.507}, {58.2535, 22.5}});
-        QTRY_COMPARE(session.state(), PlanSession::State::Failed);
+        QTRY_COMPARE_WITH_TIMEOUT(session.state(), PlanSession::State::Failed, kPatienceMs);
         QVERIFY(!session.problem().isEmpty());
         QVERIFY(session.problemPlace().isValid());
         QVERIFY(!session.hasPlan());
@@ -227,33 +230,33 @@ private slots:
         // Put right by dragging a vertex.
         moveVertex(session, 1, {58.25, 22.5075}, false);
         moveVertex(session, 2, {58.2535, 22.507}, true);
-        QTRY_COMPARE(session.state(), PlanSession::State::Ready);
+        QTRY_COMPARE_WITH_TIMEOUT(session.state(), PlanSession::State::Ready, kPatienceMs);
     }
     void aFileWithSeveralFieldsAsks() {
         const QTemporaryDir folder;
         PlanSession session;
         session.open(written(folder, QStringLiteral("two.geojson"), twoFields()));
-        QTRY_COMPARE(session.state(), PlanSession::State::Choosing);
+        QTRY_COMPARE_WITH_TIMEOUT(session.state(), PlanSession::State::Choosing, kPatienceMs);
         QCOMPARE(session.choices()->rowCount(), 2);
         session.chooseField(1);
-        QTRY_COMPARE(session.state(), PlanSession::State::Ready);
+        QTRY_COMPARE_WITH_TIMEOUT(session.state(), PlanSession::State::Ready, kPatienceMs);
         QCOMPARE(session.fieldName(), QStringLiteral("South"));
         session.open(written(folder, QStringLiteral("two.geojson"), twoFields()), QStringLiteral("a"));
-        QTRY_COMPARE(session.fieldName(), QStringLiteral("North"));
+        QTRY_COMPARE_WITH_TIMEOUT(session.fieldName(), QStringLiteral("North"), kPatienceMs);
     }
     void allOfThemCanBeOpened() {
         const QTemporaryDir folder;
         PlanSession session;
         session.open(written(folder, QStringLiteral("two.geojson"), twoFields()));
-        QTRY_COMPARE(session.state(), PlanSession::State::Choosing);
+        QTRY_COMPARE_WITH_TIMEOUT(session.state(), PlanSession::State::Choosing, kPatienceMs);
         session.chooseAll();
-        QTRY_COMPARE(session.state(), PlanSession::State::Ready);
+        QTRY_COMPARE_WITH_TIMEOUT(session.state(), PlanSession::State::Ready, kPatienceMs);
         QCOMPARE(session.farm()->fields().size(), 2);
         QCOMPARE(session.fieldName(), QStringLiteral("North"));
         QSignalSpy opened{&session, &PlanSession::fieldOpened};
         session.farm()->setCurrentField(1);
         QCOMPARE(session.fieldName(), QStringLiteral("South"));
-        QTRY_COMPARE(opened.count(), 1);
+        QTRY_COMPARE_WITH_TIMEOUT(opened.count(), 1, kPatienceMs);
         session.document()->undo();
         QVERIFY(!session.hasField());
     }
@@ -269,8 +272,8 @@ private slots:
         QVERIFY(session.isProjectFile(QUrl::fromLocalFile(project)));
         QVERIFY(!session.isProjectFile(boundaries));
         session.openUrls({boundaries, QUrl::fromLocalFile(project)});
-        QTRY_COMPARE(session.farm()->fields().size(), 3);
-        QTRY_COMPARE(session.state(), PlanSession::State::Ready);
+        QTRY_COMPARE_WITH_TIMEOUT(session.farm()->fields().size(), 3, kPatienceMs);
+        QTRY_COMPARE_WITH_TIMEOUT(session.state(), PlanSession::State::Ready, kPatienceMs);
         QCOMPARE(session.files()->name(), QStringLiteral("farm"));
         QCOMPARE(session.recent()->count(), 1);
         QVERIFY2(session.document()->isModified(), "the boundaries are not in the file yet");
@@ -279,15 +282,15 @@ private slots:
     void eachPlanHasItsMachine() {
         PlanSession session;
         session.setBoundary(rectangle());
-        QTRY_COMPARE(session.state(), PlanSession::State::Ready);
+        QTRY_COMPARE_WITH_TIMEOUT(session.state(), PlanSession::State::Ready, kPatienceMs);
         session.farm()->addPlan(QStringLiteral("Harvest"));
         session.machine()->setLibraryIndex(4);
-        QTRY_COMPARE(session.plan()->request.machine.name(), session.machine()->library().at(4).toStdString());
+        QTRY_COMPARE_WITH_TIMEOUT(session.plan()->request.machine.name(), session.machine()->library().at(4).toStdString(), kPatienceMs);
         session.farm()->renamePlan(QStringLiteral("Oats"), QStringLiteral("2027"));
         QCOMPARE(session.farm()->plans().at(1), QStringLiteral("Oats · 2027"));
         session.farm()->setCurrentPlan(0);
         QCOMPARE(session.machine()->libraryIndex(), 0);
-        QTRY_COMPARE(session.plan()->request.machine.name(), session.machine()->library().at(0).toStdString());
+        QTRY_COMPARE_WITH_TIMEOUT(session.plan()->request.machine.name(), session.machine()->library().at(0).toStdString(), kPatienceMs);
         session.farm()->removePlan();
         QCOMPARE(session.farm()->plans().size(), 1);
         QCOMPARE(session.machine()->libraryIndex(), 4);
@@ -314,7 +317,7 @@ private slots:
     void anUnreadableFileIsTold() {
         PlanSession session;
         session.open(QStringLiteral("/nowhere/field.geojson"));
-        QTRY_COMPARE(session.state(), PlanSession::State::Failed);
+        QTRY_COMPARE_WITH_TIMEOUT(session.state(), PlanSession::State::Failed, kPatienceMs);
         QVERIFY(!session.problem().isEmpty());
         QVERIFY(!session.hasField());
     }
@@ -339,7 +342,7 @@ private slots:
     void anotherMachineGivesAnotherPlan() {
         PlanSession session;
         session.setBoundary(rectangle());
-        QTRY_COMPARE(session.state(), PlanSession::State::Ready);
+        QTRY_COMPARE_WITH_TIMEOUT(session.state(), PlanSession::State::Ready, kPatienceMs);
         const std::size_t swaths = session.plan()->swaths.swaths.size();
         for (int row = 0; row < session.machine()->rowCount(); ++row) {
             if (session.machine()->data(session.machine()->index(row), MachineModel::KeyRole).toString() ==
@@ -348,30 +351,30 @@ private slots:
             }
         }
         QVERIFY(session.machine()->isChanged());
-        QTRY_VERIFY(session.plan()->swaths.swaths.size() < swaths);
+        QTRY_VERIFY_WITH_TIMEOUT(session.plan()->swaths.swaths.size() < swaths, kPatienceMs);
         session.machine()->reset();
         QVERIFY(!session.machine()->isChanged());
-        QTRY_COMPARE(session.plan()->swaths.swaths.size(), swaths);
+        QTRY_COMPARE_WITH_TIMEOUT(session.plan()->swaths.swaths.size(), swaths, kPatienceMs);
     }
     void exportWritesAFolder() {
         const QTemporaryDir folder;
         PlanSession session;
         session.setBoundary(rectangle());
-        QTRY_COMPARE(session.state(), PlanSession::State::Ready);
+        QTRY_COMPARE_WITH_TIMEOUT(session.state(), PlanSession::State::Ready, kPatienceMs);
         const QString target = folder.filePath(QStringLiteral("plan one"));
         session.exporter()->writeTo(target);
-        QTRY_COMPARE(session.exporter()->state(), ExportModel::State::Done);
+        QTRY_COMPARE_WITH_TIMEOUT(session.exporter()->state(), ExportModel::State::Done, kPatienceMs);
         QVERIFY(QFile::exists(target + QStringLiteral("/summary.json")));
         QVERIFY(QFile::exists(target + QStringLiteral("/plan.geojson")));
         // A folder cannot be made below a file.
         session.exporter()->writeTo(target + QStringLiteral("/summary.json/below"));
-        QTRY_COMPARE(session.exporter()->state(), ExportModel::State::Failed);
+        QTRY_COMPARE_WITH_TIMEOUT(session.exporter()->state(), ExportModel::State::Failed, kPatienceMs);
         QVERIFY(!session.exporter()->message().isEmpty());
     }
     void cancelKeepsThePlanBefore() {
         PlanSession session;
         session.setBoundary(rectangle());
-        QTRY_COMPARE(session.state(), PlanSession::State::Ready);
+        QTRY_COMPARE_WITH_TIMEOUT(session.state(), PlanSession::State::Ready, kPatienceMs);
         const auto before = session.plan();
         ParameterModel* headland = session.steps()->parameters(QStringLiteral("headland"));
         headland->setNumber(rowOf(*headland, QStringLiteral("headland.width_m")), 30.0);
@@ -379,8 +382,8 @@ private slots:
         QCOMPARE(session.state(), PlanSession::State::Stopped);
         QCOMPARE(session.plan(), before);
         session.planAgain();
-        QTRY_COMPARE(session.plan()->headland.width.si(), 30.0);
-        QTRY_COMPARE(session.state(), PlanSession::State::Ready);
+        QTRY_COMPARE_WITH_TIMEOUT(session.plan()->headland.width.si(), 30.0, kPatienceMs);
+        QTRY_COMPARE_WITH_TIMEOUT(session.state(), PlanSession::State::Ready, kPatienceMs);
     }
 };
 
