@@ -15,6 +15,9 @@ using namespace furrow;
 
 namespace {
 
+// Plans take seconds where the machine has other things to do.
+constexpr int kPatienceMs = 30000;
+
 const OutlineId kOuter{OutlineKind::Boundary, 0, 0};
 constexpr Length kReach = metres(5.0);
 
@@ -155,10 +158,10 @@ private slots:
         QVERIFY2(distanceToSegment(bench.editor.shape()->gates.front(), bench.corner(0), bench.corner(1)) < 1e-3,
                  "a gate lies on the boundary");
         bench.draw(FieldEditor::Tool::Guide, {{-100, -50}, {100, 50}});
-        QTRY_VERIFY(bench.session.plan() && bench.session.plan()->field().source().gates.size() == 1);
-        QTRY_COMPARE(bench.session.state(), PlanSession::State::Ready);
+        QTRY_VERIFY_WITH_TIMEOUT(bench.session.plan() && bench.session.plan()->field().source().gates.size() == 1, kPatienceMs);
+        QTRY_COMPARE_WITH_TIMEOUT(bench.session.state(), PlanSession::State::Ready, kPatienceMs);
         // 200 m to the east and 100 m to the north.
-        QTRY_VERIFY(std::abs(bench.session.plan()->swaths.heading.si() - std::atan2(100.0, 200.0)) < 1e-3);
+        QTRY_VERIFY_WITH_TIMEOUT(std::abs(bench.session.plan()->swaths.heading.si() - std::atan2(100.0, 200.0)) < 1e-3, kPatienceMs);
         QCOMPARE(bench.session.plan()->field().source().obstacles.size(), std::size_t{1});
         bench.editor.select({.kind = Selection::Kind::Guide, .outline = {OutlineKind::Guide, 0, 0}, .index = 0});
         bench.editor.deleteSelection();
@@ -174,7 +177,7 @@ private slots:
         bench.click(bench.corner(1) + 0.3 * way);
         QVERIFY(bench.inspector.isEdge());
         bench.editor.guideAlongEdge();
-        QTRY_VERIFY(bench.session.plan() && std::abs(std::sin(bench.session.plan()->swaths.heading.si() - std::atan2(way.y, way.x))) < 1e-6);
+        QTRY_VERIFY_WITH_TIMEOUT(bench.session.plan() && std::abs(std::sin(bench.session.plan()->swaths.heading.si() - std::atan2(way.y, way.x))) < 1e-6, kPatienceMs);
     }
     void drawnByHand() {
         PlanSession session;
@@ -194,7 +197,7 @@ private slots:
         QVERIFY(session.hasField());
         const std::size_t points = session.document()->project()->field()->source->parts.front().outer.size();
         QVERIFY2(points > 10 && points < 60, "as many as two metres of tolerance need");
-        QTRY_COMPARE(session.state(), PlanSession::State::Ready);
+        QTRY_COMPARE_WITH_TIMEOUT(session.state(), PlanSession::State::Ready, kPatienceMs);
         COMPARE_WITHIN(session.plan()->field().area().si(), std::numbers::pi * 150.0 * 150.0, 2000.0);
     }
     void edgesAreTyped() {
@@ -246,7 +249,7 @@ private slots:
     }
     void thePlanIsInspected() {
         Bench bench;
-        QTRY_COMPARE(bench.session.state(), PlanSession::State::Ready);
+        QTRY_COMPARE_WITH_TIMEOUT(bench.session.state(), PlanSession::State::Ready, kPatienceMs);
         const Plan& plan = *bench.session.plan();
         QSet<QString> seen;
         for (std::size_t i = 0; i < plan.path.segments.size(); ++i) {
