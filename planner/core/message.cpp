@@ -12,7 +12,7 @@ namespace furrow {
 namespace {
 
 struct Unit {
-    std::string_view text;  ///< as it stands behind the placeholder
+    std::string_view text;  ///< as it stands behind the slot
     MessageUnit unit;
 };
 
@@ -41,10 +41,10 @@ Unit unitAt(std::string_view rest) {
     return {"", MessageUnit::None};
 }
 
-/// A pattern as its plain stretches and placeholders.
+/// A pattern as its plain stretches and slots.
 struct Piece {
     std::string plain;
-    std::string placeholder;  ///< "{:.2f}"; empty at the end
+    std::string slot;  ///< "{:.2f}"; empty at the end
     Unit unit{"", MessageUnit::None};
 };
 
@@ -57,7 +57,7 @@ std::vector<Piece> piecesOf(std::string_view pattern) {
             ++i;
         } else if (c == '{') {
             const std::size_t end = pattern.find('}', i);
-            pieces.back().placeholder = pattern.substr(i, end - i + 1);
+            pieces.back().slot = pattern.substr(i, end - i + 1);
             pieces.back().unit = unitAt(pattern.substr(end + 1));
             i = end + pieces.back().unit.text.size();
             pieces.emplace_back();
@@ -72,10 +72,8 @@ std::string keyOf(const std::vector<Piece>& pieces, bool counted) {
     std::string key;
     int number = counted ? 0 : 1;
     for (const Piece& piece : pieces) {
-        for (const char c : piece.plain) {
-            key += c;
-        }
-        if (!piece.placeholder.empty()) {
+        key += piece.plain;
+        if (!piece.slot.empty()) {
             key += number == 0 ? std::string{"%n"} : std::format("%{}", number);
             // Counts keep what follows them; a unit becomes part of the value.
             if (number == 0) {
@@ -87,19 +85,19 @@ std::string keyOf(const std::vector<Piece>& pieces, bool counted) {
     return key;
 }
 
-int decimalsOf(std::string_view placeholder) {
-    const std::size_t point = placeholder.find('.');
-    return point == std::string_view::npos ? -1 : placeholder[point + 1] - '0';
+int decimalsOf(std::string_view slot) {
+    const std::size_t point = slot.find('.');
+    return point == std::string_view::npos ? -1 : slot[point + 1] - '0';
 }
 
-std::string english(const MessageArgument& argument, std::string_view placeholder) {
+std::string english(const MessageArgument& argument, std::string_view slot) {
     if (argument.kind != MessageArgument::Kind::Number) {
         return argument.message.text();
     }
     if (argument.isWhole) {
         return std::format("{}", static_cast<std::int64_t>(argument.number));
     }
-    return std::vformat(placeholder, std::make_format_args(argument.number));
+    return std::vformat(slot, std::make_format_args(argument.number));
 }
 
 std::string capital(std::string text) {
@@ -138,13 +136,13 @@ Message madeMessage(std::string_view pattern, std::string_view manyPattern, std:
     std::size_t next = 0;
     for (const Piece& piece : pieces) {
         made.text_ += piece.plain;
-        if (piece.placeholder.empty() || next >= arguments.size()) {
+        if (piece.slot.empty() || next >= arguments.size()) {
             continue;
         }
         MessageArgument& argument = arguments[next++];
         argument.unit = piece.unit.unit;
-        argument.decimals = decimalsOf(piece.placeholder);
-        made.text_ += english(argument, piece.placeholder);
+        argument.decimals = decimalsOf(piece.slot);
+        made.text_ += english(argument, piece.slot);
         made.text_ += piece.unit.text;
     }
     made.key_ = count ? messageKey(manyPattern, true) : keyOf(pieces, false);

@@ -126,7 +126,7 @@ Message counted(std::string_view onePattern, std::string_view manyPattern, Count
                        {MessageArgument{count}, MessageArgument{arguments}...});
 }
 
-/// How a pattern looks in translations: placeholders numbered from %1, the first as %n in `counted` ones.
+/// How a pattern looks in translations: values numbered from %1, the first as %n in `counted` ones.
 std::string messageKey(std::string_view pattern, bool counted);
 
 /// One after the other.
