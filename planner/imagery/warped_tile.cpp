@@ -3,6 +3,7 @@
 #include "planner/io/file_error.h"
 #include "planner/io/gdal_messages.h"
 
+#include <cpl_string.h>
 #include <gdal_alg.h>
 #include <gdal_utils.h>
 #include <gdalwarper.h>
@@ -10,6 +11,7 @@
 #include <algorithm>
 #include <array>
 #include <cstdint>
+#include <initializer_list>
 #include <limits>
 #include <utility>
 
@@ -29,24 +31,6 @@ Error damaged(const std::string& where, const std::string& reason) {
     return readFailed(where, reason.empty() ? Message{"a part of it cannot be read"} : message("a part of it is damaged: {}", reason),
                       "copy or export the file again");
 }
-
-/// The words of a command line as GDAL's options take them.
-class Words {
-public:
-    void add(std::initializer_list<std::string> words) { words_.insert(words_.end(), words); }
-    char** list() {
-        pointers_.clear();
-        for (std::string& word : words_) {
-            pointers_.push_back(word.data());
-        }
-        pointers_.push_back(nullptr);
-        return pointers_.data();
-    }
-
-private:
-    std::vector<std::string> words_;
-    std::vector<char*> pointers_;
-};
 
 Result<RasterDataset> checked(GDALDatasetH made, const GdalMessages& messages, const std::string& where,
                               const JobContext& job) {
@@ -84,6 +68,19 @@ void setNoData(GDALWarpOptions& options, GDALDataset& raster, const TileBands& b
         options.padfDstNoDataReal = static_cast<double*>(CPLMalloc(bytes));
         std::ranges::fill_n(options.padfDstNoDataReal, std::ssize(values), std::numeric_limits<double>::quiet_NaN());
     }
+}
+
+/// All values of a band; zeros where they cannot be read.
+template <class Value>
+std::vector<Value> valuesOf(GDALDataset& raster, int band, GDALDataType type) {
+    const int width = raster.GetRasterXSize();
+    const int height = raster.GetRasterYSize();
+    std::vector<Value> values(static_cast<std::size_t>(width) * static_cast<std::size_t>(height));
+    if (raster.GetRasterBand(band)->RasterIO(GF_Read, 0, 0, width, height, values.data(), width, height, type, 0, 0,
+                                             nullptr) != CE_None) {
+        std::ranges::fill(values, Value{});
+    }
+    return values;
 }
 
 }  // namespace
@@ -244,14 +241,17 @@ Result<RasterDataset> reducedRaster(GDALDataset& source, const std::vector<int>&
     const auto reduced = [&](int side) {
         return std::to_string(std::max<std::int64_t>(1, std::int64_t{side} * std::min(longest, longestSide) / longest));
     };
-    Words words;
-    words.add({"-of", "MEM", "-r", average ? "average" : "nearest", "-outsize", reduced(source.GetRasterXSize()),
-               reduced(source.GetRasterYSize())});
+    CPLStringList words;
+    const auto add = [&](std::initializer_list<std::string> more) {
+        std::ranges::for_each(more, [&](const std::string& word) { words.AddString(word.c_str()); });
+    };
+    add({"-of", "MEM", "-r", average ? "average" : "nearest", "-outsize", reduced(source.GetRasterXSize()),
+         reduced(source.GetRasterYSize())});
     for (const int band : bands) {
-        words.add({"-b", std::to_string(band)});
+        add({"-b", std::to_string(band)});
     }
     const GdalMessages messages;
-    GDALTranslateOptions* options = GDALTranslateOptionsNew(words.list(), nullptr);
+    GDALTranslateOptions* options = GDALTranslateOptionsNew(words.List(), nullptr);
     GDALTranslateOptionsSetProgress(options, goOn, const_cast<JobContext*>(&job));
     GDALDatasetH made = GDALTranslate("", &source, options, nullptr);
     GDALTranslateOptionsFree(options);
@@ -259,25 +259,11 @@ Result<RasterDataset> reducedRaster(GDALDataset& source, const std::vector<int>&
 }
 
 std::vector<std::uint8_t> bytesOf(GDALDataset& raster, int band) {
-    const int width = raster.GetRasterXSize();
-    const int height = raster.GetRasterYSize();
-    std::vector<std::uint8_t> values(static_cast<std::size_t>(width) * static_cast<std::size_t>(height));
-    if (raster.GetRasterBand(band)->RasterIO(GF_Read, 0, 0, width, height, values.data(), width, height, GDT_Byte, 0, 0,
-                                             nullptr) != CE_None) {
-        std::ranges::fill(values, std::uint8_t{0});
-    }
-    return values;
+    return valuesOf<std::uint8_t>(raster, band, GDT_Byte);
 }
 
 std::vector<float> floatsOf(GDALDataset& raster, int band) {
-    const int width = raster.GetRasterXSize();
-    const int height = raster.GetRasterYSize();
-    std::vector<float> values(static_cast<std::size_t>(width) * static_cast<std::size_t>(height));
-    if (raster.GetRasterBand(band)->RasterIO(GF_Read, 0, 0, width, height, values.data(), width, height, GDT_Float32, 0,
-                                             0, nullptr) != CE_None) {
-        std::ranges::fill(values, 0.0F);
-    }
-    return values;
+    return valuesOf<float>(raster, band, GDT_Float32);
 }
 
 }  // namespace furrow
