@@ -47,15 +47,6 @@ std::vector<Feeler> feelersOf(const Machine& machine) {
     return feelers;
 }
 
-/// Where more than this would be needed the line does not fit anyway.
-double farthestM(const Machine& machine) {
-    double farthest = 0.0;
-    for (const Point& corner : machine.workingFootprint()) {
-        farthest = std::max(farthest, norm(corner));
-    }
-    return farthest;
-}
-
 /// Places along a line. An arc that is left out is one place, the point where its two sides meet.
 struct Station {
     Pose pose;
@@ -85,6 +76,133 @@ std::vector<Station> stationsOf(const Turn& line, const FollowingRules& rules) {
     return stations;
 }
 
+/// What tail and nose ask of each other's stations, and its least solution.
+class WayIn {
+public:
+    WayIn(std::vector<Station> stations, const BoundaryDistance& edges, const Machine& machine, Length beside)
+        : stations_{std::move(stations)},
+          feelers_{feelersOf(machine)},
+          sharpest_{kCurvatureShare / machine.minTurningRadius().si()} {
+        for (const Point& corner : machine.workingFootprint()) {
+            mostM_ = std::max(mostM_, norm(corner));
+        }
+        for (Feeler& feeler : feelers_) {
+            for (const Station& station : stations_) {
+                feeler.outsideM.push_back(outsideM(feeler, station, edges, beside));
+            }
+        }
+        for (std::size_t i = 0; i < stations_.size(); ++i) {
+            const Pose& here = stations_[i].pose;
+            const Pose& there = stations_[next(i)].pose;
+            stepM_.push_back(std::max(1e-3, distance(here.position, there.position)));
+            bend_.push_back(std::remainder((there.heading - here.heading).si(), 2.0 * std::numbers::pi) / stepM_[i]);
+            const bool staysPut = std::abs(bend_[i]) > kBentShare * sharpest_ || stations_[i].isLeftOut;
+            inM_.push_back(staysPut ? 0.0 : -edges.reachM());
+        }
+        pending_.assign(stations_.size(), 1);
+    }
+
+    /// The least way in of every station that leaves nothing outside and bends no more than the machine can.
+    void solve() {
+        settle();
+        // Moving in somewhere more than before and after bends it the other way. There is no least way to mend that:
+        // both sides give a little, a few times.
+        for (int round = 0; round < kGivingRounds; ++round) {
+            for (std::size_t i = 0; i < stations_.size(); ++i) {
+                const auto [meanM, sagM] = besideNeighbours(i);
+                const double tooFarM = inM_[i] - meanM - sagM * (sharpest_ + bend_[i]);
+                if (tooFarM > 0.0 && !stations_[i].isLeftOut) {
+                    raise(last(i), inM_[last(i)] + kGiven * tooFarM);
+                    raise(next(i), inM_[next(i)] + kGiven * tooFarM);
+                }
+            }
+            settle();
+        }
+    }
+
+    Ring ring() const {
+        Ring ring;
+        for (std::size_t i = 0; i < stations_.size(); ++i) {
+            const Point ahead = direction(stations_[i].pose.heading.si());
+            ring.push_back(stations_[i].pose.position + inM_[i] * Point{-ahead.y, ahead.x});
+        }
+        return ring;
+    }
+
+private:
+    std::size_t next(std::size_t i) const { return (i + 1) % stations_.size(); }
+    std::size_t last(std::size_t i) const { return (i + stations_.size() - 1) % stations_.size(); }
+
+    static double outsideM(const Feeler& feeler, const Station& station, const BoundaryDistance& edges, Length beside) {
+        if (station.isLeftOut) {
+            return -edges.reachM();
+        }
+        const Point ahead = direction(station.pose.heading.si());
+        const Point at = station.pose.position + feeler.at.x * ahead + feeler.at.y * Point{-ahead.y, ahead.x};
+        const double insideM = edges.insideM(at).value_or(edges.reachM()) - beside.si();
+        return (std::abs(insideM) < kFlushM ? 0.0 : kReserveM) - insideM;
+    }
+
+    void raise(std::size_t i, double wantedM) {
+        const double leastM = std::min(wantedM, mostM_);
+        if (leastM > inM_[i] + kSettledM) {
+            inM_[i] = leastM;
+            pending_[i] = pending_[next(i)] = pending_[last(i)] = 1;
+            changed_ = true;
+        }
+    }
+
+    /// What a station would have if its line bent as its neighbours' do, and how far a radius lets it be from there.
+    std::pair<double, double> besideNeighbours(std::size_t i) const {
+        const double beforeM = stepM_[last(i)];
+        const double meanM = (stepM_[i] * inM_[last(i)] + beforeM * inM_[next(i)]) / (beforeM + stepM_[i]);
+        return {meanM, 0.5 * beforeM * stepM_[i]};
+    }
+
+    void ask(std::size_t i) {
+        if (std::exchange(pending_[i], 0) == 0) {
+            return;
+        }
+        for (const Feeler& feeler : feelers_) {
+            const double x = feeler.at.x;
+            const double missingM = feeler.outsideM[i] - inM_[i];
+            if (x > stepM_[i]) {
+                raise(next(i), inM_[i] + stepM_[i] / x * missingM);
+            } else if (x < -stepM_[last(i)]) {
+                raise(last(i), inM_[i] - stepM_[last(i)] / x * missingM);
+            } else {
+                raise(i, feeler.outsideM[i]);
+            }
+        }
+        // Moving in before and after a corner more than in it bends the line more.
+        if (!stations_[i].isLeftOut) {
+            const auto [meanM, sagM] = besideNeighbours(i);
+            raise(i, meanM - sagM * (sharpest_ - bend_[i]));
+        }
+    }
+
+    void settle() {
+        for (int round = 0; std::exchange(changed_, false) && round < kMostRounds; ++round) {
+            for (std::size_t i = 0; i < stations_.size(); ++i) {
+                ask(i);
+            }
+            for (std::size_t i = stations_.size(); i-- > 0;) {
+                ask(i);
+            }
+        }
+    }
+
+    std::vector<Station> stations_;
+    std::vector<Feeler> feelers_;
+    double sharpest_;             ///< 1/m
+    double mostM_ = 0.0;          ///< where more would be needed the line does not fit anyway
+    std::vector<double> stepM_;   ///< to the next station
+    std::vector<double> bend_;    ///< 1/m
+    std::vector<double> inM_;
+    std::vector<char> pending_;   ///< stations whose neighbourhood has changed since they asked
+    bool changed_ = true;
+};
+
 }  // namespace
 
 bool FollowingRules::leavesOut(Point place) const {
@@ -92,103 +210,9 @@ bool FollowingRules::leavesOut(Point place) const {
 }
 
 Ring followingTheEdge(const Turn& line, const BoundaryDistance& edges, const Machine& machine, const FollowingRules& rules) {
-    const std::vector<Station> stations = stationsOf(line, rules);
-    const std::size_t count = stations.size();
-    std::vector<Feeler> feelers = feelersOf(machine);
-    for (Feeler& feeler : feelers) {
-        for (const auto& [pose, isLeftOut] : stations) {
-            if (isLeftOut) {
-                feeler.outsideM.push_back(-edges.reachM());
-                continue;
-            }
-            const Point ahead = direction(pose.heading.si());
-            const Point at = pose.position + feeler.at.x * ahead + feeler.at.y * Point{-ahead.y, ahead.x};
-            const double insideM = edges.insideM(at).value_or(edges.reachM()) - rules.beside.si();
-            feeler.outsideM.push_back((std::abs(insideM) < kFlushM ? 0.0 : kReserveM) - insideM);
-        }
-    }
-    const double sharpest = kCurvatureShare / machine.minTurningRadius().si();
-    std::vector<double> stepM(count);
-    std::vector<double> bend(count);  // 1/m
-    std::vector<double> inM(count);
-    for (std::size_t i = 0; i < count; ++i) {
-        const std::size_t next = (i + 1) % count;
-        stepM[i] = std::max(1e-3, distance(stations[i].pose.position, stations[next].pose.position));
-        bend[i] = std::remainder((stations[next].pose.heading - stations[i].pose.heading).si(), 2.0 * std::numbers::pi) / stepM[i];
-        const bool staysPut = std::abs(bend[i]) > kBentShare * sharpest || stations[i].isLeftOut;
-        inM[i] = staysPut ? 0.0 : -edges.reachM();
-    }
-    // Stations whose neighbourhood has changed since they asked.
-    std::vector<char> pending(count, 1);
-    bool changed = true;
-    const double mostM = farthestM(machine);
-    const auto raise = [&](std::size_t i, double wantedM) {
-        const double leastM = std::min(wantedM, mostM);
-        if (leastM > inM[i] + kSettledM) {
-            inM[i] = leastM;
-            pending[i] = pending[(i + 1) % count] = pending[(i + count - 1) % count] = 1;
-            changed = true;
-        }
-    };
-    /// What a station would have if its line bent as its neighbours' do, and how far a radius lets it be from there.
-    const auto besideNeighbours = [&](std::size_t i) {
-        const std::size_t before = (i + count - 1) % count;
-        const std::size_t next = (i + 1) % count;
-        const double meanM = (stepM[i] * inM[before] + stepM[before] * inM[next]) / (stepM[before] + stepM[i]);
-        return std::pair{meanM, 0.5 * stepM[before] * stepM[i]};
-    };
-    const auto ask = [&](std::size_t i) {
-        if (std::exchange(pending[i], 0) == 0) {
-            return;
-        }
-        const std::size_t before = (i + count - 1) % count;
-        for (const Feeler& feeler : feelers) {
-            const double x = feeler.at.x;
-            const double missingM = feeler.outsideM[i] - inM[i];
-            if (x > stepM[i]) {
-                raise((i + 1) % count, inM[i] + stepM[i] / x * missingM);
-            } else if (x < -stepM[before]) {
-                raise(before, inM[i] - stepM[before] / x * missingM);
-            } else {
-                raise(i, feeler.outsideM[i]);
-            }
-        }
-        // Moving in before and after a corner more than in it bends the line more.
-        if (!stations[i].isLeftOut) {
-            const auto [meanM, sagM] = besideNeighbours(i);
-            raise(i, meanM - sagM * (sharpest - bend[i]));
-        }
-    };
-    const auto settle = [&] {
-        for (int round = 0; std::exchange(changed, false) && round < kMostRounds; ++round) {
-            for (std::size_t i = 0; i < count; ++i) {
-                ask(i);
-            }
-            for (std::size_t i = count; i-- > 0;) {
-                ask(i);
-            }
-        }
-    };
-    settle();
-    // Moving in somewhere more than before and after bends it the other way. There is no least way to mend that: both
-    // sides give a little, a few times.
-    for (int round = 0; round < kGivingRounds; ++round) {
-        for (std::size_t i = 0; i < count; ++i) {
-            const auto [meanM, sagM] = besideNeighbours(i);
-            const double tooFarM = inM[i] - meanM - sagM * (sharpest + bend[i]);
-            if (tooFarM > 0.0 && !stations[i].isLeftOut) {
-                raise((i + count - 1) % count, inM[(i + count - 1) % count] + kGiven * tooFarM);
-                raise((i + 1) % count, inM[(i + 1) % count] + kGiven * tooFarM);
-            }
-        }
-        settle();
-    }
-    Ring ring;
-    for (std::size_t i = 0; i < count; ++i) {
-        const Point ahead = direction(stations[i].pose.heading.si());
-        ring.push_back(stations[i].pose.position + inM[i] * Point{-ahead.y, ahead.x});
-    }
-    return ring;
+    WayIn way{stationsOf(line, rules), edges, machine, rules.beside};
+    way.solve();
+    return way.ring();
 }
 
 }  // namespace furrow

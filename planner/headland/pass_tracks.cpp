@@ -1,6 +1,7 @@
 #include "planner/headland/pass_tracks.h"
 
 #include "planner/geometry/geos_bridge.h"
+#include "planner/geometry/simplify.h"
 #include "planner/headland/edge_following.h"
 #include "planner/headland/smooth_ring.h"
 #include "planner/headland/swing_out.h"
@@ -40,7 +41,7 @@ constexpr double kBendLooks = 4.0;
 // Points of a ring that can be moved lie no farther apart.
 constexpr double kDenseM = 1.0;
 // Points of a moved ring that make less difference are left out.
-constexpr double kSimplifiedM = 1e-3;
+constexpr Length kSimplified = metres(2e-4);
 // How far the line may move where corners are merged to be driven; what that takes outside is found and mended.
 constexpr Length kMergeTolerance = metres(0.25);
 // How fine an arc around an inward corner is drawn.
@@ -174,33 +175,11 @@ Ring densified(const Ring& ring, const Displacement& displacement) {
     return dense;
 }
 
-/// Fewer points on the same curve (Douglas & Peucker 1973, doi 10.3138/FM57-6770-U75U-7727); the buffers cost by the
-/// point.
-void addSimplified(std::span<const Point> line, Ring& kept) {
-    const Point way = line.back() - line.front();
-    const double length = std::max(norm(way), 1e-12);
-    std::size_t farthest = 0;
-    double most = kSimplifiedM;
-    for (std::size_t i = 1; i + 1 < line.size(); ++i) {
-        if (const double away = std::abs(cross(way, line[i] - line.front())) / length; away > most) {
-            most = away;
-            farthest = i;
-        }
-    }
-    if (farthest == 0) {
-        kept.push_back(line.front());
-        return;
-    }
-    addSimplified(line.first(farthest + 1), kept);
-    addSimplified(line.subspan(farthest), kept);
-}
-
-Ring simplified(Ring ring) {
-    Ring kept;
+/// Fewer points on the same curve; the buffers cost by the point.
+Ring thinned(Ring ring) {
     ring.push_back(ring.front());
-    const std::size_t half = ring.size() / 2;
-    addSimplified(std::span{ring}.first(half + 1), kept);
-    addSimplified(std::span{ring}.subspan(half), kept);
+    Ring kept = simplified(ring, kSimplified);
+    kept.pop_back();
     return kept;
 }
 
@@ -213,7 +192,7 @@ Ring moved(const Ring& ring, const Displacement& displacement) {
         const double mitre = 1.0 / std::max(0.5, std::cos(0.5 * bend.turnRad));
         result.push_back(dense[i] + displacement.at(dense[i]) * mitre * bend.inward);
     }
-    return simplified(std::move(result));
+    return thinned(std::move(result));
 }
 
 Result<MultiPolygon> moved(const MultiPolygon& polygons, const Displacement& displacement, const JobContext& job) {
@@ -330,20 +309,37 @@ Result<PassTracks> linesOf(const MultiPolygon& region, Length radius, Length gen
     return tracks;
 }
 
-/// The region that these lines enclose once they follow the edges.
-Result<MultiPolygon> alongEdges(const std::vector<Turn>& lines, const MultiPolygon& drivable, const Machine& machine,
-                                const FollowingRules& following, const JobContext& job) {
+/// A region whose lines follow the edges; the region itself where that cannot be.
+Result<MultiPolygon> alongEdges(const MultiPolygon& region, const MultiPolygon& drivable, const Machine& machine,
+                                const FollowingRules& following, Length gentle, const JobContext& job) {
+    const auto straight = linesOf(region, machine.minTurningRadius(), gentle, job);
+    if (!straight) {
+        return std::unexpected(straight.error());
+    }
+    if (straight->givenUp > 0) {
+        return region;
+    }
     const BoundaryDistance edges{drivable, machine.workingFootprintWidth() + machine.spec().tractor.length};
-    MultiPolygon region;
+    MultiPolygon outer;
     MultiPolygon holes;
-    for (const Turn& line : lines) {
-        const Ring ring = simplified(followingTheEdge(line, edges, machine, following));
-        (signedAreaM2(ring) > 0.0 ? region : holes).push_back({.outer = ring, .holes = {}});
+    for (const Turn& line : straight->lines) {
+        Ring ring = thinned(followingTheEdge(line, edges, machine, following));
+        const bool isOuter = signedAreaM2(ring) > 0.0;
+        if (!isOuter) {
+            std::ranges::reverse(ring);
+        }
+        (isOuter ? outer : holes).push_back({.outer = std::move(ring), .holes = {}});
     }
-    for (Polygon& hole : holes) {
-        std::ranges::reverse(hole.outer);
+    auto followed = madeValid(outer, job).and_then([&](const MultiPolygon& valid) { return difference(valid, holes, job); });
+    const auto along = followed.and_then([&](const MultiPolygon& valid) {
+        return linesOf(valid, machine.minTurningRadius(), gentle, job);
+    });
+    if (!along) {
+        return std::unexpected(along.error());
     }
-    return madeValid(region, job).and_then([&](const MultiPolygon& outer) { return difference(outer, holes, job); });
+    // In a place too narrow for it the line that follows the edges crosses itself.
+    const bool isWhole = along->givenUp == 0 && along->lines.size() == straight->lines.size();
+    return isWhole ? std::move(*followed) : region;
 }
 
 /// How far tail or nose reach from the axle: the scale on which a swing-out has to be prepared.
@@ -362,9 +358,6 @@ Result<PassTracks> passTracks(const MultiPolygon& workable, Length inset, const 
     const Length radius = machine.minTurningRadius();
     const double reachM = overhangM(machine);
     auto base = eroded(workable, inset, kRoundTolerance, job);
-    if (!base) {
-        return std::unexpected(base.error());
-    }
     // Leaving a pass that runs along the edge swings the tail out as a corner does: where no corner makes room for
     // that, one place gets it.
     const double besideM = radius.si() + 0.5 * machine.workingFootprintWidth().si();
@@ -372,59 +365,37 @@ Result<PassTracks> passTracks(const MultiPolygon& workable, Length inset, const 
     const bool touches = !Trailer::of(machine) && inset.si() < 0.5 * machine.workingFootprintWidth().si() + swingM;
     const Rig rig{drivable, machine, ImplementAt::Lowered};
     const FollowingRules following{.beside = rules.beside, .leftOut = rules.driven, .aroundM = besideM + reachM};
-    // A line that follows the edges is looked at in the next round.
-    int first = rules.followsEdges && rules.movesIn && !rig.hasTrailer() ? 1 : 0;
-    Displacement displacement{reachM};
-    PassTracks tracks;
-    MultiPolygon unmoved;
-    for (int round = 0;; ++round) {
-        auto lines = moved(*base, displacement, job).and_then([&](const MultiPolygon& region) {
-            return linesOf(region, radius, metres(reachM), job);
+    if (rules.followsEdges && rules.movesIn && !rig.hasTrailer()) {
+        base = base.and_then([&](const MultiPolygon& region) {
+            return alongEdges(region, drivable, machine, following, metres(reachM), job);
         });
-        if (!lines) {
-            return std::unexpected(lines.error());
+    }
+    Displacement displacement{reachM};
+    const auto lines = [&] {
+        return base.and_then([&](const MultiPolygon& region) { return moved(region, displacement, job); })
+            .and_then([&](const MultiPolygon& region) { return linesOf(region, radius, metres(reachM), job); });
+    };
+    const auto turnRound = [&](PassTracks& tracks) {
+        if (rules.way == RoundTheField::Clockwise) {
+            std::ranges::transform(tracks.lines, tracks.lines.begin(), reversedLine);
         }
-        if (round == first && first > 0 && (lines->givenUp > 0 || lines->lines.size() != tracks.lines.size())) {
-            // In a place too narrow for it the line that follows the edges crosses itself.
-            base = std::move(unmoved);
-            lines = PassTracks{.lines = std::move(tracks.lines), .movedIn = {}, .givenUp = tracks.givenUp};
-        }
-        tracks = std::move(*lines);
-        const auto turnRound = [&] {
-            if (rules.way == RoundTheField::Clockwise) {
-                std::ranges::transform(tracks.lines, tracks.lines.begin(), reversedLine);
-            }
-        };
-        if (!rules.movesIn) {
-            turnRound();
-            return tracks;
-        }
+    };
+    Result<PassTracks> tracks = lines();
+    for (int round = 0; tracks && rules.movesIn; ++round) {
         if (rig.hasTrailer()) {
-            turnRound();
-            std::ranges::transform(tracks.lines, tracks.lines.begin(),
+            turnRound(*tracks);
+            std::ranges::transform(tracks->lines, tracks->lines.begin(),
                                    [&rig](const Turn& line) { return swungOut(line, rig); });
-        }
-        if (round < first && tracks.givenUp > 0) {
-            // Something else has to be made of it.
-            first = 0;
-        }
-        if (round < first) {
-            auto along = alongEdges(tracks.lines, drivable, machine, following, job);
-            if (!along) {
-                return std::unexpected(along.error());
-            }
-            unmoved = std::exchange(*base, std::move(*along));
-            continue;
         }
         const auto look = [&](const std::function<bool(Point)>& looksAt) {
             std::vector<Excess> excesses;
-            for (const Turn& line : tracks.lines) {
+            for (const Turn& line : tracks->lines) {
                 std::vector<Excess> found = excessesAlong(line, rig, 0.5 * reachM, looksAt, job);
                 std::erase_if(found, [&](const Excess& excess) { return following.leavesOut(excess.place); });
                 std::ranges::copy(found, std::back_inserter(excesses));
                 const bool canBeLeft =
                     std::ranges::any_of(found, [&](const Excess& excess) { return excess.moveM >= swingM; });
-                if (round == first && touches && !canBeLeft && rules.driven.empty()) {
+                if (round == 0 && touches && !canBeLeft && rules.driven.empty()) {
                     excesses.push_back({line.start.position, kReserveFactor * swingM + kReserveM, 0.0});
                 }
             }
@@ -432,24 +403,28 @@ Result<PassTracks> passTracks(const MultiPolygon& workable, Length inset, const 
         };
         std::vector<Excess> excesses = look([&](Point place) { return displacement.changedLastAt(place); });
         // Merged corners may move the line a little farther away.
-        if (excesses.empty() && round > first) {
+        if (excesses.empty() && round > 0) {
             excesses = look(everywhere);
         }
         if (job.stopRequested()) {
             return std::unexpected(cancelled());
         }
         if (excesses.empty() || round == kMostMoves) {
-            // What does not trail takes the same room both ways round.
-            if (!rig.hasTrailer()) {
-                turnRound();
-            }
             break;
         }
         displacement.add(std::move(excesses));
+        tracks = lines();
+    }
+    if (!tracks) {
+        return tracks;
+    }
+    // What does not trail takes the same room both ways round.
+    if (!rig.hasTrailer() || !rules.movesIn) {
+        turnRound(*tracks);
     }
     for (const Polygon& polygon : *base) {
         for (const Point& point : polygon.outer) {
-            tracks.movedIn = std::max(tracks.movedIn, metres(displacement.at(point)));
+            tracks->movedIn = std::max(tracks->movedIn, metres(displacement.at(point)));
         }
     }
     return tracks;
