@@ -1605,6 +1605,10 @@
         <translation>Entlang einer Kante</translation>
     </message>
     <message>
+        <source>Along each edge as wide as the turns there need it; a single pass where no swath ends, or nothing if it is not worked.</source>
+        <translation>An jeder Kante so breit, wie die Wendungen dort es brauchen; eine einzige Fahrt, wo keine Spur endet, oder nichts, wenn es nicht bearbeitet wird.</translation>
+    </message>
+    <message>
         <source>Along rows that are there already, or between them.</source>
         <translation>Entlang von Reihen, die schon da sind, oder zwischen ihnen.</translation>
     </message>
@@ -2335,6 +2339,10 @@
     <message>
         <source>One piece</source>
         <translation>Ein Stück</translation>
+    </message>
+    <message>
+        <source>Only where it turns</source>
+        <translation>Nur wo gewendet wird</translation>
     </message>
     <message>
         <source>Operating width</source>
@@ -3945,6 +3953,10 @@
         <translation>Spur %1 ist zweimal genannt</translation>
     </message>
     <message>
+        <source>take it away</source>
+        <translation>entfernen Sie es</translation>
+    </message>
+    <message>
         <source>take off its write protection, or use another one</source>
         <translation>den Schreibschutz aufheben oder einen anderen verwenden</translation>
     </message>
@@ -3963,6 +3975,10 @@
     <message>
         <source>the boundary has %1 points</source>
         <translation>die Feldgrenze hat %1 Punkte</translation>
+    </message>
+    <message>
+        <source>the boundary has no such edge</source>
+        <translation>die Feldgrenze hat keine solche Kante</translation>
     </message>
     <message>
         <source>the boundary is that of the guidance group; the field itself has none</source>
@@ -4059,6 +4075,10 @@
     <message>
         <source>the headland is left out: line %1 is damaged</source>
         <translation>das Vorgewende wird weggelassen: Zeile %1 ist beschädigt</translation>
+    </message>
+    <message>
+        <source>the headland of edge %1</source>
+        <translation>das Vorgewende an Kante %1</translation>
     </message>
     <message>
         <source>the key is there twice</source>

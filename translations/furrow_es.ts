@@ -1605,6 +1605,10 @@
         <translation>A lo largo de un lado</translation>
     </message>
     <message>
+        <source>Along each edge as wide as the turns there need it; a single pass where no swath ends, or nothing if it is not worked.</source>
+        <translation>En cada lado tan ancha como piden los giros; una sola pasada donde no termina ninguna, o nada si no se trabaja.</translation>
+    </message>
+    <message>
         <source>Along rows that are there already, or between them.</source>
         <translation>Por hileras que ya existen o entre ellas.</translation>
     </message>
@@ -2335,6 +2339,10 @@
     <message>
         <source>One piece</source>
         <translation>De una pieza</translation>
+    </message>
+    <message>
+        <source>Only where it turns</source>
+        <translation>Solo donde se gira</translation>
     </message>
     <message>
         <source>Operating width</source>
@@ -3945,6 +3953,10 @@
         <translation>la pasada %1 se nombra dos veces</translation>
     </message>
     <message>
+        <source>take it away</source>
+        <translation>quítela</translation>
+    </message>
+    <message>
         <source>take off its write protection, or use another one</source>
         <translation>quite la protección o use otra</translation>
     </message>
@@ -3963,6 +3975,10 @@
     <message>
         <source>the boundary has %1 points</source>
         <translation>el límite tiene %1 puntos</translation>
+    </message>
+    <message>
+        <source>the boundary has no such edge</source>
+        <translation>el límite no tiene ese lado</translation>
     </message>
     <message>
         <source>the boundary is that of the guidance group; the field itself has none</source>
@@ -4059,6 +4075,10 @@
     <message>
         <source>the headland is left out: line %1 is damaged</source>
         <translation>se omite la cabecera: la línea %1 está dañada</translation>
+    </message>
+    <message>
+        <source>the headland of edge %1</source>
+        <translation>la cabecera del lado %1</translation>
     </message>
     <message>
         <source>the key is there twice</source>

@@ -1605,6 +1605,10 @@
         <translation>Le long d&apos;un côté</translation>
     </message>
     <message>
+        <source>Along each edge as wide as the turns there need it; a single pass where no swath ends, or nothing if it is not worked.</source>
+        <translation>Le long de chaque côté, aussi large que les demi-tours l&apos;exigent ; un seul passage là où aucun ne finit, ou rien si elle n&apos;est pas travaillée.</translation>
+    </message>
+    <message>
         <source>Along rows that are there already, or between them.</source>
         <translation>Le long de rangs déjà là, ou entre eux.</translation>
     </message>
@@ -2335,6 +2339,10 @@
     <message>
         <source>One piece</source>
         <translation>D&apos;un seul tenant</translation>
+    </message>
+    <message>
+        <source>Only where it turns</source>
+        <translation>Seulement là où l&apos;on tourne</translation>
     </message>
     <message>
         <source>Operating width</source>
@@ -3945,6 +3953,10 @@
         <translation>le passage %1 est nommé deux fois</translation>
     </message>
     <message>
+        <source>take it away</source>
+        <translation>retirez-la</translation>
+    </message>
+    <message>
         <source>take off its write protection, or use another one</source>
         <translation>ôter la protection, ou utiliser une autre clé</translation>
     </message>
@@ -3963,6 +3975,10 @@
     <message>
         <source>the boundary has %1 points</source>
         <translation>la limite a %1 points</translation>
+    </message>
+    <message>
+        <source>the boundary has no such edge</source>
+        <translation>la limite n&apos;a pas ce côté</translation>
     </message>
     <message>
         <source>the boundary is that of the guidance group; the field itself has none</source>
@@ -4059,6 +4075,10 @@
     <message>
         <source>the headland is left out: line %1 is damaged</source>
         <translation>la fourrière est laissée de côté : la ligne %1 est endommagée</translation>
+    </message>
+    <message>
+        <source>the headland of edge %1</source>
+        <translation>la fourrière du côté %1</translation>
     </message>
     <message>
         <source>the key is there twice</source>

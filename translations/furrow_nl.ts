@@ -1605,6 +1605,10 @@
         <translation>Langs een zijde</translation>
     </message>
     <message>
+        <source>Along each edge as wide as the turns there need it; a single pass where no swath ends, or nothing if it is not worked.</source>
+        <translation>Langs elke zijde zo breed als het draaien daar nodig heeft; één werkgang waar geen werkgang eindigt, of niets als ze niet wordt bewerkt.</translation>
+    </message>
+    <message>
         <source>Along rows that are there already, or between them.</source>
         <translation>Langs rijen die er al zijn, of ertussen.</translation>
     </message>
@@ -2335,6 +2339,10 @@
     <message>
         <source>One piece</source>
         <translation>Eén stuk</translation>
+    </message>
+    <message>
+        <source>Only where it turns</source>
+        <translation>Alleen waar wordt gedraaid</translation>
     </message>
     <message>
         <source>Operating width</source>
@@ -3945,6 +3953,10 @@
         <translation>werkgang %1 is twee keer genoemd</translation>
     </message>
     <message>
+        <source>take it away</source>
+        <translation>verwijder het</translation>
+    </message>
+    <message>
         <source>take off its write protection, or use another one</source>
         <translation>haal de schrijfbeveiliging eraf, of gebruik een andere</translation>
     </message>
@@ -3963,6 +3975,10 @@
     <message>
         <source>the boundary has %1 points</source>
         <translation>de perceelsgrens heeft %1 punten</translation>
+    </message>
+    <message>
+        <source>the boundary has no such edge</source>
+        <translation>de perceelsgrens heeft die zijde niet</translation>
     </message>
     <message>
         <source>the boundary is that of the guidance group; the field itself has none</source>
@@ -4059,6 +4075,10 @@
     <message>
         <source>the headland is left out: line %1 is damaged</source>
         <translation>de kopakker is weggelaten: regel %1 is beschadigd</translation>
+    </message>
+    <message>
+        <source>the headland of edge %1</source>
+        <translation>de kopakker langs zijde %1</translation>
     </message>
     <message>
         <source>the key is there twice</source>

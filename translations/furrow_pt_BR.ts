@@ -1605,6 +1605,10 @@
         <translation>Ao longo de um lado</translation>
     </message>
     <message>
+        <source>Along each edge as wide as the turns there need it; a single pass where no swath ends, or nothing if it is not worked.</source>
+        <translation>Em cada lado tão larga quanto as manobras pedem; uma única passada onde nenhuma termina, ou nada se não for trabalhada.</translation>
+    </message>
+    <message>
         <source>Along rows that are there already, or between them.</source>
         <translation>Ao longo de fileiras que já existem ou entre elas.</translation>
     </message>
@@ -2335,6 +2339,10 @@
     <message>
         <source>One piece</source>
         <translation>Inteiro</translation>
+    </message>
+    <message>
+        <source>Only where it turns</source>
+        <translation>Somente onde se manobra</translation>
     </message>
     <message>
         <source>Operating width</source>
@@ -3945,6 +3953,10 @@
         <translation>a passada %1 foi citada duas vezes</translation>
     </message>
     <message>
+        <source>take it away</source>
+        <translation>retire-a</translation>
+    </message>
+    <message>
         <source>take off its write protection, or use another one</source>
         <translation>tire a proteção ou use outro</translation>
     </message>
@@ -3963,6 +3975,10 @@
     <message>
         <source>the boundary has %1 points</source>
         <translation>o limite tem %1 pontos</translation>
+    </message>
+    <message>
+        <source>the boundary has no such edge</source>
+        <translation>o limite não tem esse lado</translation>
     </message>
     <message>
         <source>the boundary is that of the guidance group; the field itself has none</source>
@@ -4059,6 +4075,10 @@
     <message>
         <source>the headland is left out: line %1 is damaged</source>
         <translation>a cabeceira fica de fora: a linha %1 está danificada</translation>
+    </message>
+    <message>
+        <source>the headland of edge %1</source>
+        <translation>a cabeceira do lado %1</translation>
     </message>
     <message>
         <source>the key is there twice</source>

@@ -57,16 +57,52 @@ const Outline* FieldShape::find(const OutlineId& id) const {
     return found == outlines.end() ? nullptr : &*found;
 }
 
+namespace {
+
+/// Headlands of edges stay with their edges where points come or go; both halves of a divided edge have its own.
+void renumber(std::vector<EdgeHeadland>& headlands, std::size_t part, std::size_t ring, const GeoRing& before,
+              const GeoRing& after) {
+    if (before.size() == after.size()) {
+        return;
+    }
+    const auto same = static_cast<std::size_t>(std::ranges::mismatch(before, after).in1 - before.begin());
+    const bool grows = after.size() > before.size();
+    const std::size_t by = grows ? after.size() - before.size() : before.size() - after.size();
+    std::vector<EdgeHeadland> kept;
+    for (EdgeHeadland headland : headlands) {
+        const bool isOther = headland.part != part || headland.ring != ring || headland.edge + 1 < same;
+        const std::size_t edge = headland.edge;
+        if (isOther) {
+            kept.push_back(headland);
+        } else if (grows) {
+            // The edge before the first new point was divided.
+            for (std::size_t i = edge + 1 == same ? edge : edge + by; i <= edge + by; ++i) {
+                headland.edge = i;
+                kept.push_back(headland);
+            }
+        } else if (edge < same || edge >= same + by) {
+            headland.edge = edge < same ? edge : edge - by;
+            kept.push_back(headland);
+        }
+    }
+    headlands = std::move(kept);
+}
+
+}  // namespace
+
 FieldSource withOutline(FieldSource source, const OutlineId& id, GeoRing places) {
     switch (id.kind) {
         case OutlineKind::Boundary:
             if (id.item < source.parts.size()) {
+                renumber(source.edgeHeadlands, id.item, 0, source.parts[id.item].outer, places);
                 source.parts[id.item].outer = std::move(places);
             }
             break;
         case OutlineKind::Hole:
             if (id.item < source.parts.size() && id.hole < source.parts[id.item].holes.size()) {
-                source.parts[id.item].holes[id.hole] = std::move(places);
+                GeoRing& hole = source.parts[id.item].holes[id.hole];
+                renumber(source.edgeHeadlands, id.item, id.hole + 1, hole, places);
+                hole = std::move(places);
             }
             break;
         case OutlineKind::Obstacle:

@@ -58,6 +58,15 @@ Result<void> checkCoordinates(const FieldSource& source, const GeoPolygon& polyg
     return checked;
 }
 
+/// The ring that a headland belongs to; none if there is no such ring.
+const GeoRing* ringOf(const FieldSource& source, const EdgeHeadland& headland) {
+    if (headland.part >= source.parts.size() || headland.ring > source.parts[headland.part].holes.size()) {
+        return nullptr;
+    }
+    const GeoPolygon& part = source.parts[headland.part];
+    return headland.ring == 0 ? &part.outer : &part.holes[headland.ring - 1];
+}
+
 Result<void> checkSource(const FieldSource& source) {
     std::size_t vertices = 0;
     for (std::size_t i = 0; i < source.parts.size(); ++i) {
@@ -90,6 +99,16 @@ Result<void> checkSource(const FieldSource& source) {
         if (!(source.gates[i].width >= metres(0.0)) || !std::isfinite(source.gates[i].width.si())) {
             return std::unexpected(refused(source, message("gate {}", i + 1), "its width is not a length",
                                            "give a width of 0 m or more"));
+        }
+    }
+    for (const EdgeHeadland& headland : source.edgeHeadlands) {
+        const Message name = message("the headland of edge {}", headland.edge + 1);
+        if (!(headland.width >= metres(0.0)) || !std::isfinite(headland.width.si())) {
+            return std::unexpected(refused(source, name, "its width is not a length", "give a width of 0 m or more"));
+        }
+        const GeoRing* const ring = ringOf(source, headland);
+        if (ring == nullptr || headland.edge >= ring->size()) {
+            return std::unexpected(refused(source, name, "the boundary has no such edge", "take it away"));
         }
     }
     if (!(source.boundaryAccuracy >= metres(0.0)) || !std::isfinite(source.boundaryAccuracy.si())) {
@@ -193,6 +212,11 @@ Result<Field> Field::create(const FieldSource& source, const JobContext& job) {
     field.boundary_ = std::move(boundary->local);
     field.repairs_ = std::exchange(field.source_.repairs, {});
     std::ranges::move(boundary->repairs, std::back_inserter(field.repairs_));
+    for (const EdgeHeadland& headland : source.edgeHeadlands) {
+        const GeoRing& ring = *ringOf(source, headland);
+        field.edgeHeadlands_.push_back({frame->toLocal(ring[headland.edge]),
+                                        frame->toLocal(ring[(headland.edge + 1) % ring.size()]), headland.width});
+    }
     field.workable_ = field.boundary_;
     field.drivable_ = field.boundary_;
     for (std::size_t i = 0; i < source.obstacles.size(); ++i) {

@@ -29,6 +29,16 @@ struct Gate {
     friend bool operator==(const Gate&, const Gate&) = default;
 };
 
+/// A headland of its own along one edge of the boundary.
+struct EdgeHeadland {
+    std::size_t part = 0;
+    std::size_t ring = 0;  ///< 0 for the outer one, 1 for the first hole
+    std::size_t edge = 0;  ///< from this point of the ring to the next
+    Length width;          ///< from the edge to the mainland
+
+    friend bool operator==(const EdgeHeadland&, const EdgeHeadland&) = default;
+};
+
 /// A field as a file or a user gives it: not checked yet.
 struct FieldSource {
     std::string id;
@@ -37,10 +47,18 @@ struct FieldSource {
     std::vector<GeoPolygon> parts;
     std::vector<Obstacle> obstacles;
     std::vector<Gate> gates;
+    std::vector<EdgeHeadland> edgeHeadlands;
     Length boundaryAccuracy;
     std::vector<Note> repairs;  ///< what was repaired while it was read
 
     friend bool operator==(const FieldSource&, const FieldSource&) = default;
+};
+
+/// An edge in metres and how wide the headland along it is to be.
+struct WideEdge {
+    Point from;
+    Point to;
+    Length width;
 };
 
 /// A field that can be planned: boundaries valid, outer rings counter-clockwise, holes clockwise.
@@ -67,6 +85,8 @@ public:
     const MultiPolygon& workable() const { return workable_; }
     /// The boundary less the obstacles that may not be driven on, with their buffers.
     const MultiPolygon& drivable() const { return drivable_; }
+    /// Where the headland is as wide as was said for an edge; edges as they were before repairs.
+    const std::vector<WideEdge>& edgeHeadlands() const { return edgeHeadlands_; }
     /// Of the boundary on the ellipsoid, holes and obstacles taken out.
     Area area() const { return area_; }
     std::size_t vertexCount() const;
@@ -81,6 +101,7 @@ private:
     MultiPolygon boundary_;
     MultiPolygon workable_;
     MultiPolygon drivable_;
+    std::vector<WideEdge> edgeHeadlands_;
     Area area_;
 };
 

@@ -181,12 +181,13 @@ int quarterSegments(double radiusM, double toleranceM) {
     return std::clamp(static_cast<int>(std::ceil(std::numbers::pi / 2.0 / step)), 2, 64);
 }
 
-Result<MultiPolygon> buffered(const MultiPolygon& polygons, double distanceM, double toleranceM,
-                              const JobContext& job) {
-    if (polygons.empty()) {
+/// Of polygons or lines.
+template <class Shapes>
+Result<MultiPolygon> buffered(const Shapes& shapes, double distanceM, double toleranceM, const JobContext& job) {
+    if (shapes.empty()) {
         return MultiPolygon{};
     }
-    const Geometry input = toGeos(polygons);
+    const Geometry input = toGeos(shapes);
     return run(job,
                [&] {
                    return GEOSBuffer_r(handle(), input.get(), distanceM,
@@ -284,6 +285,10 @@ Result<MultiPolygon> eroded(const MultiPolygon& polygons, Length distance, Lengt
 Result<MultiPolygon> dilated(const MultiPolygon& polygons, Length distance, Length tolerance,
                              const JobContext& job) {
     return buffered(polygons, distance.si(), tolerance.si(), job);
+}
+
+Result<MultiPolygon> aroundLines(const std::vector<Polyline>& lines, Length distance, Length tolerance, const JobContext& job) {
+    return buffered(lines, distance.si(), tolerance.si(), job);
 }
 
 Result<MultiPolygon> difference(const MultiPolygon& a, const MultiPolygon& b, const JobContext& job,

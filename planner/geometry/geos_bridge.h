@@ -29,6 +29,9 @@ Result<MultiPolygon> erodedSharp(const MultiPolygon& polygons, Length distance, 
 Result<MultiPolygon> dilated(const MultiPolygon& polygons, Length distance, Length tolerance,
                              const JobContext& job);
 
+/// What is at most `distance` away from lines, round at their ends; arcs are drawn to `tolerance`.
+Result<MultiPolygon> aroundLines(const std::vector<Polyline>& lines, Length distance, Length tolerance, const JobContext& job);
+
 /// A grid that moves nothing by more than measures can tell, for polygons whose edges lie on each other but
 /// for rounding, as those of neighbouring lanes do: in floating point whole polygons may get lost then.
 inline constexpr Length kSnapGrid = metres(1e-7);

@@ -8,6 +8,7 @@
 #include "planner/turns/turn.h"
 #include "planner/turns/turn_method.h"
 
+#include <functional>
 #include <vector>
 
 namespace furrow {
@@ -30,10 +31,19 @@ struct HeadlandPass {
     Length length() const;
 };
 
+/// The headland along one edge of the field or of an obstacle, the field on its left.
+struct EdgeStrip {
+    Point from;
+    Point to;
+    Length width;    ///< from the edge to the mainland
+    int passes = 0;  ///< operating widths that fit into it
+};
+
 /// The strip kept for turning and what is left inside it.
 struct Headland {
-    Length width;                ///< from the boundary; 0 without a headland
+    Length width;                ///< from the boundary, at most; 0 without a headland
     int passes = 0;              ///< operating widths that fit into it
+    std::vector<EdgeStrip> strips;  ///< of all edges where they differ; empty where all are alike
     MultiPolygon mainland;       ///< the field without headland, in metres
     double mainlandRatio = 0.0;  ///< A_r = area(mainland) / area(field)
     std::vector<HeadlandPass> rings;  ///< to be driven, in the chosen direction; empty where it is only turned on
@@ -45,6 +55,9 @@ struct Headland {
 /// InputRefused: the margin alone leaves nothing of the field.
 Error nothingLeft(Length margin);
 
+/// The poses in which swaths would leave a mainland.
+using SwathEnds = std::function<Result<std::vector<Pose>>(const MultiPolygon& mainland)>;
+
 /// What a headland is made from; nothing of it is kept.
 struct HeadlandTask {
     const Field& field;
@@ -54,6 +67,7 @@ struct HeadlandTask {
     const Settings& settings;
     Length margin;              ///< what everything keeps from the boundary
     bool drawsOutEnds = false;  ///< swaths will reach beyond the mainland where that slants
+    SwathEnds swathEnds;        ///< for headlands that depend on them; may fail as the swath method does
 };
 
 /// The common signature of all headland methods.

@@ -1,6 +1,9 @@
 #include "planner/headland/headland_passes.h"
 
+#include "planner/geometry/boundary_distance.h"
+#include "planner/geometry/segment.h"
 #include "planner/headland/corner_manoeuvres.h"
+#include "planner/headland/edge_strips.h"
 #include "planner/headland/inner_passes.h"
 #include "planner/headland/pass_tracks.h"
 #include "planner/headland/smooth_ring.h"
@@ -10,6 +13,7 @@
 #include <algorithm>
 #include <cmath>
 #include <iterator>
+#include <optional>
 #include <utility>
 #include <vector>
 
@@ -19,6 +23,8 @@ namespace {
 
 // A strip narrower than this between the innermost pass and the mainland is rounding.
 constexpr Length kLeastStrip = metres(0.01);
+// Merged corners bring a pass nearer to the edge by less than this share of its width.
+constexpr double kMergedShare = 0.1;
 
 // A rounded outermost pass may leave so much of the field at its corners; where it would leave more, a machine that
 // can reverse drives into them.
@@ -51,18 +57,57 @@ CornerMethod cornerMethod(const Settings& settings) {
 }
 
 /// From the edge to the line of every pass, outermost first.
-std::vector<Length> insets(const Headland& headland, const Machine& machine, Length margin) {
+std::vector<Length> insets(Length width, int passes, const Machine& machine, Length margin) {
     std::vector<Length> all;
     const Length first = margin + 0.5 * machine.workingFootprintWidth();
-    for (int i = 0; i < headland.passes; ++i) {
+    for (int i = 0; i < passes; ++i) {
         all.push_back(first + i * machine.operatingWidth());
     }
     // A width that holds no whole number of passes gets one more, flush with the mainland.
-    const Length innermost = headland.width - 0.5 * machine.operatingWidth();
-    if (headland.passes > 0 && innermost - all.back() > kLeastStrip) {
+    const Length innermost = width - 0.5 * machine.operatingWidth();
+    if (passes > 0 && innermost - all.back() > kLeastStrip) {
         all.push_back(innermost);
     }
     return all;
+}
+
+/// How far from the edges one ring runs: the same all round, or as far as each strip says, and not along those that
+/// have no such pass.
+struct RingInsets {
+    std::vector<Length> different;  ///< no two are the same
+    std::vector<std::optional<std::size_t>> ofStrip;  ///< which of them; empty where there is one for all
+};
+
+/// Of every ring, outermost first.
+std::vector<RingInsets> ringsOf(const Headland& headland, const Machine& machine, Length margin) {
+    std::vector<RingInsets> rings;
+    if (headland.strips.empty()) {
+        for (const Length inset : insets(headland.width, headland.passes, machine, margin)) {
+            rings.push_back({.different = {inset}, .ofStrip = {}});
+        }
+        return rings;
+    }
+    for (std::size_t i = 0; i < headland.strips.size(); ++i) {
+        const std::vector<Length> own = insets(headland.strips[i].width, headland.strips[i].passes, machine, margin);
+        rings.resize(std::max(rings.size(), own.size()));
+        for (std::size_t ring = 0; ring < own.size(); ++ring) {
+            RingInsets& all = rings[ring];
+            all.ofStrip.resize(headland.strips.size());
+            const auto known = std::ranges::find_if(
+                all.different, [&](Length inset) { return std::abs((inset - own[ring]).si()) < kLeastStrip.si(); });
+            all.ofStrip[i] = static_cast<std::size_t>(known - all.different.begin());
+            if (known == all.different.end()) {
+                all.different.push_back(own[ring]);
+            }
+        }
+    }
+    for (RingInsets& ring : rings) {
+        const bool isWhole = ring.different.size() == 1 && std::ranges::all_of(ring.ofStrip, [](const auto& one) { return one.has_value(); });
+        if (isWhole) {
+            ring.ofStrip.clear();
+        }
+    }
+    return rings;
 }
 
 /// One ring all around, its corners rounded or driven into on the way.
@@ -208,6 +253,37 @@ Result<ClosedRing> outermostRing(const HeadlandTask& task, Length inset, const J
     return rounded;
 }
 
+/// The passes of a ring that does not go all round, or not everywhere as far from the edge.
+Result<std::vector<HeadlandPass>> partsOfRing(const Headland& headland, const EdgeStrips& strips, const RingInsets& insets,
+                                              int ring, const HeadlandTask& task, const JobContext& job) {
+    const bool clockwise = task.settings.choice(kHeadlandDirection) == "clockwise";
+    const BoundaryDistance mainland{headland.mainland, task.machine.operatingWidth()};
+    std::vector<HeadlandPass> passes;
+    for (std::size_t k = 0; k < insets.different.size(); ++k) {
+        const auto distanceM = [&](Point place, std::size_t strip) {
+            return distanceToSegment(place, strips.all()[strip].from, strips.all()[strip].to);
+        };
+        // Nearer to the edge it is a pass along another one that was drawn out.
+        const double leastM = (insets.different[k] - kMergedShare * task.machine.operatingWidth()).si();
+        const auto belongs = [&](Point place) {
+            const std::size_t nearest = strips.nearest(place);
+            return insets.ofStrip[nearest] == k && distanceM(place, nearest) > leastM;
+        };
+        const auto isLeft = [&](Point place) {
+            const std::size_t nearest = strips.nearest(place);
+            const bool isOther = insets.ofStrip[nearest] != k;
+            const bool hasPasses = isOther && distanceM(place, nearest) < strips.all()[nearest].width.si();
+            return !hasPasses && mainland.insideM(place).value_or(-1.0) < 0.0;
+        };
+        const auto whole = innerPasses(task, insets.different[k], ring, clockwise, job);
+        if (!whole) {
+            return std::unexpected(whole.error());
+        }
+        std::ranges::move(partsOf(*whole, belongs, isLeft, task), std::back_inserter(passes));
+    }
+    return passes;
+}
+
 }  // namespace
 
 Length uncutEdge(const Machine& machine) {
@@ -223,7 +299,8 @@ Result<void> addPasses(Headland& headland, const HeadlandTask& task, const JobCo
     const bool clockwise = settings.choice(kHeadlandDirection) == "clockwise";
     const CornerMethod method = cornerMethod(settings);
     headland.uncutStrip = uncutEdge(machine);
-    const std::vector<Length> all = insets(headland, machine, task.margin);
+    const std::vector<RingInsets> all = ringsOf(headland, machine, task.margin);
+    const std::optional<EdgeStrips> strips = headland.strips.empty() ? std::nullopt : std::optional<EdgeStrips>{headland.strips};
     const auto keep = [&](std::vector<HeadlandPass> passes) {
         std::ranges::move(passes, std::back_inserter(headland.rings));
     };
@@ -231,18 +308,28 @@ Result<void> addPasses(Headland& headland, const HeadlandTask& task, const JobCo
     const Length beside = Trailer::of(machine) ? kBesideEdge : Length{};
     for (std::size_t i = 0; i < all.size(); ++i) {
         const int ring = static_cast<int>(i);
-        if (ring > 0) {
-            auto strips = passesAlongStrips(task, all[i] - 0.5 * machine.operatingWidth(), ring, job);
-            if (!strips) {
-                return std::unexpected(strips.error());
+        if (!all[i].ofStrip.empty()) {
+            auto parts = partsOfRing(headland, *strips, all[i], ring, task, job);
+            if (!parts) {
+                return std::unexpected(parts.error());
             }
-            keep(std::move(*strips));
+            keep(std::move(*parts));
+            continue;
+        }
+        const Length inset = all[i].different.front();
+        if (ring > 0) {
+            auto narrow = passesAlongStrips(task, inset - 0.5 * machine.operatingWidth(), ring, job);
+            if (!narrow) {
+                return std::unexpected(narrow.error());
+            }
+            keep(std::move(*narrow));
         }
         // What cannot reverse would not get out of a corner again.
         if (ring == 0 || method != CornerMethod::Rounded || !canReverse(machine)) {
             auto closed = ring == 0 && method == CornerMethod::Rounded
-                              ? outermostRing(task, all[i] + beside, job)
-                              : closedRing(task, all[i] + beside, ring, {.method = method, .driven = {}, .beside = {}, .followsEdges = false}, job);
+                              ? outermostRing(task, inset + beside, job)
+                              : closedRing(task, inset + beside, ring,
+                                           {.method = method, .driven = {}, .beside = {}, .followsEdges = false}, job);
             if (!closed) {
                 return std::unexpected(closed.error());
             }
@@ -257,7 +344,7 @@ Result<void> addPasses(Headland& headland, const HeadlandTask& task, const JobCo
                 continue;
             }
         }
-        auto stretches = innerPasses(task, all[i], ring, clockwise, job);
+        auto stretches = innerPasses(task, inset, ring, clockwise, job);
         if (!stretches) {
             return std::unexpected(stretches.error());
         }

@@ -12,8 +12,8 @@ extern const Parameter kHeadlandCorner;
 
 /// Adds the drivable passes to a headland whose width and number of passes are known, unless the strip is kept
 /// for turning only. Each runs half a footprint and one operating width more for every pass outside of it from
-/// the boundary, rounded with the machine's radius, and is moved inwards where the swept footprint needs it
-///. What stays uncut is noted in the headland. Cost: some GEOS buffers for each pass.
+/// the boundary, rounded with the machine's radius, and is moved inwards where the swept footprint needs it.
+/// Where edges have headlands of their own, passes go along those that are wide enough. What stays uncut is noted in the headland. Cost: some GEOS buffers for each pass.
 /// Cancelled.
 Result<void> addPasses(Headland& headland, const HeadlandTask& task, const JobContext& job);
 

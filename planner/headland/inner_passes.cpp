@@ -3,9 +3,11 @@
 #include "planner/geometry/boundary_distance.h"
 #include "planner/geometry/geos_bridge.h"
 #include "planner/headland/smooth_ring.h"
+#include "planner/turns/curve_parts.h"
 #include "planner/turns/footprint_check.h"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <iterator>
 #include <optional>
@@ -24,6 +26,12 @@ constexpr double kMergeShare = 0.05;
 // Into a sharp corner it is driven no farther than so many widths past the point where the sides meet.
 constexpr double kMostWidthsOnward = 2.0;
 constexpr double kLookM = 0.1;
+// Where a pass passes on to another strip is seen to this.
+constexpr double kCutM = 0.5;
+// Shorter parts, in widths, are where a pass meets the one around the corner.
+constexpr double kLeastPart = 0.5;
+// From the middle of a pass, as a share of its width.
+constexpr double kAlmostHalf = 0.45;
 // Stretches shorter than this share of the width are not worth lowering the implement for.
 constexpr double kShortest = 0.2;
 // Strips that are smaller, as a share of the square of the width, or narrower than this are left.
@@ -131,6 +139,46 @@ HeadlandPass passOf(std::vector<Turn> lines, bool closed, int ring, bool clockwi
         }
     }
     return pass;
+}
+
+/// The stretches of a line whose points belong, from and to; no shorter ones than `least`.
+std::vector<std::pair<Length, Length>> belonging(const Turn& line, const std::function<bool(Point)>& belongs, Length least) {
+    std::vector<std::pair<Length, Length>> stretches;
+    const Length whole = line.length();
+    const int steps = std::max(1, static_cast<int>(std::ceil(whole.si() / kCutM)));
+    bool inside = false;
+    Pose begins = line.start;
+    Length gone;
+    std::size_t piece = 0;
+    for (int i = 0; i <= steps; ++i) {
+        const Length at = whole * (static_cast<double>(i) / steps);
+        while (piece + 1 < line.pieces.size() && at - gone > line.pieces[piece].length) {
+            begins = advanced(begins, line.pieces[piece], line.pieces[piece].length);
+            gone += line.pieces[piece++].length;
+        }
+        const bool now = belongs(advanced(begins, line.pieces[piece], at - gone).position);
+        if (now && !inside) {
+            stretches.emplace_back(at, at);
+        } else if (now) {
+            stretches.back().second = at;
+        }
+        inside = now;
+    }
+    std::erase_if(stretches, [least](const auto& stretch) { return stretch.second - stretch.first < least; });
+    return stretches;
+}
+
+/// Without arcs at its ends that bend more than this: they lead round a corner to where it does not go.
+Turn withoutBentEnds(Turn line, double sharpestPerM) {
+    const auto isBent = [sharpestPerM](const TurnPiece& piece) { return std::abs(piece.curvature.si()) > sharpestPerM; };
+    while (!line.pieces.empty() && isBent(line.pieces.back())) {
+        line.pieces.pop_back();
+    }
+    while (!line.pieces.empty() && isBent(line.pieces.front())) {
+        line.start = advanced(line.start, line.pieces.front(), line.pieces.front().length);
+        line.pieces.erase(line.pieces.begin());
+    }
+    return line;
 }
 
 /// A rectangle around a ring.
@@ -256,6 +304,62 @@ Result<std::vector<HeadlandPass>> innerPasses(const HeadlandTask& task, Length i
     return erodedSharp(task.field.workable(), inset, job).transform([&](const MultiPolygon& region) {
         return passesOn(region, task, ring, clockwise, {});
     });
+}
+
+std::vector<HeadlandPass> partsOf(const std::vector<HeadlandPass>& passes, const std::function<bool(Point)>& belongs,
+                                  const std::function<bool(Point)>& isLeft, const HeadlandTask& task) {
+    const Room room{task};
+    const double widthM = task.machine.operatingWidth().si();
+    const double leadM = -task.machine.spec().implement.offset.si();
+    const double runInM = task.machine.runIn().si();
+    // As far as something of its width is left to be worked there.
+    const auto leftM = [&](const Pose& from, double sign) {
+        const Point ahead = direction(from.heading.si());
+        const auto isLeftAt = [&](double m) {
+            return std::ranges::any_of(std::array{-kAlmostHalf, 0.0, kAlmostHalf}, [&](double side) {
+                return isLeft(from.position + sign * m * ahead + side * widthM * Point{-ahead.y, ahead.x});
+            });
+        };
+        double m = 0.0;
+        while (m < kMostWidthsOnward * widthM && isLeftAt(m + kLookM)) {
+            m += kLookM;
+        }
+        return m;
+    };
+    const auto drawnOut = [&](Turn line) {
+        const double leastM = -0.5 * line.length().si();
+        const double backM = room.farthest(line.start, -1.0, leftM(line.start, -1.0) - leadM + runInM, leastM) - runInM;
+        const double onM = room.farthest(line.end(), 1.0, leftM(line.end(), 1.0) + leadM, leastM);
+        return extended(std::move(line), backM, onM);
+    };
+    std::vector<HeadlandPass> parts;
+    for (const HeadlandPass& pass : passes) {
+        bool isWhole = true;
+        HeadlandPass part{.ring = pass.ring, .width = pass.width, .closed = false, .stretches = {}};
+        for (const PassStretch& stretch : pass.stretches) {
+            for (const auto& [from, to] : belonging(stretch.line, belongs, kLeastPart * task.machine.operatingWidth())) {
+                if (from <= Length{} && to >= stretch.line.length()) {
+                    part.stretches.push_back(stretch);
+                    continue;
+                }
+                isWhole = false;
+                Turn piece = withoutBentEnds(partOf(stretch.line, from, to), 0.5 / task.machine.minTurningRadius().si());
+                if (piece.pieces.empty()) {
+                    continue;
+                }
+                Turn drawn = drawnOut(std::move(piece));
+                if (drawn.length().si() > kShortest * widthM) {
+                    part.stretches.push_back({.line = std::move(drawn), .working = stretch.working});
+                }
+            }
+            isWhole = isWhole && !part.stretches.empty();
+        }
+        part.closed = pass.closed && isWhole && part.stretches.size() == pass.stretches.size();
+        if (!part.stretches.empty()) {
+            parts.push_back(std::move(part));
+        }
+    }
+    return parts;
 }
 
 Result<std::vector<HeadlandPass>> passesAlongStrips(const HeadlandTask& task, Length inset, int ring,

@@ -3,6 +3,7 @@
 #include "planner/core/result.h"
 #include "planner/headland/headland.h"
 
+#include <functional>
 #include <vector>
 
 namespace furrow {
@@ -20,6 +21,13 @@ std::vector<HeadlandPass> passesOn(const MultiPolygon& region, const HeadlandTas
 /// Cost: one GEOS buffer. Cancelled.
 Result<std::vector<HeadlandPass>> innerPasses(const HeadlandTask& task, Length inset, int ring, bool clockwise,
                                               const JobContext& job);
+
+/// The parts of passes that belong to some strips only, drawn out on both sides as far as something is left and the
+/// machine does not leave the field.
+/// @param belongs  whether a place of a pass is in one of those strips
+/// @param isLeft   whether nothing else works a place
+std::vector<HeadlandPass> partsOf(const std::vector<HeadlandPass>& passes, const std::function<bool(Point)>& belongs,
+                                  const std::function<bool(Point)>& isLeft, const HeadlandTask& task);
 
 /// Straight passes along what is narrower than one operating width where the next pass would run: the middle of
 /// an arm of the field, say.

@@ -9,6 +9,7 @@ extern const Parameter kHeadlandWidth;
 extern const Parameter kHeadlandPasses;
 
 extern const Method<HeadlandGenerator> kConstantWidthMethod;
+extern const Method<HeadlandGenerator> kPerEdgeMethod;
 extern const Method<HeadlandGenerator> kNoHeadlandMethod;
 
 }  // namespace furrow

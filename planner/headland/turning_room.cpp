@@ -46,6 +46,12 @@ Length roomForTurns(const Machine& machine, TurnPlanner* turn, bool drawnOut) {
     return metres(deepestM);
 }
 
+Length roomForTurnsAt(Angle angle, const Machine& machine, TurnPlanner* turn, bool drawnOut) {
+    const double flattest = degrees(15.0).si();
+    const double acute = std::clamp(std::min(angle.si(), std::numbers::pi - angle.si()), flattest, 0.5 * std::numbers::pi);
+    return metres(std::max(depthM(machine, turn, acute, drawnOut), depthM(machine, turn, std::numbers::pi - acute, drawnOut)));
+}
+
 Length reachOfLevelTurn(const Machine& machine, TurnPlanner* turn) {
     return metres(depthM(machine, turn, 0.5 * std::numbers::pi, false));
 }

@@ -7,6 +7,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <functional>
 #include <iterator>
 #include <limits>
 #include <ranges>
@@ -35,8 +36,8 @@ struct StartPlace {
     bool reversed = false;  ///< a single stretch, the other way round
 };
 
-/// Of a pass in stretches: before each of them.
-std::vector<StartPlace> startsOfStretches(const HeadlandPass& pass) {
+/// Of a pass in stretches: before each of them. The other way round the nose is where the tail was, which has to fit.
+std::vector<StartPlace> startsOfStretches(const HeadlandPass& pass, const std::function<bool(const Pose&)>& fitsAt) {
     std::vector<StartPlace> places;
     const std::size_t count = pass.stretches.size();
     for (std::size_t s = 0; s < count; ++s) {
@@ -46,15 +47,17 @@ std::vector<StartPlace> startsOfStretches(const HeadlandPass& pass) {
     }
     if (count == 1) {
         const Turn back = reversedLine(pass.stretches.front().line);
-        places.push_back({.pose = back.start, .end = back.end(), .reversed = true});
+        if (fitsAt(back.start) && fitsAt(back.end())) {
+            places.push_back({.pose = back.start, .end = back.end(), .reversed = true});
+        }
     }
     return places;
 }
 
 /// What trails has to be in line again where a closed pass ends: so far after the last bend.
-std::vector<StartPlace> startPlaces(const HeadlandPass& pass, Length inLineAfter) {
+std::vector<StartPlace> startPlaces(const HeadlandPass& pass, Length inLineAfter, const std::function<bool(const Pose&)>& fitsAt) {
     if (!pass.closed) {
-        return startsOfStretches(pass);
+        return startsOfStretches(pass, fitsAt);
     }
     const Length step = std::max(0.5 * pass.width, (1.0 / kMostStarts) * pass.length());
     std::vector<StartPlace> places;
@@ -76,7 +79,7 @@ std::vector<StartPlace> startPlaces(const HeadlandPass& pass, Length inLineAfter
         }
     }
     // Where no straight is long enough it starts anywhere.
-    return places.empty() && inLineAfter > Length{} ? startPlaces(pass, Length{}) : places;
+    return places.empty() && inLineAfter > Length{} ? startPlaces(pass, Length{}, fitsAt) : places;
 }
 
 Leg legOf(const HeadlandPass& pass, const PassStretch& stretch) {
@@ -228,9 +231,12 @@ std::vector<Leg> headlandLegs(const std::vector<HeadlandPass>& passes, const Hea
     const Implement& implement = machine.spec().implement;
     const Length inLineAfter =
         Trailer::of(machine) ? kLengthsIntoLine * (implement.hitchOffset - implement.offset) : Length{};
+    const Ring working = machine.workingFootprint();
+    const BoundaryDistance edges{drive.drivable, machine.workingFootprintWidth() + machine.spec().tractor.length};
+    const auto fitsAt = [&](const Pose& pose) { return isInside(pose, working, edges); };
     std::vector<std::vector<StartPlace>> places;
     for (const HeadlandPass& pass : passes) {
-        places.push_back(startPlaces(pass, inLineAfter));
+        places.push_back(startPlaces(pass, inLineAfter, fitsAt));
     }
     // What is fixed is the end that meets the swaths: from there the passes are lined up, backwards where the
     // swaths come after them.

@@ -25,7 +25,7 @@ namespace {
 // The methods of each stage, the default first. A new method is one more line here.
 constexpr std::array kHeadlandMethods{
     &kConstantWidthMethod,
-    &kNoHeadlandMethod,
+    &kPerEdgeMethod, &kNoHeadlandMethod,
 };
 constexpr std::array kSwathMethods{
     &kExactMethod,

@@ -156,7 +156,10 @@ Result<std::shared_ptr<const Plan>> makePlan(const PlanRequest& request, const J
                                          .turn = turnMethod(settings),
                                          .settings = settings,
                                          .margin = plan->margin,
-                                         .drawsOutEnds = drawsOutEnds(settings)},
+                                         .drawsOutEnds = drawsOutEnds(settings),
+                                         .swathEnds = [&](const MultiPolygon& mainland) {
+                                             return swathEnds(request, mainland, job.part(0.0, 0.1));
+                                         }},
                                         job.part(0.0, 0.1));
     });
     if (!headland) {

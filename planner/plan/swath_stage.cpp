@@ -201,6 +201,18 @@ void drawOut(LaidSwaths& laid, const MultiPolygon& mainland, const EndRoom& room
 
 }  // namespace
 
+Result<std::vector<Pose>> swathEnds(const PlanRequest& request, const MultiPolygon& mainland, const JobContext& job) {
+    return byMethod(request, mainland, job).transform([](const SwathSet& set) {
+        std::vector<Pose> ends;
+        for (const Swath& swath : set.swaths) {
+            const Turn line = lineOf(swath);
+            ends.push_back({.position = line.start.position, .heading = line.start.heading + degrees(180.0)});
+            ends.push_back(line.end());
+        }
+        return ends;
+    });
+}
+
 Result<LaidSwaths> layStage(const Plan& plan, const MultiPolygon& drivable, const JobContext& job) {
     const PlanRequest& request = plan.request;
     auto common = byMethod(request, plan.headland.mainland, job);

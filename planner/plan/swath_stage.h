@@ -29,6 +29,9 @@ struct LaidSwaths {
 /// Errors: those of the method. Cancelled.
 Result<LaidSwaths> layStage(const Plan& plan, const MultiPolygon& drivable, const JobContext& job);
 
+/// Where the swaths of the chosen method end in a mainland, looking out of it. Errors: those of the method. Cancelled.
+Result<std::vector<Pose>> swathEnds(const PlanRequest& request, const MultiPolygon& mainland, const JobContext& job);
+
 /// The cells of all parts, as the chosen decomposition has them. Cancelled.
 Result<Decomposition> cellStage(const PlanRequest& request, const LaidSwaths& laid, const JobContext& job);
 

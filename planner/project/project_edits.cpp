@@ -120,7 +120,31 @@ Project withoutHole(Project project, std::size_t part, std::size_t hole) {
     return withSourceChanged(std::move(project), [part, hole](ProjectField&, FieldSource& source) {
         if (part < source.parts.size()) {
             erase(source.parts[part].holes, hole);
+            std::erase_if(source.edgeHeadlands, [&](const EdgeHeadland& headland) {
+                return headland.part == part && headland.ring == hole + 1;
+            });
+            for (EdgeHeadland& headland : source.edgeHeadlands) {
+                headland.ring -= headland.part == part && headland.ring > hole + 1 ? 1 : 0;
+            }
         }
+    });
+}
+
+Project withEdgeHeadland(Project project, const EdgeHeadland& headland) {
+    return withSourceChanged(std::move(project), [&headland](ProjectField&, FieldSource& source) {
+        const auto isThis = [&](const EdgeHeadland& other) {
+            return other.part == headland.part && other.ring == headland.ring && other.edge == headland.edge;
+        };
+        const auto found = std::ranges::find_if(source.edgeHeadlands, isThis);
+        found == source.edgeHeadlands.end() ? source.edgeHeadlands.push_back(headland) : void(*found = headland);
+    });
+}
+
+Project withoutEdgeHeadland(Project project, std::size_t part, std::size_t ring, std::size_t edge) {
+    return withSourceChanged(std::move(project), [&](ProjectField&, FieldSource& source) {
+        std::erase_if(source.edgeHeadlands, [&](const EdgeHeadland& headland) {
+            return headland.part == part && headland.ring == ring && headland.edge == edge;
+        });
     });
 }
 

@@ -248,13 +248,19 @@ ImageryLayer layerFrom(const OrderedJson& json) {
 OrderedJson featuresOf(const ProjectField& field) {
     const FieldSource& source = *field.source;
     OrderedJson features = OrderedJson::array();
-    features.push_back(featureOf({{"kind", "field"},
-                                  {"field", field.id},
-                                  {"id", source.id},
-                                  {"name", source.name},
-                                  {"origin", source.origin},
-                                  {"boundary_accuracy_m", source.boundaryAccuracy.si()}},
-                                 geometryOf(source.parts), field.others));
+    OrderedJson properties{{"kind", "field"},
+                           {"field", field.id},
+                           {"id", source.id},
+                           {"name", source.name},
+                           {"origin", source.origin},
+                           {"boundary_accuracy_m", source.boundaryAccuracy.si()}};
+    for (const EdgeHeadland& headland : source.edgeHeadlands) {
+        properties["edge_headlands"].push_back({{"part", headland.part},
+                                                {"ring", headland.ring},
+                                                {"edge", headland.edge},
+                                                {"width_m", headland.width.si()}});
+    }
+    features.push_back(featureOf(std::move(properties), geometryOf(source.parts), field.others));
     for (std::size_t i = 0; i < source.obstacles.size(); ++i) {
         const Obstacle& obstacle = source.obstacles[i];
         features.push_back(featureOf({{"kind", "obstacle"},
@@ -298,7 +304,13 @@ ProjectField fieldOf(const OrderedJson& features, const OrderedJson& plans, cons
             source.origin = properties.value("origin", "");
             source.boundaryAccuracy = lengthIn(properties, "boundary_accuracy_m");
             source.parts = polygonsFrom(geometry);
-            field.others = othersOf(feature, {"kind", "field", "id", "name", "origin", "boundary_accuracy_m"});
+            for (const OrderedJson& headland : properties.value("edge_headlands", OrderedJson::array())) {
+                source.edgeHeadlands.push_back({.part = headland.at("part").get<std::size_t>(),
+                                                .ring = headland.at("ring").get<std::size_t>(),
+                                                .edge = headland.at("edge").get<std::size_t>(),
+                                                .width = lengthIn(headland, "width_m")});
+            }
+            field.others = othersOf(feature, {"kind", "field", "id", "name", "origin", "boundary_accuracy_m", "edge_headlands"});
         } else if (kind == "obstacle") {
             for (GeoPolygon& outline : polygonsFrom(geometry)) {
                 source.obstacles.push_back({.name = properties.value("name", ""),

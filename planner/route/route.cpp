@@ -1,7 +1,7 @@
 #include "planner/route/route.h"
 
 #include "planner/headland/smooth_ring.h"
-#include "planner/swaths/curve_parts.h"
+#include "planner/turns/curve_parts.h"
 #include "planner/turns/connection.h"
 #include "planner/units/angle.h"
 

@@ -1,7 +1,7 @@
 #include "planner/swaths/curved_swaths.h"
 
 #include "planner/jobs/parallel.h"
-#include "planner/swaths/curve_parts.h"
+#include "planner/turns/curve_parts.h"
 #include "planner/swaths/heading_search.h"
 #include "planner/swaths/strip_coverage.h"
 #include "planner/turns/turn_sampling.h"

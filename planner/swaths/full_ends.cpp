@@ -1,7 +1,7 @@
 #include "planner/swaths/full_ends.h"
 
 #include "planner/swaths/clamped_integral.h"
-#include "planner/swaths/curve_parts.h"
+#include "planner/turns/curve_parts.h"
 #include "planner/swaths/methods.h"
 
 #include <algorithm>

@@ -1,6 +1,6 @@
 #include "planner/swaths/mainland_edges.h"
 
-#include "planner/swaths/curve_parts.h"
+#include "planner/turns/curve_parts.h"
 #include "planner/turns/turn_sampling.h"
 
 #include <algorithm>

@@ -1,4 +1,4 @@
-#include "planner/swaths/curve_parts.h"
+#include "planner/turns/curve_parts.h"
 
 #include <algorithm>
 #include <cmath>

@@ -240,6 +240,44 @@ private slots:
         QVERIFY(after->find(kOuter)->points[0] == outer->points[0]);
         COMPARE_WITHIN(distance(after->find(kOuter)->points[1], outer->points[1]), 5.0, 1e-6);
     }
+
+    // An edge keeps its own headland whatever happens to the points of other edges, and both halves of it have it.
+    void headlandsStayWithTheirEdges_data() {
+        QTest::addColumn<QList<int>>("points");  // of the ring below by number, or new ones (-1)
+        QTest::addColumn<QList<int>>("edges");   // that have the headland that edge 1 had
+        QTest::newRow("as it was") << QList{0, 1, 2, 3} << QList{1};
+        QTest::newRow("a point before it") << QList{0, -1, 1, 2, 3} << QList{2};
+        QTest::newRow("a point behind it") << QList{0, 1, 2, -1, 3} << QList{1};
+        QTest::newRow("a point at the end") << QList{0, 1, 2, 3, -1} << QList{1};
+        QTest::newRow("divided") << QList{0, 1, -1, 2, 3} << QList{1, 2};
+        QTest::newRow("without its first point") << QList{0, 2, 3} << QList<int>{};
+        QTest::newRow("without its last point") << QList{0, 1, 3} << QList{1};
+        QTest::newRow("without a point before it") << QList{1, 2, 3} << QList{0};
+        QTest::newRow("without a point behind it") << QList{0, 1, 2} << QList{1};
+    }
+    void headlandsStayWithTheirEdges() {
+        QFETCH(QList<int>, points);
+        QFETCH(QList<int>, edges);
+        FieldSource source = field();
+        source.edgeHeadlands = {{.part = 0, .ring = 0, .edge = 1, .width = metres(18.0)},
+                                {.part = 0, .ring = 1, .edge = 1, .width = metres(6.0)}};
+        const GeoRing before = source.parts.front().outer;
+        GeoRing after;
+        for (const int point : points) {
+            after.push_back(point < 0 ? kFrame.toGeo(Point{111, 222}) : before[static_cast<std::size_t>(point)]);
+        }
+        const FieldSource changed = withOutline(source, kOuter, after);
+        QList<int> found;
+        for (const EdgeHeadland& headland : changed.edgeHeadlands) {
+            if (headland.ring == 0) {
+                found << static_cast<int>(headland.edge);
+                QCOMPARE(headland.width.si(), 18.0);
+            }
+        }
+        QCOMPARE(found, edges);
+        // That of the hole is where it was.
+        QVERIFY(std::ranges::contains(changed.edgeHeadlands, EdgeHeadland{.part = 0, .ring = 1, .edge = 1, .width = metres(6.0)}));
+    }
 };
 
 QTEST_APPLESS_MAIN(TestEditing)

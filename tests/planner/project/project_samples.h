@@ -21,6 +21,7 @@ inline FieldSource sampleSource() {
                            .passable = true,
                            .buffer = metres(2.5)}},
             .gates = {{.name = "Road", .position = {22.5, 58.251}, .width = metres(6.0)}},
+            .edgeHeadlands = {{.part = 0, .ring = 0, .edge = 1, .width = metres(18.0)}},
             .boundaryAccuracy = metres(0.02),
             .repairs = {}};
 }

@@ -217,7 +217,10 @@ private slots:
         QCOMPARE(read->project.fields.size(), std::size_t{2});
         QCOMPARE(read->project.field()->id, std::string{"field-2"});
         const ProjectField& field = *read->project.fields.front();
-        QVERIFY(*field.source == sampleSource());
+        FieldSource source = sampleSource();
+        // Came later.
+        source.edgeHeadlands.clear();
+        QVERIFY(*field.source == source);
         QCOMPARE(field.plans.size(), std::size_t{2});
         QCOMPARE(field.plans.front().name, std::string{"Spring drilling"});
         QVERIFY(field.plans.front().settings == sampleSettings());

@@ -2,7 +2,7 @@
 #include "planner/machine/machine_library.h"
 #include "planner/route/methods.h"
 #include "planner/route/route.h"
-#include "planner/swaths/curve_parts.h"
+#include "planner/turns/curve_parts.h"
 #include "planner/swaths/curved_swaths.h"
 #include "planner/swaths/full_ends.h"
 #include "planner/swaths/methods.h"

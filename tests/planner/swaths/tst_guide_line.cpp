@@ -1,4 +1,4 @@
-#include "planner/swaths/curve_parts.h"
+#include "planner/turns/curve_parts.h"
 #include "planner/swaths/guide_curve.h"
 #include "planner/swaths/guide_line.h"
 #include "planner/turns/turn_sampling.h"
