@@ -216,7 +216,7 @@ private:
         return stopped();
     }
 
-    Result<void> plan(std::string name, const Polygon& shape, OwnSettings own) {
+    Result<void> plan(std::string name, const Polygon& shape, OwnSettings own, bool isAudited = true) {
         const auto field = fieldOf(shape, "bench");
         const auto settings = settingsWith(own);
         if (!field || !settings) {
@@ -226,7 +226,7 @@ private:
         for (const int threads : {1, 2}) {
             std::optional<Error> failed;
             const auto makeOne = [&] {
-                const auto made = makePlan({.field = *field, .machine = machine, .settings = *settings},
+                const auto made = makePlan({.field = *field, .machine = machine, .settings = *settings, .guides = {}, .draft = !isAudited},
                                            {.stop = job_.stop, .progress = {}, .threads = threads});
                 if (!made) {
                     failed = made.error();
@@ -244,19 +244,21 @@ private:
     }
 
     Result<void> plans() {
-        for (const double areaHa : {1.0, 64.0}) {
-            if (const auto ran = plan("whole plan, default settings, with audit", waveField(areaHa, 20), {}); !ran) {
-                return ran;
-            }
-            if (const auto ran = plan("whole plan as in the paper, by number of swaths, with audit", waveField(areaHa, 20),
-                                      {{"swaths.method", "brute-force"},
-                                       {"swaths.objective", "swath-count"},
-                                       {"headland.driven", "false"}});
-                !ran) {
-                return ran;
-            }
-        }
-        return plan("whole plan with 5 obstacles, default settings, with audit", withPonds(waveField(50.0, 40), 5), {});
+        // Headland, heading search, best pattern, Dubins path.
+        const OwnSettings plain{{"headland.driven", "false"},       {"swaths.method", "brute-force"},
+                                {"swaths.objective", "swath-count"}, {"route.method", "boustrophedon"},
+                                {"path.method", "dubins"},           {"path.stay_inside", "false"}};
+        const auto all = [&](double areaHa) {
+            const Polygon field = waveField(areaHa, 20);
+            return plan("whole plan, plain", field, plain, false)
+                .and_then([&] { return plan("whole plan, plain, with audit", field, plain); })
+                .and_then([&] { return plan("whole plan, default settings, with audit", field, {}); });
+        };
+        const Polygon ponds = withPonds(waveField(50.0, 40), 5);
+        return all(1.0)
+            .and_then([&] { return all(64.0); })
+            .and_then([&] { return plan("whole plan with 5 obstacles, plain, with audit", ponds, plain); })
+            .and_then([&] { return plan("whole plan with 5 obstacles, default settings, with audit", ponds, {}); });
     }
 
     Result<void> turns() {

@@ -232,8 +232,8 @@ private slots:
         }
     }
 
-    // Headland passes go along with the land, but for what thinning their points to a millimetre decides. Moved to the south: to the east north turns by
-    // millimetres for each hundred metres.
+    // Headland passes go along with the land. Moved to the south: to the east north turns by millimetres for each
+    // hundred metres.
     void passesMoveWithTheField() {
         constexpr std::uint64_t kSeed = 3100;
         std::mt19937_64 random{kSeed};
@@ -262,8 +262,8 @@ private slots:
                     const Turn& other = others[k].stretches[n].line;
                     const double apartM = std::max(distance(line.start.position + offset, other.start.position),
                                                    distance(line.end().position + offset, other.end().position));
-                    VERIFY_TOLD(apartM < 5e-3, told + QByteArray::number(apartM));
-                    VERIFY_TOLD(std::abs((line.length() - other.length()).si()) < 5e-3, told);
+                    VERIFY_TOLD(apartM < 1e-3, told + QByteArray::number(apartM));
+                    VERIFY_TOLD(std::abs((line.length() - other.length()).si()) < 1e-3, told);
                     ++stretches;
                 }
             }
