@@ -105,7 +105,8 @@ struct AuditReport {
 /// while down, inside the workable area. Overlap: what it sweeps twice, also within one segment, where
 /// it turns more tightly than half its width. Reachable: the
 /// part of the workable area in the opening of the drivable area by a disc of half the working footprint's
-/// width, that is, wherever such a disc fits without leaving it.
+/// width, that is, wherever such a disc fits without leaving it; of a machine that cannot reverse, by the disc whose
+/// edge the outer end of its implement describes on full lock.
 /// A trailed implement follows the hitch on its own track (tractrix), straight behind at the start.
 /// Findings are blocking for: outside, obstacle, curvature, jump, heading, missing-turn, reverse,
 /// dropped-swath, dropped-pass, undrivable, and missed area within reach above 1 % of the workable area or

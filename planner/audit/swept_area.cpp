@@ -123,11 +123,28 @@ std::uint32_t regionsAt(const Depths& depths) {
     return !reach ? missed : missed | (depths[kLaneEnd] > 0 ? bit(kEnds) : bit(kDropped));
 }
 
-/// Where a disc of half the working footprint's width fits without leaving the drivable area.
-Result<MultiPolygon> reachable(const AuditInput& input, const JobContext& job) {
-    const Length half = 0.5 * input.machine->workingFootprintWidth();
-    const auto middles = eroded(input.drivable, half, metres(kReachToleranceM), job);
-    return middles ? dilated(*middles, half, metres(kReachToleranceM), job) : middles;
+/// Of the disc that has to fit where a machine can work: half as wide as its footprint. What cannot drive back out of
+/// a corner goes round it at best on full lock, and the outer end of its implement describes the edge of what it
+/// reaches.
+Length reachRadius(const Machine& machine, const MachineShape& shape) {
+    const MachineSpec& spec = machine.spec();
+    const Length half = 0.5 * machine.workingFootprintWidth();
+    if (spec.tractor.canTurnInPlace || (spec.tractor.canReverse && (!shape.trailingM || spec.implement.canReverse))) {
+        return half;
+    }
+    double radiusM = machine.minTurningRadius().si();
+    if (shape.trailingM) {
+        const double hitchM = std::hypot(radiusM, shape.hitchOffsetM);
+        radiusM = std::sqrt(std::max(0.0, hitchM * hitchM - *shape.trailingM * *shape.trailingM));
+    }
+    return half + metres(radiusM);
+}
+
+/// Where that disc fits without leaving the drivable area.
+Result<MultiPolygon> reachable(const AuditInput& input, const MachineShape& shape, const JobContext& job) {
+    const Length radius = reachRadius(*input.machine, shape);
+    const auto middles = eroded(input.drivable, radius, metres(kReachToleranceM), job);
+    return middles ? dilated(*middles, radius, metres(kReachToleranceM), job) : middles;
 }
 
 /// The lanes beyond the ends of the swaths and as far before them as the implement is from the axle: where
@@ -232,7 +249,7 @@ Result<SweptArea> measureSweptArea(const AuditInput& input, const MachineShape& 
         layers.addNext(headland ? kHeadlandPass : kSwath, piece.ring);
     }
     if (input.machine) {
-        const auto reach = reachable(input, job);
+        const auto reach = reachable(input, shape, job);
         if (!reach) {
             return std::unexpected(reach.error());
         }

@@ -82,23 +82,33 @@ std::optional<Manoeuvre> manoeuvre(const Turn& line, const RoundedCorner& corner
         }
         return best;
     };
-    const double onward = farthest(entry, 1.0, toCorner + beyond + lead);
     // On the next side it needs its run-in before it is lowered.
     const double runIn = machine.runIn().si();
-    const double back = std::max(0.0, farthest(exit, -1.0, fromCorner + beyond - lead + runIn) - runIn);
-    if (onward <= 0.0 && back <= 0.0) {
-        return std::nullopt;
+    const double mostOnward = farthest(entry, 1.0, toCorner + beyond + lead);
+    const double mostBack = farthest(exit, -1.0, fromCorner + beyond - lead + runIn);
+    // Where there is no way from as far as that, from less far.
+    for (const double share : {1.0, 0.75, 0.5, 0.25}) {
+        const double kept = (1.0 - share) * beyond;
+        const double onward = std::max(0.0, mostOnward - kept);
+        const double back = std::max(0.0, mostBack - kept - runIn);
+        if (onward <= 0.0 && back <= 0.0) {
+            break;
+        }
+        const Pose from{.position = entry.position + onward * in, .heading = entry.heading};
+        const Pose to{.position = exit.position - back * out, .heading = exit.heading};
+        // Of a machine that cannot reverse the last are forward turns as well.
+        const Turn turn = method == CornerMethod::Searched ? feasibleConnection(rig, from, to, {}, job)
+                          : method == CornerMethod::Loop   ? connection(from, to, machine, kDubinsMethod.run)
+                                                           : connection(from, to, machine, kReedsSheppMethod.run);
+        if (rig.driven(Rig::inLine(from), turn)) {
+            return Manoeuvre{metres(onward), turn, metres(back)};
+        }
+        // A machine that gets back out of where it drove in does so from as far as it fits.
+        if (canReverse(machine)) {
+            break;
+        }
     }
-    const Pose from{.position = entry.position + onward * in, .heading = entry.heading};
-    const Pose to{.position = exit.position - back * out, .heading = exit.heading};
-    // Of a machine that cannot reverse the last are forward turns as well.
-    const Turn turn = method == CornerMethod::Searched ? feasibleConnection(rig, from, to, {}, job)
-                      : method == CornerMethod::Loop   ? connection(from, to, machine, kDubinsMethod.run)
-                                                       : connection(from, to, machine, kReedsSheppMethod.run);
-    if (!rig.driven(Rig::inLine(from), turn)) {
-        return std::nullopt;
-    }
-    return Manoeuvre{metres(onward), turn, metres(back)};
+    return std::nullopt;
 }
 
 }  // namespace

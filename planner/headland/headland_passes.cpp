@@ -29,6 +29,8 @@ constexpr double kMergedShare = 0.1;
 // A rounded outermost pass may leave so much of the field at its corners; where it would leave more, a machine that
 // can reverse drives into them.
 constexpr double kMostUncutShare = 0.004;
+// And at a corner between two passes so much.
+constexpr Area kMostUncutInside = squareMetres(50.0);
 // Beside an edge a machine gets free only if it has a finger's breadth to begin with.
 constexpr Length kBesideEdge = metres(0.02);
 
@@ -200,6 +202,36 @@ Area leftAt(const std::vector<RoundedCorner>& corners, const Machine& machine) {
     return sum;
 }
 
+/// A ring that is driven into those of its corners that the machine gets out of again; as it was if into none.
+Result<ClosedRing> withCornersDriven(const HeadlandTask& task, Length inset, int ring, ClosedRing rounded,
+                                     const std::vector<RoundedCorner>& wanted, Length beside, const JobContext& job) {
+    CornerRules corners{.method = CornerMethod::Searched, .driven = {}, .beside = beside, .followsEdges = ring == 0};
+    std::ranges::transform(wanted, std::back_inserter(corners.driven), &RoundedCorner::place);
+    while (!corners.driven.empty()) {
+        auto sharp = closedRing(task, inset, ring, corners, job);
+        if (!sharp) {
+            return sharp;
+        }
+        const auto failed = std::erase_if(corners.driven, [&](Point place) {
+            return std::ranges::any_of(sharp->rounded,
+                                       [&](const RoundedCorner& corner) { return isAt(corner, place, task.machine); });
+        });
+        if (failed > 0) {
+            continue;
+        }
+        if (sharp->outside.empty()) {
+            return sharp;
+        }
+        for (const Point place : sharp->outside) {
+            if (!corners.driven.empty()) {
+                corners.driven.erase(std::ranges::min_element(
+                    corners.driven, {}, [place](Point corner) { return distance(corner, place); }));
+            }
+        }
+    }
+    return rounded;
+}
+
 /// The outermost pass, rounded. Where that leaves too much, a machine that can reverse drives into the corners that
 /// it gets out of again.
 Result<ClosedRing> outermostRing(const HeadlandTask& task, Length inset, const JobContext& job) {
@@ -226,31 +258,21 @@ Result<ClosedRing> outermostRing(const HeadlandTask& task, Length inset, const J
     if (leftAt(outward, task.machine) <= kMostUncutShare * area(task.field.workable())) {
         return rounded;
     }
-    CornerRules corners{.method = CornerMethod::Searched, .driven = {}, .beside = kBesideEdge};
-    std::ranges::transform(outward, std::back_inserter(corners.driven), &RoundedCorner::place);
-    while (!corners.driven.empty()) {
-        auto sharp = closedRing(task, inset, 0, corners, job);
-        if (!sharp) {
-            return sharp;
-        }
-        const auto failed = std::erase_if(corners.driven, [&](Point place) {
-            return std::ranges::any_of(sharp->rounded,
-                                       [&](const RoundedCorner& corner) { return isAt(corner, place, task.machine); });
-        });
-        if (failed > 0) {
-            continue;
-        }
-        if (sharp->outside.empty()) {
-            return sharp;
-        }
-        for (const Point place : sharp->outside) {
-            if (!corners.driven.empty()) {
-                corners.driven.erase(std::ranges::min_element(
-                    corners.driven, {}, [place](Point corner) { return distance(corner, place); }));
-            }
-        }
+    return withCornersDriven(task, inset, 0, std::move(*rounded), outward, kBesideEdge, job);
+}
+
+/// An inner pass of what cannot reverse, rounded, but for corners at which that leaves too much between two passes: there
+/// is room to drive on and come back in a loop.
+Result<ClosedRing> innerRing(const HeadlandTask& task, Length inset, int ring, const JobContext& job) {
+    auto rounded = closedRing(task, inset, ring, {.followsEdges = false}, job);
+    if (!rounded || !rounded->complete) {
+        return rounded;
     }
-    return rounded;
+    std::vector<RoundedCorner> wide = outwardCorners(*rounded, task.settings.choice(kHeadlandDirection) == "clockwise");
+    std::erase_if(wide, [&](const RoundedCorner& corner) {
+        return uncutCorner(corner, task.machine.operatingWidth()) < kMostUncutInside;
+    });
+    return wide.empty() ? rounded : withCornersDriven(task, inset, ring, std::move(*rounded), wide, {}, job);
 }
 
 /// The passes of a ring that does not go all round, or not everywhere as far from the edge.
@@ -328,6 +350,8 @@ Result<void> addPasses(Headland& headland, const HeadlandTask& task, const JobCo
         if (ring == 0 || method != CornerMethod::Rounded || !canReverse(machine)) {
             auto closed = ring == 0 && method == CornerMethod::Rounded
                               ? outermostRing(task, inset + beside, job)
+                          : method == CornerMethod::Rounded
+                              ? innerRing(task, inset + beside, ring, job)
                               : closedRing(task, inset + beside, ring,
                                            {.method = method, .driven = {}, .beside = {}, .followsEdges = false}, job);
             if (!closed) {

@@ -186,16 +186,36 @@ private slots:
         COMPARE_WITHIN(report.missed->si(), 0.0, 1e-3);
     }
 
-    // Driving area 30 x 30, disc of 5 m: the opening lacks (4 - pi) 25 m² at the corners. The lanes cover it all.
+    // Driving area 30 x 30, disc of 5 m: the opening lacks (4 - pi) 25 m² at the corners. A lane covers 120 m².
+    // What cannot reverse gets round a corner on full lock, its implement's outer end on a circle of 4 + 5 m; pulled 3 m
+    // behind the axle, of sqrt(4² - 3²) + 5 m.
+    void coveredOfReachableLeavesCornersOut_data() {
+        QTest::addColumn<bool>("reverses");
+        QTest::addColumn<double>("behindM");
+        QTest::addColumn<double>("radiusM");
+        QTest::newRow("reverses") << true << 0.0 << 5.0;
+        QTest::newRow("forwards only") << false << 0.0 << 9.0;
+        QTest::newRow("forwards only, trailed") << false << 3.0 << 5.0 + std::sqrt(7.0);
+        QTest::newRow("trailed, does not reverse what it pulls") << true << 3.0 << 5.0 + std::sqrt(7.0);
+    }
     void coveredOfReachableLeavesCornersOut() {
-        PathDrawer drawer{{0.0, 0.0}};
-        for (const double y : {5.0, 15.0, 25.0}) {
-            drawer.jumpTo({5.0, y}, 0.0).begin(SegmentKind::Swath, true).straight(20.0);
+        QFETCH(bool, reverses);
+        QFETCH(double, behindM);
+        QFETCH(double, radiusM);
+        PathDrawer drawer{{9.0 + behindM, 15.0}};
+        drawer.begin(SegmentKind::Swath, true).straight(12.0);
+        MachineSpec spec = plainMachine(10.0, 4.0).spec();
+        spec.tractor.canReverse = reverses;
+        if (behindM > 0.0) {
+            spec.implement.mounting = Mounting::Trailed;
+            spec.implement.canReverse = false;
+            spec.implement.hitchOffset = metres(0.0);
+            spec.implement.offset = metres(-behindM);
         }
-        const AuditReport report = reportOf({rectangle(30, 30)}, plainMachine(10.0), drawer.segments);
-        const double reachable = 900.0 - (4.0 - kPi) * 25.0;
-        COMPARE_WITHIN(*report.coveredOfReachable, 600.0 / reachable, 5e-4);  // its corners are drawn to 2 cm
-        COMPARE_WITHIN(*report.coveredShare, 600.0 / 900.0, 1e-6);
+        const AuditReport report = reportOf({rectangle(30, 30)}, Machine::create(spec).value(), drawer.segments);
+        const double reachable = 900.0 - (4.0 - kPi) * radiusM * radiusM;
+        COMPARE_WITHIN(*report.coveredOfReachable, 120.0 / reachable, 5e-4);  // its corners are drawn to 2 cm
+        COMPARE_WITHIN(*report.coveredShare, 120.0 / 900.0, 1e-6);
     }
 
     // 10 m wide, lane from x = 0 to 100 at y = 3 in a field that begins at y = 0: 2 m stick out.

@@ -389,6 +389,31 @@ private slots:
         QCOMPARE(outer, 2);
     }
 
+    // A triangle of 500 m, two passes of 24 m. The sides of the inner one, 36 m from the edges, are 500 - 72 / tan(30°) m
+    // long; what pulls its boom drives past the points where they meet and comes back in a loop, the boom up.
+    void innerPassesOfWhatCannotReverseLoop() {
+        const Machine sprayer = findMachine("trailed-sprayer").value();
+        const Field field = fieldFrom(test::polygonsFromWkt("POLYGON((0 0, 500 0, 250 433.0127, 0 0))"));
+        const auto headland = headlandOf(field, sprayer, {{&kHeadlandPasses, "2"}});
+        VERIFY_RESULT(headland);
+        double workedM = 0.0;
+        int loops = 0;
+        for (const HeadlandPass& pass : headland->rings) {
+            for (const PassStretch& stretch : pass.stretches) {
+                if (pass.ring == 1) {
+                    workedM += stretch.working ? stretch.line.length().si() : 0.0;
+                    loops += stretch.working ? 0 : 1;
+                }
+            }
+        }
+        QCOMPARE(loops, 3);
+        const double sideM = 500.0 - 72.0 / std::tan(kPi / 6.0);
+        // Where they end the boom has left what lies between both passes: at least a quarter of the way to where the
+        // outer edges meet, 12 m * tan(60°).
+        QVERIFY2(workedM > 3.0 * (sideM + 2.0 * 0.25 * 12.0 * std::tan(kPi / 3.0)), qPrintable(QString::number(workedM)));
+        QVERIFY2(workedM < 3.0 * (sideM + 2.0 * (12.0 * std::tan(kPi / 3.0) + 10.0)), qPrintable(QString::number(workedM)));
+    }
+
     void notDriven() {
         const Field field = fieldFrom({test::centredRectangle(100.0, 60.0)});
         const auto headland = headlandOf(field, agbot(), {{&kHeadlandPasses, "3"}, {&kHeadlandDriven, "false"}});
