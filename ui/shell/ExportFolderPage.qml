@@ -141,6 +141,12 @@ Column {
             wrapMode: Text.Wrap
         }
     }
+    ExportChecks {
+        width: parent.width
+        visible: root.exporter.state === ExportModel.Done
+        checks: root.exporter.checks
+        problems: root.exporter.problems
+    }
     NoticeBar {
         objectName: "export.notes"
         width: parent.width
