@@ -58,7 +58,11 @@ Result<WrittenFiles> writePlanFolder(const Plan& plan, const fs::path& folder,
                 files.push_back({std::move(path), std::move(file.text)});
             }
         }
-        std::ranges::move(made->notes, std::back_inserter(notes));
+        for (Message& note : made->notes) {
+            if (!std::ranges::contains(notes, note)) {
+                notes.push_back(std::move(note));
+            }
+        }
         checks.add(made->checks);
     }
     return written(folder, files, std::move(notes), std::move(checks), job);

@@ -68,6 +68,7 @@ Column {
             id: bar
 
             policy: list.contentHeight > list.height ? T.ScrollBar.AlwaysOn : T.ScrollBar.AlwaysOff
+            visible: list.contentHeight > list.height
             implicitWidth: 8
             contentItem: Rectangle {
                 radius: 4
