@@ -554,6 +554,10 @@
         <source>Folder in the place of a stick</source>
         <translation>Ordner anstelle eines Sticks</translation>
     </message>
+    <message>
+        <source>Also in a task, for terminals that show lines in tasks only</source>
+        <translation>Auch als Auftrag, für Terminals, die Linien nur in Aufträgen zeigen</translation>
+    </message>
 </context>
 <context>
     <name>FieldActions</name>
@@ -2685,10 +2689,6 @@
         <translation>Tank oder Behälter</translation>
     </message>
     <message>
-        <source>Terminals may refuse the task data: %1.</source>
-        <translation>Terminals lehnen die Auftragsdaten vielleicht ab: %1.</translation>
-    </message>
-    <message>
         <source>The Bend</source>
         <translation>Die Biegung</translation>
     </message>
@@ -4524,6 +4524,210 @@
         <source>there is no such file or folder</source>
         <translation>diese Datei oder diesen Ordner gibt es nicht</translation>
     </message>
+    <message>
+        <source>Receivers may refuse %1: %2.</source>
+        <translation>Empfänger könnten %1 ablehnen: %2.</translation>
+    </message>
+    <message>
+        <source>some systems do not allow a file of this name</source>
+        <translation>manche Systeme erlauben keine Datei dieses Namens</translation>
+    </message>
+    <message>
+        <source>another file differs from it in capitals only</source>
+        <translation>eine andere Datei unterscheidet sich davon nur in Großbuchstaben</translation>
+    </message>
+    <message>
+        <source>%1, %2 is far from the field</source>
+        <translation>%1, %2 liegt weit vom Schlag entfernt</translation>
+    </message>
+    <message>
+        <source>a ring of &apos;%1&apos; has fewer than three corners</source>
+        <translation>ein Ring von „%1“ hat weniger als drei Ecken</translation>
+    </message>
+    <message>
+        <source>a ring of &apos;%1&apos; does not end where it begins</source>
+        <translation>ein Ring von „%1“ endet nicht, wo er beginnt</translation>
+    </message>
+    <message>
+        <source>a ring of &apos;%1&apos; ends with its first point again</source>
+        <translation>ein Ring von „%1“ endet noch einmal mit seinem ersten Punkt</translation>
+    </message>
+    <message>
+        <source>&apos;%1&apos; crosses itself, or a hole lies outside of it</source>
+        <translation>„%1“ überkreuzt sich, oder eine Aussparung liegt außerhalb</translation>
+    </message>
+    <message>
+        <source>a ring of &apos;%1&apos; runs the wrong way round</source>
+        <translation>ein Ring von „%1“ läuft falsch herum</translation>
+    </message>
+    <message>
+        <source>&apos;%1&apos; is said to have %2, and has %3</source>
+        <translation>„%1“ soll %2 haben und hat %3</translation>
+    </message>
+    <message>
+        <source>the name &apos;%1&apos; is longer than %2 characters</source>
+        <translation>der Name „%1“ ist länger als %2 Zeichen</translation>
+    </message>
+    <message>
+        <source>the name &apos;%1&apos; is there twice</source>
+        <translation>der Name „%1“ kommt zweimal vor</translation>
+    </message>
+    <message>
+        <source>the name &apos;%1&apos; has letters beyond A to Z</source>
+        <translation>der Name „%1“ hat andere Buchstaben als A bis Z</translation>
+    </message>
+    <message>
+        <source>the name &apos;%1&apos; has characters that are no letters</source>
+        <translation>der Name „%1“ hat Zeichen, die keine Buchstaben sind</translation>
+    </message>
+    <message>
+        <source>the line &apos;%1&apos; has fewer than two points</source>
+        <translation>die Linie „%1“ hat weniger als zwei Punkte</translation>
+    </message>
+    <message>
+        <source>A and B of &apos;%1&apos; are the same place</source>
+        <translation>A und B von „%1“ sind derselbe Ort</translation>
+    </message>
+    <message>
+        <source>&apos;%1&apos; is said to be %2 wide</source>
+        <translation>„%1“ soll %2 breit sein</translation>
+    </message>
+    <message>
+        <source>%1 comes where %2 should</source>
+        <translation>%1 steht, wo %2 stehen sollte</translation>
+    </message>
+    <message>
+        <source>%1 boundaries are in it, not %2</source>
+        <translation>%1 Feldgrenzen sind darin, nicht %2</translation>
+    </message>
+    <message>
+        <source>%1 holes are in it, not %2</source>
+        <translation>%1 Aussparungen sind darin, nicht %2</translation>
+    </message>
+    <message>
+        <source>%1 guidance lines are in it, not %2</source>
+        <translation>%1 Leitlinien sind darin, nicht %2</translation>
+    </message>
+    <message>
+        <source>%1 swaths are in it, not %2</source>
+        <translation>%1 Spuren sind darin, nicht %2</translation>
+    </message>
+    <message>
+        <source>%1 fields are in it, not %2</source>
+        <translation>%1 Schläge sind darin, nicht %2</translation>
+    </message>
+    <message>
+        <source>the path is not in it</source>
+        <translation>der Fahrweg ist nicht darin</translation>
+    </message>
+    <message>
+        <source>place %1 of the path is not where the plan goes next</source>
+        <translation>Stelle %1 des Fahrwegs ist nicht, wo der Plan weiterführt</translation>
+    </message>
+    <message>
+        <source>the path does not begin and end as the plan does</source>
+        <translation>der Fahrweg beginnt und endet nicht wie der Plan</translation>
+    </message>
+    <message>
+        <source>the path is %1 long, not %2</source>
+        <translation>der Fahrweg ist %1 lang, nicht %2</translation>
+    </message>
+    <message>
+        <source>the time of place %1 of the path is before that of the place before</source>
+        <translation>die Zeit der Stelle %1 des Fahrwegs liegt vor der Zeit der Stelle davor</translation>
+    </message>
+    <message>
+        <source>the times of the path stand still</source>
+        <translation>die Zeiten des Fahrwegs stehen still</translation>
+    </message>
+    <message>
+        <source>the heading at place %1 of the path does not point along it</source>
+        <translation>die Richtung an Stelle %1 des Fahrwegs zeigt nicht an ihm entlang</translation>
+    </message>
+    <message>
+        <source>the speed at place %1 of the path is negative</source>
+        <translation>die Geschwindigkeit an Stelle %1 des Fahrwegs ist negativ</translation>
+    </message>
+    <message>
+        <source>its largest speed is %1, not %2</source>
+        <translation>ihre größte Geschwindigkeit ist %1, nicht %2</translation>
+    </message>
+    <message>
+        <source>line %1 is not as this format has it</source>
+        <translation>Zeile %1 ist nicht, wie dieses Format sie hat</translation>
+    </message>
+    <message>
+        <source>this is no %1</source>
+        <translation>das ist kein %1</translation>
+    </message>
+    <message>
+        <source>its content cannot be read</source>
+        <translation>ihr Inhalt ist nicht lesbar</translation>
+    </message>
+    <message>
+        <source>%1 is missing</source>
+        <translation>%1 fehlt</translation>
+    </message>
+    <message>
+        <source>%1 entries are announced, and %2 are there</source>
+        <translation>%1 Einträge sind angekündigt und %2 sind da</translation>
+    </message>
+    <message>
+        <source>the id %1 is there twice</source>
+        <translation>die Kennung %1 kommt zweimal vor</translation>
+    </message>
+    <message>
+        <source>%1 is referred to and not there</source>
+        <translation>auf %1 wird verwiesen, und es ist nicht da</translation>
+    </message>
+    <message>
+        <source>%1 is not known before version 4</source>
+        <translation>%1 ist vor Version 4 nicht bekannt</translation>
+    </message>
+    <message>
+        <source>&apos;%1&apos; holds a line of kind %2</source>
+        <translation>„%1“ enthält eine Linie der Art %2</translation>
+    </message>
+    <message>
+        <source>&apos;%1&apos; is of kind %2 and its points are of kinds %3</source>
+        <translation>„%1“ ist von der Art %2, und die Punkte sind von den Arten %3</translation>
+    </message>
+    <message>
+        <source>&apos;%1&apos; has %2 lines</source>
+        <translation>„%1“ hat %2 Linien</translation>
+    </message>
+    <message>
+        <source>the headings of a ring do not point along it</source>
+        <translation>die Richtungen eines Rings zeigen nicht an ihm entlang</translation>
+    </message>
+    <message>
+        <source>its shapes have heights or measures, which displays do not read</source>
+        <translation>ihre Formen haben Höhen oder Messwerte, die Anzeigen nicht lesen</translation>
+    </message>
+    <message>
+        <source>this is the recording of a drive (%1), and no boundary</source>
+        <translation>das ist die Aufzeichnung einer Fahrt (%1) und keine Feldgrenze</translation>
+    </message>
+    <message>
+        <source>give the field&apos;s boundary; furrow-cli compare lays a recording over a plan</source>
+        <translation>die Grenze des Schlags angeben; furrow-cli compare legt eine Aufzeichnung über einen Plan</translation>
+    </message>
+    <message>
+        <source>Raster mask</source>
+        <translation>Rastermaske</translation>
+    </message>
+    <message>
+        <source>What is worked and what is not, as a field.</source>
+        <translation>Was bearbeitet wird und was nicht, als Schlag.</translation>
+    </message>
+    <message>
+        <source>NMEA or gpsd log</source>
+        <translation>NMEA- oder gpsd-Protokoll</translation>
+    </message>
+    <message>
+        <source>What a machine drove.</source>
+        <translation>Was eine Maschine gefahren ist.</translation>
+    </message>
 </context>
 <context>
     <name>PreferencesDialog</name>
@@ -5528,6 +5732,20 @@
     <message>
         <source>What was there before is kept as %1.</source>
         <translation>Was vorher da war, bleibt als %1 erhalten.</translation>
+    </message>
+</context>
+<context>
+    <name>ExportChecks</name>
+    <message>
+        <source>Choose another format or terminal, and report this.</source>
+        <translation>Ein anderes Format oder Terminal wählen und dies melden.</translation>
+    </message>
+    <message numerus="yes">
+        <source>The files were looked through for %n kind(s) of mistakes that receivers stumble over; there is none.</source>
+        <translation>
+            <numerusform>Die Dateien wurden auf %n Art von Fehlern durchgesehen, über die Empfänger stolpern; es gibt keinen.</numerusform>
+            <numerusform>Die Dateien wurden auf %n Arten von Fehlern durchgesehen, über die Empfänger stolpern; es gibt keinen.</numerusform>
+        </translation>
     </message>
 </context>
 </TS>

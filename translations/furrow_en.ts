@@ -161,4 +161,14 @@
         </translation>
     </message>
 </context>
+<context>
+    <name>ExportChecks</name>
+    <message numerus="yes">
+        <source>The files were looked through for %n kind(s) of mistakes that receivers stumble over; there is none.</source>
+        <translation>
+            <numerusform>The files were looked through for %n kind of mistakes that receivers stumble over; there is none.</numerusform>
+            <numerusform>The files were looked through for %n kinds of mistakes that receivers stumble over; there is none.</numerusform>
+        </translation>
+    </message>
+</context>
 </TS>

@@ -554,6 +554,10 @@
         <source>Folder in the place of a stick</source>
         <translation>Carpeta en lugar de una memoria</translation>
     </message>
+    <message>
+        <source>Also in a task, for terminals that show lines in tasks only</source>
+        <translation>También en una tarea, para terminales que solo muestran líneas en tareas</translation>
+    </message>
 </context>
 <context>
     <name>FieldActions</name>
@@ -2685,10 +2689,6 @@
         <translation>Depósito o tolva</translation>
     </message>
     <message>
-        <source>Terminals may refuse the task data: %1.</source>
-        <translation>Los terminales pueden rechazar los datos de tarea: %1.</translation>
-    </message>
-    <message>
         <source>The Bend</source>
         <translation>La Curva</translation>
     </message>
@@ -4524,6 +4524,210 @@
         <source>there is no such file or folder</source>
         <translation>no existe ese archivo o esa carpeta</translation>
     </message>
+    <message>
+        <source>Receivers may refuse %1: %2.</source>
+        <translation>Es posible que los receptores rechacen %1: %2.</translation>
+    </message>
+    <message>
+        <source>some systems do not allow a file of this name</source>
+        <translation>algunos sistemas no permiten un archivo con este nombre</translation>
+    </message>
+    <message>
+        <source>another file differs from it in capitals only</source>
+        <translation>otro archivo solo se diferencia de él en las mayúsculas</translation>
+    </message>
+    <message>
+        <source>%1, %2 is far from the field</source>
+        <translation>%1, %2 está lejos de la parcela</translation>
+    </message>
+    <message>
+        <source>a ring of &apos;%1&apos; has fewer than three corners</source>
+        <translation>un anillo de «%1» tiene menos de tres esquinas</translation>
+    </message>
+    <message>
+        <source>a ring of &apos;%1&apos; does not end where it begins</source>
+        <translation>un anillo de «%1» no termina donde empieza</translation>
+    </message>
+    <message>
+        <source>a ring of &apos;%1&apos; ends with its first point again</source>
+        <translation>un anillo de «%1» repite al final su primer punto</translation>
+    </message>
+    <message>
+        <source>&apos;%1&apos; crosses itself, or a hole lies outside of it</source>
+        <translation>«%1» se cruza consigo mismo o tiene un hueco fuera de él</translation>
+    </message>
+    <message>
+        <source>a ring of &apos;%1&apos; runs the wrong way round</source>
+        <translation>un anillo de «%1» gira en el sentido equivocado</translation>
+    </message>
+    <message>
+        <source>&apos;%1&apos; is said to have %2, and has %3</source>
+        <translation>«%1» debería tener %2 y tiene %3</translation>
+    </message>
+    <message>
+        <source>the name &apos;%1&apos; is longer than %2 characters</source>
+        <translation>el nombre «%1» tiene más de %2 caracteres</translation>
+    </message>
+    <message>
+        <source>the name &apos;%1&apos; is there twice</source>
+        <translation>el nombre «%1» está dos veces</translation>
+    </message>
+    <message>
+        <source>the name &apos;%1&apos; has letters beyond A to Z</source>
+        <translation>el nombre «%1» tiene letras que no van de la A a la Z</translation>
+    </message>
+    <message>
+        <source>the name &apos;%1&apos; has characters that are no letters</source>
+        <translation>el nombre «%1» tiene caracteres que no son letras</translation>
+    </message>
+    <message>
+        <source>the line &apos;%1&apos; has fewer than two points</source>
+        <translation>la línea «%1» tiene menos de dos puntos</translation>
+    </message>
+    <message>
+        <source>A and B of &apos;%1&apos; are the same place</source>
+        <translation>A y B de «%1» son el mismo lugar</translation>
+    </message>
+    <message>
+        <source>&apos;%1&apos; is said to be %2 wide</source>
+        <translation>«%1» tendría %2 de ancho</translation>
+    </message>
+    <message>
+        <source>%1 comes where %2 should</source>
+        <translation>%1 está donde debería estar %2</translation>
+    </message>
+    <message>
+        <source>%1 boundaries are in it, not %2</source>
+        <translation>contiene %1 límites, no %2</translation>
+    </message>
+    <message>
+        <source>%1 holes are in it, not %2</source>
+        <translation>contiene %1 huecos, no %2</translation>
+    </message>
+    <message>
+        <source>%1 guidance lines are in it, not %2</source>
+        <translation>contiene %1 líneas de guiado, no %2</translation>
+    </message>
+    <message>
+        <source>%1 swaths are in it, not %2</source>
+        <translation>contiene %1 pasadas, no %2</translation>
+    </message>
+    <message>
+        <source>%1 fields are in it, not %2</source>
+        <translation>contiene %1 parcelas, no %2</translation>
+    </message>
+    <message>
+        <source>the path is not in it</source>
+        <translation>no contiene el recorrido</translation>
+    </message>
+    <message>
+        <source>place %1 of the path is not where the plan goes next</source>
+        <translation>el lugar %1 del recorrido no está donde sigue el plan</translation>
+    </message>
+    <message>
+        <source>the path does not begin and end as the plan does</source>
+        <translation>el recorrido no empieza y termina como el plan</translation>
+    </message>
+    <message>
+        <source>the path is %1 long, not %2</source>
+        <translation>el recorrido mide %1, no %2</translation>
+    </message>
+    <message>
+        <source>the time of place %1 of the path is before that of the place before</source>
+        <translation>la hora del lugar %1 del recorrido es anterior a la del lugar previo</translation>
+    </message>
+    <message>
+        <source>the times of the path stand still</source>
+        <translation>las horas del recorrido no avanzan</translation>
+    </message>
+    <message>
+        <source>the heading at place %1 of the path does not point along it</source>
+        <translation>el rumbo en el lugar %1 del recorrido no apunta a lo largo de él</translation>
+    </message>
+    <message>
+        <source>the speed at place %1 of the path is negative</source>
+        <translation>la velocidad en el lugar %1 del recorrido es negativa</translation>
+    </message>
+    <message>
+        <source>its largest speed is %1, not %2</source>
+        <translation>su mayor velocidad es %1, no %2</translation>
+    </message>
+    <message>
+        <source>line %1 is not as this format has it</source>
+        <translation>la línea %1 no es como la quiere este formato</translation>
+    </message>
+    <message>
+        <source>this is no %1</source>
+        <translation>esto no es %1</translation>
+    </message>
+    <message>
+        <source>its content cannot be read</source>
+        <translation>no se puede leer su contenido</translation>
+    </message>
+    <message>
+        <source>%1 is missing</source>
+        <translation>falta %1</translation>
+    </message>
+    <message>
+        <source>%1 entries are announced, and %2 are there</source>
+        <translation>se anuncian %1 entradas y hay %2</translation>
+    </message>
+    <message>
+        <source>the id %1 is there twice</source>
+        <translation>el identificador %1 está dos veces</translation>
+    </message>
+    <message>
+        <source>%1 is referred to and not there</source>
+        <translation>se hace referencia a %1 y no está</translation>
+    </message>
+    <message>
+        <source>%1 is not known before version 4</source>
+        <translation>%1 no se conoce antes de la versión 4</translation>
+    </message>
+    <message>
+        <source>&apos;%1&apos; holds a line of kind %2</source>
+        <translation>«%1» contiene una línea de tipo %2</translation>
+    </message>
+    <message>
+        <source>&apos;%1&apos; is of kind %2 and its points are of kinds %3</source>
+        <translation>«%1» es de tipo %2 y sus puntos son de los tipos %3</translation>
+    </message>
+    <message>
+        <source>&apos;%1&apos; has %2 lines</source>
+        <translation>«%1» tiene %2 líneas</translation>
+    </message>
+    <message>
+        <source>the headings of a ring do not point along it</source>
+        <translation>los rumbos de un anillo no apuntan a lo largo de él</translation>
+    </message>
+    <message>
+        <source>its shapes have heights or measures, which displays do not read</source>
+        <translation>sus formas tienen alturas o medidas, que las pantallas no leen</translation>
+    </message>
+    <message>
+        <source>this is the recording of a drive (%1), and no boundary</source>
+        <translation>esto es el registro de un recorrido (%1), no un límite</translation>
+    </message>
+    <message>
+        <source>give the field&apos;s boundary; furrow-cli compare lays a recording over a plan</source>
+        <translation>indique el límite de la parcela; furrow-cli compare superpone un registro a un plan</translation>
+    </message>
+    <message>
+        <source>Raster mask</source>
+        <translation>Máscara ráster</translation>
+    </message>
+    <message>
+        <source>What is worked and what is not, as a field.</source>
+        <translation>Lo que se trabaja y lo que no, como parcela.</translation>
+    </message>
+    <message>
+        <source>NMEA or gpsd log</source>
+        <translation>Registro NMEA o gpsd</translation>
+    </message>
+    <message>
+        <source>What a machine drove.</source>
+        <translation>Lo que recorrió una máquina.</translation>
+    </message>
 </context>
 <context>
     <name>PreferencesDialog</name>
@@ -5528,6 +5732,20 @@
     <message>
         <source>What was there before is kept as %1.</source>
         <translation>Lo que había antes se conserva como %1.</translation>
+    </message>
+</context>
+<context>
+    <name>ExportChecks</name>
+    <message>
+        <source>Choose another format or terminal, and report this.</source>
+        <translation>Elija otro formato o terminal e informe de esto.</translation>
+    </message>
+    <message numerus="yes">
+        <source>The files were looked through for %n kind(s) of mistakes that receivers stumble over; there is none.</source>
+        <translation>
+            <numerusform>Se ha buscado en los archivos %n tipo de error con el que tropiezan los receptores; no hay ninguno.</numerusform>
+            <numerusform>Se han buscado en los archivos %n tipos de errores con los que tropiezan los receptores; no hay ninguno.</numerusform>
+        </translation>
     </message>
 </context>
 </TS>

@@ -554,6 +554,10 @@
         <source>Folder in the place of a stick</source>
         <translation>Dossier à la place d&apos;une clé</translation>
     </message>
+    <message>
+        <source>Also in a task, for terminals that show lines in tasks only</source>
+        <translation>Aussi dans une tâche, pour les consoles qui ne montrent des lignes que dans des tâches</translation>
+    </message>
 </context>
 <context>
     <name>FieldActions</name>
@@ -2685,10 +2689,6 @@
         <translation>Cuve ou trémie</translation>
     </message>
     <message>
-        <source>Terminals may refuse the task data: %1.</source>
-        <translation>Les consoles peuvent refuser les données de tâche : %1.</translation>
-    </message>
-    <message>
         <source>The Bend</source>
         <translation>Le Coude</translation>
     </message>
@@ -4524,6 +4524,210 @@
         <source>there is no such file or folder</source>
         <translation>ce fichier ou ce dossier n’existe pas</translation>
     </message>
+    <message>
+        <source>Receivers may refuse %1: %2.</source>
+        <translation>Des récepteurs pourraient refuser %1 : %2.</translation>
+    </message>
+    <message>
+        <source>some systems do not allow a file of this name</source>
+        <translation>certains systèmes n&apos;admettent pas un fichier de ce nom</translation>
+    </message>
+    <message>
+        <source>another file differs from it in capitals only</source>
+        <translation>un autre fichier n&apos;en diffère que par les majuscules</translation>
+    </message>
+    <message>
+        <source>%1, %2 is far from the field</source>
+        <translation>%1, %2 est loin de la parcelle</translation>
+    </message>
+    <message>
+        <source>a ring of &apos;%1&apos; has fewer than three corners</source>
+        <translation>un anneau de « %1 » a moins de trois sommets</translation>
+    </message>
+    <message>
+        <source>a ring of &apos;%1&apos; does not end where it begins</source>
+        <translation>un anneau de « %1 » ne finit pas où il commence</translation>
+    </message>
+    <message>
+        <source>a ring of &apos;%1&apos; ends with its first point again</source>
+        <translation>un anneau de « %1 » répète à la fin son premier point</translation>
+    </message>
+    <message>
+        <source>&apos;%1&apos; crosses itself, or a hole lies outside of it</source>
+        <translation>« %1 » se croise lui-même, ou une enclave se trouve en dehors</translation>
+    </message>
+    <message>
+        <source>a ring of &apos;%1&apos; runs the wrong way round</source>
+        <translation>un anneau de « %1 » tourne dans le mauvais sens</translation>
+    </message>
+    <message>
+        <source>&apos;%1&apos; is said to have %2, and has %3</source>
+        <translation>« %1 » aurait %2 et a %3</translation>
+    </message>
+    <message>
+        <source>the name &apos;%1&apos; is longer than %2 characters</source>
+        <translation>le nom « %1 » a plus de %2 caractères</translation>
+    </message>
+    <message>
+        <source>the name &apos;%1&apos; is there twice</source>
+        <translation>le nom « %1 » y est deux fois</translation>
+    </message>
+    <message>
+        <source>the name &apos;%1&apos; has letters beyond A to Z</source>
+        <translation>le nom « %1 » a des lettres autres que A à Z</translation>
+    </message>
+    <message>
+        <source>the name &apos;%1&apos; has characters that are no letters</source>
+        <translation>le nom « %1 » a des caractères qui ne sont pas des lettres</translation>
+    </message>
+    <message>
+        <source>the line &apos;%1&apos; has fewer than two points</source>
+        <translation>la ligne « %1 » a moins de deux points</translation>
+    </message>
+    <message>
+        <source>A and B of &apos;%1&apos; are the same place</source>
+        <translation>A et B de « %1 » sont au même endroit</translation>
+    </message>
+    <message>
+        <source>&apos;%1&apos; is said to be %2 wide</source>
+        <translation>« %1 » aurait %2 de large</translation>
+    </message>
+    <message>
+        <source>%1 comes where %2 should</source>
+        <translation>%1 se trouve où devrait être %2</translation>
+    </message>
+    <message>
+        <source>%1 boundaries are in it, not %2</source>
+        <translation>il contient %1 limites de parcelle, et non %2</translation>
+    </message>
+    <message>
+        <source>%1 holes are in it, not %2</source>
+        <translation>il contient %1 enclaves, et non %2</translation>
+    </message>
+    <message>
+        <source>%1 guidance lines are in it, not %2</source>
+        <translation>il contient %1 lignes de guidage, et non %2</translation>
+    </message>
+    <message>
+        <source>%1 swaths are in it, not %2</source>
+        <translation>il contient %1 passages, et non %2</translation>
+    </message>
+    <message>
+        <source>%1 fields are in it, not %2</source>
+        <translation>il contient %1 parcelles, et non %2</translation>
+    </message>
+    <message>
+        <source>the path is not in it</source>
+        <translation>il ne contient pas le trajet</translation>
+    </message>
+    <message>
+        <source>place %1 of the path is not where the plan goes next</source>
+        <translation>l&apos;endroit %1 du trajet n&apos;est pas où le plan continue</translation>
+    </message>
+    <message>
+        <source>the path does not begin and end as the plan does</source>
+        <translation>le trajet ne commence et ne finit pas comme le plan</translation>
+    </message>
+    <message>
+        <source>the path is %1 long, not %2</source>
+        <translation>le trajet mesure %1, et non %2</translation>
+    </message>
+    <message>
+        <source>the time of place %1 of the path is before that of the place before</source>
+        <translation>l&apos;heure de l&apos;endroit %1 du trajet précède celle de l&apos;endroit d&apos;avant</translation>
+    </message>
+    <message>
+        <source>the times of the path stand still</source>
+        <translation>les heures du trajet n&apos;avancent pas</translation>
+    </message>
+    <message>
+        <source>the heading at place %1 of the path does not point along it</source>
+        <translation>le cap à l&apos;endroit %1 du trajet ne le suit pas</translation>
+    </message>
+    <message>
+        <source>the speed at place %1 of the path is negative</source>
+        <translation>la vitesse à l&apos;endroit %1 du trajet est négative</translation>
+    </message>
+    <message>
+        <source>its largest speed is %1, not %2</source>
+        <translation>sa plus grande vitesse est %1, et non %2</translation>
+    </message>
+    <message>
+        <source>line %1 is not as this format has it</source>
+        <translation>la ligne %1 n&apos;est pas comme ce format la veut</translation>
+    </message>
+    <message>
+        <source>this is no %1</source>
+        <translation>ce n&apos;est pas un %1</translation>
+    </message>
+    <message>
+        <source>its content cannot be read</source>
+        <translation>son contenu ne peut pas être lu</translation>
+    </message>
+    <message>
+        <source>%1 is missing</source>
+        <translation>%1 manque</translation>
+    </message>
+    <message>
+        <source>%1 entries are announced, and %2 are there</source>
+        <translation>%1 entrées sont annoncées, et il y en a %2</translation>
+    </message>
+    <message>
+        <source>the id %1 is there twice</source>
+        <translation>l&apos;identifiant %1 y est deux fois</translation>
+    </message>
+    <message>
+        <source>%1 is referred to and not there</source>
+        <translation>il est fait référence à %1, qui n&apos;y est pas</translation>
+    </message>
+    <message>
+        <source>%1 is not known before version 4</source>
+        <translation>%1 n&apos;est pas connu avant la version 4</translation>
+    </message>
+    <message>
+        <source>&apos;%1&apos; holds a line of kind %2</source>
+        <translation>« %1 » contient une ligne de type %2</translation>
+    </message>
+    <message>
+        <source>&apos;%1&apos; is of kind %2 and its points are of kinds %3</source>
+        <translation>« %1 » est de type %2 et ses points sont des types %3</translation>
+    </message>
+    <message>
+        <source>&apos;%1&apos; has %2 lines</source>
+        <translation>« %1 » a %2 lignes</translation>
+    </message>
+    <message>
+        <source>the headings of a ring do not point along it</source>
+        <translation>les caps d&apos;un anneau ne le suivent pas</translation>
+    </message>
+    <message>
+        <source>its shapes have heights or measures, which displays do not read</source>
+        <translation>ses formes ont des altitudes ou des mesures, que les consoles ne lisent pas</translation>
+    </message>
+    <message>
+        <source>this is the recording of a drive (%1), and no boundary</source>
+        <translation>c&apos;est l&apos;enregistrement d&apos;un trajet (%1), et non une limite de parcelle</translation>
+    </message>
+    <message>
+        <source>give the field&apos;s boundary; furrow-cli compare lays a recording over a plan</source>
+        <translation>donnez la limite de la parcelle ; furrow-cli compare superpose un enregistrement à un plan</translation>
+    </message>
+    <message>
+        <source>Raster mask</source>
+        <translation>Masque matriciel</translation>
+    </message>
+    <message>
+        <source>What is worked and what is not, as a field.</source>
+        <translation>Ce qui est travaillé et ce qui ne l&apos;est pas, comme parcelle.</translation>
+    </message>
+    <message>
+        <source>NMEA or gpsd log</source>
+        <translation>Journal NMEA ou gpsd</translation>
+    </message>
+    <message>
+        <source>What a machine drove.</source>
+        <translation>Ce qu&apos;une machine a parcouru.</translation>
+    </message>
 </context>
 <context>
     <name>PreferencesDialog</name>
@@ -5528,6 +5732,20 @@
     <message>
         <source>What was there before is kept as %1.</source>
         <translation>Ce qui s&apos;y trouvait est gardé sous le nom %1.</translation>
+    </message>
+</context>
+<context>
+    <name>ExportChecks</name>
+    <message>
+        <source>Choose another format or terminal, and report this.</source>
+        <translation>Choisissez un autre format ou une autre console, et signalez-le.</translation>
+    </message>
+    <message numerus="yes">
+        <source>The files were looked through for %n kind(s) of mistakes that receivers stumble over; there is none.</source>
+        <translation>
+            <numerusform>Les fichiers ont été examinés pour %n type d’erreur sur laquelle butent les récepteurs ; il n’y en a pas.</numerusform>
+            <numerusform>Les fichiers ont été examinés pour %n types d’erreurs sur lesquelles butent les récepteurs ; il n’y en a pas.</numerusform>
+        </translation>
     </message>
 </context>
 </TS>

@@ -554,6 +554,10 @@
         <source>Folder in the place of a stick</source>
         <translation>Map in plaats van een stick</translation>
     </message>
+    <message>
+        <source>Also in a task, for terminals that show lines in tasks only</source>
+        <translation>Ook in een taak, voor terminals die lijnen alleen in taken tonen</translation>
+    </message>
 </context>
 <context>
     <name>FieldActions</name>
@@ -2685,10 +2689,6 @@
         <translation>Tank of bunker</translation>
     </message>
     <message>
-        <source>Terminals may refuse the task data: %1.</source>
-        <translation>Terminals weigeren de taakgegevens misschien: %1.</translation>
-    </message>
-    <message>
         <source>The Bend</source>
         <translation>De Bocht</translation>
     </message>
@@ -4524,6 +4524,210 @@
         <source>there is no such file or folder</source>
         <translation>dit bestand of deze map bestaat niet</translation>
     </message>
+    <message>
+        <source>Receivers may refuse %1: %2.</source>
+        <translation>Ontvangers kunnen %1 weigeren: %2.</translation>
+    </message>
+    <message>
+        <source>some systems do not allow a file of this name</source>
+        <translation>sommige systemen staan geen bestand met deze naam toe</translation>
+    </message>
+    <message>
+        <source>another file differs from it in capitals only</source>
+        <translation>een ander bestand verschilt er alleen in hoofdletters van</translation>
+    </message>
+    <message>
+        <source>%1, %2 is far from the field</source>
+        <translation>%1, %2 ligt ver van het perceel</translation>
+    </message>
+    <message>
+        <source>a ring of &apos;%1&apos; has fewer than three corners</source>
+        <translation>een ring van ‘%1’ heeft minder dan drie hoeken</translation>
+    </message>
+    <message>
+        <source>a ring of &apos;%1&apos; does not end where it begins</source>
+        <translation>een ring van ‘%1’ eindigt niet waar hij begint</translation>
+    </message>
+    <message>
+        <source>a ring of &apos;%1&apos; ends with its first point again</source>
+        <translation>een ring van ‘%1’ herhaalt aan het eind zijn eerste punt</translation>
+    </message>
+    <message>
+        <source>&apos;%1&apos; crosses itself, or a hole lies outside of it</source>
+        <translation>‘%1’ kruist zichzelf, of een gat ligt erbuiten</translation>
+    </message>
+    <message>
+        <source>a ring of &apos;%1&apos; runs the wrong way round</source>
+        <translation>een ring van ‘%1’ loopt de verkeerde kant om</translation>
+    </message>
+    <message>
+        <source>&apos;%1&apos; is said to have %2, and has %3</source>
+        <translation>‘%1’ zou %2 hebben en heeft %3</translation>
+    </message>
+    <message>
+        <source>the name &apos;%1&apos; is longer than %2 characters</source>
+        <translation>de naam ‘%1’ is langer dan %2 tekens</translation>
+    </message>
+    <message>
+        <source>the name &apos;%1&apos; is there twice</source>
+        <translation>de naam ‘%1’ komt twee keer voor</translation>
+    </message>
+    <message>
+        <source>the name &apos;%1&apos; has letters beyond A to Z</source>
+        <translation>de naam ‘%1’ heeft andere letters dan A tot Z</translation>
+    </message>
+    <message>
+        <source>the name &apos;%1&apos; has characters that are no letters</source>
+        <translation>de naam ‘%1’ heeft tekens die geen letters zijn</translation>
+    </message>
+    <message>
+        <source>the line &apos;%1&apos; has fewer than two points</source>
+        <translation>de lijn ‘%1’ heeft minder dan twee punten</translation>
+    </message>
+    <message>
+        <source>A and B of &apos;%1&apos; are the same place</source>
+        <translation>A en B van ‘%1’ zijn dezelfde plaats</translation>
+    </message>
+    <message>
+        <source>&apos;%1&apos; is said to be %2 wide</source>
+        <translation>‘%1’ zou %2 breed zijn</translation>
+    </message>
+    <message>
+        <source>%1 comes where %2 should</source>
+        <translation>%1 staat waar %2 hoort te staan</translation>
+    </message>
+    <message>
+        <source>%1 boundaries are in it, not %2</source>
+        <translation>er staan %1 perceelsgrenzen in, niet %2</translation>
+    </message>
+    <message>
+        <source>%1 holes are in it, not %2</source>
+        <translation>er staan %1 gaten in, niet %2</translation>
+    </message>
+    <message>
+        <source>%1 guidance lines are in it, not %2</source>
+        <translation>er staan %1 stuurlijnen in, niet %2</translation>
+    </message>
+    <message>
+        <source>%1 swaths are in it, not %2</source>
+        <translation>er staan %1 werkgangen in, niet %2</translation>
+    </message>
+    <message>
+        <source>%1 fields are in it, not %2</source>
+        <translation>er staan %1 percelen in, niet %2</translation>
+    </message>
+    <message>
+        <source>the path is not in it</source>
+        <translation>de rijweg staat er niet in</translation>
+    </message>
+    <message>
+        <source>place %1 of the path is not where the plan goes next</source>
+        <translation>plaats %1 van de rijweg is niet waar het plan verdergaat</translation>
+    </message>
+    <message>
+        <source>the path does not begin and end as the plan does</source>
+        <translation>de rijweg begint en eindigt niet zoals het plan</translation>
+    </message>
+    <message>
+        <source>the path is %1 long, not %2</source>
+        <translation>de rijweg is %1 lang, niet %2</translation>
+    </message>
+    <message>
+        <source>the time of place %1 of the path is before that of the place before</source>
+        <translation>de tijd van plaats %1 van de rijweg ligt vóór die van de plaats ervoor</translation>
+    </message>
+    <message>
+        <source>the times of the path stand still</source>
+        <translation>de tijden van de rijweg staan stil</translation>
+    </message>
+    <message>
+        <source>the heading at place %1 of the path does not point along it</source>
+        <translation>de richting op plaats %1 van de rijweg wijst er niet langs</translation>
+    </message>
+    <message>
+        <source>the speed at place %1 of the path is negative</source>
+        <translation>de snelheid op plaats %1 van de rijweg is negatief</translation>
+    </message>
+    <message>
+        <source>its largest speed is %1, not %2</source>
+        <translation>de hoogste snelheid erin is %1, niet %2</translation>
+    </message>
+    <message>
+        <source>line %1 is not as this format has it</source>
+        <translation>regel %1 is niet zoals dit formaat die heeft</translation>
+    </message>
+    <message>
+        <source>this is no %1</source>
+        <translation>dit is geen %1</translation>
+    </message>
+    <message>
+        <source>its content cannot be read</source>
+        <translation>de inhoud kan niet worden gelezen</translation>
+    </message>
+    <message>
+        <source>%1 is missing</source>
+        <translation>%1 ontbreekt</translation>
+    </message>
+    <message>
+        <source>%1 entries are announced, and %2 are there</source>
+        <translation>er zijn %1 regels aangekondigd en er staan er %2</translation>
+    </message>
+    <message>
+        <source>the id %1 is there twice</source>
+        <translation>de id %1 komt twee keer voor</translation>
+    </message>
+    <message>
+        <source>%1 is referred to and not there</source>
+        <translation>er wordt naar %1 verwezen en het staat er niet</translation>
+    </message>
+    <message>
+        <source>%1 is not known before version 4</source>
+        <translation>%1 is vóór versie 4 niet bekend</translation>
+    </message>
+    <message>
+        <source>&apos;%1&apos; holds a line of kind %2</source>
+        <translation>‘%1’ bevat een lijn van soort %2</translation>
+    </message>
+    <message>
+        <source>&apos;%1&apos; is of kind %2 and its points are of kinds %3</source>
+        <translation>‘%1’ is van soort %2 en de punten zijn van de soorten %3</translation>
+    </message>
+    <message>
+        <source>&apos;%1&apos; has %2 lines</source>
+        <translation>‘%1’ heeft %2 lijnen</translation>
+    </message>
+    <message>
+        <source>the headings of a ring do not point along it</source>
+        <translation>de richtingen van een ring wijzen er niet langs</translation>
+    </message>
+    <message>
+        <source>its shapes have heights or measures, which displays do not read</source>
+        <translation>de vormen hebben hoogtes of maten, die schermen niet lezen</translation>
+    </message>
+    <message>
+        <source>this is the recording of a drive (%1), and no boundary</source>
+        <translation>dit is de opname van een rit (%1) en geen perceelsgrens</translation>
+    </message>
+    <message>
+        <source>give the field&apos;s boundary; furrow-cli compare lays a recording over a plan</source>
+        <translation>geef de perceelsgrens; furrow-cli compare legt een opname over een plan</translation>
+    </message>
+    <message>
+        <source>Raster mask</source>
+        <translation>Rastermasker</translation>
+    </message>
+    <message>
+        <source>What is worked and what is not, as a field.</source>
+        <translation>Wat bewerkt wordt en wat niet, als perceel.</translation>
+    </message>
+    <message>
+        <source>NMEA or gpsd log</source>
+        <translation>NMEA- of gpsd-logboek</translation>
+    </message>
+    <message>
+        <source>What a machine drove.</source>
+        <translation>Wat een machine heeft gereden.</translation>
+    </message>
 </context>
 <context>
     <name>PreferencesDialog</name>
@@ -5528,6 +5732,20 @@
     <message>
         <source>What was there before is kept as %1.</source>
         <translation>Wat er eerst stond, blijft bewaard als %1.</translation>
+    </message>
+</context>
+<context>
+    <name>ExportChecks</name>
+    <message>
+        <source>Choose another format or terminal, and report this.</source>
+        <translation>Kies een ander formaat of een andere terminal en meld dit.</translation>
+    </message>
+    <message numerus="yes">
+        <source>The files were looked through for %n kind(s) of mistakes that receivers stumble over; there is none.</source>
+        <translation>
+            <numerusform>De bestanden zijn nagekeken op %n soort fout waarover ontvangers struikelen; er is er geen.</numerusform>
+            <numerusform>De bestanden zijn nagekeken op %n soorten fouten waarover ontvangers struikelen; er is er geen.</numerusform>
+        </translation>
     </message>
 </context>
 </TS>

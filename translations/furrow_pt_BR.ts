@@ -554,6 +554,10 @@
         <source>Folder in the place of a stick</source>
         <translation>Pasta no lugar de um pen drive</translation>
     </message>
+    <message>
+        <source>Also in a task, for terminals that show lines in tasks only</source>
+        <translation>Também em uma tarefa, para terminais que só mostram linhas em tarefas</translation>
+    </message>
 </context>
 <context>
     <name>FieldActions</name>
@@ -2685,10 +2689,6 @@
         <translation>Tanque ou depósito</translation>
     </message>
     <message>
-        <source>Terminals may refuse the task data: %1.</source>
-        <translation>Os terminais podem recusar os dados de tarefa: %1.</translation>
-    </message>
-    <message>
         <source>The Bend</source>
         <translation>A Curva</translation>
     </message>
@@ -4524,6 +4524,210 @@
         <source>there is no such file or folder</source>
         <translation>esse arquivo ou essa pasta não existe</translation>
     </message>
+    <message>
+        <source>Receivers may refuse %1: %2.</source>
+        <translation>Os receptores podem recusar %1: %2.</translation>
+    </message>
+    <message>
+        <source>some systems do not allow a file of this name</source>
+        <translation>alguns sistemas não permitem um arquivo com este nome</translation>
+    </message>
+    <message>
+        <source>another file differs from it in capitals only</source>
+        <translation>outro arquivo só difere dele nas maiúsculas</translation>
+    </message>
+    <message>
+        <source>%1, %2 is far from the field</source>
+        <translation>%1, %2 fica longe do talhão</translation>
+    </message>
+    <message>
+        <source>a ring of &apos;%1&apos; has fewer than three corners</source>
+        <translation>um anel de “%1” tem menos de três cantos</translation>
+    </message>
+    <message>
+        <source>a ring of &apos;%1&apos; does not end where it begins</source>
+        <translation>um anel de “%1” não termina onde começa</translation>
+    </message>
+    <message>
+        <source>a ring of &apos;%1&apos; ends with its first point again</source>
+        <translation>um anel de “%1” repete no fim o seu primeiro ponto</translation>
+    </message>
+    <message>
+        <source>&apos;%1&apos; crosses itself, or a hole lies outside of it</source>
+        <translation>“%1” cruza-se a si mesmo ou tem um vazio fora dele</translation>
+    </message>
+    <message>
+        <source>a ring of &apos;%1&apos; runs the wrong way round</source>
+        <translation>um anel de “%1” roda no sentido errado</translation>
+    </message>
+    <message>
+        <source>&apos;%1&apos; is said to have %2, and has %3</source>
+        <translation>“%1” teria %2 e tem %3</translation>
+    </message>
+    <message>
+        <source>the name &apos;%1&apos; is longer than %2 characters</source>
+        <translation>o nome “%1” tem mais de %2 caracteres</translation>
+    </message>
+    <message>
+        <source>the name &apos;%1&apos; is there twice</source>
+        <translation>o nome “%1” aparece duas vezes</translation>
+    </message>
+    <message>
+        <source>the name &apos;%1&apos; has letters beyond A to Z</source>
+        <translation>o nome “%1” tem letras além de A a Z</translation>
+    </message>
+    <message>
+        <source>the name &apos;%1&apos; has characters that are no letters</source>
+        <translation>o nome “%1” tem caracteres que não são letras</translation>
+    </message>
+    <message>
+        <source>the line &apos;%1&apos; has fewer than two points</source>
+        <translation>a linha “%1” tem menos de dois pontos</translation>
+    </message>
+    <message>
+        <source>A and B of &apos;%1&apos; are the same place</source>
+        <translation>A e B de “%1” são o mesmo lugar</translation>
+    </message>
+    <message>
+        <source>&apos;%1&apos; is said to be %2 wide</source>
+        <translation>“%1” teria %2 de largura</translation>
+    </message>
+    <message>
+        <source>%1 comes where %2 should</source>
+        <translation>%1 está onde deveria estar %2</translation>
+    </message>
+    <message>
+        <source>%1 boundaries are in it, not %2</source>
+        <translation>contém %1 limites, não %2</translation>
+    </message>
+    <message>
+        <source>%1 holes are in it, not %2</source>
+        <translation>contém %1 vazios, não %2</translation>
+    </message>
+    <message>
+        <source>%1 guidance lines are in it, not %2</source>
+        <translation>contém %1 linhas de orientação, não %2</translation>
+    </message>
+    <message>
+        <source>%1 swaths are in it, not %2</source>
+        <translation>contém %1 passadas, não %2</translation>
+    </message>
+    <message>
+        <source>%1 fields are in it, not %2</source>
+        <translation>contém %1 talhões, não %2</translation>
+    </message>
+    <message>
+        <source>the path is not in it</source>
+        <translation>não contém o percurso</translation>
+    </message>
+    <message>
+        <source>place %1 of the path is not where the plan goes next</source>
+        <translation>o lugar %1 do percurso não é onde o plano continua</translation>
+    </message>
+    <message>
+        <source>the path does not begin and end as the plan does</source>
+        <translation>o percurso não começa e termina como o plano</translation>
+    </message>
+    <message>
+        <source>the path is %1 long, not %2</source>
+        <translation>o percurso mede %1, não %2</translation>
+    </message>
+    <message>
+        <source>the time of place %1 of the path is before that of the place before</source>
+        <translation>a hora do lugar %1 do percurso é anterior à do lugar antes dele</translation>
+    </message>
+    <message>
+        <source>the times of the path stand still</source>
+        <translation>as horas do percurso não avançam</translation>
+    </message>
+    <message>
+        <source>the heading at place %1 of the path does not point along it</source>
+        <translation>o rumo no lugar %1 do percurso não aponta ao longo dele</translation>
+    </message>
+    <message>
+        <source>the speed at place %1 of the path is negative</source>
+        <translation>a velocidade no lugar %1 do percurso é negativa</translation>
+    </message>
+    <message>
+        <source>its largest speed is %1, not %2</source>
+        <translation>a sua maior velocidade é %1, não %2</translation>
+    </message>
+    <message>
+        <source>line %1 is not as this format has it</source>
+        <translation>a linha %1 não é como este formato a tem</translation>
+    </message>
+    <message>
+        <source>this is no %1</source>
+        <translation>isto não é %1</translation>
+    </message>
+    <message>
+        <source>its content cannot be read</source>
+        <translation>o seu conteúdo não pode ser lido</translation>
+    </message>
+    <message>
+        <source>%1 is missing</source>
+        <translation>falta %1</translation>
+    </message>
+    <message>
+        <source>%1 entries are announced, and %2 are there</source>
+        <translation>são anunciadas %1 entradas e há %2</translation>
+    </message>
+    <message>
+        <source>the id %1 is there twice</source>
+        <translation>o identificador %1 aparece duas vezes</translation>
+    </message>
+    <message>
+        <source>%1 is referred to and not there</source>
+        <translation>é referido %1, que não está lá</translation>
+    </message>
+    <message>
+        <source>%1 is not known before version 4</source>
+        <translation>%1 não é conhecido antes da versão 4</translation>
+    </message>
+    <message>
+        <source>&apos;%1&apos; holds a line of kind %2</source>
+        <translation>“%1” contém uma linha de tipo %2</translation>
+    </message>
+    <message>
+        <source>&apos;%1&apos; is of kind %2 and its points are of kinds %3</source>
+        <translation>“%1” é de tipo %2 e os seus pontos são dos tipos %3</translation>
+    </message>
+    <message>
+        <source>&apos;%1&apos; has %2 lines</source>
+        <translation>“%1” tem %2 linhas</translation>
+    </message>
+    <message>
+        <source>the headings of a ring do not point along it</source>
+        <translation>os rumos de um anel não apontam ao longo dele</translation>
+    </message>
+    <message>
+        <source>its shapes have heights or measures, which displays do not read</source>
+        <translation>as suas formas têm alturas ou medidas, que os monitores não leem</translation>
+    </message>
+    <message>
+        <source>this is the recording of a drive (%1), and no boundary</source>
+        <translation>isto é o registro de um percurso (%1), e não um limite</translation>
+    </message>
+    <message>
+        <source>give the field&apos;s boundary; furrow-cli compare lays a recording over a plan</source>
+        <translation>indique o limite do talhão; furrow-cli compare sobrepõe um registro a um plano</translation>
+    </message>
+    <message>
+        <source>Raster mask</source>
+        <translation>Máscara raster</translation>
+    </message>
+    <message>
+        <source>What is worked and what is not, as a field.</source>
+        <translation>O que é trabalhado e o que não é, como talhão.</translation>
+    </message>
+    <message>
+        <source>NMEA or gpsd log</source>
+        <translation>Registro NMEA ou gpsd</translation>
+    </message>
+    <message>
+        <source>What a machine drove.</source>
+        <translation>O que uma máquina percorreu.</translation>
+    </message>
 </context>
 <context>
     <name>PreferencesDialog</name>
@@ -5528,6 +5732,20 @@
     <message>
         <source>What was there before is kept as %1.</source>
         <translation>O que havia antes fica guardado como %1.</translation>
+    </message>
+</context>
+<context>
+    <name>ExportChecks</name>
+    <message>
+        <source>Choose another format or terminal, and report this.</source>
+        <translation>Escolha outro formato ou terminal e relate isto.</translation>
+    </message>
+    <message numerus="yes">
+        <source>The files were looked through for %n kind(s) of mistakes that receivers stumble over; there is none.</source>
+        <translation>
+            <numerusform>Os arquivos foram examinados quanto a %n tipo de erro em que os receptores tropeçam; não há nenhum.</numerusform>
+            <numerusform>Os arquivos foram examinados quanto a %n tipos de erros em que os receptores tropeçam; não há nenhum.</numerusform>
+        </translation>
     </message>
 </context>
 </TS>

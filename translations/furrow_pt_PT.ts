@@ -99,6 +99,10 @@
         <source>Folder in the place of a stick</source>
         <translation>Pasta no lugar de uma pen USB</translation>
     </message>
+    <message>
+        <source>Also in a task, for terminals that show lines in tasks only</source>
+        <translation>Também numa tarefa, para terminais que só mostram linhas em tarefas</translation>
+    </message>
 </context>
 <context>
     <name>FieldActions</name>
@@ -669,6 +673,34 @@
         <source>it is too large to be shown without overviews</source>
         <translation>é demasiado grande para ser mostrada sem vistas gerais</translation>
     </message>
+    <message>
+        <source>Receivers may refuse %1: %2.</source>
+        <translation>Os recetores podem recusar %1: %2.</translation>
+    </message>
+    <message>
+        <source>some systems do not allow a file of this name</source>
+        <translation>alguns sistemas não permitem um ficheiro com este nome</translation>
+    </message>
+    <message>
+        <source>another file differs from it in capitals only</source>
+        <translation>outro ficheiro só difere dele nas maiúsculas</translation>
+    </message>
+    <message>
+        <source>its shapes have heights or measures, which displays do not read</source>
+        <translation>as suas formas têm alturas ou medidas, que os ecrãs não leem</translation>
+    </message>
+    <message>
+        <source>this is the recording of a drive (%1), and no boundary</source>
+        <translation>isto é o registo de um percurso (%1), e não um limite</translation>
+    </message>
+    <message>
+        <source>give the field&apos;s boundary; furrow-cli compare lays a recording over a plan</source>
+        <translation>indique o limite do talhão; furrow-cli compare sobrepõe um registo a um plano</translation>
+    </message>
+    <message>
+        <source>NMEA or gpsd log</source>
+        <translation>Registo NMEA ou gpsd</translation>
+    </message>
 </context>
 <context>
     <name>PreferencesDialog</name>
@@ -898,6 +930,20 @@
     <message>
         <source>Opening …</source>
         <translation>A abrir…</translation>
+    </message>
+</context>
+<context>
+    <name>ExportChecks</name>
+    <message>
+        <source>Choose another format or terminal, and report this.</source>
+        <translation>Escolha outro formato ou terminal e comunique isto.</translation>
+    </message>
+    <message numerus="yes">
+        <source>The files were looked through for %n kind(s) of mistakes that receivers stumble over; there is none.</source>
+        <translation>
+            <numerusform>Os ficheiros foram examinados quanto a %n tipo de erro em que os recetores tropeçam; não há nenhum.</numerusform>
+            <numerusform>Os ficheiros foram examinados quanto a %n tipos de erros em que os recetores tropeçam; não há nenhum.</numerusform>
+        </translation>
     </message>
 </context>
 </TS>

@@ -101,6 +101,7 @@ int runConvert(const ConvertArguments& arguments) {
         return failWith(written.error());
     }
     notes.insert(notes.end(), written->notes.begin(), written->notes.end());
+    printProblems(written->checks);
     if (arguments.json) {
         Json files = Json::array();
         for (const auto& file : written->files) {
@@ -114,7 +115,12 @@ int runConvert(const ConvertArguments& arguments) {
                              {"obstacles", content.field.obstacles.size()},
                              {"lines", content.lines.size()}});
         }
-        std::println("{}", Json{{"fields", names}, {"files", files}, {"notes", notes}}.dump(
+        Json problems = Json::array();
+        for (const std::string& problem : written->checks.problems) {
+            problems.push_back(problem);
+        }
+        const Json checks{{"made", written->checks.made}, {"problems", problems}};
+        std::println("{}", Json{{"fields", names}, {"files", files}, {"notes", notes}, {"checks", checks}}.dump(
                                2, ' ', false, Json::error_handler_t::replace));
         return kDrivable;
     }
@@ -125,6 +131,7 @@ int runConvert(const ConvertArguments& arguments) {
     for (const std::string& note : notes) {
         std::println("Note: {}", note);
     }
+    std::println("Checked: {}", checkSummary(written->checks));
     std::println("Written:");
     for (const auto& file : written->files) {
         std::println("  {}", file.string());

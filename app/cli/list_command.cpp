@@ -181,12 +181,13 @@ int listFormats(bool asJson) {
                            {"name", format.name},
                            {"extensions", format.extensions},
                            {"read", format.read},
+                           {"reads_tracks", format.readsTracks},
                            {"write", format.writes()},
                            {"writes_fields", format.writesFields},
                            {"carries", format.carries}});
         } else {
-            std::println("{:14} {:22} {:5} {:6} {}", format.id, format.name, format.read ? "read" : "",
-                         format.writes() ? "write" : "", format.carries);
+            std::println("{:14} {:22} {:5} {:7} {:6} {}", format.id, format.name, format.read ? "read" : "",
+                         format.readsTracks ? "tracks" : "", format.writes() ? "write" : "", format.carries);
         }
     }
     if (asJson) {

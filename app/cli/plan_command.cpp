@@ -98,6 +98,7 @@ void printPlan(const Plan& plan, const WrittenFiles& written, const Terminal* te
     if (written.files.size() > kMostFilesShown) {
         std::println("  and {} more", written.files.size() - kMostFilesShown);
     }
+    std::println("Checked   {}", checkSummary(written.checks));
     for (const std::string& note : written.notes) {
         std::println("Note      {}", note);
     }
@@ -111,13 +112,14 @@ int runPlan(const PlanArguments& arguments) {
     if (!choices) {
         return failWith(choices.error());
     }
-    const Terminal* terminal = nullptr;
+    std::optional<Terminal> terminal;
     if (arguments.terminal) {
         const auto found = findTerminal(*arguments.terminal);
         if (!found) {
             return failWith(found.error());
         }
-        terminal = *found;
+        terminal = **found;
+        terminal->options.task = arguments.options.task;
     }
     const auto sources = readBoundaries(arguments.field, job);
     if (!sources) {
@@ -144,15 +146,16 @@ int runPlan(const PlanArguments& arguments) {
     if (!plan) {
         return failWith(plan.error());
     }
-    const auto written = terminal != nullptr ? writeForTerminal(**plan, planning.out, *terminal, job)
+    const auto written = terminal ? writeForTerminal(**plan, planning.out, *terminal, job)
                                              : writePlanFolder(**plan, planning.out, choices->formats, job, arguments.options);
     if (!written) {
         return failWith(written.error());
     }
+    printProblems(written->checks);
     if (planning.json) {
         std::print("{}", planSummaryJson(**plan));
     } else {
-        printPlan(**plan, *written, terminal, planning.quiet);
+        printPlan(**plan, *written, terminal ? &*terminal : nullptr, planning.quiet);
     }
     return (*plan)->drivable() ? kDrivable : kBlockingFinding;
 }

@@ -19,6 +19,7 @@ struct ExportOptions {
     bool holesAsObstacles = false;  ///< holes as areas of their own, for readers that overlook inner rings
     bool asciiNames = false;        ///< letters A to Z, digits, blank, - and _ only
     bool headlandLines = false;     ///< headland passes as curves of their own
+    bool task = false;              ///< a planned task for each field, for terminals that show lines in tasks only
     int longestName = 32;           ///< characters, counting from 8
 
     friend bool operator==(const ExportOptions&, const ExportOptions&) = default;
@@ -32,10 +33,19 @@ struct ExportJob {
     JobContext job;
 };
 
+/// What was looked at in written files, and what was found; see checkExport.
+struct ExportChecks {
+    std::vector<std::string_view> made;  ///< ids of the checks that had something to look at: "rings-closed" ...
+    std::vector<Message> problems;       ///< empty for good files
+
+    void add(const ExportChecks& more);
+};
+
 /// What one format makes of a job.
 struct FormatFiles {
     std::vector<FileToWrite> files;  ///< paths below the folder that is written to
-    std::vector<Message> notes;  ///< what the receiver will not find in them, or should know
+    std::vector<Message> notes;      ///< what the receiver will not find in them, or should know
+    ExportChecks checks = {};
 };
 
 /// The common signature of all formats.

@@ -1,5 +1,6 @@
 #include "planner/io/field_files.h"
 
+#include "planner/io/export_check.h"
 #include "planner/io/file_folder.h"
 #include "planner/io/format_registry.h"
 #include "planner/io/gdal_writer.h"
@@ -88,7 +89,7 @@ Result<WrittenFiles> writeFields(std::span<const FieldContent> fields, const fs:
     if (!format) {
         return std::unexpected(format.error());
     }
-    auto made = (*format)->writer({.fields = fields, .plan = nullptr, .options = options, .job = job});
+    auto made = checkedFiles(**format, {.fields = fields, .plan = nullptr, .options = options, .job = job});
     if (!made) {
         return std::unexpected(made.error());
     }
@@ -109,7 +110,7 @@ Result<WrittenFiles> writeFields(std::span<const FieldContent> fields, const fs:
     if (!written) {
         return std::unexpected(written.error());
     }
-    return WrittenFiles{*std::move(written), std::move(made->notes)};
+    return WrittenFiles{*std::move(written), std::move(made->notes), std::move(made->checks)};
 }
 
 }  // namespace furrow

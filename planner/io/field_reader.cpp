@@ -5,6 +5,7 @@
 #include "planner/io/file_folder.h"
 #include "planner/io/isoxml_reader.h"
 #include "planner/io/raster_mask.h"
+#include "planner/io/track_reader.h"
 #include "planner/io/vector_fields.h"
 
 #include <algorithm>
@@ -153,7 +154,16 @@ Result<ImportedFields> readFile(const fs::path& path, const JobContext& job) {
     if (known && looksLikeRaster(*start)) {
         return readRasterMask(path, job);
     }
-    return vectorFields(path, job);
+    auto read = vectorFields(path, job);
+    if (!read && read.error().code == ErrorCode::ReadFailed && known) {
+        // Logs and recordings are known, too, as something else.
+        if (const auto tracks = readTracks(path, job)) {
+            return std::unexpected(inputRefused(path.filename().string(),
+                                                message("this is the recording of a drive ({}), and no boundary", tracks->format),
+                                                "give the field's boundary; furrow-cli compare lays a recording over a plan"));
+        }
+    }
+    return read;
 }
 
 }  // namespace

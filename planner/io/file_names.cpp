@@ -139,7 +139,8 @@ std::string UniqueNames::unique(std::string_view wanted, std::string_view otherw
         name = otherwise;
     }
     std::string tried = name;
-    for (int number = 2; !used_.insert(tried).second; ++number) {
+    // Folders that differ in capitals only are one on a stick.
+    for (int number = 2; !used_.insert(inSmallLetters(tried)).second; ++number) {
         const std::string suffix = std::format(" {}", number);
         tried = cutText(name, longest_ - suffix.size()) + suffix;
     }

@@ -18,7 +18,7 @@ std::string asciiText(std::string_view text);
 /// `otherwise` where nothing is left.
 std::string safeFileName(std::string_view text, std::string_view otherwise);
 
-/// Names of one list, cut and unequal even after that.
+/// Names of one list, cut and unequal even after that, capitals or not.
 class UniqueNames {
 public:
     UniqueNames() = default;
@@ -28,7 +28,7 @@ public:
 private:
     std::size_t longest_ = 32;
     bool ascii_ = false;
-    std::set<std::string> used_;
+    std::set<std::string> used_;  ///< in small letters
 };
 
 }  // namespace furrow

@@ -18,6 +18,7 @@ struct FormatInfo {
     FormatWriter* writer = nullptr;     ///< of plans; null where none are written
     bool writesFields = false;          ///< also of fields without a plan
     std::string_view folder = {};       ///< of a plan's folder, where it goes; empty for its top
+    bool readsTracks = false;           ///< what a machine drove can be read from it, to compare with a plan
 
     bool writes() const { return writer != nullptr; }
 };

@@ -529,6 +529,12 @@ Result<void> readSource(const BoundarySource& source, const Reading& reading) {
     const std::string driver = dataset->GetDriverName();
     reading.file.isTable = reading.file.isTable || driver == "CSV";
     reading.file.isTrack = reading.file.isTrack || driver == "GPX";
+    if (driver == "CSV") {
+        const OGRFeatureDefn& definition = *dataset->GetLayer(0)->GetLayerDefn();
+        for (int i = 0; i < definition.GetFieldCount(); ++i) {
+            reading.file.columns.emplace_back(definition.GetFieldDefn(i)->GetNameRef());
+        }
+    }
     if (driver == "GeoJSON") {
         if (auto checked = checkPositions(source, true); !checked) {
             return checked;

@@ -32,6 +32,7 @@ struct VectorFeature {
 struct VectorFile {
     bool isTable = false;                 ///< CSV: geometry may be spread over columns and rows
     bool isTrack = false;                 ///< GPX: lines are what was driven or walked
+    std::vector<std::string> columns;     ///< of a table: what its first row calls them
     std::vector<VectorFeature> features;  ///< of all layers, in the order of the file
 };
 

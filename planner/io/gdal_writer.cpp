@@ -209,29 +209,65 @@ Result<std::string> zipOf(std::span<const FileToWrite> files) {
     return memory.bytes("out.zip");
 }
 
+std::vector<std::pair<std::string, std::string>> filesInZip(std::string_view zip) {
+    registerGdalDrivers();
+    const GdalMessages messages;
+    const MemoryFolder memory;
+    const std::string path = memory.file("in.zip");
+    const std::unique_ptr<VSILFILE, int (*)(VSILFILE*)> out{VSIFOpenL(path.c_str(), "wb"), VSIFCloseL};
+    if (!out || VSIFWriteL(zip.data(), 1, zip.size(), out.get()) != zip.size() || VSIFFlushL(out.get()) != 0) {
+        return {};
+    }
+    const std::string root = "/vsizip/{" + path + "}";
+    std::vector<std::pair<std::string, std::string>> files;
+    const CPLStringList names{VSIReadDirRecursive(root.c_str())};
+    for (int i = 0; i < names.size(); ++i) {
+        const std::string name = names[i];
+        GByte* read = nullptr;
+        vsi_l_offset size = 0;
+        if (!name.ends_with('/') && VSIIngestFile(nullptr, (root + "/" + name).c_str(), &read, &size, -1) != 0) {
+            files.emplace_back(name, std::string{reinterpret_cast<const char*>(read), static_cast<std::size_t>(size)});
+        }
+        VSIFree(read);
+    }
+    return files;
+}
+
 UtmZone UtmZone::of(GeoPoint place) {
     const int zone = std::clamp(static_cast<int>(std::floor((place.lonDeg + 180.0) / 6.0)) + 1, 1, 60);
     return {(place.latDeg < 0.0 ? 32700 : 32600) + zone};
 }
 
-Result<std::vector<std::pair<double, double>>> UtmZone::project(std::span<const GeoPoint> points) const {
+namespace {
+
+/// Coordinates of one system in another, in place. False where one of them has no place there.
+bool transform(int fromEpsg, int toEpsg, std::vector<double>& x, std::vector<double>& y) {
     registerGdalDrivers();
     const GdalMessages messages;
-    OGRSpatialReference wgs84;
-    wgs84.SetWellKnownGeogCS("WGS84");
-    wgs84.SetAxisMappingStrategy(OAMS_TRADITIONAL_GIS_ORDER);
-    OGRSpatialReference utm;
-    utm.importFromEPSG(epsg);
-    utm.SetAxisMappingStrategy(OAMS_TRADITIONAL_GIS_ORDER);
-    const std::unique_ptr<OGRCoordinateTransformation, decltype(&OGRCoordinateTransformation::DestroyCT)> transform{
-        OGRCreateCoordinateTransformation(&wgs84, &utm), &OGRCoordinateTransformation::DestroyCT};
+    OGRSpatialReference from;
+    OGRSpatialReference to;
+    if (from.importFromEPSG(fromEpsg) != OGRERR_NONE || to.importFromEPSG(toEpsg) != OGRERR_NONE) {
+        return false;
+    }
+    from.SetAxisMappingStrategy(OAMS_TRADITIONAL_GIS_ORDER);
+    to.SetAxisMappingStrategy(OAMS_TRADITIONAL_GIS_ORDER);
+    const std::unique_ptr<OGRCoordinateTransformation, decltype(&OGRCoordinateTransformation::DestroyCT)> made{
+        OGRCreateCoordinateTransformation(&from, &to), &OGRCoordinateTransformation::DestroyCT};
+    return made && (x.empty() || made->Transform(x.size(), x.data(), y.data()) != 0);
+}
+
+constexpr int kWgs84 = 4326;
+
+}  // namespace
+
+Result<std::vector<std::pair<double, double>>> UtmZone::project(std::span<const GeoPoint> points) const {
     std::vector<double> x;
     std::vector<double> y;
     for (const GeoPoint& point : points) {
         x.push_back(point.lonDeg);
         y.push_back(point.latDeg);
     }
-    if (!transform || (!x.empty() && transform->Transform(x.size(), x.data(), y.data()) == 0)) {
+    if (!transform(kWgs84, epsg, x, y)) {
         return std::unexpected(writeFailed(message("a point has no place in EPSG:{}", epsg)));
     }
     std::vector<std::pair<double, double>> projected;
@@ -239,6 +275,23 @@ Result<std::vector<std::pair<double, double>>> UtmZone::project(std::span<const 
         projected.emplace_back(x[i], y[i]);
     }
     return projected;
+}
+
+Result<GeoRing> UtmZone::unproject(std::span<const std::pair<double, double>> places) const {
+    std::vector<double> x;
+    std::vector<double> y;
+    for (const auto& [east, north] : places) {
+        x.push_back(east);
+        y.push_back(north);
+    }
+    if (!transform(epsg, kWgs84, x, y)) {
+        return std::unexpected(writeFailed(message("a point has no place in EPSG:{}", epsg)));
+    }
+    GeoRing points;
+    for (std::size_t i = 0; i < x.size(); ++i) {
+        points.push_back({x[i], y[i]});
+    }
+    return points;
 }
 
 }  // namespace furrow

@@ -10,6 +10,7 @@
 #include <span>
 #include <string>
 #include <string_view>
+#include <utility>
 #include <variant>
 #include <vector>
 
@@ -48,6 +49,9 @@ Result<std::vector<FileToWrite>> vectorFiles(VectorFormat format, const std::str
 /// A zip of these files, deflated, in memory. WriteFailed.
 Result<std::string> zipOf(std::span<const FileToWrite> files);
 
+/// Names and bytes of what is in a zip of our own making; nothing where it is none.
+std::vector<std::pair<std::string, std::string>> filesInZip(std::string_view zip);
+
 /// A UTM zone and the way into it.
 struct UtmZone {
     int epsg = 0;  ///< 32601 to 32660, 32701 to 32760
@@ -55,6 +59,8 @@ struct UtmZone {
     static UtmZone of(GeoPoint place);
     /// East and north in metres, in the order of the points. WriteFailed: a point that has no place there.
     Result<std::vector<std::pair<double, double>>> project(std::span<const GeoPoint> points) const;
+    /// The same back.
+    Result<GeoRing> unproject(std::span<const std::pair<double, double>> places) const;
 };
 
 }  // namespace furrow

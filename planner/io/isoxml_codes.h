@@ -45,6 +45,12 @@ inline constexpr const char* kBothSides = "1";
 inline constexpr const char* kBothEnds = "1";
 inline constexpr const char* kNone = "4";
 
+// TSK G
+inline constexpr const char* kPlanned = "1";
+
+// AFE D, kinds of files beside the task data
+inline constexpr const char* kLinkList = "1";
+
 // GPN I
 inline constexpr const char* kMadeOnDesktop = "16";
 

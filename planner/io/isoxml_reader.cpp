@@ -5,6 +5,7 @@
 #include "planner/io/file_error.h"
 #include "planner/io/geo_ring.h"
 #include "planner/io/isoxml_codes.h"
+#include "planner/io/isoxml_links.h"
 #include "planner/units/angle.h"
 
 #include <pugixml.hpp>
@@ -423,7 +424,16 @@ Result<ImportedFields> readIsoxmlFolder(const FileFolder& folder, const FileFold
         }
         return folder.read(*entry);
     };
-    return readIsoxml(*text, folder.placeOf(main), part, job);
+    auto read = readIsoxml(*text, folder.placeOf(main), part, job);
+    if (const FileFolder::Entry* list = read ? folder.find(main.folder, "linklist.xml") : nullptr) {
+        // What a field is known by elsewhere, kept for the next export.
+        const auto links = isoxmlLinks(folder.read(*list).value_or(""));
+        for (FieldContent& content : read->fields) {
+            const auto link = links.find(content.field.id);
+            content.field.id = link == links.end() ? content.field.id : link->second;
+        }
+    }
+    return read;
 }
 
 }  // namespace furrow

@@ -3,8 +3,8 @@
 #include "planner/geodesy/local_frame.h"
 #include "planner/io/file_names.h"
 #include "planner/io/geo_ring.h"
-#include "planner/io/isoxml_check.h"
 #include "planner/io/isoxml_codes.h"
+#include "planner/io/isoxml_links.h"
 
 #include <pugixml.hpp>
 
@@ -79,6 +79,15 @@ public:
         root_.append_attribute("DataTransferOrigin") = "1";
     }
 
+    /// That there is a LINKLIST.XML beside it.
+    void addLinkList() {
+        pugi::xml_node links = root_.append_child("AFE");
+        links.append_attribute("A") = "LINKLIST.XML";
+        links.append_attribute("B") = "1";
+        links.append_attribute("C") = "";
+        links.append_attribute("D") = kLinkList;
+    }
+
     void add(const FieldContent& content) {
         const FieldSource& source = content.field;
         const std::string fieldName = fieldNames_.unique(source.name, "Field");
@@ -102,9 +111,25 @@ public:
             node.last_child().append_attribute("B") = polygonNames.unique(gate.name, "Gate").c_str();
         }
         UniqueNames lineNames = names();
+        const int firstGroup = patterns_ + 1;
         for (const GuidanceLine& line : content.lines) {
             const std::string name = lineNames.unique(line.name, "Line");
             isV4() ? addPattern(node, line, name) : addLine(node, drawn(line, kAPlusReach), line, name);
+        }
+        tasks_.push_back({fieldName, firstGroup, patterns_});
+    }
+
+    /// For terminals that show lines in a task only.
+    void addTasks() {
+        for (std::size_t i = 0; options_.task && i < tasks_.size(); ++i) {
+            pugi::xml_node task = root_.append_child("TSK");
+            task.append_attribute("A") = std::format("TSK{}", i + 1).c_str();
+            task.append_attribute("B") = tasks_[i].name.c_str();
+            task.append_attribute("E") = std::format("PFD{}", i + 1).c_str();
+            task.append_attribute("G") = kPlanned;
+            for (int group = tasks_[i].firstGroup; isV4() && group <= tasks_[i].lastGroup; ++group) {
+                task.append_child("GAN").append_attribute("A") = std::format("GGP{}", group).c_str();
+            }
         }
     }
 
@@ -201,8 +226,15 @@ private:
         }
     }
 
+    struct Task {
+        std::string name;
+        int firstGroup = 0;
+        int lastGroup = 0;
+    };
+
     IsoxmlVersion version_;
     ExportOptions options_;
+    std::vector<Task> tasks_;
     pugi::xml_document document_;
     pugi::xml_node root_;
     UniqueNames fieldNames_;
@@ -210,28 +242,37 @@ private:
     int patterns_ = 0;
 };
 
-FormatFiles writeVersion(const ExportJob& job, IsoxmlVersion version) {
-    std::string text = isoxmlText(job.fields, version, job.options);
-    FormatFiles made;
-    for (const std::string& problem : isoxmlProblems(text, job.fields)) {
-        made.notes.push_back(message("Terminals may refuse the task data: {}.", problem));
+std::string taskData(std::span<const FieldContent> fields, IsoxmlVersion version, const ExportOptions& options,
+                     bool withLinks) {
+    TaskData data{version, options};
+    if (withLinks) {
+        data.addLinkList();
     }
+    for (const FieldContent& field : fields) {
+        data.add(field);
+    }
+    data.addTasks();
+    return data.text();
+}
+
+FormatFiles writeVersion(const ExportJob& job, IsoxmlVersion version) {
+    std::string text = taskData(job.fields, version, job.options, version == IsoxmlVersion::V4);
+    FormatFiles made;
     if (text.size() > kOldTerminalsBytes) {
         made.notes.push_back(message("The task data has {:.1f} MB; old terminals take at most 2 MB.",
                                          static_cast<double>(text.size()) / 1e6));
     }
     made.files.push_back({"TASKDATA/TASKDATA.XML", [text = std::move(text)] { return text; }});
+    if (version == IsoxmlVersion::V4) {
+        made.files.push_back({"TASKDATA/LINKLIST.XML", [links = isoxmlLinkList(job.fields)] { return links; }});
+    }
     return made;
 }
 
 }  // namespace
 
 std::string isoxmlText(std::span<const FieldContent> fields, IsoxmlVersion version, const ExportOptions& options) {
-    TaskData data{version, options};
-    for (const FieldContent& field : fields) {
-        data.add(field);
-    }
-    return data.text();
+    return taskData(fields, version, options, false);
 }
 
 std::string isoxmlTaskData(const Plan& plan) {

@@ -18,13 +18,14 @@ enum class IsoxmlVersion { V3, V4 };
 /// version 3 knows lines only: A+ becomes 100 m of line, a pivot a curve. Terminals take lines and plan
 /// turns themselves; driving order and turns have no place in the format. Longitudes and latitudes have nine
 /// decimals (0.1 mm).
+/// With `ExportOptions::task` each field is in a planned task, too, which names its lines.
 /// Cost: linear in the points. Does not fail.
 std::string isoxmlText(std::span<const FieldContent> fields, IsoxmlVersion version, const ExportOptions& options = {});
 
 /// The same of a plan, in version 4.
 std::string isoxmlTaskData(const Plan& plan);
 
-/// TASKDATA/TASKDATA.XML, checked before it is written (see isoxmlProblems).
+/// TASKDATA/TASKDATA.XML, in version 4 with LINKLIST.XML beside it.
 FormatWriter writeIsoxml4;
 FormatWriter writeIsoxml3;
 

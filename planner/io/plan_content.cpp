@@ -9,6 +9,7 @@
 
 #include <cmath>
 #include <format>
+#include <utility>
 
 namespace furrow {
 
@@ -58,8 +59,12 @@ FieldContent contentOf(const Plan& plan, const ExportOptions& options) {
         }
     }
     content.lines = aPlusLine(plan);
-    if (content.lines.empty()) {
-        content.lines = guidanceLines(plan);
+    // A+ stands for the lines that a terminal lays beside it, not for those that are driven once.
+    const bool hasAPlus = !content.lines.empty();
+    for (GuidanceLine& line : guidanceLines(plan)) {
+        if (!hasAPlus || !line.repeats) {
+            content.lines.push_back(std::move(line));
+        }
     }
     if (options.headlandLines) {
         addHeadlandLines(plan, content.lines);

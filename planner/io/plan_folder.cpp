@@ -1,5 +1,6 @@
 #include "planner/io/plan_folder.h"
 
+#include "planner/io/export_check.h"
 #include "planner/io/format_registry.h"
 #include "planner/io/plan_summary.h"
 #include "planner/io/terminals.h"
@@ -15,9 +16,9 @@ namespace fs = std::filesystem;
 namespace {
 
 Result<WrittenFiles> written(const fs::path& folder, const std::vector<FileToWrite>& files,
-                             std::vector<Message> notes, const JobContext& job) {
-    return writeTogether(folder, files, job).transform([&notes](std::vector<fs::path> paths) {
-        return WrittenFiles{std::move(paths), std::move(notes)};
+                             std::vector<Message> notes, ExportChecks checks, const JobContext& job) {
+    return writeTogether(folder, files, job).transform([&](std::vector<fs::path> paths) {
+        return WrittenFiles{std::move(paths), std::move(notes), std::move(checks)};
     });
 }
 
@@ -44,8 +45,9 @@ Result<WrittenFiles> writePlanFolder(const Plan& plan, const fs::path& folder,
     const FieldContent content = contentOf(plan, options);
     std::vector<FileToWrite> files{{"summary.json", [&plan] { return planSummaryJson(plan); }}};
     std::vector<Message> notes;
+    ExportChecks checks;
     for (const FormatInfo* format : wanted) {
-        auto made = format->writer({.fields = {&content, 1}, .plan = &plan, .options = options, .job = job});
+        auto made = checkedFiles(*format, {.fields = {&content, 1}, .plan = &plan, .options = options, .job = job});
         if (!made) {
             return std::unexpected(made.error());
         }
@@ -56,9 +58,14 @@ Result<WrittenFiles> writePlanFolder(const Plan& plan, const fs::path& folder,
                 files.push_back({std::move(path), std::move(file.text)});
             }
         }
-        std::ranges::move(made->notes, std::back_inserter(notes));
+        for (Message& note : made->notes) {
+            if (!std::ranges::contains(notes, note)) {
+                notes.push_back(std::move(note));
+            }
+        }
+        checks.add(made->checks);
     }
-    return written(folder, files, std::move(notes), job);
+    return written(folder, files, std::move(notes), std::move(checks), job);
 }
 
 Result<WrittenFiles> writeForTerminal(const Plan& plan, const fs::path& folder, const Terminal& terminal,
@@ -69,7 +76,7 @@ Result<WrittenFiles> writeForTerminal(const Plan& plan, const fs::path& folder, 
     }
     std::vector<FileToWrite> files{{"summary.json", [&plan] { return planSummaryJson(plan); }}};
     std::ranges::move(made->files, std::back_inserter(files));
-    return written(folder, files, std::move(made->notes), job);
+    return written(folder, files, std::move(made->notes), std::move(made->checks), job);
 }
 
 }  // namespace furrow

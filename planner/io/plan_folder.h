@@ -20,6 +20,7 @@ std::span<const std::string_view> standardPlanFormats();
 struct WrittenFiles {
     std::vector<std::filesystem::path> files;
     std::vector<Message> notes;  ///< what a receiver will not find, or should know
+    ExportChecks checks;         ///< what was looked at in the files before they were written
 };
 
 /// Writes a plan to a folder: summary.json always, and each format's files at its place (see FormatInfo). The

@@ -200,7 +200,7 @@ Result<StickReport> writeToStick(StickVolume& stick, const FormatFiles& files, s
         return std::unexpected(refused(ErrorCode::Usage, message("{} is on the stick already", there.front().string()),
                                        "allow it to be kept as a backup"));
     }
-    StickReport report{.notes = files.notes};
+    StickReport report{.notes = files.notes, .checks = files.checks};
     std::vector<Content> contents;
     for (const FileToWrite& file : files.files) {
         contents.push_back({file.path, file.text()});

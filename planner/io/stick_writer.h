@@ -25,6 +25,7 @@ struct StickReport {
     std::uintmax_t bytes = 0;
     bool contentCompared = false;  ///< the files were also parsed again; not for formats that are only written
     std::vector<Message> notes;
+    ExportChecks checks;  ///< of the files, before they were written
 };
 
 /// Writes files to a stick so that either all of it is there and right, or nothing under its final name:

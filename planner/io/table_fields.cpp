@@ -1,11 +1,14 @@
 #include "planner/io/table_fields.h"
 
 #include "planner/io/file_error.h"
+#include "planner/io/file_folder.h"
+#include "planner/io/geo_ring.h"
 #include "planner/io/vector_attributes.h"
 
 #include <algorithm>
 #include <cmath>
 #include <optional>
+#include <span>
 #include <utility>
 #include <vector>
 
@@ -74,6 +77,40 @@ Result<std::vector<VectorFeature>> fieldsFromRows(const std::vector<VectorFeatur
     return fields;
 }
 
+// What only machines record, and what loggers do too; letters of a column's name, small.
+constexpr std::string_view kWorkColumns[] = {"flow", "moisture", "yield", "yld", "curvature", "implement", "workstate",
+                                             "loadid", "grainflow"};
+constexpr std::string_view kLogColumns[] = {"time", "speed", "velocity", "heading", "course", "bearing"};
+
+// A walk round a field comes back to within this share of its length.
+constexpr double kRoundTripShare = 0.05;
+
+bool hasColumnOf(const VectorFile& file, std::span<const std::string_view> words) {
+    return std::ranges::any_of(file.columns, [words](const std::string& column) {
+        std::string letters;
+        for (const char letter : inSmallLetters(column)) {
+            letters += letter >= 'a' && letter <= 'z' ? std::string(1, letter) : std::string{};
+        }
+        return std::ranges::any_of(words, [&letters](std::string_view word) { return letters.starts_with(word); });
+    });
+}
+
+/// It ends far from where it began.
+bool isOneWay(const VectorFeature& field) {
+    return std::ranges::any_of(field.polygons, [](const GeoPolygon& polygon) {
+        double lengthM = 0.0;
+        for (std::size_t i = 1; i < polygon.outer.size(); ++i) {
+            lengthM += roughDistanceM(polygon.outer[i - 1], polygon.outer[i]);
+        }
+        return roughDistanceM(polygon.outer.front(), polygon.outer.back()) > kRoundTripShare * lengthM;
+    });
+}
+
+Error recordedDrive(const std::string& name) {
+    return inputRefused(name, message("this is the recording of a drive ({}), and no boundary", "CSV"),
+                        "give the field's boundary; furrow-cli compare lays a recording over a plan");
+}
+
 }  // namespace
 
 Result<void> readTable(VectorFile& file, const std::string& name) {
@@ -98,9 +135,16 @@ Result<void> readTable(VectorFile& file, const std::string& name) {
                                             "the table has neither a column WKT nor columns lon and lat",
                                             "name the columns in the first row"));
     }
+    if (hasColumnOf(file, kWorkColumns)) {
+        return std::unexpected(recordedDrive(name));
+    }
     Result<std::vector<VectorFeature>> fields = fieldsFromRows(file.features, name);
     if (!fields) {
         return std::unexpected(fields.error());
+    }
+    // Loggers write what is driven and what is walked round a field alike.
+    if (hasColumnOf(file, kLogColumns) && std::ranges::any_of(*fields, isOneWay)) {
+        return std::unexpected(recordedDrive(name));
     }
     file.features = *std::move(fields);
     return {};

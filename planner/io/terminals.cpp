@@ -1,5 +1,6 @@
 #include "planner/io/terminals.h"
 
+#include "planner/io/export_check.h"
 #include "planner/io/format_registry.h"
 #include "planner/plan/plan.h"
 #include "planner/settings/settings.h"
@@ -93,7 +94,7 @@ Result<FormatFiles> terminalFiles(const Terminal& terminal, const Plan& plan, co
     const FormatInfo* format = *findPlanFormat(terminal.format);
     const FieldContent content = contentOf(plan, terminal.options);
     auto made =
-        format->writer({.fields = {&content, 1}, .plan = &plan, .options = terminal.options, .job = job});
+        checkedFiles(*format, {.fields = {&content, 1}, .plan = &plan, .options = terminal.options, .job = job});
     if (made) {
         for (FileToWrite& file : made->files) {
             file.path = std::filesystem::path{terminal.folder} / file.path;

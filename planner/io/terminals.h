@@ -17,6 +17,9 @@ struct Terminal {
     ExportOptions options;
     std::string_view folder = {};  ///< on the stick; empty for its top
     bool onStick = true;           ///< carried on a USB stick, not sent or copied elsewhere
+
+    /// Its format knows tasks; see ExportOptions::task.
+    bool hasTasks() const { return format.starts_with("isoxml"); }
 };
 
 /// By their names.

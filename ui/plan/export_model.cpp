@@ -102,6 +102,7 @@ void ExportModel::writeTo(const QString& folder) {
         return [this, written = std::move(written), path] {
             if (written) {
                 notes_ = written->notes;
+                checks_ = written->checks;
                 setState(State::Done, [count = static_cast<int>(written->files.size()),
                                        place = QString::fromStdU16String(path.u16string())] {
                     return tr("%n file(s) written to %1", nullptr, count).arg(place);
@@ -118,6 +119,7 @@ void ExportModel::writeTo(const QString& folder) {
 
 void ExportModel::clear() {
     notes_.clear();
+    checks_ = {};
     setState(State::Idle);
 }
 

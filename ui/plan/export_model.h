@@ -1,5 +1,6 @@
 #pragma once
 
+#include "planner/io/export_job.h"
 #include "planner/plan/plan.h"
 #include "ui/jobs/job_runner.h"
 #include "ui/plan/stick_export.h"
@@ -21,6 +22,9 @@ class ExportModel : public QAbstractListModel {
     Q_PROPERTY(QString remedy READ remedy NOTIFY stateChanged FINAL)
     /// What the receivers of the written files should know.
     Q_PROPERTY(QStringList notes READ notes NOTIFY stateChanged FINAL)
+    /// What receivers would stumble over in the written files, and how much was looked at.
+    Q_PROPERTY(QStringList problems READ problems NOTIFY stateChanged FINAL)
+    Q_PROPERTY(int checks READ checks NOTIFY stateChanged FINAL)
     /// The same plan for a terminal, on a stick.
     Q_PROPERTY(furrow::StickExport* stick READ stick CONSTANT FINAL)
 
@@ -38,6 +42,8 @@ public:
     QString message() const { return text(message_); }
     QString remedy() const { return text(remedy_); }
     QStringList notes() const { return sentences(notes_); }
+    QStringList problems() const { return sentences(checks_.problems); }
+    int checks() const { return static_cast<int>(checks_.made.size()); }
     StickExport* stick() { return &stick_; }
 
     int rowCount(const QModelIndex& parent = {}) const override;
@@ -65,6 +71,7 @@ private:
     Said message_;
     Said remedy_;
     std::vector<Message> notes_;
+    ExportChecks checks_;
     StickExport stick_;
     JobRunner runner_;
 };

@@ -149,6 +149,19 @@ void StickExport::setTerminal(int index) {
     examine();
 }
 
+bool StickExport::hasTasks() const {
+    return stickTerminals()[static_cast<std::size_t>(terminal_)]->hasTasks();
+}
+
+void StickExport::setTask(bool task) {
+    if (task == task_) {
+        return;
+    }
+    task_ = task;
+    emit taskChanged();
+    clear();
+}
+
 QString StickExport::shows() const {
     return shown(stickTerminals()[static_cast<std::size_t>(terminal_)]->shows);
 }
@@ -272,12 +285,13 @@ void StickExport::write(bool replace) {
     }
     const std::filesystem::path root{chosen().root.toStdU16String()};
     const bool isFolder = chosen().isFolder;
-    const Terminal* terminal = stickTerminals()[static_cast<std::size_t>(terminal_)];
+    Terminal terminal = *stickTerminals()[static_cast<std::size_t>(terminal_)];
+    terminal.options.task = task_;
     setState(State::Writing, [] { return tr("Writing …"); });
     runner_.submit([this, plan = plan_, root, terminal, isFolder, replace](const JobContext& job) -> JobRunner::Delivery {
-        const std::vector<FieldContent> meant{contentOf(*plan, terminal->options)};
+        const std::vector<FieldContent> meant{contentOf(*plan, terminal.options)};
         const auto stick = openStick(root);
-        auto report = terminalFiles(*terminal, *plan, job).and_then([&](const FormatFiles& files) {
+        auto report = terminalFiles(terminal, *plan, job).and_then([&](const FormatFiles& files) {
             return writeToStick(*stick, files, meant, replace, job);
         });
         return [this, isFolder, report = std::move(report)] {
@@ -294,6 +308,7 @@ void StickExport::write(bool replace) {
                 written_ << QString::fromStdU16String(file.u16string());
             }
             notes_ = report->notes;
+            checks_ = report->checks;
             backups_ = joined(report->backups);
             setState(State::Done, [isFolder, compared = report->contentCompared] {
                 const QString checked = compared ? tr("every byte was read back, and the plan read from there is this plan.")
@@ -315,6 +330,7 @@ void StickExport::cancel() {
 void StickExport::clear() {
     written_.clear();
     notes_.clear();
+    checks_ = {};
     backups_.clear();
     setState(State::Idle);
 }

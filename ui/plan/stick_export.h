@@ -1,5 +1,6 @@
 #pragma once
 
+#include "planner/io/export_job.h"
 #include "planner/plan/plan.h"
 #include "ui/jobs/job_runner.h"
 #include "ui/text/message_text.h"
@@ -26,6 +27,9 @@ class StickExport : public QAbstractListModel {
     Q_PROPERTY(QStringList terminalNames READ terminalNames NOTIFY textsChanged FINAL)
     Q_PROPERTY(int terminal READ terminal WRITE setTerminal NOTIFY terminalChanged FINAL)
     Q_PROPERTY(QString shows READ shows NOTIFY textsChanged FINAL)
+    /// The terminal's files know tasks, and each field is put in one.
+    Q_PROPERTY(bool hasTasks READ hasTasks NOTIFY textsChanged FINAL)
+    Q_PROPERTY(bool task READ task WRITE setTask NOTIFY taskChanged FINAL)
     Q_PROPERTY(int current READ current WRITE setCurrent NOTIFY currentChanged FINAL)
     /// What terminals cannot read about the chosen stick.
     Q_PROPERTY(QStringList warnings READ warnings NOTIFY examined FINAL)
@@ -37,6 +41,9 @@ class StickExport : public QAbstractListModel {
     /// What was written, a line for each file, and what a driver should know.
     Q_PROPERTY(QStringList written READ written NOTIFY stateChanged FINAL)
     Q_PROPERTY(QStringList notes READ notes NOTIFY stateChanged FINAL)
+    /// What receivers would stumble over in the written files, and how much was looked at.
+    Q_PROPERTY(QStringList problems READ problems NOTIFY stateChanged FINAL)
+    Q_PROPERTY(int checks READ checks NOTIFY stateChanged FINAL)
     Q_PROPERTY(double progress READ progress NOTIFY progressChanged FINAL)
 
 public:
@@ -69,6 +76,9 @@ public:
     int terminal() const { return terminal_; }
     void setTerminal(int index);
     QString shows() const;
+    bool hasTasks() const;
+    bool task() const { return task_; }
+    void setTask(bool task);
     int current() const { return current_; }
     void setCurrent(int row);
     QStringList warnings() const { return sentences(warnings_); }
@@ -78,6 +88,8 @@ public:
     QString remedy() const { return text(remedy_); }
     QStringList written() const { return written_; }
     QStringList notes() const;
+    QStringList problems() const { return sentences(checks_.problems); }
+    int checks() const { return static_cast<int>(checks_.made.size()); }
     double progress() const { return runner_.progress(); }
 
     int rowCount(const QModelIndex& parent = {}) const override;
@@ -99,6 +111,7 @@ signals:
     void terminalChanged();
     /// Another terminal, or another language.
     void textsChanged();
+    void taskChanged();
     void currentChanged();
     void examined();
     void stateChanged();
@@ -118,6 +131,7 @@ private:
     Lister lister_;
     QTimer timer_;
     int terminal_ = 0;
+    bool task_ = false;
     int current_ = -1;
     std::vector<Message> warnings_;
     QString replaces_;
@@ -126,6 +140,7 @@ private:
     Said remedy_;
     QStringList written_;
     std::vector<Message> notes_;
+    ExportChecks checks_;
     QString backups_;  ///< what was there before, under its new names
     JobRunner runner_;
 };

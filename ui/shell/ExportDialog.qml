@@ -93,6 +93,7 @@ T.Popup {
                 id: bar
 
                 policy: scroller.interactive ? T.ScrollBar.AlwaysOn : T.ScrollBar.AlwaysOff
+                visible: scroller.interactive
                 implicitWidth: 8
                 contentItem: Rectangle {
                     radius: 4

@@ -68,6 +68,7 @@ Column {
             id: bar
 
             policy: list.contentHeight > list.height ? T.ScrollBar.AlwaysOn : T.ScrollBar.AlwaysOff
+            visible: list.contentHeight > list.height
             implicitWidth: 8
             contentItem: Rectangle {
                 radius: 4
@@ -140,6 +141,12 @@ Column {
             text: root.exporter.message
             wrapMode: Text.Wrap
         }
+    }
+    ExportChecks {
+        width: parent.width
+        visible: root.exporter.state === ExportModel.Done
+        checks: root.exporter.checks
+        problems: root.exporter.problems
     }
     NoticeBar {
         objectName: "export.notes"

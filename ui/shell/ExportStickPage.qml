@@ -49,6 +49,16 @@ Column {
             text: root.stick.shows
             wrapMode: Text.WordWrap
         }
+        CheckRow {
+            objectName: "stick.task"
+            width: parent.width
+            leftPadding: 0
+            visible: root.stick.hasTasks
+            enabled: !root.writing
+            text: qsTr("Also in a task, for terminals that show lines in tasks only")
+            checked: root.stick.task
+            onToggled: root.stick.task = checked
+        }
     }
     Column {
         width: parent.width
@@ -209,6 +219,11 @@ Column {
             width: parent.width - 28
             text: root.stick.written.slice(0, 4).join("\n") + (root.stick.written.length > 4 ? "\n" + qsTr("and %n more", "", root.stick.written.length - 4) : "")
             wrapMode: Text.WrapAnywhere
+        }
+        ExportChecks {
+            width: parent.width
+            checks: root.stick.checks
+            problems: root.stick.problems
         }
         NoticeBar {
             objectName: "stick.notes"

@@ -3,7 +3,6 @@
 #include "planner/io/field_reader.h"
 #include "planner/io/file_names.h"
 #include "planner/io/gdal_writer.h"
-#include "planner/io/isoxml_check.h"
 #include "planner/io/isoxml_writer.h"
 #include "tests/planner/io/format_cases.h"
 #include "tests/support/result_check.h"
@@ -357,42 +356,6 @@ private slots:
         QCOMPARE(read->fields[0].field.name, "walk");
         QCOMPARE(read->notes.size(), 1U);
         QVERIFY(read->notes[0].text.contains("was closed"));
-    }
-
-    void checkFindsWhatSchemasOverlook_data() {
-        QTest::addColumn<QString>("from");
-        QTest::addColumn<QString>("to");
-        QTest::addColumn<QString>("problem");
-        QTest::newRow("good") << "" << "" << "";
-        QTest::newRow("pattern without a line") << R"(<LSG A="5" B="AB".*?</LSG>)" << "" << "'AB' has 0 lines";
-        QTest::newRow("AB with one point") << R"(<PNT A="7" C="52.000300000" D="9.002700000" />)" << "" << "points are of kinds 6";
-        QTest::newRow("ring not closed") << R"((<LSG A="1">\s*)<PNT[^>]*/>)" << "\\1" << "does not end where it begins";
-        QTest::newRow("latitude and longitude exchanged") << "C=\"(5[0-9.]*)\" D=\"([0-9.]*)\"" << "C=\"\\2\" D=\"\\1\"" << "is far from the field";
-        QTest::newRow("wrong area") << R"(<PLN A="6" B="Pylon" C="\d+")" << R"(<PLN A="6" B="Pylon" C="500")" << "is said to have 500";
-        QTest::newRow("hole outside") << R"(52\.0005)" << "52.0105" << "a hole lies outside";
-        QTest::newRow("field name of 33 characters") << "<PFD A=\"PFD1\" C=\"[^\"]*\"" << "<PFD A=\"PFD1\" C=\"123456789012345678901234567890123\"" << "longer than 32";
-        QTest::newRow("exponent") << R"(C="52.001000000" D="9.005000000")" << R"(C="5.2e1" D="9.005")" << "is no latitude and longitude";
-        QTest::newRow("id twice") << "GPN2" << "GPN1" << "GPN1 is there twice";
-    }
-    void checkFindsWhatSchemasOverlook() {
-        QFETCH(QString, from);
-        QFETCH(QString, to);
-        QFETCH(QString, problem);
-        const std::vector meant{fieldWithEverything()};
-        QString xml = QString::fromStdString(isoxmlText(meant, IsoxmlVersion::V4));
-        if (!from.isEmpty()) {
-            const QRegularExpression pattern{from, QRegularExpression::DotMatchesEverythingOption};
-            const QString before = xml;
-            xml.replace(pattern, to);
-            QVERIFY(problem.isEmpty() || xml != before);
-        }
-        const auto problems = isoxmlProblems(xml.toStdString(), meant);
-        if (problem.isEmpty()) {
-            QVERIFY2(problems.empty(), problems.empty() ? "" : problems.front().c_str());
-            return;
-        }
-        QVERIFY2(std::ranges::any_of(problems, [&](const std::string& told) { return told.contains(problem.toStdString()); }),
-                 problems.empty() ? "nothing" : problems.front().c_str());
     }
 };
 

@@ -10,6 +10,7 @@
 #include <QJsonDocument>
 #include <QJsonObject>
 #include <QProcess>
+#include <QRegularExpression>
 #include <QStandardPaths>
 #include <QTemporaryDir>
 #include <QTest>
@@ -168,6 +169,23 @@ std::shared_ptr<const Plan> planOf(const FieldSource& source,
     return *plan;
 }
 
+/// What xmllint says to a file by one of the schemas; 0, too, where one of the two is not at hand.
+int runLint(const char* schema, const QString& file) {
+    const QString path = QStringLiteral(FURROW_SHARED_DATA_DIR "/schemas/%1").arg(QLatin1StringView{schema});
+    QProcess lint;
+    lint.start("xmllint", {"--noout", "--nonet", "--schema", path, file});
+    if (!QFileInfo::exists(path) || !lint.waitForStarted()) {
+        return 0;
+    }
+    if (!lint.waitForFinished()) {
+        return -1;
+    }
+    if (lint.exitCode() != 0) {
+        qWarning("%s", lint.readAllStandardError().constData());
+    }
+    return lint.exitCode();
+}
+
 /// A TASKDATA folder with this content, as a stick has it.
 QString writeTaskData(const QTemporaryDir& folder, const std::string& xml) {
     const QString path = folder.filePath("TASKDATA.XML");
@@ -192,6 +210,9 @@ private slots:
     void oneLineForEachDirection();
     void curvesAndPivots();
     void tramlinesAreLinesOfTheirOwn();
+    void tramlinesBesideAPlus();
+    void fieldsKeepWhatTheyAreKnownBy();
+    void tasksForTerminalsThatWantThem();
     void numbersHaveNineDecimals();
     void fitsTheSchema_data();
     void fitsTheSchema();
@@ -478,6 +499,81 @@ void TestIsoxml::tramlinesAreLinesOfTheirOwn() {
     }
     QCOMPARE(written, tramlines);
     checkSchema(*plan);
+}
+
+void TestIsoxml::tramlinesBesideAPlus() {
+    const auto plan = planOf(plainField(), {{"swaths.method", "a-plus"},
+                                            {"swaths.line", "POINT(9.0005 52.0005)"},
+                                            {"swaths.angle_deg", "30"},
+                                            {"swaths.tramline_every", "8"}});
+    QVERIFY(plan);
+    const auto tramlines = std::ranges::count_if(plan->swaths.swaths, &Swath::tramline);
+    QVERIFY(tramlines > 3);
+    qsizetype once = 0;
+    qsizetype aPlus = 0;
+    for (const Element& group : parsed(isoxmlTaskData(*plan)).all("PFD").first().all("GGP")) {
+        const Element pattern = group.all("GPN").first();
+        aPlus += pattern.value("C") == "2" && pattern.value("E") == "1" && pattern.value("G") == "60.0000" ? 1 : 0;
+        once += pattern.value("C") == "1" && pattern.value("E") == "4" ? 1 : 0;
+    }
+    QCOMPARE(aPlus, 1);
+    QCOMPARE(once, tramlines);
+    checkSchema(*plan);
+}
+
+void TestIsoxml::fieldsKeepWhatTheyAreKnownBy() {
+    // What another program knows it by; the sample of the format notes.
+    FieldContent known{.field = plainField()};
+    known.field.id = "{6F1D3C52-0C1E-4B7A-9B1D-4C3A2F0E9D10}";
+    FieldContent drawn{.field = plainField()};
+    const std::vector fields{known, drawn};
+    const ExportJob job{.fields = fields};
+    const auto made = writeIsoxml4(job);
+    QVERIFY(made);
+    QCOMPARE(made->files.size(), 2U);
+    QCOMPARE(made->files[1].path.string(), "TASKDATA/LINKLIST.XML");
+    const Element list = parsed(made->files[1].text());
+    const QList<Element> links = list.all("LGP").first().all("LNK");
+    QCOMPARE(list.all("LGP").first().value("B"), "1");
+    QCOMPARE(links.size(), 2);
+    QCOMPARE(links[0].value("A"), "PFD1");
+    QCOMPARE(links[0].value("B"), "{6f1d3c52-0c1e-4b7a-9b1d-4c3a2f0e9d10}");
+    static const QRegularExpression uuid{QStringLiteral(R"(^\{[0-9a-f]{8}-[0-9a-f]{4}-8[0-9a-f]{3}-[89ab][0-9a-f]{3}-[0-9a-f]{12}\}$)")};
+    QVERIFY2(uuid.match(links[1].value("B")).hasMatch(), qPrintable(links[1].value("B")));
+    // The task data names the list, or nobody reads it; version 3 knows none.
+    QCOMPARE(parsed(made->files[0].text()).all("AFE").first().value("A"), "LINKLIST.XML");
+    QCOMPARE(writeIsoxml3(job)->files.size(), 1U);
+    QVERIFY(parsed(writeIsoxml3(job)->files[0].text()).all("AFE").isEmpty());
+    // Another export has the same ones, and what is read keeps them.
+    const QTemporaryDir folder;
+    for (const FileToWrite& file : made->files) {
+        std::ofstream{folder.filePath(QString::fromStdString(file.path.filename().string())).toStdString(), std::ios::binary} << file.text();
+    }
+    const auto read = readBoundaries(folder.filePath("TASKDATA.XML").toStdString());
+    QVERIFY(read);
+    QCOMPARE(read->size(), 2U);
+    const std::vector again{FieldContent{.field = (*read)[0]}, FieldContent{.field = (*read)[1]}};
+    QCOMPARE(writeIsoxml4({.fields = again})->files[1].text(), made->files[1].text());
+    QCOMPARE(runLint("ISO11783_LinkListFile_V4-3.xsd", folder.filePath("LINKLIST.XML")), 0);
+}
+
+void TestIsoxml::tasksForTerminalsThatWantThem() {
+    const auto plan = planOf(plainField());
+    QVERIFY(plan);
+    const std::vector fields{contentOf(*plan)};
+    for (const IsoxmlVersion version : {IsoxmlVersion::V3, IsoxmlVersion::V4}) {
+        const std::string xml = isoxmlText(fields, version, {.task = true});
+        const Element task = parsed(xml).all("TSK").first();
+        QCOMPARE(task.value("A"), "TSK1");
+        QCOMPARE(task.value("B"), "North Field");
+        QCOMPARE(task.value("E"), "PFD1");
+        QCOMPARE(task.value("G"), "1");
+        QCOMPARE(task.all("GAN").size(), version == IsoxmlVersion::V4 ? 1 : 0);
+        const QTemporaryDir folder;
+        QCOMPARE(runLint(version == IsoxmlVersion::V4 ? "ISO11783_TaskFile_V4-3.xsd" : "ISO11783_TaskFile_V3-3.xsd",
+                         writeTaskData(folder, xml)), 0);
+        QVERIFY(parsed(isoxmlText(fields, version)).all("TSK").isEmpty());
+    }
 }
 
 void TestIsoxml::checkSchema(const Plan& given) {

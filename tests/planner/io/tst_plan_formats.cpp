@@ -178,6 +178,25 @@ private slots:
         QVERIFY(metresBetween(pointOf(last.last()), lastPlace()) < 1e-3);
     }
 
+    void mapProgramsReadWhatIsZipped() {
+        const Printed kmz = runNode("read_map.js", {written().file("plan.kmz")});
+        if (kmz.status == -1) {
+            QSKIP("needs node and the packages of tests/validators");
+        }
+        QVERIFY2(kmz.status == 0, kmz.error.constData());
+        QCOMPARE(kmz.out, runNode("read_map.js", {written().file("plan.kml")}).out);
+        const Printed zip = runNode("read_map.js", {written().file("boundary.zip")});
+        QVERIFY2(zip.status == 0, zip.error.constData());
+        const QJsonObject all = QJsonDocument::fromJson(zip.out).object();
+        // Flat, as operations centres want it.
+        for (const QJsonValue& name : all["names"].toArray()) {
+            QVERIFY2(!name.toString().contains('/'), qPrintable(name.toString()));
+        }
+        QCOMPARE(all["features"].toArray().size(), 1);
+        QCOMPARE(all["features"][0]["properties"]["FIELD_NAME"].toString(), QString::fromUtf8("Höhe & Senke"));
+        QCOMPARE(all["features"][0]["geometry"]["coordinates"].toArray().size(), 2);
+    }
+
     void geoJsonIsGood() {
         const Printed read = runNode("read_map.js", {written().file("plan.geojson")});
         if (read.status == -1) {

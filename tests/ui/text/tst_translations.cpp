@@ -114,14 +114,14 @@ QStringList placeholders(const QString& text) {
 /// Parts of the planner that only the command line and other programs speak through.
 bool isForPrograms(const QString& file) {
     static const QStringList parts{"/evaluation/", "/report/", "/track/", "/io/track_", "/io/written_path", "/io/rosbag_storage",
-                                   "/io/guidance_lines", "/io/kml_", "/io/gpx_", "/io/dxf_", "/io/isoxml_check", "/io/nav_path",
+                                   "/io/guidance_lines", "/io/kml_", "/io/gpx_", "/io/dxf_", "/io/nav_path",
                                    "/core/message", "/io/path_csv", "/io/settings_file", "/io/field_files"};
     return std::ranges::any_of(parts, [&file](const QString& part) { return file.contains(part); });
 }
 
 /// Literals that are no sentences: ids, file contents, names of makers, what only the command line says.
 bool isNoText(const QString& text) {
-    static const QRegularExpression none{QString::fromUtf8("^(\\+proj|POLYGON|MULTIPOLYGON|LINESTRING|geojson json|xml zip|shp zip|gml xml|wkt txt|csv |# |SELECT|INSERT|CREATE|PRAGMA|std_msgs|\\{:016|.*\\\\n| or $|plans cannot be written as|furrow-cli|Part \\{|transform|header|type:|EPSG|QGC|.* json$|\\+|-|map_frame|builtin|geometry_msgs|nav_msgs/|float|string |int|uint|.*ros2msg|byte|A\\+ |AB \\{|Headland \\{|Tramline \\{|\\{\\} [AB]|Swath \\{|ArduPilot Rover, |Case IH|CHC |Claas |Deutz|FJ |John Deere|Massey|M\\\\u00fcller|New Holland|Raven|Topcon|Trimble|Valtra|ESRI Shape|.*--field-id|the table holds)")};
+    static const QRegularExpression none{QString::fromUtf8("^(\\+proj|POLYGON|MULTIPOLYGON|LINESTRING|geojson json|xml zip|shp zip|gml xml|wkt txt|tif png|log nmea|csv |# |SELECT|INSERT|CREATE|PRAGMA|std_msgs|\\{:016|.*\\\\n| or $|plans cannot be written as|furrow-cli|Part \\{|transform|header|type:|EPSG|QGC|.* json$|\\+|-|map_frame|builtin|geometry_msgs|nav_msgs/|float|string |int|uint|.*ros2msg|byte|A\\+ |AB \\{|Headland \\{|Tramline \\{|\\{\\} [AB]|Swath \\{|ArduPilot Rover, |Case IH|CHC |Claas |Deutz|FJ |John Deere|Massey|M\\\\u00fcller|New Holland|Raven|Topcon|Trimble|Valtra|ESRI Shape|.*--field-id|the table holds)")};
     return none.match(text).hasMatch();
 }
 

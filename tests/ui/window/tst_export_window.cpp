@@ -127,8 +127,12 @@ private slots:
         QTest::addColumn<int>("mode");
         QTest::addColumn<QSize>("size");
         QTest::addColumn<QString>("name");
+        QTest::newRow("light, smallest") << 1 << QSize{1000, 700} << "light-1000";
+        QTest::newRow("dark, smallest") << 2 << QSize{1000, 700} << "dark-1000";
         QTest::newRow("light, small") << 1 << QSize{1280, 800} << "light-1280";
         QTest::newRow("dark, small") << 2 << QSize{1280, 800} << "dark-1280";
+        QTest::newRow("light, usual") << 1 << QSize{1440, 900} << "light-1440";
+        QTest::newRow("dark, usual") << 2 << QSize{1440, 900} << "dark-1440";
         QTest::newRow("light, large") << 1 << QSize{1920, 1200} << "light-1920";
         QTest::newRow("dark, large") << 2 << QSize{1920, 1200} << "dark-1920";
     }
@@ -143,6 +147,13 @@ private slots:
         openOn(folder);
         waitForRest(*item("export.write"));
         picture(QStringLiteral("stick-") + name);
+        click("export.write");
+        QTRY_COMPARE(stick().state(), StickExport::State::Done);
+        QVERIFY(stick().checks() > 5);
+        QCOMPARE(stick().problems(), QStringList{});
+        QTRY_VERIFY(shown("export.checked"));
+        waitForRest(*item("export.write"));
+        picture(QStringLiteral("done-") + name);
         click("export.inFolder");
         QTRY_VERIFY(shown("export.folder"));
         waitForRest(*item("export.write"));

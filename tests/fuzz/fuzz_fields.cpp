@@ -1,0 +1,32 @@
+#include "planner/io/field_reader.h"
+
+#include <unistd.h>
+
+#include <array>
+#include <cstddef>
+#include <cstdint>
+#include <filesystem>
+#include <format>
+#include <fstream>
+#include <string_view>
+
+using namespace furrow;
+
+/// Whatever the bytes are: no crash, no bad address, no memory without bounds. Files that GDAL opens, with what is our
+/// own behind it: rows of tables, well-known text, polygons without a driver, drawings, zips, traced rasters.
+extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {
+    std::string_view text{reinterpret_cast<const char*>(data), size};
+    namespace fs = std::filesystem;
+    constexpr std::array kNames = {"a.csv",  "a.wkt", "a.gml", "a.kml",           "a.kmz", "a.zip",
+                                   "a.json", "a.gpx", "a.png", "a_EPSG32632.dxf", "a.tif"};
+    if (text.empty()) {
+        return 0;
+    }
+    static const fs::path folder = fs::temp_directory_path() / std::format("fuzz_fields_{}", ::getpid());
+    fs::create_directories(folder);
+    const fs::path path = folder / kNames[static_cast<unsigned char>(text.front()) % kNames.size()];
+    std::ofstream{path, std::ios::binary} << text.substr(1);
+    (void)readFields(path);
+    fs::remove(path);
+    return 0;
+}
