@@ -60,8 +60,8 @@ private slots:
     void imageryIsNamedFromTheProjectsFolder_data() {
         QTest::addColumn<QString>("place");
         QTest::addColumn<QString>("written");
-        QTest::newRow("beside it") << "farm/photo.tif" << "photo.tif";
-        QTest::newRow("below it") << "farm/pictures/2026/photo.tif" << "pictures/2026/photo.tif";
+        QTest::newRow("beside it") << "first/photo.tif" << "photo.tif";
+        QTest::newRow("below it") << "first/pictures/2026/photo.tif" << "pictures/2026/photo.tif";
         QTest::newRow("in a neighbour") << "drone/photo.tif" << "../drone/photo.tif";
         QTest::newRow("on another disk") << "/mnt/disk/photo.tif" << "/mnt/disk/photo.tif";
     }
@@ -69,22 +69,22 @@ private slots:
         QFETCH(QString, place);
         QFETCH(QString, written);
         const QTemporaryDir folder;
-        QVERIFY(QDir{folder.path()}.mkpath(QStringLiteral("farm")) && QDir{folder.path()}.mkpath(QStringLiteral("moved")));
+        QVERIFY(QDir{folder.path()}.mkpath(QStringLiteral("first")) && QDir{folder.path()}.mkpath(QStringLiteral("moved")));
         Project project = sampleProject();
         const std::string path = (std::filesystem::path{folder.path().toStdString()} / place.toStdString()).string();
         project = withImagery(project, {{.path = path, .name = "Photo", .visible = false, .opacity = 0.4,
                                          .rowsFromSouth = true, .others = R"({"colour":"blue"})"}});
-        VERIFY_RESULT(writeProject(project, pathIn(folder, "farm/a.furrow")));
-        const auto read = readProject(pathIn(folder, "farm/a.furrow"));
+        VERIFY_RESULT(writeProject(project, pathIn(folder, "first/a.furrow")));
+        const auto read = readProject(pathIn(folder, "first/a.furrow"));
         VERIFY_RESULT(read);
         QVERIFY(read->project == project);
-        QFile file{folder.filePath(QStringLiteral("farm/a.furrow"))};
+        QFile file{folder.filePath(QStringLiteral("first/a.furrow"))};
         QVERIFY(file.open(QIODevice::ReadOnly));
         QVERIFY(file.readAll().contains("\"path\":\"" + written.toUtf8() + "\""));
         // Somewhere else the same words name what lies beside it there.
-        QVERIFY(QDir{folder.path()}.mkpath(QStringLiteral("moved/farm")));
-        QVERIFY(QFile::copy(folder.filePath(QStringLiteral("farm/a.furrow")), folder.filePath(QStringLiteral("moved/farm/a.furrow"))));
-        const auto moved = readProject(pathIn(folder, "moved/farm/a.furrow"));
+        QVERIFY(QDir{folder.path()}.mkpath(QStringLiteral("moved/first")));
+        QVERIFY(QFile::copy(folder.filePath(QStringLiteral("first/a.furrow")), folder.filePath(QStringLiteral("moved/first/a.furrow"))));
+        const auto moved = readProject(pathIn(folder, "moved/first/a.furrow"));
         VERIFY_RESULT(moved);
         const std::filesystem::path there =
             place.startsWith('/') ? std::filesystem::path{place.toStdString()}
