@@ -140,6 +140,8 @@ FocusScope {
             handleColor: Theme.dark ? "#E8EFEA" : "#FFFFFF"
             accentColor: Theme.accent
             guideColor: Theme.startMark
+            obstacleColor: Theme.obstacle
+            lineFactor: Theme.lineFactor
             Accessible.name: qsTr("Map")
 
             onClicked: pixel => {

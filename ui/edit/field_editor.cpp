@@ -39,6 +39,7 @@ const Project& FieldEditor::project() const {
 void FieldEditor::setSession(PlanSession* session) {
     session_ = session;
     connect(session_->document(), &Document::projectChanged, this, &FieldEditor::follow);
+    connect(session_, &PlanSession::drawingChanged, this, &FieldEditor::changed);
     connect(session_, &PlanSession::planChanged, this, [this] {
         // Segments, cells and findings of another plan are other ones.
         if (selection_.kind >= Selection::Kind::Segment) {
@@ -47,6 +48,10 @@ void FieldEditor::setSession(PlanSession* session) {
     });
     follow();
     emit sessionChanged();
+}
+
+bool FieldEditor::isAhead() const {
+    return isDragging() || session_->isBehind();
 }
 
 void FieldEditor::follow() {

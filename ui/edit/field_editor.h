@@ -62,6 +62,8 @@ public:
     double draftLengthM() const;
     double draftBearingDeg() const;
     bool isDragging() const { return grip_ != Grip::None; }
+    /// The outlines are to be drawn from here: the plan's drawing is of what they were before, or will be in a moment.
+    bool isAhead() const;
     bool hasSelection() const { return !selection_.isNone(); }
     bool canDelete() const;
 

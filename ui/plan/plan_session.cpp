@@ -367,6 +367,7 @@ void PlanSession::followDocument() {
         plan_.reset();
         wholePlan_.reset();
         drawing_ = {};
+        drawnSource_.reset();
         error_.reset();
         stopped_ = false;
         announce_ = source_ != nullptr;
@@ -438,6 +439,7 @@ void PlanSession::take(Outcome outcome) {
     }
     plan_ = std::move(outcome.plan);
     drawing_ = std::move(outcome.drawing);
+    drawnSource_ = outcome.source;
     error_ = std::move(outcome.error);
     if (outcome.source == source_) {
         field_ = outcome.field;

@@ -220,7 +220,7 @@ ApplicationWindow {
                 ground: Theme.panel,
                 ink: Theme.ink,
                 lineFactor: Theme.lineFactor,
-                showBoundary: layersPanel.layers.boundary && !page.editor.dragging,
+                showBoundary: layersPanel.layers.boundary && !page.editor.dragging && !root.session.behind,
                 showHeadland: layersPanel.layers.headland,
                 showSwaths: layersPanel.layers.swaths,
                 showTurns: layersPanel.layers.turns,
