@@ -3829,6 +3829,10 @@
         <translation>nur Dateien auf diesem Computer werden gelesen</translation>
     </message>
     <message>
+        <source>open a file of your own</source>
+        <translation>eine eigene Datei öffnen</translation>
+    </message>
+    <message>
         <source>open it as a field boundary, or choose another file</source>
         <translation>als Feldgrenze öffnen oder eine andere Datei wählen</translation>
     </message>
@@ -4159,6 +4163,10 @@
     <message>
         <source>the recording cannot be made: %1</source>
         <translation>die Aufzeichnung kann nicht erstellt werden: %1</translation>
+    </message>
+    <message>
+        <source>the sample field cannot be read</source>
+        <translation>der Beispielschlag lässt sich nicht lesen</translation>
     </message>
     <message>
         <source>the shape could not be computed with (%1)</source>

@@ -3829,6 +3829,10 @@
         <translation>solo se leen archivos de este ordenador</translation>
     </message>
     <message>
+        <source>open a file of your own</source>
+        <translation>abra un archivo propio</translation>
+    </message>
+    <message>
         <source>open it as a field boundary, or choose another file</source>
         <translation>ábralo como límite de parcela o elija otro archivo</translation>
     </message>
@@ -4159,6 +4163,10 @@
     <message>
         <source>the recording cannot be made: %1</source>
         <translation>no se puede crear la grabación: %1</translation>
+    </message>
+    <message>
+        <source>the sample field cannot be read</source>
+        <translation>no se puede leer la parcela de ejemplo</translation>
     </message>
     <message>
         <source>the shape could not be computed with (%1)</source>

@@ -3829,6 +3829,10 @@
         <translation>seuls les fichiers de cet ordinateur sont lus</translation>
     </message>
     <message>
+        <source>open a file of your own</source>
+        <translation>ouvrir un fichier à vous</translation>
+    </message>
+    <message>
         <source>open it as a field boundary, or choose another file</source>
         <translation>l&apos;ouvrir comme limite de parcelle, ou choisir un autre fichier</translation>
     </message>
@@ -4159,6 +4163,10 @@
     <message>
         <source>the recording cannot be made: %1</source>
         <translation>l&apos;enregistrement ne peut être créé : %1</translation>
+    </message>
+    <message>
+        <source>the sample field cannot be read</source>
+        <translation>la parcelle d’exemple ne peut pas être lue</translation>
     </message>
     <message>
         <source>the shape could not be computed with (%1)</source>

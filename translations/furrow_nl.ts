@@ -3829,6 +3829,10 @@
         <translation>alleen bestanden op deze computer worden gelezen</translation>
     </message>
     <message>
+        <source>open a file of your own</source>
+        <translation>open een eigen bestand</translation>
+    </message>
+    <message>
         <source>open it as a field boundary, or choose another file</source>
         <translation>open het als perceelsgrens, of kies een ander bestand</translation>
     </message>
@@ -4159,6 +4163,10 @@
     <message>
         <source>the recording cannot be made: %1</source>
         <translation>de opname kan niet gemaakt worden: %1</translation>
+    </message>
+    <message>
+        <source>the sample field cannot be read</source>
+        <translation>het voorbeeldperceel kan niet worden gelezen</translation>
     </message>
     <message>
         <source>the shape could not be computed with (%1)</source>

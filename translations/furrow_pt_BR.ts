@@ -3829,6 +3829,10 @@
         <translation>só são lidos arquivos deste computador</translation>
     </message>
     <message>
+        <source>open a file of your own</source>
+        <translation>abra um arquivo seu</translation>
+    </message>
+    <message>
         <source>open it as a field boundary, or choose another file</source>
         <translation>abra como limite de talhão ou escolha outro arquivo</translation>
     </message>
@@ -4159,6 +4163,10 @@
     <message>
         <source>the recording cannot be made: %1</source>
         <translation>não é possível criar a gravação: %1</translation>
+    </message>
+    <message>
+        <source>the sample field cannot be read</source>
+        <translation>não é possível ler o talhão de exemplo</translation>
     </message>
     <message>
         <source>the shape could not be computed with (%1)</source>

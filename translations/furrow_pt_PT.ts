@@ -486,6 +486,10 @@
         <translation>só são lidos ficheiros deste computador</translation>
     </message>
     <message>
+        <source>open a file of your own</source>
+        <translation>abra um ficheiro seu</translation>
+    </message>
+    <message>
         <source>open it as a field boundary, or choose another file</source>
         <translation>abra como limite de talhão ou escolha outro ficheiro</translation>
     </message>

@@ -162,6 +162,14 @@ QMap<QString, bool> plannerTexts() {
             }
         }
     }
+    // Errors that the window makes itself are said as the planner's are.
+    static const QRegularExpression error{QString::fromUtf8("\\.(?:what|remedy) = (%1)").arg(kLiteral)};
+    for (const QString& file : filesIn(QStringLiteral("/ui"), {"*.cpp", "*.h"})) {
+        const QString text = code(file);
+        for (auto each = error.globalMatch(text); each.hasNext();) {
+            texts.insert(joined(each.next().captured(1)), false);
+        }
+    }
     const auto add = [&texts](std::string_view text) {
         const QString key = QString::fromUtf8(text.data(), static_cast<qsizetype>(text.size()));
         if (!key.isEmpty() && !isNoText(key) && key.contains(QRegularExpression{QStringLiteral("[a-z]{2,}")})) {
