@@ -80,7 +80,7 @@ PlanSession::PlanSession(QObject* parent) : QObject{parent}, samples_{sampleFiel
     });
     connect(&document_, &Document::projectChanged, this, &PlanSession::followDocument);
     connect(&document_, &Document::dragEnded, this, [this] {
-        if (isDraft() || planner_.isBusy()) {
+        if (draftAsked_) {
             requestPlan(JobRunner::Replace::Now);
         }
     });
@@ -304,6 +304,7 @@ void PlanSession::setBoundary(const QList<QGeoCoordinate>& points) {
 void PlanSession::cancel() {
     reader_.cancel();
     planner_.cancel();
+    draftAsked_ = false;
     stopped_ = source_ != nullptr;
     updateState();
 }
@@ -381,7 +382,8 @@ void PlanSession::followDocument() {
         showSteps();
     }
     emit fieldChanged();
-    if (stale) {
+    // A drag may end where its last step was: nothing is stale then, but the whole plan is due.
+    if (stale || (draftAsked_ && !document_.isDragging())) {
         const bool live = document_.isDragging() && !otherPlan;
         requestPlan(live ? JobRunner::Replace::WhenDone : JobRunner::Replace::Now);
     }
@@ -422,9 +424,10 @@ void PlanSession::requestPlan(JobRunner::Replace replace) {
         return;
     }
     stopped_ = false;
+    draftAsked_ = replace == JobRunner::Replace::WhenDone;
     planner_.submit(
         [this, source = source_, field = field_, machine = machine_.machine(), settings = settings(),
-         draft = replace == JobRunner::Replace::WhenDone,
+         draft = draftAsked_,
          before = wholePlan_](const JobContext& job) -> JobRunner::Delivery {
             Outcome outcome = planned(source, field, machine, settings, draft, before.get(), job);
             return [this, outcome = std::move(outcome)]() mutable { take(std::move(outcome)); };

@@ -178,6 +178,8 @@ private:
     Source drawnSource_;
     std::optional<Error> error_;
     bool stopped_ = false;
+    /// The last request was for a draft.
+    bool draftAsked_ = false;
     bool announce_ = false;
     QList<SampleField> samples_;
 
