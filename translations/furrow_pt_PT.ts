@@ -128,6 +128,10 @@
         <source>The swaths lie beside it. Drag its points, or delete it.</source>
         <translation>As passadas ficam ao lado. Arraste os pontos ou elimine a curva.</translation>
     </message>
+    <message>
+        <source>The mainland is cut along it, where it runs right through. Drag it or its points, or delete it.</source>
+        <translation>O interior é dividido ao longo dela onde ela o atravessa por inteiro. Arraste a linha ou os pontos, ou elimine-a.</translation>
+    </message>
 </context>
 <context>
     <name>InspectorPanel</name>
@@ -803,6 +807,10 @@
     <message>
         <source>Delete the guidance line</source>
         <translation>Eliminar a linha de orientação</translation>
+    </message>
+    <message>
+        <source>Delete a split line</source>
+        <translation>Eliminar uma linha de divisão</translation>
     </message>
 </context>
 <context>

@@ -75,6 +75,13 @@ Rectangle {
             enabled: root.hasField
         }
         Tool {
+            objectName: "splitTool"
+            tool: FieldEditor.Split
+            iconName: "split"
+            hint: qsTr("Draw a split line (S)")
+            enabled: root.hasField
+        }
+        Tool {
             objectName: "gateTool"
             tool: FieldEditor.Gate
             iconName: "gate"

@@ -22,6 +22,7 @@ class EditLayer : public MapLayer {
     Q_PROPERTY(QColor guideColor MEMBER guideColor_ NOTIFY styleChanged FINAL)
     Q_PROPERTY(QColor obstacleColor MEMBER obstacleColor_ NOTIFY styleChanged FINAL)
     Q_PROPERTY(double lineFactor MEMBER lineFactor_ NOTIFY styleChanged FINAL)
+    Q_PROPERTY(QColor splitColor MEMBER splitColor_ NOTIFY styleChanged FINAL)
 
 public:
     explicit EditLayer(QQuickItem* parent = nullptr);
@@ -76,6 +77,7 @@ private:
     QColor accentColor_;
     QColor guideColor_;
     QColor obstacleColor_;
+    QColor splitColor_;
     double lineFactor_ = 1.0;
 };
 

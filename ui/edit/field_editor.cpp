@@ -59,7 +59,7 @@ void FieldEditor::follow() {
     const std::string id = field == nullptr ? std::string{} : field->id;
     const bool same = id == fieldId_ && shape_;
     if (field != nullptr) {
-        auto shape = FieldShape::of(*field->source, guideOf(project()), same ? &*shape_ : nullptr);
+        auto shape = FieldShape::of(*field->source, linesOf(project()), same ? &*shape_ : nullptr);
         shape_ = shape ? std::optional{std::move(*shape)} : std::nullopt;
     } else {
         shape_.reset();
@@ -86,7 +86,7 @@ void FieldEditor::follow() {
 }
 
 const Outline* FieldEditor::selectedOutline() const {
-    const bool isOutline = selection_.kind >= Selection::Kind::Vertex && selection_.kind <= Selection::Kind::Guide &&
+    const bool isOutline = selection_.kind >= Selection::Kind::Vertex && selection_.kind <= Selection::Kind::Split &&
                            selection_.kind != Selection::Kind::Gate;
     return isOutline && shape_ ? shape_->find(selection_.outline) : nullptr;
 }
@@ -355,6 +355,10 @@ void FieldEditor::moveGrip(const Pointer& pointer, Document::Follows follows) {
 void FieldEditor::setOutline(const QString& text, const OutlineId& id, GeoRing places, Document::Follows follows) {
     if (id.kind == OutlineKind::Guide) {
         change(text, withGuide(project(), places), follows);
+    } else if (id.kind == OutlineKind::Split) {
+        std::vector<GeoRing> splits = linesOf(project()).splits;
+        splits.at(id.item) = std::move(places);
+        change(text, withSplits(project(), splits), follows);
     } else if (const ProjectField* field = project().field()) {
         changeSource(text, withOutline(*field->source, id, std::move(places)), follows);
     }

@@ -15,12 +15,28 @@ namespace {
 
 constexpr Length kGateWidth = metres(6.0);
 
+/// A boundary is no one thing to move or delete: its first vertex stands for it.
+Selection::Kind wholeOf(OutlineKind kind) {
+    switch (kind) {
+        case OutlineKind::Hole: return Selection::Kind::Hole;
+        case OutlineKind::Obstacle: return Selection::Kind::Obstacle;
+        case OutlineKind::Guide: return Selection::Kind::Guide;
+        case OutlineKind::Split: return Selection::Kind::Split;
+        case OutlineKind::Boundary: break;
+    }
+    return Selection::Kind::Vertex;
+}
+
+bool isDrawnLine(const OutlineId& id) {
+    return id.kind == OutlineKind::Guide || id.kind == OutlineKind::Split;
+}
+
 }  // namespace
 
 // --- Drawing ------------------------------------------------------------------------------------------
 
 int FieldEditor::draftNeeded() const {
-    return tool_ == Tool::Gate ? 1 : tool_ == Tool::Guide ? 2 : 3;
+    return tool_ == Tool::Gate ? 1 : isDraftOpen() ? 2 : 3;
 }
 
 void FieldEditor::setTool(Tool tool) {
@@ -67,7 +83,7 @@ std::vector<SnapLine> FieldEditor::draftLines() const {
     std::vector<SnapLine> lines;
     if (draft_.size() >= 2 && frame_) {
         lines = angleLines(local(draft_.back()), local(draft_[draft_.size() - 2]));
-        if (tool_ != Tool::Guide) {
+        if (!isDraftOpen()) {
             // Where the closing edge meets the first one.
             std::ranges::move(angleLines(local(draft_[0]), local(draft_[1])), std::back_inserter(lines));
         }
@@ -166,6 +182,11 @@ void FieldEditor::finishTool(GeoRing points) {
         change(tr("Add a gate"), withGate(project(), {.name = tr("Gate %1").arg(number + 1).toStdString(),
                                                       .position = shape_->frame.toGeo(at),
                                                       .width = kGateWidth}));
+    } else if (tool == Tool::Split) {
+        std::vector<GeoRing> splits = linesOf(project()).splits;
+        made = {.kind = Selection::Kind::Split, .outline = {OutlineKind::Split, splits.size(), 0}, .index = 0};
+        splits.push_back(std::move(points));
+        change(tr("Draw a split line"), withSplits(project(), splits));
     } else {
         made = {.kind = Selection::Kind::Guide, .outline = {OutlineKind::Guide, 0, 0}, .index = 0};
         change(points.size() > 2 ? tr("Draw a guidance curve") : tr("Draw an AB line"), withGuide(project(), points));
@@ -180,13 +201,14 @@ bool FieldEditor::canDelete() const {
     switch (selection_.kind) {
         case Selection::Kind::Vertex: {
             const Outline* outline = selectedOutline();
-            return outline != nullptr && withoutVertex(*outline, selection_.index).has_value();
+            return outline != nullptr && (isDrawnLine(outline->id) || withoutVertex(*outline, selection_.index).has_value());
         }
         case Selection::Kind::Hole:
         case Selection::Kind::Obstacle:
         case Selection::Kind::Gate:
-        case Selection::Kind::Guide: return true;
-        case Selection::Kind::Edge: return selection_.outline.kind == OutlineKind::Guide;
+        case Selection::Kind::Guide:
+        case Selection::Kind::Split: return true;
+        case Selection::Kind::Edge: return isDrawnLine(selection_.outline);
         case Selection::Kind::None:
         case Selection::Kind::Segment:
         case Selection::Kind::Cell:
@@ -201,8 +223,11 @@ void FieldEditor::deleteSelection() {
     }
     const Selection chosen = selection_;
     if (chosen.kind == Selection::Kind::Vertex) {
-        setOutline(tr("Delete a point"), chosen.outline, *withoutVertex(*selectedOutline(), chosen.index), Document::Follows::Nothing);
-        return;
+        if (auto places = withoutVertex(*selectedOutline(), chosen.index)) {
+            setOutline(tr("Delete a point"), chosen.outline, std::move(*places), Document::Follows::Nothing);
+            return;
+        }
+        // A line without one of its two ends is none.
     }
     select({});
     if (chosen.kind == Selection::Kind::Hole) {
@@ -211,6 +236,10 @@ void FieldEditor::deleteSelection() {
         change(tr("Delete an obstacle"), withoutObstacle(project(), chosen.outline.item));
     } else if (chosen.kind == Selection::Kind::Gate) {
         change(tr("Delete a gate"), withoutGate(project(), chosen.index));
+    } else if (chosen.outline.kind == OutlineKind::Split) {
+        std::vector<GeoRing> splits = linesOf(project()).splits;
+        splits.erase(splits.begin() + static_cast<std::ptrdiff_t>(chosen.outline.item));
+        change(tr("Delete a split line"), withSplits(project(), splits));
     } else {
         change(tr("Delete the guidance line"), withGuide(project(), {}));
     }
@@ -252,6 +281,29 @@ void FieldEditor::selectNext(int step) {
     const bool isVertex = selection_.kind == Selection::Kind::Vertex;
     const int next = isVertex ? (static_cast<int>(selection_.index) + step % count + count) % count : static_cast<int>(selection_.index);
     select({.kind = Selection::Kind::Vertex, .outline = outline->id, .index = static_cast<std::size_t>(next)});
+}
+
+void FieldEditor::selectNextShape(int step) {
+    if (!shape_) {
+        return;
+    }
+    const auto outlines = static_cast<int>(shape_->outlines.size());
+    const int count = outlines + static_cast<int>(shape_->gates.size());
+    if (count == 0) {
+        return;
+    }
+    const Outline* outline = selectedOutline();
+    const int now = outline != nullptr                           ? static_cast<int>(outline - shape_->outlines.data())
+                    : selection_.kind == Selection::Kind::Gate ? outlines + static_cast<int>(selection_.index)
+                    : step > 0                                   ? -1
+                                                                 : 0;
+    const auto next = static_cast<std::size_t>((now + step % count + count) % count);
+    if (next >= shape_->outlines.size()) {
+        select({.kind = Selection::Kind::Gate, .outline = {}, .index = next - shape_->outlines.size()});
+    } else {
+        const OutlineId id = shape_->outlines[next].id;
+        select({.kind = wholeOf(id.kind), .outline = id, .index = 0});
+    }
 }
 
 void FieldEditor::setVertex(GeoPoint place) {

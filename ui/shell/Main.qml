@@ -257,7 +257,7 @@ ApplicationWindow {
         }
         ImageryNotice {
             z: 1
-            anchors { horizontalCenter: parent.horizontalCenter; bottom: parent.bottom; bottomMargin: 20 }
+            anchors { horizontalCenter: parent.horizontalCenter; bottom: parent.bottom; bottomMargin: page.clearOfScale(width) }
             imagery: root.session.imagery
         }
         ProblemCard {
@@ -293,7 +293,7 @@ ApplicationWindow {
             onFolderRequested: dialogs.addTileFolder()
         }
         DraftHint {
-            anchors { horizontalCenter: parent.horizontalCenter; bottom: parent.bottom; bottomMargin: 20 }
+            anchors { horizontalCenter: parent.horizontalCenter; bottom: parent.bottom; bottomMargin: page.clearOfScale(width) }
             visible: page.editor.drawing
             editor: page.editor
         }

@@ -57,6 +57,17 @@ private slots:
         QCOMPARE(projectText(read->project), projectText(project));
         QVERIFY(isProject(projectText(project)));
     }
+    void drawnLinesAreKept() {
+        // Ends of numbers that need all their digits.
+        const std::vector<GeoRing> splits{{{22.5, 58.251}, {22.507 + 1e-13, 58.251}}, {{22.503, 58.25}, {22.5035, 58.252}, {22.503, 58.254}}};
+        const Project project = withSplits(sampleProject(), splits);
+        const auto read = parseProject(projectText(project), "farm.furrow");
+        VERIFY_RESULT(read);
+        QVERIFY(linesOf(read->project).splits == splits);
+        QVERIFY(linesOf(read->project).guide == linesOf(project).guide);
+        QVERIFY(!linesOf(project).guide.empty());
+        QVERIFY(withSplits(read->project, {}) == sampleProject());
+    }
     void imageryIsNamedFromTheProjectsFolder_data() {
         QTest::addColumn<QString>("place");
         QTest::addColumn<QString>("written");

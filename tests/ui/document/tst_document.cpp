@@ -88,12 +88,15 @@ private slots:
         QCOMPARE(ids.size(), all);
         QCOMPARE(project.currentField, std::size_t{2});
     }
-    /// Its AB line lies in the field it was drawn in.
+    /// Its AB line and its split lines lie in the field they were drawn in.
     void aNewFieldTakesMachineAndSettingsButNoPlaces() {
-        const Project project = withFields(showing(sampleProject(), 0, 0), {sampleSource()});
+        const Project first = withSplits(showing(sampleProject(), 0, 0), {{{22.5, 58.251}, {22.507, 58.251}}});
+        QVERIFY(first.plan().settings.isSet(**findParameter("decomposition.split")));
+        const Project project = withFields(first, {sampleSource()});
         QCOMPARE(widthOf(project), 24.5);
         QVERIFY(!project.plan().settings.isSet(**findParameter("swaths.line")));
         QVERIFY(!project.plan().settings.isSet(**findParameter("swaths.method")));
+        QVERIFY(!project.plan().settings.isSet(**findParameter("decomposition.split")));
     }
     void draggingIsOneChange() {
         Document document;
