@@ -89,6 +89,35 @@ private slots:
         key(Qt::Key_Delete);
         QTRY_COMPARE(source().parts.front().outer.size(), std::size_t{4});
     }
+    /// While a corner is dragged, and after it was let go until the plan is there.
+    void theOutlineStaysWithTheHandle() {
+        DRAW_FIELD();
+        const QPoint from = cornerOnMap(1);
+        const QPoint to = from + (from - middle()) / 3;
+        const QPoint beside = cornerOnMap(0);
+        const auto isBoundary = [](const QImage& picture, QPoint at) {
+            const QColor colour = picture.pixelColor(at);
+            return colour.red() > 235 && colour.green() > 185 && colour.blue() < 90;
+        };
+        QTest::mouseMove(window_, from);
+        QTest::mousePress(window_, Qt::LeftButton, Qt::AltModifier, from);
+        for (int i = 1; i <= 8; ++i) {
+            QTest::mouseEvent(QTest::MouseMove, window_, Qt::NoButton, Qt::AltModifier, from + (to - from) * i / 8);
+        }
+        for (const bool held : {true, false}) {
+            const QImage picture = window_->grabWindow();
+            QDir{}.mkpath(QStringLiteral(FURROW_SCREENSHOT_DIR));
+            picture.save(QStringLiteral(FURROW_SCREENSHOT_DIR "/drag-%1.png").arg(held ? QStringLiteral("held") : QStringLiteral("let-go")));
+            QVERIFY2(isBoundary(picture, (cornerOnMap(1) + beside) / 2), held ? "dragged" : "let go");
+            QVERIFY2(!isBoundary(picture, (from + beside) / 2), held ? "dragged, where it was" : "let go, where it was");
+            if (held) {
+                QTest::mouseRelease(window_, Qt::LeftButton, Qt::AltModifier, to);
+            }
+        }
+        ready();
+        const QImage picture = window_->grabWindow();
+        QVERIFY(isBoundary(picture, (cornerOnMap(1) + beside) / 2) && !isBoundary(picture, (from + beside) / 2));
+    }
     void theMapStillMovesBesideTheField() {
         DRAW_FIELD();
         const QGeoCoordinate centre = camera()->center();

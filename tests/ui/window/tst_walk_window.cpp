@@ -79,6 +79,7 @@ private slots:
         click(QStringLiteral("machine.library"));
         key(Qt::Key_Down);
         key(Qt::Key_Down);
+        QTRY_COMPARE(item(QStringLiteral("machine.library"))->property("popup").value<QObject*>()->property("opacity").toDouble(), 1.0);
         step("machines");
         key(Qt::Key_Return);
         QTRY_COMPARE(session_->machine()->libraryIndex(), 2);
