@@ -155,9 +155,10 @@ private:
     std::vector<SnapLine> draftLines() const;
     void moveGrip(const Pointer& pointer, Document::Follows follows);
     void endGrip();
-    void setOutline(const QString& text, const OutlineId& id, GeoRing places, Document::Follows follows);
-    void changeSource(const QString& text, FieldSource source, Document::Follows follows);
-    void change(const QString& text, Project after, Document::Follows follows = Document::Follows::Nothing);
+    // Each `text` is marked for translation.
+    void setOutline(const char* text, const OutlineId& id, GeoRing places, Document::Follows follows);
+    void changeSource(const char* text, FieldSource source, Document::Follows follows);
+    void change(const char* text, Project after, Document::Follows follows = Document::Follows::Nothing);
     void addPoint(GeoPoint place);
     void finishTool(GeoRing points);
 

@@ -136,9 +136,9 @@ void ImageryModel::add(const QStringList& paths) {
                      [remedy = bad->remedy] { return sentence(remedy); });
             }
             if (!good.empty()) {
-                const QString text = good.size() == 1 ? tr("Add %1").arg(fromStd(good.front().name))
-                                                      : tr("Add imagery");
-                document_.change(text, withImagery(*document_.project(), good));
+                document_.change([name = fromStd(good.front().name), one = good.size() == 1] {
+                    return one ? tr("Add %1").arg(name) : tr("Add imagery");
+                }, withImagery(*document_.project(), good));
                 // They lie above the others.
                 for (std::size_t i = rows_.size() - good.size(); i < rows_.size(); ++i) {
                     rows_[i].announce = true;
@@ -148,42 +148,43 @@ void ImageryModel::add(const QStringList& paths) {
     });
 }
 
-void ImageryModel::change(int row, const QString& text, const std::function<void(ImageryLayer&)>& edit,
+void ImageryModel::change(int row, const char* text, const std::function<void(ImageryLayer&)>& edit,
                           const QString& key, bool live) {
     if (!has(row)) {
         return;
     }
     ImageryLayer layer = rows_[indexOf(row)].layer;
     edit(layer);
-    document_.change(text, withImageryLayer(*document_.project(), indexOf(row), std::move(layer)), key,
+    document_.change([text] { return tr(text); }, withImageryLayer(*document_.project(), indexOf(row), std::move(layer)), key,
                      live ? Document::Follows::More : Document::Follows::Nothing);
 }
 
 void ImageryModel::remove(int row) {
     if (has(row)) {
-        document_.change(tr("Remove %1").arg(fromStd(rows_[indexOf(row)].layer.name)),
+        document_.change([name = fromStd(rows_[indexOf(row)].layer.name)] { return tr("Remove %1").arg(name); },
                          withoutImageryLayer(*document_.project(), indexOf(row)));
     }
 }
 
 void ImageryModel::move(int row, int steps) {
     if (has(row) && has(row + steps)) {
-        document_.change(tr("Move a layer"), withImageryMoved(*document_.project(), indexOf(row), indexOf(row + steps)));
+        document_.change([] { return tr("Move a layer"); },
+                         withImageryMoved(*document_.project(), indexOf(row), indexOf(row + steps)));
     }
 }
 
 void ImageryModel::rename(int row, const QString& name) {
     if (!name.trimmed().isEmpty()) {
-        change(row, tr("Rename a layer"), [&](ImageryLayer& layer) { layer.name = name.trimmed().toStdString(); });
+        change(row, QT_TR_NOOP("Rename a layer"), [&](ImageryLayer& layer) { layer.name = name.trimmed().toStdString(); });
     }
 }
 
 void ImageryModel::show(int row, bool shown) {
-    change(row, shown ? tr("Show a layer") : tr("Hide a layer"), [&](ImageryLayer& layer) { layer.visible = shown; });
+    change(row, shown ? QT_TR_NOOP("Show a layer") : QT_TR_NOOP("Hide a layer"), [&](ImageryLayer& layer) { layer.visible = shown; });
 }
 
 void ImageryModel::setOpacity(int row, double opacity, bool live) {
-    change(row, tr("Change how strong a layer is"),
+    change(row, QT_TR_NOOP("Change how strong a layer is"),
            [&](ImageryLayer& layer) { layer.opacity = std::clamp(opacity, 0.0, 1.0); },
            QStringLiteral("imagery.opacity.%1").arg(row), live);
     if (!live) {
@@ -192,7 +193,7 @@ void ImageryModel::setOpacity(int row, double opacity, bool live) {
 }
 
 void ImageryModel::setRowsFromSouth(int row, bool fromSouth) {
-    change(row, tr("Turn the rows of tiles round"), [&](ImageryLayer& layer) { layer.rowsFromSouth = fromSouth; });
+    change(row, QT_TR_NOOP("Turn the rows of tiles round"), [&](ImageryLayer& layer) { layer.rowsFromSouth = fromSouth; });
 }
 
 void ImageryModel::tryAgain(int row) {

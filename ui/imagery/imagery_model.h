@@ -96,7 +96,8 @@ private:
     };
     void follow();
     void open(Row& row);
-    void change(int row, const QString& text, const std::function<void(ImageryLayer&)>& edit, const QString& key = {},
+    /// `text` is marked for translation.
+    void change(int row, const char* text, const std::function<void(ImageryLayer&)>& edit, const QString& key = {},
                 bool live = false);
     void take(int sheet, const Result<void>& result);
     void takeFailure(int sheet, const Error& error);

@@ -76,7 +76,7 @@ Result<std::vector<FieldSource>> boundariesIn(const QString& path, const JobCont
 PlanSession::PlanSession(QObject* parent) : QObject{parent}, samples_{sampleFields()} {
     connect(&steps_, &StepsModel::changeRequested, this, &PlanSession::changeSetting);
     connect(&machine_, &MachineModel::changeRequested, this, [this](const Machine& machine) {
-        document_.change(tr("Change the machine"), withPlan(*document_.project(), machine, settings()));
+        document_.change([] { return tr("Change the machine"); }, withPlan(*document_.project(), machine, settings()));
     });
     connect(&document_, &Document::projectChanged, this, &PlanSession::followDocument);
     connect(&document_, &Document::dragEnded, this, [this] {
@@ -235,10 +235,11 @@ void PlanSession::take(Reading reading, bool choose) {
 }
 
 void PlanSession::addFields(std::vector<FieldSource> fields) {
-    const QString text = fields.size() == 1 ? tr("Add field %1").arg(fromStd(fields.front().name))
-                                            : tr("Add %n field(s)", nullptr, static_cast<int>(fields.size()));
+    Said text = [name = fromStd(fields.front().name), count = static_cast<int>(fields.size())] {
+        return count == 1 ? tr("Add field %1").arg(name) : tr("Add %n field(s)", nullptr, count);
+    };
     choices_.show({});
-    document_.change(text, withFields(*document_.project(), std::move(fields)));
+    document_.change(std::move(text), withFields(*document_.project(), std::move(fields)));
     updateState();
 }
 
@@ -414,7 +415,7 @@ void PlanSession::changeSetting(const Parameter* parameter, const SettingValue& 
             changed.clear(*findParameter(entry.key).value());
         }
     }
-    document_.change(tr("Change: %1").arg(shown(parameter->name)),
+    document_.change([parameter] { return tr("Change: %1").arg(shown(parameter->name)); },
                      withPlan(*document_.project(), machine_.machine(), changed), fromStd(parameter->key),
                      live ? Document::Follows::More : Document::Follows::Nothing);
 }

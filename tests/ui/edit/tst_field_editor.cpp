@@ -6,6 +6,7 @@
 #include "ui/edit/field_editor.h"
 #include "ui/edit/inspector.h"
 #include "ui/plan/plan_session.h"
+#include "ui/text/display.h"
 
 #include <QAbstractItemModelTester>
 #include <QSignalSpy>
@@ -126,6 +127,20 @@ private slots:
         QVERIFY(bench.editor.canDelete());
         bench.editor.deleteSelection();
         QCOMPARE(bench.source().parts.front().outer.size(), std::size_t{4});
+    }
+    void whatCanBeUndoneIsSaidInTheLanguageOfTheMoment() {
+        Bench bench;
+        furrow::Display::instance().force(QStringLiteral("en"), furrow::Display::Metric);
+        bench.drag(bench.corner(1), bench.corner(1) + Point{30, -20}, true);
+        QCOMPARE(bench.session.document()->undoText(), QStringLiteral("Move a point"));
+        QSignalSpy told{bench.session.document(), &Document::historyChanged};
+        furrow::Display::instance().force(QStringLiteral("de"), furrow::Display::Metric);
+        QVERIFY(told.count() > 0);
+        QCOMPARE(bench.session.document()->undoText(), QStringLiteral("Punkt verschieben"));
+        bench.session.document()->undo();
+        QCOMPARE(bench.session.document()->redoText(), QStringLiteral("Punkt verschieben"));
+        QCOMPARE(bench.session.document()->undoText(), QStringLiteral("Schlag Field 1 hinzufügen"));
+        furrow::Display::instance().force(QStringLiteral("en"), furrow::Display::Metric);
     }
     void aClickAloneMovesNothing() {
         Bench bench;

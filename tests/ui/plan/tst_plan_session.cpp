@@ -47,7 +47,7 @@ void moveVertex(PlanSession& session, std::size_t vertex, const QGeoCoordinate& 
     const Project& project = *session.document()->project();
     FieldSource source = *project.field()->source;
     source.parts.front().outer[vertex] = geoPoint(place);
-    session.document()->change(QStringLiteral("Move"), withSource(project, std::move(source)), QStringLiteral("vertex"),
+    session.document()->change([] { return QStringLiteral("Move"); }, withSource(project, std::move(source)), QStringLiteral("vertex"),
                                finished ? Document::Follows::Nothing : Document::Follows::More);
 }
 

@@ -345,7 +345,7 @@ private slots:
             QCOMPARE(entry.forms.size(), 2);
             englishPlurals << entry.source;
         }
-        static const QRegularExpression said{QString::fromUtf8("\\b(?:qsTr|tr)\\(\\s*(%1)\\s*([,)])").arg(kLiteral)};
+        static const QRegularExpression said{QString::fromUtf8("\\b(?:qsTr|tr|QT_TR_NOOP)\\(\\s*(%1)\\s*([,)])").arg(kLiteral)};
         QStringList missing;
         int count = 0;
         for (const QString& folder : {QStringLiteral("/ui"), QStringLiteral("/app/window")}) {
@@ -370,7 +370,7 @@ private slots:
         static const QRegularExpression words{QStringLiteral("[A-Z][a-z]|[a-z] [a-z]")};
         static const QRegularExpression literal{kLiteral};
         static const QRegularExpression sentence{QStringLiteral("[A-Za-z]{2,} [a-z]{2,}")};
-        static const QRegularExpression around{QString::fromUtf8("(?:\\btr|translate|shown|qWarning|qFatal|QML_UNCREATABLE|fputs|printf|add|property|toLatin1|static_assert|contains|QLatin1String|\\.what =|\\.remedy =)\\s*[({]?\\s*$")};
+        static const QRegularExpression around{QString::fromUtf8("(?:\\btr|QT_TR_NOOP|translate|shown|qWarning|qFatal|QML_UNCREATABLE|fputs|printf|add|property|toLatin1|static_assert|contains|QLatin1String|\\.what =|\\.remedy =)\\s*[({]?\\s*$")};
         QStringList wrong;
         for (const QString& file : filesIn(QStringLiteral("/ui"), {"*.qml"})) {
             const QString text = code(file);
