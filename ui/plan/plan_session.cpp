@@ -368,11 +368,11 @@ void PlanSession::followDocument() {
         planner_.cancel();
         plan_.reset();
         wholePlan_.reset();
-        drawing_ = {};
-        drawnSource_.reset();
+        // Its outline is there at once; the plan may take seconds.
+        drawing_ = source_ ? PlanDrawing{outlineGeometry(*source_, std::nullopt)} : PlanDrawing{};
+        drawnSource_ = source_;
         error_.reset();
         stopped_ = false;
-        announce_ = source_ != nullptr;
         exporter_.setPlan(nullptr);
         emit planChanged();
         emit drawingChanged();
@@ -389,6 +389,9 @@ void PlanSession::followDocument() {
         requestPlan(live ? JobRunner::Replace::WhenDone : JobRunner::Replace::Now);
     }
     updateState();
+    if (otherField && source_) {
+        emit fieldOpened();
+    }
 }
 
 void PlanSession::changeSetting(const Parameter* parameter, const SettingValue& value, bool live) {
@@ -456,10 +459,6 @@ void PlanSession::take(Outcome outcome) {
     emit fieldChanged();
     emit drawingChanged();
     emit planChanged();
-    if (announce_) {
-        announce_ = false;
-        emit fieldOpened();
-    }
     updateState();
 }
 
@@ -474,7 +473,7 @@ void PlanSession::fail(const Error& error) {
 
 void PlanSession::showSteps() {
     const Field* field = field_ ? field_.get() : plan_ ? &plan_->field() : nullptr;
-    steps_.show(field, machine_.machine(), settings(), plan_.get(), error_.has_value());
+    steps_.show(field, source_.get(), machine_.machine(), settings(), plan_.get(), error_.has_value());
 }
 
 void PlanSession::showModels() {

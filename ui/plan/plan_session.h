@@ -180,7 +180,6 @@ private:
     bool stopped_ = false;
     /// The last request was for a draft.
     bool draftAsked_ = false;
-    bool announce_ = false;
     QList<SampleField> samples_;
 
     Document document_;

@@ -108,6 +108,12 @@ private slots:
         QSignalSpy opened{&session, &PlanSession::fieldOpened};
         session.setBoundary(rectangle());
         QCOMPARE(session.state(), PlanSession::State::Planning);
+        // It is shown at once, whatever the plan takes.
+        QCOMPARE(opened.count(), 1);
+        QVERIFY(session.drawing().bounds().contains(QGeoCoordinate{58.2515, 22.5035}));
+        const auto step = [&session](int role) { return session.steps()->index(0).data(role).toString(); };
+        QCOMPARE(step(StepsModel::ChoiceRole), QStringLiteral("Field 1"));
+        QVERIFY2(step(StepsModel::ResultRole).startsWith(QStringLiteral("16.")), qPrintable(step(StepsModel::ResultRole)));
         QTRY_COMPARE_WITH_TIMEOUT(session.state(), PlanSession::State::Ready, kPatienceMs);
         QCOMPARE(opened.count(), 1);
         QVERIFY(!session.drawing().isEmpty());
