@@ -26,6 +26,9 @@ FocusScope {
     signal inspectRequested()
     signal layersRequested()
 
+    /// No room for the tools beside the state of the plan: they begin below it.
+    readonly property bool narrow: width < 420
+
     /// Worked with keys just now, so it shows that it has them.
     property bool keyed: false
 
@@ -172,7 +175,8 @@ FocusScope {
         id: tools
 
         x: 16
-        y: 16
+        y: root.narrow ? 62 : 16
+        room: scaleBar.y - 8 - y
         editor: editor
         hasField: root.session.hasField
         layersOpen: root.layersOpen

@@ -244,14 +244,17 @@ ApplicationWindow {
             root.currentFinding = index;
             page.editor.selectFinding(index);
         }
-        onInspectRequested: results.focusInspector()
+        onInspectRequested: {
+            root.panelWanted = true;
+            results.focusInspector();
+        }
 
         StatusChip {
             anchors { right: parent.right; top: parent.top; margins: 16 }
             session: root.session
         }
         FilesNotice {
-            anchors { left: parent.left; top: parent.top; leftMargin: 78; topMargin: 62 }
+            anchors { left: parent.left; top: parent.top; leftMargin: page.toolBar.x + page.toolBar.width + 16; topMargin: 62 }
             files: root.session.files
             onSaveAsRequested: dialogs.saveAs()
         }
@@ -283,7 +286,7 @@ ApplicationWindow {
         LayersPanel {
             id: layersPanel
 
-            x: 70
+            x: page.toolBar.x + page.toolBar.width + 8
             y: 16
             room: page.height - 72
             imagery: root.session.imagery
