@@ -389,8 +389,11 @@ void PlanSession::followDocument() {
         requestPlan(live ? JobRunner::Replace::WhenDone : JobRunner::Replace::Now);
     }
     updateState();
-    if (otherField && source_) {
-        emit fieldOpened();
+    if (otherField) {
+        announce_ = source_ != nullptr;
+        if (announce_) {
+            emit fieldOpened();
+        }
     }
 }
 
@@ -459,6 +462,10 @@ void PlanSession::take(Outcome outcome) {
     emit fieldChanged();
     emit drawingChanged();
     emit planChanged();
+    if (std::exchange(announce_, false)) {
+        // Its results take room of the map.
+        emit fieldOpened();
+    }
     updateState();
 }
 

@@ -124,7 +124,7 @@ signals:
     void planChanged();
     void drawingChanged();
     void progressChanged();
-    /// A field that was not on the map before: the camera should go there.
+    /// A field that was not on the map before: the camera should go there; again when its first plan is there.
     void fieldOpened();
 
 private:
@@ -178,6 +178,7 @@ private:
     Source drawnSource_;
     std::optional<Error> error_;
     bool stopped_ = false;
+    bool announce_ = false;
     /// The last request was for a draft.
     bool draftAsked_ = false;
     QList<SampleField> samples_;

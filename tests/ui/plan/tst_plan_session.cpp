@@ -115,7 +115,7 @@ private slots:
         QCOMPARE(step(StepsModel::ChoiceRole), QStringLiteral("Field 1"));
         QVERIFY2(step(StepsModel::ResultRole).startsWith(QStringLiteral("16.")), qPrintable(step(StepsModel::ResultRole)));
         QTRY_COMPARE_WITH_TIMEOUT(session.state(), PlanSession::State::Ready, kPatienceMs);
-        QCOMPARE(opened.count(), 1);
+        QCOMPARE(opened.count(), 2);
         QVERIFY(!session.drawing().isEmpty());
         QVERIFY(session.statusText().startsWith(QStringLiteral("Plan ready")));
         // 0.007 by 0.0035 degrees at 58.25 north are some 411 by 390 metres.
