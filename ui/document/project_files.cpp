@@ -281,8 +281,9 @@ QUrl ProjectFiles::suggestedFile() const {
     }
     static const QRegularExpression unsafe{QStringLiteral(R"([\\/:*?"<>|])")};
     name.replace(unsafe, QStringLiteral("_"));
-    const QDir folder{path_.isEmpty() ? QStandardPaths::writableLocation(QStandardPaths::DocumentsLocation)
-                                      : QFileInfo{path_}.path()};
+    const QString documents = QStandardPaths::writableLocation(QStandardPaths::DocumentsLocation);
+    // A dialog that begins in a folder that is not there proposes nothing.
+    const QDir folder{!path_.isEmpty() ? QFileInfo{path_}.path() : QDir{documents}.exists() ? documents : QDir::homePath()};
     return QUrl::fromLocalFile(folder.filePath((name.isEmpty() ? tr("Farm") : name) + QStringLiteral(".furrow")));
 }
 

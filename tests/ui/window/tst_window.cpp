@@ -2,9 +2,11 @@
 #include "tests/ui/window/frame_clock.h"
 #include "tests/ui/window/window_test.h"
 
+#include <QDragEnterEvent>
 #include <QFile>
 #include <QJsonDocument>
 #include <QJsonObject>
+#include <QMimeData>
 #include <QSignalSpy>
 #include <QTemporaryDir>
 
@@ -152,6 +154,29 @@ private slots:
         click(QStringLiteral("chooser.field.1"));
         QTRY_COMPARE(session_->state(), PlanSession::State::Ready);
         QCOMPARE(session_->fieldName(), QStringLiteral("South"));
+    }
+    void filesAreDroppedOnTheMap() {
+        const QTemporaryDir folder;
+        QMimeData dropped;
+        QList<QUrl> urls;
+        for (const char* name : {"North", "South"}) {
+            QFile file{folder.filePath(QStringLiteral("%1.geojson").arg(QLatin1String{name}))};
+            QVERIFY(file.open(QIODevice::WriteOnly));
+            file.write(QStringLiteral(R"({"type": "Feature", "properties": {"name": "%1"}, "geometry": {"type": "Polygon", "coordinates":
+                [[[22.5, 58.25], [22.503, 58.25], [22.503, 58.252], [22.5, 58.252], [22.5, 58.25]]]}})").arg(QLatin1String{name}).toUtf8());
+            urls << QUrl::fromLocalFile(file.fileName());
+        }
+        dropped.setUrls(urls);
+        const QPoint at = middleOf(*map()) + QPoint{250, 250};
+        QDragEnterEvent enter{at, Qt::CopyAction, &dropped, Qt::LeftButton, Qt::NoModifier};
+        QCoreApplication::sendEvent(window_, &enter);
+        QVERIFY(enter.isAccepted());
+        picture(QStringLiteral("drop"));
+        QDropEvent drop{QPointF{at}, Qt::CopyAction, &dropped, Qt::LeftButton, Qt::NoModifier};
+        QCoreApplication::sendEvent(window_, &drop);
+        QTRY_COMPARE(session_->farm()->fields().size(), 2);
+        QTRY_COMPARE_WITH_TIMEOUT(session_->state(), PlanSession::State::Ready, 20000);
+        QCOMPARE(session_->fieldName(), QStringLiteral("North"));
     }
     void theProblemOfABoundaryIsTold() {
         session_->setBoundary({{58.25, 22.5}, {58.2535, 22.507}, {58.25, 22.507}, {58.2535, 22.5}});
