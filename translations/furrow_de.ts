@@ -347,6 +347,22 @@
         <source>help introduction first start</source>
         <translation>Hilfe Einführung erster Start</translation>
     </message>
+    <message>
+        <source>Select the next outline, line or gate</source>
+        <translation>Nächsten Umriss, nächste Linie oder Zufahrt auswählen</translation>
+    </message>
+    <message>
+        <source>PgDown</source>
+        <translation>Bild ab</translation>
+    </message>
+    <message>
+        <source>Draw a split line</source>
+        <translation>Teilungslinie zeichnen</translation>
+    </message>
+    <message>
+        <source>cut divide mainland parts</source>
+        <translation>schneiden teilen innenfläche teile</translation>
+    </message>
 </context>
 <context>
     <name>Command</name>
@@ -427,6 +443,10 @@
     <message>
         <source>Close boundary</source>
         <translation>Grenze schließen</translation>
+    </message>
+    <message>
+        <source>Click where the split line begins</source>
+        <translation>Klicken, wo die Teilungslinie beginnt</translation>
     </message>
 </context>
 <context>
@@ -900,6 +920,18 @@
         <source>Finding %1</source>
         <translation>Hinweis %1</translation>
     </message>
+    <message>
+        <source>split line</source>
+        <translation>Teilungslinie</translation>
+    </message>
+    <message>
+        <source>The mainland is cut along it, where it runs right through. Drag it or its points, or delete it.</source>
+        <translation>Die Innenfläche wird an ihr geteilt, wo sie ganz hindurchgeht. Die Linie oder ihre Punkte ziehen oder sie löschen.</translation>
+    </message>
+    <message>
+        <source>Split line %1</source>
+        <translation>Teilungslinie %1</translation>
+    </message>
 </context>
 <context>
     <name>InspectorPanel</name>
@@ -1159,6 +1191,10 @@
     <message>
         <source>Layers (Ctrl+L)</source>
         <translation>Ebenen (Strg+L)</translation>
+    </message>
+    <message>
+        <source>Draw a split line (S)</source>
+        <translation>Teilungslinie zeichnen (S)</translation>
     </message>
 </context>
 <context>
@@ -3829,6 +3865,10 @@
         <translation>nur Dateien auf diesem Computer werden gelesen</translation>
     </message>
     <message>
+        <source>open a file of your own</source>
+        <translation>eine eigene Datei öffnen</translation>
+    </message>
+    <message>
         <source>open it as a field boundary, or choose another file</source>
         <translation>als Feldgrenze öffnen oder eine andere Datei wählen</translation>
     </message>
@@ -4159,6 +4199,10 @@
     <message>
         <source>the recording cannot be made: %1</source>
         <translation>die Aufzeichnung kann nicht erstellt werden: %1</translation>
+    </message>
+    <message>
+        <source>the sample field cannot be read</source>
+        <translation>der Beispielschlag lässt sich nicht lesen</translation>
     </message>
     <message>
         <source>the shape could not be computed with (%1)</source>
@@ -5263,6 +5307,14 @@
     <message>
         <source>AB line along an edge</source>
         <translation>AB-Linie entlang einer Kante</translation>
+    </message>
+    <message>
+        <source>Draw a split line</source>
+        <translation>Teilungslinie zeichnen</translation>
+    </message>
+    <message>
+        <source>Delete a split line</source>
+        <translation>Teilungslinie löschen</translation>
     </message>
 </context>
 <context>

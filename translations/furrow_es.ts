@@ -347,6 +347,22 @@
         <source>help introduction first start</source>
         <translation>ayuda introducción primer inicio</translation>
     </message>
+    <message>
+        <source>Select the next outline, line or gate</source>
+        <translation>Seleccionar el contorno, la línea o la entrada siguiente</translation>
+    </message>
+    <message>
+        <source>PgDown</source>
+        <translation>Av Pág</translation>
+    </message>
+    <message>
+        <source>Draw a split line</source>
+        <translation>Dibujar una línea de división</translation>
+    </message>
+    <message>
+        <source>cut divide mainland parts</source>
+        <translation>cortar dividir interior partes</translation>
+    </message>
 </context>
 <context>
     <name>Command</name>
@@ -427,6 +443,10 @@
     <message>
         <source>Close boundary</source>
         <translation>Cerrar el límite</translation>
+    </message>
+    <message>
+        <source>Click where the split line begins</source>
+        <translation>Haga clic donde empieza la línea de división</translation>
     </message>
 </context>
 <context>
@@ -900,6 +920,18 @@
         <source>Finding %1</source>
         <translation>Aviso %1</translation>
     </message>
+    <message>
+        <source>split line</source>
+        <translation>línea de división</translation>
+    </message>
+    <message>
+        <source>The mainland is cut along it, where it runs right through. Drag it or its points, or delete it.</source>
+        <translation>El interior se divide por ella donde lo atraviesa por completo. Arrastre la línea o sus puntos, o elimínela.</translation>
+    </message>
+    <message>
+        <source>Split line %1</source>
+        <translation>Línea de división %1</translation>
+    </message>
 </context>
 <context>
     <name>InspectorPanel</name>
@@ -1159,6 +1191,10 @@
     <message>
         <source>Layers (Ctrl+L)</source>
         <translation>Capas (Ctrl+L)</translation>
+    </message>
+    <message>
+        <source>Draw a split line (S)</source>
+        <translation>Dibujar una línea de división (S)</translation>
     </message>
 </context>
 <context>
@@ -3829,6 +3865,10 @@
         <translation>solo se leen archivos de este ordenador</translation>
     </message>
     <message>
+        <source>open a file of your own</source>
+        <translation>abra un archivo propio</translation>
+    </message>
+    <message>
         <source>open it as a field boundary, or choose another file</source>
         <translation>ábralo como límite de parcela o elija otro archivo</translation>
     </message>
@@ -4159,6 +4199,10 @@
     <message>
         <source>the recording cannot be made: %1</source>
         <translation>no se puede crear la grabación: %1</translation>
+    </message>
+    <message>
+        <source>the sample field cannot be read</source>
+        <translation>no se puede leer la parcela de ejemplo</translation>
     </message>
     <message>
         <source>the shape could not be computed with (%1)</source>
@@ -5263,6 +5307,14 @@
     <message>
         <source>AB line along an edge</source>
         <translation>Línea AB a lo largo de un lado</translation>
+    </message>
+    <message>
+        <source>Draw a split line</source>
+        <translation>Dibujar una línea de división</translation>
+    </message>
+    <message>
+        <source>Delete a split line</source>
+        <translation>Eliminar una línea de división</translation>
     </message>
 </context>
 <context>

@@ -347,6 +347,22 @@
         <source>help introduction first start</source>
         <translation>aide introduction premier démarrage</translation>
     </message>
+    <message>
+        <source>Select the next outline, line or gate</source>
+        <translation>Sélectionner le contour, la ligne ou l’entrée de parcelle suivante</translation>
+    </message>
+    <message>
+        <source>PgDown</source>
+        <translation>Pg suiv</translation>
+    </message>
+    <message>
+        <source>Draw a split line</source>
+        <translation>Dessiner une ligne de partage</translation>
+    </message>
+    <message>
+        <source>cut divide mainland parts</source>
+        <translation>couper diviser plein champ parties</translation>
+    </message>
 </context>
 <context>
     <name>Command</name>
@@ -427,6 +443,10 @@
     <message>
         <source>Close boundary</source>
         <translation>Fermer la limite</translation>
+    </message>
+    <message>
+        <source>Click where the split line begins</source>
+        <translation>Cliquer là où commence la ligne de partage</translation>
     </message>
 </context>
 <context>
@@ -900,6 +920,18 @@
         <source>Finding %1</source>
         <translation>Remarque %1</translation>
     </message>
+    <message>
+        <source>split line</source>
+        <translation>ligne de partage</translation>
+    </message>
+    <message>
+        <source>The mainland is cut along it, where it runs right through. Drag it or its points, or delete it.</source>
+        <translation>Le plein champ est coupé le long de cette ligne, là où elle le traverse entièrement. La tirer, tirer ses points ou la supprimer.</translation>
+    </message>
+    <message>
+        <source>Split line %1</source>
+        <translation>Ligne de partage %1</translation>
+    </message>
 </context>
 <context>
     <name>InspectorPanel</name>
@@ -1159,6 +1191,10 @@
     <message>
         <source>Layers (Ctrl+L)</source>
         <translation>Couches (Ctrl+L)</translation>
+    </message>
+    <message>
+        <source>Draw a split line (S)</source>
+        <translation>Dessiner une ligne de partage (S)</translation>
     </message>
 </context>
 <context>
@@ -3829,6 +3865,10 @@
         <translation>seuls les fichiers de cet ordinateur sont lus</translation>
     </message>
     <message>
+        <source>open a file of your own</source>
+        <translation>ouvrir un fichier à vous</translation>
+    </message>
+    <message>
         <source>open it as a field boundary, or choose another file</source>
         <translation>l&apos;ouvrir comme limite de parcelle, ou choisir un autre fichier</translation>
     </message>
@@ -4159,6 +4199,10 @@
     <message>
         <source>the recording cannot be made: %1</source>
         <translation>l&apos;enregistrement ne peut être créé : %1</translation>
+    </message>
+    <message>
+        <source>the sample field cannot be read</source>
+        <translation>la parcelle d’exemple ne peut pas être lue</translation>
     </message>
     <message>
         <source>the shape could not be computed with (%1)</source>
@@ -5263,6 +5307,14 @@
     <message>
         <source>AB line along an edge</source>
         <translation>Ligne AB le long d&apos;un côté</translation>
+    </message>
+    <message>
+        <source>Draw a split line</source>
+        <translation>Dessiner une ligne de partage</translation>
+    </message>
+    <message>
+        <source>Delete a split line</source>
+        <translation>Supprimer une ligne de partage</translation>
     </message>
 </context>
 <context>

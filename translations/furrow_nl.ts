@@ -347,6 +347,22 @@
         <source>help introduction first start</source>
         <translation>help introductie eerste start</translation>
     </message>
+    <message>
+        <source>Select the next outline, line or gate</source>
+        <translation>Volgende omtrek, lijn of inrit selecteren</translation>
+    </message>
+    <message>
+        <source>PgDown</source>
+        <translation>PgDn</translation>
+    </message>
+    <message>
+        <source>Draw a split line</source>
+        <translation>Splitlijn tekenen</translation>
+    </message>
+    <message>
+        <source>cut divide mainland parts</source>
+        <translation>snijden delen binnenakker stukken</translation>
+    </message>
 </context>
 <context>
     <name>Command</name>
@@ -427,6 +443,10 @@
     <message>
         <source>Close boundary</source>
         <translation>Grens sluiten</translation>
+    </message>
+    <message>
+        <source>Click where the split line begins</source>
+        <translation>Klik waar de splitlijn begint</translation>
     </message>
 </context>
 <context>
@@ -900,6 +920,18 @@
         <source>Finding %1</source>
         <translation>Bevinding %1</translation>
     </message>
+    <message>
+        <source>split line</source>
+        <translation>splitlijn</translation>
+    </message>
+    <message>
+        <source>The mainland is cut along it, where it runs right through. Drag it or its points, or delete it.</source>
+        <translation>De binnenakker wordt erlangs gesplitst waar ze er helemaal doorheen loopt. Sleep de lijn of de punten, of verwijder ze.</translation>
+    </message>
+    <message>
+        <source>Split line %1</source>
+        <translation>Splitlijn %1</translation>
+    </message>
 </context>
 <context>
     <name>InspectorPanel</name>
@@ -1159,6 +1191,10 @@
     <message>
         <source>Layers (Ctrl+L)</source>
         <translation>Lagen (Ctrl+L)</translation>
+    </message>
+    <message>
+        <source>Draw a split line (S)</source>
+        <translation>Splitlijn tekenen (S)</translation>
     </message>
 </context>
 <context>
@@ -3829,6 +3865,10 @@
         <translation>alleen bestanden op deze computer worden gelezen</translation>
     </message>
     <message>
+        <source>open a file of your own</source>
+        <translation>open een eigen bestand</translation>
+    </message>
+    <message>
         <source>open it as a field boundary, or choose another file</source>
         <translation>open het als perceelsgrens, of kies een ander bestand</translation>
     </message>
@@ -4159,6 +4199,10 @@
     <message>
         <source>the recording cannot be made: %1</source>
         <translation>de opname kan niet gemaakt worden: %1</translation>
+    </message>
+    <message>
+        <source>the sample field cannot be read</source>
+        <translation>het voorbeeldperceel kan niet worden gelezen</translation>
     </message>
     <message>
         <source>the shape could not be computed with (%1)</source>
@@ -5263,6 +5307,14 @@
     <message>
         <source>AB line along an edge</source>
         <translation>AB-lijn langs een zijde</translation>
+    </message>
+    <message>
+        <source>Draw a split line</source>
+        <translation>Splitlijn tekenen</translation>
+    </message>
+    <message>
+        <source>Delete a split line</source>
+        <translation>Splitlijn verwijderen</translation>
     </message>
 </context>
 <context>

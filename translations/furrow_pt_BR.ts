@@ -347,6 +347,22 @@
         <source>help introduction first start</source>
         <translation>ajuda introdução primeiro início</translation>
     </message>
+    <message>
+        <source>Select the next outline, line or gate</source>
+        <translation>Selecionar o próximo contorno, linha ou entrada</translation>
+    </message>
+    <message>
+        <source>PgDown</source>
+        <translation>PgDn</translation>
+    </message>
+    <message>
+        <source>Draw a split line</source>
+        <translation>Desenhar uma linha de divisão</translation>
+    </message>
+    <message>
+        <source>cut divide mainland parts</source>
+        <translation>cortar dividir interior partes</translation>
+    </message>
 </context>
 <context>
     <name>Command</name>
@@ -427,6 +443,10 @@
     <message>
         <source>Close boundary</source>
         <translation>Fechar o limite</translation>
+    </message>
+    <message>
+        <source>Click where the split line begins</source>
+        <translation>Clique onde começa a linha de divisão</translation>
     </message>
 </context>
 <context>
@@ -900,6 +920,18 @@
         <source>Finding %1</source>
         <translation>Aviso %1</translation>
     </message>
+    <message>
+        <source>split line</source>
+        <translation>linha de divisão</translation>
+    </message>
+    <message>
+        <source>The mainland is cut along it, where it runs right through. Drag it or its points, or delete it.</source>
+        <translation>O interior é dividido ao longo dela onde ela o atravessa por inteiro. Arraste a linha ou os pontos, ou exclua-a.</translation>
+    </message>
+    <message>
+        <source>Split line %1</source>
+        <translation>Linha de divisão %1</translation>
+    </message>
 </context>
 <context>
     <name>InspectorPanel</name>
@@ -1159,6 +1191,10 @@
     <message>
         <source>Layers (Ctrl+L)</source>
         <translation>Camadas (Ctrl+L)</translation>
+    </message>
+    <message>
+        <source>Draw a split line (S)</source>
+        <translation>Desenhar uma linha de divisão (S)</translation>
     </message>
 </context>
 <context>
@@ -3829,6 +3865,10 @@
         <translation>só são lidos arquivos deste computador</translation>
     </message>
     <message>
+        <source>open a file of your own</source>
+        <translation>abra um arquivo seu</translation>
+    </message>
+    <message>
         <source>open it as a field boundary, or choose another file</source>
         <translation>abra como limite de talhão ou escolha outro arquivo</translation>
     </message>
@@ -4159,6 +4199,10 @@
     <message>
         <source>the recording cannot be made: %1</source>
         <translation>não é possível criar a gravação: %1</translation>
+    </message>
+    <message>
+        <source>the sample field cannot be read</source>
+        <translation>não é possível ler o talhão de exemplo</translation>
     </message>
     <message>
         <source>the shape could not be computed with (%1)</source>
@@ -5263,6 +5307,14 @@
     <message>
         <source>AB line along an edge</source>
         <translation>Linha AB ao longo de um lado</translation>
+    </message>
+    <message>
+        <source>Draw a split line</source>
+        <translation>Desenhar uma linha de divisão</translation>
+    </message>
+    <message>
+        <source>Delete a split line</source>
+        <translation>Excluir uma linha de divisão</translation>
     </message>
 </context>
 <context>

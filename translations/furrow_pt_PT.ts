@@ -128,6 +128,10 @@
         <source>The swaths lie beside it. Drag its points, or delete it.</source>
         <translation>As passadas ficam ao lado. Arraste os pontos ou elimine a curva.</translation>
     </message>
+    <message>
+        <source>The mainland is cut along it, where it runs right through. Drag it or its points, or delete it.</source>
+        <translation>O interior é dividido ao longo dela onde ela o atravessa por inteiro. Arraste a linha ou os pontos, ou elimine-a.</translation>
+    </message>
 </context>
 <context>
     <name>InspectorPanel</name>
@@ -486,6 +490,10 @@
         <translation>só são lidos ficheiros deste computador</translation>
     </message>
     <message>
+        <source>open a file of your own</source>
+        <translation>abra um ficheiro seu</translation>
+    </message>
+    <message>
         <source>open it as a field boundary, or choose another file</source>
         <translation>abra como limite de talhão ou escolha outro ficheiro</translation>
     </message>
@@ -799,6 +807,10 @@
     <message>
         <source>Delete the guidance line</source>
         <translation>Eliminar a linha de orientação</translation>
+    </message>
+    <message>
+        <source>Delete a split line</source>
+        <translation>Eliminar uma linha de divisão</translation>
     </message>
 </context>
 <context>

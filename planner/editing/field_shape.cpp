@@ -25,7 +25,7 @@ Outline outlineOf(OutlineId id, bool closed, const GeoRing& places, const LocalF
 
 }  // namespace
 
-Result<FieldShape> FieldShape::of(const FieldSource& source, const GeoRing& guide, const FieldShape* before) {
+Result<FieldShape> FieldShape::of(const FieldSource& source, const DrawnLines& lines, const FieldShape* before) {
     Result<LocalFrame> frame = before != nullptr ? before->frame : LocalFrame::centredOn(middleOf(source.parts));
     if (!frame) {
         return std::unexpected(frame.error());
@@ -43,8 +43,11 @@ Result<FieldShape> FieldShape::of(const FieldSource& source, const GeoRing& guid
     for (std::size_t i = 0; i < source.obstacles.size(); ++i) {
         add({OutlineKind::Obstacle, i, 0}, true, source.obstacles[i].outline.outer);
     }
-    if (!guide.empty()) {
-        add({OutlineKind::Guide, 0, 0}, false, guide);
+    if (!lines.guide.empty()) {
+        add({OutlineKind::Guide, 0, 0}, false, lines.guide);
+    }
+    for (std::size_t i = 0; i < lines.splits.size(); ++i) {
+        add({OutlineKind::Split, i, 0}, false, lines.splits[i]);
     }
     for (const Gate& gate : source.gates) {
         shape.gates.push_back(frame->toLocal(gate.position));
@@ -110,7 +113,8 @@ FieldSource withOutline(FieldSource source, const OutlineId& id, GeoRing places)
                 source.obstacles[id.item].outline.outer = std::move(places);
             }
             break;
-        case OutlineKind::Guide: break;
+        case OutlineKind::Guide:
+        case OutlineKind::Split: break;
     }
     return source;
 }

@@ -15,11 +15,18 @@ enum class OutlineKind {
     Hole,
     Obstacle,
     Guide,  ///< the guidance line of the swaths: open
+    Split,  ///< a line that the mainland is cut along: open
+};
+
+/// What is drawn across a field and belongs to its plan.
+struct DrawnLines {
+    GeoRing guide;  ///< empty for none
+    std::vector<GeoRing> splits;
 };
 
 struct OutlineId {
     OutlineKind kind = OutlineKind::Boundary;
-    std::size_t item = 0;  ///< part or obstacle
+    std::size_t item = 0;  ///< part, obstacle or split line
     std::size_t hole = 0;  ///< of the part
 
     friend auto operator<=>(const OutlineId&, const OutlineId&) = default;
@@ -45,12 +52,12 @@ struct FieldShape {
 
     /// @param before  the shape before a change: its frame is kept and points that did not move are not converted
     /// @return InputRefused: no point to put the frame's centre at. Cost: O(n) for n points.
-    static Result<FieldShape> of(const FieldSource& source, const GeoRing& guide, const FieldShape* before = nullptr);
+    static Result<FieldShape> of(const FieldSource& source, const DrawnLines& lines, const FieldShape* before = nullptr);
 
     const Outline* find(const OutlineId& id) const;
 };
 
-/// The source with other points in one outline; a guide is no part of it and leaves it as it is.
+/// The source with other points in one outline; drawn lines are no part of it and leave it as it is.
 FieldSource withOutline(FieldSource source, const OutlineId& id, GeoRing places);
 
 }  // namespace furrow

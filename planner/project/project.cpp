@@ -72,7 +72,8 @@ FieldPlan planForAnotherField(const FieldPlan& plan) {
     FieldPlan next = plan;
     next.others.clear();
     for (const Parameter* parameter : allParameters()) {
-        const bool namesPlaces = parameter->kind == ParameterKind::Line || parameter->kind == ParameterKind::Numbers ||
+        const bool namesPlaces = parameter->kind == ParameterKind::Line || parameter->kind == ParameterKind::Lines ||
+                                 parameter->kind == ParameterKind::Place || parameter->kind == ParameterKind::Numbers ||
                                  parameter->key == "swaths.edge";
         if (!namesPlaces || !next.settings.isSet(*parameter)) {
             continue;

@@ -1,5 +1,6 @@
 #include "planner/project/project_edits.h"
 
+#include "planner/decomposition/decomposition.h"
 #include "planner/plan/method_registry.h"
 
 #include <algorithm>
@@ -42,6 +43,15 @@ bool hasSwathMethod(std::string_view id) {
 /// Methods that lay swaths along a line of at least two points.
 bool followsLine(const std::string& method) {
     return method == "ab-line" || method == "ab-curve";
+}
+
+/// Coordinates as well-known text has them.
+std::string pointsText(const GeoRing& line) {
+    std::string text;
+    for (const GeoPoint& point : line) {
+        text += std::format("{}{} {}", text.empty() ? "" : ", ", point.lonDeg, point.latDeg);
+    }
+    return text;
 }
 
 template <class Entry>
@@ -164,22 +174,32 @@ Project withGuide(Project project, const GeoRing& line) {
         return withPlan(std::move(project), machine, settings);
     }
     const bool curve = line.size() > 2 && canFollowCurves();
-    std::string points;
-    for (std::size_t i = 0; i < line.size(); ++i) {
-        if (curve || i == 0 || i + 1 == line.size()) {
-            points += std::format("{}{} {}", points.empty() ? "" : ", ", line[i].lonDeg, line[i].latDeg);
-        }
-    }
+    const std::string points = pointsText(curve ? line : GeoRing{line.front(), line.back()});
     const bool set = settings.set(parameterOf("swaths.line"), std::format("LINESTRING ({})", points)) &&
                      settings.set(method, std::string{curve ? "ab-curve" : "ab-line"});
     const Machine machine = project.plan().machine;
     return set ? withPlan(std::move(project), machine, settings) : project;
 }
 
-GeoRing guideOf(const Project& project) {
+Project withSplits(Project project, const std::vector<GeoRing>& lines) {
+    Settings settings = project.plan().settings;
+    settings.clear(kSplit);
+    std::string text;
+    for (const GeoRing& line : lines) {
+        text += std::format("{}({})", text.empty() ? "" : ", ", pointsText(line));
+    }
+    if (!text.empty() && !settings.set(kSplit, std::format("MULTILINESTRING ({})", text))) {
+        return project;
+    }
+    const Machine machine = project.plan().machine;
+    return withPlan(std::move(project), machine, settings);
+}
+
+DrawnLines linesOf(const Project& project) {
     const Settings& settings = project.plan().settings;
-    return followsLine(settings.choice(parameterOf("swaths.method"))) ? settings.line(parameterOf("swaths.line"))
-                                                                      : GeoRing{};
+    return {.guide = followsLine(settings.choice(parameterOf("swaths.method"))) ? settings.line(parameterOf("swaths.line"))
+                                                                                : GeoRing{},
+            .splits = settings.lines(kSplit)};
 }
 
 Project withoutObstacle(Project project, std::size_t obstacle) {

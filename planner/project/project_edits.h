@@ -1,5 +1,6 @@
 #pragma once
 
+#include "planner/editing/field_shape.h"
 #include "planner/project/project.h"
 
 #include <string>
@@ -29,8 +30,10 @@ Project withoutEdgeHeadland(Project project, std::size_t part, std::size_t ring,
 /// With the swaths of the current plan along this line; of three points or more, as a curve where the planner can.
 /// Without points: back to the planner's own choice.
 Project withGuide(Project project, const GeoRing& line);
-/// The line that the current plan's swaths follow; empty for none.
-GeoRing guideOf(const Project& project);
+/// With these lines for the mainland of the current plan to be cut along, each of at least two points.
+Project withSplits(Project project, const std::vector<GeoRing>& lines);
+/// What is drawn across the field: the line that the current plan's swaths follow, and those it is cut along.
+DrawnLines linesOf(const Project& project);
 /// Whether swaths can follow a curve.
 bool canFollowCurves();
 /// Without one obstacle or gate of the current field.

@@ -4,6 +4,8 @@ import QtQuick.Templates as T
 T.Action {
     /// The menu that it stands in, in words.
     required property string group
+    /// What it is called wherever that says nothing of the moment.
+    property string name: text
     /// Found by these words, too.
     property string keywords: ""
     /// As people read the keys.

@@ -50,6 +50,8 @@ QtObject {
     readonly property color overlap: pick("#7B4FA3", "#B48AE0", "#4B1F7A")
     readonly property color missed: pick("#B0307A", "#E58AC0", "#7A0A4B")
     readonly property color wheels: pick("#5A4632", "#C9B08F", "#3A2A17")
+    /// Lines that the mainland is cut along; over a casing of the other lightness.
+    readonly property color split: pick("#17231C", "#0B0F0D", "#000000")
     readonly property color startMark: "#009E73"
     readonly property color endMark: pick("#17231C", "#E8EFEA", "#000000")
     readonly property real lineFactor: sunlight ? 1.5 : 1.0

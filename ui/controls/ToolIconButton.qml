@@ -10,11 +10,18 @@ T.Button {
     required property string hint
     /// Where there is no room beside it.
     property bool hintBelow: false
+    /// Pressed since the pointer came: the hint is no longer needed, and would lie over what has opened.
+    property bool known: false
 
     implicitWidth: 38
     implicitHeight: 38
     focusPolicy: Qt.TabFocus
     Accessible.name: root.hint
+    onPressed: root.known = true
+    onHoveredChanged: {
+        if (!root.hovered)
+            root.known = false;
+    }
 
     background: Rectangle {
         radius: Theme.radius
@@ -42,7 +49,7 @@ T.Button {
         x: root.hintBelow ? (root.width - width) / 2 : root.width + 8
         y: root.hintBelow ? root.height + 6 : (root.height - height) / 2
         margins: 4
-        visible: root.hovered
+        visible: root.hovered && !root.known
         delay: 500
         implicitWidth: tipText.implicitWidth + 16
         implicitHeight: tipText.implicitHeight + 10

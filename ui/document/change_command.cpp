@@ -4,10 +4,10 @@
 
 namespace furrow {
 
-ChangeCommand::ChangeCommand(Document& document, const QString& text, std::shared_ptr<const Project> before,
+ChangeCommand::ChangeCommand(Document& document, Said text, std::shared_ptr<const Project> before,
                              std::shared_ptr<const Project> after, QString key, Document::Follows follows)
-    : QUndoCommand{text},
-      document_{document},
+    : document_{document},
+      text_{std::move(text)},
       before_{std::move(before)},
       after_{std::move(after)},
       key_{std::move(key)},

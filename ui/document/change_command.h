@@ -9,11 +9,13 @@ namespace furrow {
 /// One change of the project, by the project before and after it.
 class ChangeCommand : public QUndoCommand {
 public:
-    ChangeCommand(Document& document, const QString& text, std::shared_ptr<const Project> before,
+    ChangeCommand(Document& document, Said text, std::shared_ptr<const Project> before,
                   std::shared_ptr<const Project> after, QString key, Document::Follows follows);
 
     const std::shared_ptr<const Project>& before() const { return before_; }
     const std::shared_ptr<const Project>& after() const { return after_; }
+    /// What it does, in the user's language: QUndoCommand's own text would stay in the one it was made in.
+    QString said() const { return furrow::text(text_); }
     const QString& key() const { return key_; }
     bool isOpen() const { return follows_ == Document::Follows::More; }
     void close() { follows_ = Document::Follows::Nothing; }
@@ -25,6 +27,7 @@ public:
 
 private:
     Document& document_;
+    Said text_;
     std::shared_ptr<const Project> before_;
     std::shared_ptr<const Project> after_;
     QString key_;

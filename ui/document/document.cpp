@@ -1,6 +1,7 @@
 #include "ui/document/document.h"
 
 #include "ui/document/change_command.h"
+#include "ui/text/display.h"
 
 #include <utility>
 
@@ -10,19 +11,34 @@ Document::Document(QObject* parent)
     : QObject{parent}, base_{std::make_shared<const Project>(Project::empty())}, project_{base_} {
     connect(&stack_, &QUndoStack::indexChanged, this, &Document::historyChanged);
     connect(&stack_, &QUndoStack::cleanChanged, this, &Document::historyChanged);
+    connect(&Display::instance(), &Display::changed, this, &Document::historyChanged);
+}
+
+const ChangeCommand* Document::commandAt(int index) const {
+    return static_cast<const ChangeCommand*>(stack_.command(index));
+}
+
+QString Document::undoText() const {
+    const ChangeCommand* command = canUndo() ? commandAt(stack_.index() - 1) : nullptr;
+    return command == nullptr ? QString{} : command->said();
+}
+
+QString Document::redoText() const {
+    const ChangeCommand* command = canRedo() ? commandAt(stack_.index()) : nullptr;
+    return command == nullptr ? QString{} : command->said();
 }
 
 bool Document::isDragging() const {
     if (pushed_) {
         return *pushed_ == Follows::More;
     }
-    const auto* last = static_cast<const ChangeCommand*>(stack_.command(stack_.index() - 1));
+    const ChangeCommand* last = commandAt(stack_.index() - 1);
     return last != nullptr && last->isOpen();
 }
 
-void Document::change(const QString& text, Project after, const QString& key, Follows follows) {
+void Document::change(Said text, Project after, const QString& key, Follows follows) {
     auto changed = std::make_shared<const Project>(std::move(after));
-    if (isDragging() && static_cast<const ChangeCommand*>(stack_.command(stack_.index() - 1))->key() != key) {
+    if (isDragging() && commandAt(stack_.index() - 1)->key() != key) {
         endDrag();
     }
     if (!isDragging() && *changed == *project_) {
@@ -30,7 +46,7 @@ void Document::change(const QString& text, Project after, const QString& key, Fo
     }
     // The stack tells of a change before it has it.
     pushed_ = follows;
-    stack_.push(new ChangeCommand{*this, text, project_, std::move(changed), key, follows});
+    stack_.push(new ChangeCommand{*this, std::move(text), project_, std::move(changed), key, follows});
     pushed_.reset();
 }
 
@@ -41,7 +57,7 @@ void Document::look(Project project) {
 
 void Document::endDrag() {
     if (isDragging()) {
-        const_cast<ChangeCommand*>(static_cast<const ChangeCommand*>(stack_.command(stack_.index() - 1)))->close();
+        const_cast<ChangeCommand*>(commandAt(stack_.index() - 1))->close();
         emit dragEnded();
     }
 }
@@ -65,8 +81,8 @@ void Document::begin(const History& history) {
     }
     for (std::size_t i = 0; i < history.steps.size(); ++i) {
         const HistoryStep& step = history.steps[i];
-        stack_.push(
-            new ChangeCommand{*this, QString::fromStdString(step.text), project_, step.after, {}, Follows::Nothing});
+        stack_.push(new ChangeCommand{*this, [text = QString::fromStdString(step.text)] { return text; }, project_,
+                                      step.after, {}, Follows::Nothing});
         if (history.saved == i + 1) {
             stack_.setClean();
         }
@@ -84,8 +100,8 @@ History Document::history() const {
     History history;
     history.base = base_;
     for (int i = 0; i < stack_.count(); ++i) {
-        const QUndoCommand* command = stack_.command(i);
-        history.steps.push_back({command->text().toStdString(), static_cast<const ChangeCommand*>(command)->after()});
+        const ChangeCommand* command = commandAt(i);
+        history.steps.push_back({command->said().toStdString(), command->after()});
     }
     history.done = static_cast<std::size_t>(stack_.index());
     if (stack_.cleanIndex() >= 0) {

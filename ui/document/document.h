@@ -1,6 +1,7 @@
 #pragma once
 
 #include "planner/project/history.h"
+#include "ui/text/message_text.h"
 
 #include <QObject>
 #include <QUndoStack>
@@ -9,6 +10,8 @@
 #include <optional>
 
 namespace furrow {
+
+class ChangeCommand;
 
 /// The farm that is worked on. Every change of it is a command that can be undone; there is no other way to change
 /// it but for what is merely looked at.
@@ -33,14 +36,15 @@ public:
     const std::shared_ptr<const Project>& project() const { return project_; }
     bool canUndo() const { return stack_.canUndo(); }
     bool canRedo() const { return stack_.canRedo(); }
-    QString undoText() const { return stack_.undoText(); }
-    QString redoText() const { return stack_.redoText(); }
+    QString undoText() const;
+    QString redoText() const;
     bool isModified() const { return !stack_.isClean(); }
     /// The last change was one that others follow.
     bool isDragging() const;
 
     /// Changes the project. Changes with the same `key` are one command until one comes that nothing follows.
-    void change(const QString& text, Project after, const QString& key = {}, Follows follows = Follows::Nothing);
+    /// `text` says what is done, in the language of the moment it is asked in.
+    void change(Said text, Project after, const QString& key = {}, Follows follows = Follows::Nothing);
     /// Shows another field or plan: nothing to undo.
     void look(Project project);
     /// What was dragged last is done.
@@ -65,6 +69,8 @@ signals:
 
 private:
     friend class ChangeCommand;
+    /// The command that leads to the state at this place of the stack; null where there is none.
+    const ChangeCommand* commandAt(int index) const;
     void show(std::shared_ptr<const Project> project);
 
     QUndoStack stack_;

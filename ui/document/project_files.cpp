@@ -19,6 +19,8 @@ namespace {
 constexpr int kKeepAfterMs = 500;
 
 const QString kJournals = QStringLiteral("*.history");
+/// How the journals of projects without a file begin.
+const QString kUntitled = QStringLiteral("untitled-");
 
 std::filesystem::path toPath(const QString& path) {
     return path.toStdU16String();
@@ -30,6 +32,10 @@ QString fromPath(const std::filesystem::path& path) {
 
 QString nameOf(const QString& path) {
     return QFileInfo{path}.completeBaseName();
+}
+
+bool isUntitled(const HistoryJournal& journal) {
+    return nameOf(fromPath(journal.path())).startsWith(kUntitled);
 }
 
 }  // namespace
@@ -72,7 +78,7 @@ std::optional<HistoryJournal> ProjectFiles::journalOf(const QString& path) {
         return std::nullopt;
     }
     const QString name =
-        path.isEmpty() ? QStringLiteral("untitled-") + QUuid::createUuid().toString(QUuid::WithoutBraces)
+        path.isEmpty() ? kUntitled + QUuid::createUuid().toString(QUuid::WithoutBraces)
                        : QString::fromStdString(fingerprint(QFileInfo{path}.absoluteFilePath().toStdString()));
     auto journal = HistoryJournal::open(toPath(QDir{folder_}.filePath(name + QStringLiteral(".history"))));
     if (!journal) {
@@ -84,7 +90,7 @@ std::optional<HistoryJournal> ProjectFiles::journalOf(const QString& path) {
 
 void ProjectFiles::useJournal(std::optional<HistoryJournal> journal) {
     const std::scoped_lock lock{journal_->mutex};
-    if (journal_->file && path_.isEmpty()) {
+    if (journal_->file && isUntitled(*journal_->file)) {
         // Nothing of what was never saved is left behind when something else begins.
         journal_->file->remove();
     }
@@ -157,7 +163,7 @@ bool ProjectFiles::open(const QString& path, OpenedProject opened) {
     }
     if (kept && kept->isUnsaved()) {
         // The file is another one by now. What was not saved becomes a change of it, to be undone or kept.
-        document_.change(tr("Restore changes that were not saved"), Project{*kept->current()});
+        document_.change([] { return tr("Restore changes that were not saved"); }, Project{*kept->current()});
         tell(Trouble::Restored, [name = name()] {
             return tr("Another program changed “%1” while changes of yours were not saved. Yours are "
                       "shown; undo shows the file.").arg(name);
@@ -217,18 +223,21 @@ void ProjectFiles::take(const QString& path, const std::shared_ptr<const Project
             [] { return tr("Save over it, or save yours under another name."); });
         return;
     }
-    bool kept = true;
-    if (path != path_) {
-        auto journal = journalOf(path);
-        kept = journal || folder_.isEmpty();
-        useJournal(std::move(journal));
-    }
+    const bool moved = path != path_;
+    auto journal = moved ? journalOf(path) : std::nullopt;
     setPath(path, *written);
     if (document_.project() == project) {
         document_.markSaved();
     }
-    if (kept) {
+    if (!moved || journal || folder_.isEmpty()) {
         tell(Trouble::None);
+    }
+    if (moved) {
+        // What was done since is in the new journal before the old one goes; flush() says what cannot be written.
+        if (journal) {
+            static_cast<void>(journal->write(history()));
+        }
+        useJournal(std::move(journal));
     }
     flush();
     emit saved(path);
@@ -272,8 +281,9 @@ QUrl ProjectFiles::suggestedFile() const {
     }
     static const QRegularExpression unsafe{QStringLiteral(R"([\\/:*?"<>|])")};
     name.replace(unsafe, QStringLiteral("_"));
-    const QDir folder{path_.isEmpty() ? QStandardPaths::writableLocation(QStandardPaths::DocumentsLocation)
-                                      : QFileInfo{path_}.path()};
+    const QString documents = QStandardPaths::writableLocation(QStandardPaths::DocumentsLocation);
+    // A dialog that begins in a folder that is not there proposes nothing.
+    const QDir folder{!path_.isEmpty() ? QFileInfo{path_}.path() : QDir{documents}.exists() ? documents : QDir::homePath()};
     return QUrl::fromLocalFile(folder.filePath((name.isEmpty() ? tr("Farm") : name) + QStringLiteral(".furrow")));
 }
 

@@ -9,7 +9,7 @@ Rectangle {
 
     required property FieldEditor editor
     readonly property int needed: editor.draftNeeded
-    readonly property string firstText: editor.tool === FieldEditor.Field ? qsTr("Click the first corner of the field") : editor.tool === FieldEditor.Hole ? qsTr("Click the first corner of the hole") : editor.tool === FieldEditor.Obstacle ? qsTr("Click the first corner of the obstacle") : editor.tool === FieldEditor.Gate ? qsTr("Click on the boundary where the gate is") : qsTr("Click where the AB line begins")
+    readonly property string firstText: editor.tool === FieldEditor.Field ? qsTr("Click the first corner of the field") : editor.tool === FieldEditor.Hole ? qsTr("Click the first corner of the hole") : editor.tool === FieldEditor.Obstacle ? qsTr("Click the first corner of the obstacle") : editor.tool === FieldEditor.Gate ? qsTr("Click on the boundary where the gate is") : editor.tool === FieldEditor.Split ? qsTr("Click where the split line begins") : qsTr("Click where the AB line begins")
 
     objectName: "drawingHint"
     width: row.width + 28
@@ -83,7 +83,7 @@ Rectangle {
         PushButton {
             objectName: "finishDrawing"
             visible: root.editor.tool !== FieldEditor.Gate
-            text: root.editor.tool === FieldEditor.Guide ? qsTr("Finish") : qsTr("Close boundary")
+            text: root.editor.draftOpen ? qsTr("Finish") : qsTr("Close boundary")
             primary: true
             enabled: root.editor.draftCount >= root.needed
             onClicked: root.editor.finishDraft()

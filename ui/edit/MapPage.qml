@@ -26,6 +26,9 @@ FocusScope {
     signal inspectRequested()
     signal layersRequested()
 
+    /// No room for the tools beside the state of the plan: they begin below it.
+    readonly property bool narrow: width < 420
+
     /// Worked with keys just now, so it shows that it has them.
     property bool keyed: false
 
@@ -53,6 +56,10 @@ FocusScope {
             editor.selectNext(1);
         else if (event.key === Qt.Key_Comma)
             editor.selectNext(-1);
+        else if (event.key === Qt.Key_PageDown && !drawing)
+            editor.selectNextShape(1);
+        else if (event.key === Qt.Key_PageUp && !drawing)
+            editor.selectNextShape(-1);
         else if (event.key === Qt.Key_Plus)
             camera.zoomBy(1);
         else if (event.key === Qt.Key_Minus)
@@ -140,6 +147,9 @@ FocusScope {
             handleColor: Theme.dark ? "#E8EFEA" : "#FFFFFF"
             accentColor: Theme.accent
             guideColor: Theme.startMark
+            splitColor: Theme.split
+            obstacleColor: Theme.obstacle
+            lineFactor: Theme.lineFactor
             Accessible.name: qsTr("Map")
 
             onClicked: pixel => {
@@ -165,7 +175,8 @@ FocusScope {
         id: tools
 
         x: 16
-        y: 16
+        y: root.narrow ? 62 : 16
+        room: scaleBar.y - 8 - y
         editor: editor
         hasField: root.session.hasField
         layersOpen: root.layersOpen
@@ -183,10 +194,17 @@ FocusScope {
         border.color: Theme.accent
     }
     ScaleBar {
+        id: scaleBar
+
         anchors { left: parent.left; bottom: parent.bottom; margins: 12 }
         camera: camera
     }
 
+    /// How far from the lower edge something this wide stands in the middle without hiding the scale.
+    function clearOfScale(wide: real): real {
+        const free = (root.width - wide) / 2 > scaleBar.x + scaleBar.width + 8;
+        return free ? 20 : scaleBar.height + 24;
+    }
     function startTool(tool: int): void {
         editor.tool = tool;
         edit.forceActiveFocus();

@@ -8,14 +8,16 @@ Rectangle {
     required property FieldEditor editor
     required property bool hasField
     property bool layersOpen: false
+    /// As high as it may be; what does not fit stands in further columns.
+    property real room: 100000
     signal toolRequested(tool: int)
     signal fitRequested()
     signal layersRequested()
     signal zoomRequested(levels: real)
 
     objectName: "mapToolBar"
-    width: 46
-    height: column.height + 8
+    width: flow.implicitWidth + 8
+    height: flow.implicitHeight + 8
     radius: Theme.cardRadius
     color: Theme.panel
     border.width: Theme.hairline
@@ -34,11 +36,13 @@ Rectangle {
     }
 
     SoftShadow { radius: root.radius }
-    Column {
-        id: column
+    Flow {
+        id: flow
 
         x: 4
         y: 4
+        height: Math.max(38, root.room - 8)
+        flow: Flow.TopToBottom
         spacing: 2
 
         Tool {
@@ -72,6 +76,13 @@ Rectangle {
             tool: FieldEditor.Guide
             iconName: "ab-line"
             hint: qsTr("Draw an AB line (L)")
+            enabled: root.hasField
+        }
+        Tool {
+            objectName: "splitTool"
+            tool: FieldEditor.Split
+            iconName: "split"
+            hint: qsTr("Draw a split line (S)")
             enabled: root.hasField
         }
         Tool {

@@ -26,8 +26,8 @@ constexpr double kLevelsPerNotch = 0.5;
 
 /// Lines and discs in pixels of the item, so nothing has to follow the camera.
 struct EditRoot : QSGNode {
-    std::array<LineNode*, 11> nodes{};
-    enum Slot { GuideCasing, Guide, Casing, Line, Rubber, Snap, HandleEdge, HandleFace, MiddleFace, ActiveEdge, ActiveFace };
+    std::array<LineNode*, 14> nodes{};
+    enum Slot { GuideCasing, Guide, SplitCasing, Split, Obstacles, Casing, Line, Rubber, Snap, HandleEdge, HandleFace, MiddleFace, ActiveEdge, ActiveFace };
 
     EditRoot() {
         for (LineNode*& node : nodes) {
@@ -54,6 +54,8 @@ void addDisc(LineMesh& mesh, QPointF pixel) {
 
 struct EditLayer::Marks {
     LineMesh guide;
+    LineMesh split;
+    LineMesh obstacles;
     LineMesh line;
     LineMesh rubber;
     LineMesh snap;
@@ -202,13 +204,16 @@ void EditLayer::addDraft(Marks& marks) const {
         pixels.push_back(pixelPoint(camera()->toItem(worldPoint(place))));
     }
     if (pixels.size() > 1) {
-        marks.line.add(pixels);
+        LineMesh& mesh = editor_->tool() == FieldEditor::Tool::Split   ? marks.split
+                         : editor_->tool() == FieldEditor::Tool::Guide ? marks.guide
+                                                                       : marks.line;
+        mesh.add(pixels);
     }
     if (editor_->cursor()) {
         const QPointF cursor = camera()->toItem(worldPoint(*editor_->cursor()));
         if (!pixels.empty()) {
             std::vector<MapPoint> open{pixels.back(), pixelPoint(cursor)};
-            if (pixels.size() > 1 && editor_->tool() != FieldEditor::Tool::Guide) {
+            if (pixels.size() > 1 && !editor_->isDraftOpen()) {
                 open.push_back(pixels.front());
             }
             marks.rubber.add(open);
@@ -232,13 +237,16 @@ void EditLayer::addSelection(Marks& marks) const {
         std::ranges::transform(world_[i], std::back_inserter(pixels), [this](WorldPoint p) { return pixelPoint(camera()->toItem(p)); });
         if (outline.id.kind == OutlineKind::Guide) {
             marks.guide.add(pixels);
+        } else if (outline.id.kind == OutlineKind::Split) {
+            marks.split.add(pixels);
         }
-        if (chosen.outline == outline.id && chosen.kind == Selection::Kind::Guide) {
+        if (chosen.outline == outline.id && (chosen.kind == Selection::Kind::Guide || chosen.kind == Selection::Kind::Split)) {
             marks.snap.add(pixels);
         }
         const bool whole = chosen.outline == outline.id && (chosen.kind == Selection::Kind::Hole || chosen.kind == Selection::Kind::Obstacle);
-        if (whole || (editor_->isDragging() && outline.closed)) {
-            marks.line.add(pixels, outline.closed);
+        if (whole || (editor_->isAhead() && outline.closed)) {
+            LineMesh& mesh = !whole && outline.id.kind == OutlineKind::Obstacle ? marks.obstacles : marks.line;
+            mesh.add(pixels, outline.closed);
         }
         const auto edgeOf = [&](std::size_t edge) {
             return std::array{pixels[edge], pixels[edge + 1 == pixels.size() ? 0 : edge + 1]};
@@ -302,8 +310,12 @@ QSGNode* EditLayer::updatePaintNode(QSGNode* old, UpdatePaintNodeData*) {
     const double ratio = devicePixelRatio();
     root->set(EditRoot::GuideCasing, shown.guide, {.color = casingColor_, .widthPx = 4.4}, ratio);
     root->set(EditRoot::Guide, shown.guide, {.color = guideColor_, .widthPx = 2.4}, ratio);
-    root->set(EditRoot::Casing, shown.line, {.color = casingColor_, .widthPx = 4.6}, ratio);
-    root->set(EditRoot::Line, shown.line, {.color = lineColor_, .widthPx = 2.4}, ratio);
+    root->set(EditRoot::SplitCasing, shown.split, {.color = handleColor_, .widthPx = 4.4}, ratio);
+    root->set(EditRoot::Split, shown.split, {.color = splitColor_, .widthPx = 2.2, .dashPx = 9.0, .periodPx = 14.0}, ratio);
+    // As the plan's layer draws them, so that nothing jumps when it takes over.
+    root->set(EditRoot::Obstacles, shown.obstacles, {.color = obstacleColor_, .widthPx = 1.6 * lineFactor_}, ratio);
+    root->set(EditRoot::Casing, shown.line, {.color = casingColor_, .widthPx = 4.6 * lineFactor_}, ratio);
+    root->set(EditRoot::Line, shown.line, {.color = lineColor_, .widthPx = 2.4 * lineFactor_}, ratio);
     root->set(EditRoot::Rubber, shown.rubber, {.color = accentColor_, .widthPx = 1.6, .dashPx = 6.0, .periodPx = 10.0}, ratio);
     root->set(EditRoot::Snap, shown.snap, {.color = accentColor_, .widthPx = 4.0}, ratio);
     root->set(EditRoot::HandleEdge, shown.handles, {.color = casingColor_, .widthPx = 9.0}, ratio);

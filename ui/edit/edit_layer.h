@@ -20,6 +20,9 @@ class EditLayer : public MapLayer {
     Q_PROPERTY(QColor handleColor MEMBER handleColor_ NOTIFY styleChanged FINAL)
     Q_PROPERTY(QColor accentColor MEMBER accentColor_ NOTIFY styleChanged FINAL)
     Q_PROPERTY(QColor guideColor MEMBER guideColor_ NOTIFY styleChanged FINAL)
+    Q_PROPERTY(QColor obstacleColor MEMBER obstacleColor_ NOTIFY styleChanged FINAL)
+    Q_PROPERTY(double lineFactor MEMBER lineFactor_ NOTIFY styleChanged FINAL)
+    Q_PROPERTY(QColor splitColor MEMBER splitColor_ NOTIFY styleChanged FINAL)
 
 public:
     explicit EditLayer(QQuickItem* parent = nullptr);
@@ -73,6 +76,9 @@ private:
     QColor handleColor_;
     QColor accentColor_;
     QColor guideColor_;
+    QColor obstacleColor_;
+    QColor splitColor_;
+    double lineFactor_ = 1.0;
 };
 
 }  // namespace furrow

@@ -39,6 +39,7 @@ const Project& FieldEditor::project() const {
 void FieldEditor::setSession(PlanSession* session) {
     session_ = session;
     connect(session_->document(), &Document::projectChanged, this, &FieldEditor::follow);
+    connect(session_, &PlanSession::drawingChanged, this, &FieldEditor::changed);
     connect(session_, &PlanSession::planChanged, this, [this] {
         // Segments, cells and findings of another plan are other ones.
         if (selection_.kind >= Selection::Kind::Segment) {
@@ -49,12 +50,16 @@ void FieldEditor::setSession(PlanSession* session) {
     emit sessionChanged();
 }
 
+bool FieldEditor::isAhead() const {
+    return isDragging() || session_->isBehind();
+}
+
 void FieldEditor::follow() {
     const ProjectField* field = project().field();
     const std::string id = field == nullptr ? std::string{} : field->id;
     const bool same = id == fieldId_ && shape_;
     if (field != nullptr) {
-        auto shape = FieldShape::of(*field->source, guideOf(project()), same ? &*shape_ : nullptr);
+        auto shape = FieldShape::of(*field->source, linesOf(project()), same ? &*shape_ : nullptr);
         shape_ = shape ? std::optional{std::move(*shape)} : std::nullopt;
     } else {
         shape_.reset();
@@ -81,7 +86,7 @@ void FieldEditor::follow() {
 }
 
 const Outline* FieldEditor::selectedOutline() const {
-    const bool isOutline = selection_.kind >= Selection::Kind::Vertex && selection_.kind <= Selection::Kind::Guide &&
+    const bool isOutline = selection_.kind >= Selection::Kind::Vertex && selection_.kind <= Selection::Kind::Split &&
                            selection_.kind != Selection::Kind::Gate;
     return isOutline && shape_ ? shape_->find(selection_.outline) : nullptr;
 }
@@ -172,7 +177,7 @@ bool FieldEditor::press(const Pointer& pointer) {
         return false;
     } else if (hovered_->kind == ShapeHit::Kind::Edge && within(middle)) {
         const ShapeHit edge = *hovered_;
-        setOutline(tr("Add a point"), edge.outline, withVertexOn(*shape_->find(edge.outline), *frame_, edge.index, place),
+        setOutline(QT_TR_NOOP("Add a point"), edge.outline, withVertexOn(*shape_->find(edge.outline), *frame_, edge.index, place),
                    Document::Follows::More);
         select({.kind = Selection::Kind::Vertex, .outline = edge.outline, .index = edge.index + 1});
         before_ = shape_;
@@ -312,19 +317,19 @@ void FieldEditor::moveGrip(const Pointer& pointer, Document::Follows follows) {
         case Grip::Vertex:
             if (outline != nullptr && selection_.index < outline->points.size()) {
                 const Point to = snappedTo(pointer, linesAt(*outline, selection_.index), std::pair{outline->id, selection_.index});
-                setOutline(tr("Move a point"), outline->id, withVertexAt(*outline, *frame_, selection_.index, to), follows);
+                setOutline(QT_TR_NOOP("Move a point"), outline->id, withVertexAt(*outline, *frame_, selection_.index, to), follows);
             }
             break;
         case Grip::Edge:
             if (outline != nullptr && selection_.index < outline->edgeCount()) {
                 const Point along = outline->to(selection_.index) - outline->from(selection_.index);
                 const double sideways = cross(along, way) / std::max(norm(along), 1e-9);
-                setOutline(tr("Move an edge"), outline->id, withEdgeMoved(*outline, *frame_, selection_.index, metres(sideways)), follows);
+                setOutline(QT_TR_NOOP("Move an edge"), outline->id, withEdgeMoved(*outline, *frame_, selection_.index, metres(sideways)), follows);
             }
             break;
         case Grip::Inside:
             if (outline != nullptr) {
-                setOutline(outline->id.kind == OutlineKind::Hole ? tr("Move a hole") : tr("Move an obstacle"), outline->id,
+                setOutline(outline->id.kind == OutlineKind::Hole ? QT_TR_NOOP("Move a hole") : QT_TR_NOOP("Move an obstacle"), outline->id,
                            withAllMoved(*outline, *frame_, way), follows);
             }
             break;
@@ -332,14 +337,14 @@ void FieldEditor::moveGrip(const Pointer& pointer, Document::Follows follows) {
             FieldSource source = *sourceBefore_;
             const auto at = nearestOnBoundary(*before_, place);
             source.gates[selection_.index].position = frame_->toGeo(at && !pointer.free ? *at : place);
-            changeSource(tr("Move a gate"), std::move(source), follows);
+            changeSource(QT_TR_NOOP("Move a gate"), std::move(source), follows);
             break;
         }
         case Grip::Buffer: {
             FieldSource source = *sourceBefore_;
             Length& buffer = source.obstacles[selection_.outline.item].buffer;
             buffer = metres(std::clamp(buffer.si() + way.x, 0.0, 1000.0));
-            changeSource(tr("Change the buffer"), std::move(source), follows);
+            changeSource(QT_TR_NOOP("Change the buffer"), std::move(source), follows);
             break;
         }
         case Grip::None:
@@ -347,20 +352,24 @@ void FieldEditor::moveGrip(const Pointer& pointer, Document::Follows follows) {
     }
 }
 
-void FieldEditor::setOutline(const QString& text, const OutlineId& id, GeoRing places, Document::Follows follows) {
+void FieldEditor::setOutline(const char* text, const OutlineId& id, GeoRing places, Document::Follows follows) {
     if (id.kind == OutlineKind::Guide) {
         change(text, withGuide(project(), places), follows);
+    } else if (id.kind == OutlineKind::Split) {
+        std::vector<GeoRing> splits = linesOf(project()).splits;
+        splits.at(id.item) = std::move(places);
+        change(text, withSplits(project(), splits), follows);
     } else if (const ProjectField* field = project().field()) {
         changeSource(text, withOutline(*field->source, id, std::move(places)), follows);
     }
 }
 
-void FieldEditor::changeSource(const QString& text, FieldSource source, Document::Follows follows) {
+void FieldEditor::changeSource(const char* text, FieldSource source, Document::Follows follows) {
     change(text, withSource(project(), std::move(source)), follows);
 }
 
-void FieldEditor::change(const QString& text, Project after, Document::Follows follows) {
-    session_->document()->change(text, std::move(after), isDragging() || follows == Document::Follows::More ? QStringLiteral("grip") : QString{}, follows);
+void FieldEditor::change(const char* text, Project after, Document::Follows follows) {
+    session_->document()->change([text] { return tr(text); }, std::move(after), isDragging() || follows == Document::Follows::More ? QStringLiteral("grip") : QString{}, follows);
 }
 
 void FieldEditor::select(const Selection& selection) {

@@ -29,6 +29,7 @@ class FieldEditor : public QObject {
     Q_PROPERTY(bool freehand READ isFreehand WRITE setFreehand NOTIFY freehandChanged FINAL)
     Q_PROPERTY(int draftCount READ draftCount NOTIFY draftChanged FINAL)
     Q_PROPERTY(int draftNeeded READ draftNeeded NOTIFY toolChanged FINAL)
+    Q_PROPERTY(bool draftOpen READ isDraftOpen NOTIFY toolChanged FINAL)
     /// From the last point of the draft to the pointer; 0 without either.
     Q_PROPERTY(double draftLengthM READ draftLengthM NOTIFY draftChanged FINAL)
     Q_PROPERTY(double draftBearingDeg READ draftBearingDeg NOTIFY draftChanged FINAL)
@@ -37,7 +38,7 @@ class FieldEditor : public QObject {
     Q_PROPERTY(bool hasSelection READ hasSelection NOTIFY selectionChanged FINAL)
 
 public:
-    enum class Tool { Select, Field, Hole, Obstacle, Guide, Gate };
+    enum class Tool { Select, Field, Hole, Obstacle, Guide, Split, Gate };
     Q_ENUM(Tool)
 
     /// Where the pointer is, how far it reaches, and whether it is to be drawn to nothing.
@@ -59,9 +60,13 @@ public:
     int draftCount() const { return static_cast<int>(draft_.size()); }
     /// Points that what is drawn has at least.
     int draftNeeded() const;
+    /// What is drawn is a line, not an area.
+    bool isDraftOpen() const { return tool_ == Tool::Guide || tool_ == Tool::Split; }
     double draftLengthM() const;
     double draftBearingDeg() const;
     bool isDragging() const { return grip_ != Grip::None; }
+    /// The outlines are to be drawn from here: the plan's drawing is of what they were before, or will be in a moment.
+    bool isAhead() const;
     bool hasSelection() const { return !selection_.isNone(); }
     bool canDelete() const;
 
@@ -97,6 +102,8 @@ public:
     Q_INVOKABLE void clearSelection() { select({}); }
     /// Around the outline of what is selected, or the first one: `step` vertices further.
     Q_INVOKABLE void selectNext(int step);
+    /// The next boundary, hole, obstacle, line or gate.
+    Q_INVOKABLE void selectNextShape(int step);
     Q_INVOKABLE void deleteSelection();
     /// Moves what is selected this many metres to the east and north.
     Q_INVOKABLE void nudge(double eastM, double northM);
@@ -148,9 +155,10 @@ private:
     std::vector<SnapLine> draftLines() const;
     void moveGrip(const Pointer& pointer, Document::Follows follows);
     void endGrip();
-    void setOutline(const QString& text, const OutlineId& id, GeoRing places, Document::Follows follows);
-    void changeSource(const QString& text, FieldSource source, Document::Follows follows);
-    void change(const QString& text, Project after, Document::Follows follows = Document::Follows::Nothing);
+    // Each `text` is marked for translation.
+    void setOutline(const char* text, const OutlineId& id, GeoRing places, Document::Follows follows);
+    void changeSource(const char* text, FieldSource source, Document::Follows follows);
+    void change(const char* text, Project after, Document::Follows follows = Document::Follows::Nothing);
     void addPoint(GeoPoint place);
     void finishTool(GeoRing points);
 

@@ -15,12 +15,28 @@ namespace {
 
 constexpr Length kGateWidth = metres(6.0);
 
+/// A boundary is no one thing to move or delete: its first vertex stands for it.
+Selection::Kind wholeOf(OutlineKind kind) {
+    switch (kind) {
+        case OutlineKind::Hole: return Selection::Kind::Hole;
+        case OutlineKind::Obstacle: return Selection::Kind::Obstacle;
+        case OutlineKind::Guide: return Selection::Kind::Guide;
+        case OutlineKind::Split: return Selection::Kind::Split;
+        case OutlineKind::Boundary: break;
+    }
+    return Selection::Kind::Vertex;
+}
+
+bool isDrawnLine(const OutlineId& id) {
+    return id.kind == OutlineKind::Guide || id.kind == OutlineKind::Split;
+}
+
 }  // namespace
 
 // --- Drawing ------------------------------------------------------------------------------------------
 
 int FieldEditor::draftNeeded() const {
-    return tool_ == Tool::Gate ? 1 : tool_ == Tool::Guide ? 2 : 3;
+    return tool_ == Tool::Gate ? 1 : isDraftOpen() ? 2 : 3;
 }
 
 void FieldEditor::setTool(Tool tool) {
@@ -67,7 +83,7 @@ std::vector<SnapLine> FieldEditor::draftLines() const {
     std::vector<SnapLine> lines;
     if (draft_.size() >= 2 && frame_) {
         lines = angleLines(local(draft_.back()), local(draft_[draft_.size() - 2]));
-        if (tool_ != Tool::Guide) {
+        if (!isDraftOpen()) {
             // Where the closing edge meets the first one.
             std::ranges::move(angleLines(local(draft_[0]), local(draft_[1])), std::back_inserter(lines));
         }
@@ -150,11 +166,11 @@ void FieldEditor::finishTool(GeoRing points) {
         const std::size_t part = partAt(*shape_, first).value_or(0);
         const std::size_t hole = field->source->parts[part].holes.size();
         made = {.kind = Selection::Kind::Hole, .outline = {OutlineKind::Hole, part, hole}, .index = 0};
-        change(tr("Draw a hole"), withHole(project(), part, turnedRing(std::move(points), shape_->frame, false)));
+        change(QT_TR_NOOP("Draw a hole"), withHole(project(), part, turnedRing(std::move(points), shape_->frame, false)));
     } else if (tool == Tool::Obstacle) {
         const std::size_t number = field->source->obstacles.size();
         made = {.kind = Selection::Kind::Obstacle, .outline = {OutlineKind::Obstacle, number, 0}, .index = 0};
-        change(tr("Draw an obstacle"),
+        change(QT_TR_NOOP("Draw an obstacle"),
                withObstacle(project(), {.name = tr("Obstacle %1").arg(number + 1).toStdString(),
                                         .outline = {.outer = turnedRing(std::move(points), shape_->frame, true), .holes = {}},
                                         .passable = false,
@@ -163,12 +179,17 @@ void FieldEditor::finishTool(GeoRing points) {
         const std::size_t number = field->source->gates.size();
         const Point at = nearestOnBoundary(*shape_, first).value_or(first);
         made = {.kind = Selection::Kind::Gate, .outline = {}, .index = number};
-        change(tr("Add a gate"), withGate(project(), {.name = tr("Gate %1").arg(number + 1).toStdString(),
+        change(QT_TR_NOOP("Add a gate"), withGate(project(), {.name = tr("Gate %1").arg(number + 1).toStdString(),
                                                       .position = shape_->frame.toGeo(at),
                                                       .width = kGateWidth}));
+    } else if (tool == Tool::Split) {
+        std::vector<GeoRing> splits = linesOf(project()).splits;
+        made = {.kind = Selection::Kind::Split, .outline = {OutlineKind::Split, splits.size(), 0}, .index = 0};
+        splits.push_back(std::move(points));
+        change(QT_TR_NOOP("Draw a split line"), withSplits(project(), splits));
     } else {
         made = {.kind = Selection::Kind::Guide, .outline = {OutlineKind::Guide, 0, 0}, .index = 0};
-        change(points.size() > 2 ? tr("Draw a guidance curve") : tr("Draw an AB line"), withGuide(project(), points));
+        change(points.size() > 2 ? QT_TR_NOOP("Draw a guidance curve") : QT_TR_NOOP("Draw an AB line"), withGuide(project(), points));
     }
     setTool(Tool::Select);
     select(made);
@@ -180,13 +201,14 @@ bool FieldEditor::canDelete() const {
     switch (selection_.kind) {
         case Selection::Kind::Vertex: {
             const Outline* outline = selectedOutline();
-            return outline != nullptr && withoutVertex(*outline, selection_.index).has_value();
+            return outline != nullptr && (isDrawnLine(outline->id) || withoutVertex(*outline, selection_.index).has_value());
         }
         case Selection::Kind::Hole:
         case Selection::Kind::Obstacle:
         case Selection::Kind::Gate:
-        case Selection::Kind::Guide: return true;
-        case Selection::Kind::Edge: return selection_.outline.kind == OutlineKind::Guide;
+        case Selection::Kind::Guide:
+        case Selection::Kind::Split: return true;
+        case Selection::Kind::Edge: return isDrawnLine(selection_.outline);
         case Selection::Kind::None:
         case Selection::Kind::Segment:
         case Selection::Kind::Cell:
@@ -201,18 +223,25 @@ void FieldEditor::deleteSelection() {
     }
     const Selection chosen = selection_;
     if (chosen.kind == Selection::Kind::Vertex) {
-        setOutline(tr("Delete a point"), chosen.outline, *withoutVertex(*selectedOutline(), chosen.index), Document::Follows::Nothing);
-        return;
+        if (auto places = withoutVertex(*selectedOutline(), chosen.index)) {
+            setOutline(QT_TR_NOOP("Delete a point"), chosen.outline, std::move(*places), Document::Follows::Nothing);
+            return;
+        }
+        // A line without one of its two ends is none.
     }
     select({});
     if (chosen.kind == Selection::Kind::Hole) {
-        change(tr("Delete a hole"), withoutHole(project(), chosen.outline.item, chosen.outline.hole));
+        change(QT_TR_NOOP("Delete a hole"), withoutHole(project(), chosen.outline.item, chosen.outline.hole));
     } else if (chosen.kind == Selection::Kind::Obstacle) {
-        change(tr("Delete an obstacle"), withoutObstacle(project(), chosen.outline.item));
+        change(QT_TR_NOOP("Delete an obstacle"), withoutObstacle(project(), chosen.outline.item));
     } else if (chosen.kind == Selection::Kind::Gate) {
-        change(tr("Delete a gate"), withoutGate(project(), chosen.index));
+        change(QT_TR_NOOP("Delete a gate"), withoutGate(project(), chosen.index));
+    } else if (chosen.outline.kind == OutlineKind::Split) {
+        std::vector<GeoRing> splits = linesOf(project()).splits;
+        splits.erase(splits.begin() + static_cast<std::ptrdiff_t>(chosen.outline.item));
+        change(QT_TR_NOOP("Delete a split line"), withSplits(project(), splits));
     } else {
-        change(tr("Delete the guidance line"), withGuide(project(), {}));
+        change(QT_TR_NOOP("Delete the guidance line"), withGuide(project(), {}));
     }
 }
 
@@ -223,19 +252,19 @@ void FieldEditor::nudge(double eastM, double northM) {
     if (selection_.kind == Selection::Kind::Gate && field != nullptr) {
         FieldSource source = *field->source;
         source.gates[selection_.index].position = frame_->toGeo(shape_->gates[selection_.index] + way);
-        changeSource(tr("Move a gate"), std::move(source), Document::Follows::Nothing);
+        changeSource(QT_TR_NOOP("Move a gate"), std::move(source), Document::Follows::Nothing);
     } else if (outline == nullptr) {
         return;
     } else if (selection_.kind == Selection::Kind::Vertex) {
-        setOutline(tr("Move a point"), outline->id,
+        setOutline(QT_TR_NOOP("Move a point"), outline->id,
                    withVertexAt(*outline, *frame_, selection_.index, outline->points[selection_.index] + way), Document::Follows::Nothing);
     } else if (selection_.kind == Selection::Kind::Edge) {
         const Point along = outline->to(selection_.index) - outline->from(selection_.index);
-        setOutline(tr("Move an edge"), outline->id,
+        setOutline(QT_TR_NOOP("Move an edge"), outline->id,
                    withEdgeMoved(*outline, *frame_, selection_.index, metres(cross(along, way) / std::max(norm(along), 1e-9))),
                    Document::Follows::Nothing);
     } else {
-        setOutline(tr("Move"), outline->id, withAllMoved(*outline, *frame_, way), Document::Follows::Nothing);
+        setOutline(QT_TR_NOOP("Move"), outline->id, withAllMoved(*outline, *frame_, way), Document::Follows::Nothing);
     }
 }
 
@@ -254,23 +283,46 @@ void FieldEditor::selectNext(int step) {
     select({.kind = Selection::Kind::Vertex, .outline = outline->id, .index = static_cast<std::size_t>(next)});
 }
 
+void FieldEditor::selectNextShape(int step) {
+    if (!shape_) {
+        return;
+    }
+    const auto outlines = static_cast<int>(shape_->outlines.size());
+    const int count = outlines + static_cast<int>(shape_->gates.size());
+    if (count == 0) {
+        return;
+    }
+    const Outline* outline = selectedOutline();
+    const int now = outline != nullptr                           ? static_cast<int>(outline - shape_->outlines.data())
+                    : selection_.kind == Selection::Kind::Gate ? outlines + static_cast<int>(selection_.index)
+                    : step > 0                                   ? -1
+                                                                 : 0;
+    const auto next = static_cast<std::size_t>((now + step % count + count) % count);
+    if (next >= shape_->outlines.size()) {
+        select({.kind = Selection::Kind::Gate, .outline = {}, .index = next - shape_->outlines.size()});
+    } else {
+        const OutlineId id = shape_->outlines[next].id;
+        select({.kind = wholeOf(id.kind), .outline = id, .index = 0});
+    }
+}
+
 void FieldEditor::setVertex(GeoPoint place) {
     if (const Outline* outline = selectedOutline(); outline != nullptr && selection_.kind == Selection::Kind::Vertex) {
         GeoRing places = outline->places;
         places[selection_.index] = place;
-        setOutline(tr("Move a point"), outline->id, std::move(places), Document::Follows::Nothing);
+        setOutline(QT_TR_NOOP("Move a point"), outline->id, std::move(places), Document::Follows::Nothing);
     }
 }
 
 void FieldEditor::setEdgeLength(Length length) {
     if (const Outline* outline = selectedOutline(); outline != nullptr && length > metres(0.0)) {
-        setOutline(tr("Change a length"), outline->id, withEdgeLength(*outline, *frame_, selection_.index, length), Document::Follows::Nothing);
+        setOutline(QT_TR_NOOP("Change a length"), outline->id, withEdgeLength(*outline, *frame_, selection_.index, length), Document::Follows::Nothing);
     }
 }
 
 void FieldEditor::setEdgeHeading(Angle heading) {
     if (const Outline* outline = selectedOutline()) {
-        setOutline(tr("Change a direction"), outline->id, withEdgeHeading(*outline, *frame_, selection_.index, heading), Document::Follows::Nothing);
+        setOutline(QT_TR_NOOP("Change a direction"), outline->id, withEdgeHeading(*outline, *frame_, selection_.index, heading), Document::Follows::Nothing);
     }
 }
 
@@ -278,7 +330,7 @@ void FieldEditor::setBuffer(Length buffer) {
     if (const ProjectField* field = project().field(); field != nullptr && selection_.kind == Selection::Kind::Obstacle) {
         FieldSource source = *field->source;
         source.obstacles[selection_.outline.item].buffer = buffer;
-        changeSource(tr("Change the buffer"), std::move(source), Document::Follows::Nothing);
+        changeSource(QT_TR_NOOP("Change the buffer"), std::move(source), Document::Follows::Nothing);
     }
 }
 
@@ -286,7 +338,7 @@ void FieldEditor::setPassable(bool passable) {
     if (const ProjectField* field = project().field(); field != nullptr && selection_.kind == Selection::Kind::Obstacle) {
         FieldSource source = *field->source;
         source.obstacles[selection_.outline.item].passable = passable;
-        changeSource(passable ? tr("Let the obstacle be driven on") : tr("Keep off the obstacle"), std::move(source), Document::Follows::Nothing);
+        changeSource(passable ? QT_TR_NOOP("Let the obstacle be driven on") : QT_TR_NOOP("Keep off the obstacle"), std::move(source), Document::Follows::Nothing);
     }
 }
 
@@ -294,7 +346,7 @@ void FieldEditor::setGateWidth(Length width) {
     if (const ProjectField* field = project().field(); field != nullptr && selection_.kind == Selection::Kind::Gate) {
         FieldSource source = *field->source;
         source.gates[selection_.index].width = width;
-        changeSource(tr("Change the gate"), std::move(source), Document::Follows::Nothing);
+        changeSource(QT_TR_NOOP("Change the gate"), std::move(source), Document::Follows::Nothing);
     }
 }
 
@@ -311,14 +363,14 @@ void FieldEditor::setName(const QString& name) {
     } else {
         return;
     }
-    changeSource(tr("Rename"), std::move(source), Document::Follows::Nothing);
+    changeSource(QT_TR_NOOP("Rename"), std::move(source), Document::Follows::Nothing);
 }
 
 void FieldEditor::guideAlongEdge() {
     const Outline* outline = selectedOutline();
     if (outline != nullptr && selection_.kind == Selection::Kind::Edge) {
         const std::size_t next = selection_.index + 1 == outline->places.size() ? 0 : selection_.index + 1;
-        change(tr("AB line along an edge"), withGuide(project(), {outline->places[selection_.index], outline->places[next]}));
+        change(QT_TR_NOOP("AB line along an edge"), withGuide(project(), {outline->places[selection_.index], outline->places[next]}));
     }
 }
 

@@ -40,6 +40,7 @@ QString nameOf(const OutlineId& id) {
         case OutlineKind::Boundary: return Words::tr("boundary");
         case OutlineKind::Hole: return Words::tr("hole");
         case OutlineKind::Obstacle: return Words::tr("obstacle");
+        case OutlineKind::Split: return Words::tr("split line");
         case OutlineKind::Guide: break;
     }
     return Words::tr("guidance line");
@@ -78,13 +79,23 @@ InspectorText vertexText(const Outline& outline, std::size_t vertex) {
     return text;
 }
 
+QString splitSentence() {
+    return Words::tr("The mainland is cut along it, where it runs right through. Drag it or its points, or delete it.");
+}
+
 InspectorText edgeText(const Outline& outline, std::size_t edge) {
     InspectorText text;
     const Point way = outline.to(edge) - outline.from(edge);
-    text.title = outline.id.kind == OutlineKind::Guide ? Words::tr("AB line") : Words::tr("Edge %1 of the %2").arg(edge + 1).arg(nameOf(outline.id));
-    text.sentence = outline.id.kind == OutlineKind::Guide
-                        ? Words::tr("One swath lies on it, the others beside it. Drag it or its ends, or type its direction.")
-                        : Words::tr("Drag it to move it sideways; the dot in its middle makes another point.");
+    if (outline.id.kind == OutlineKind::Guide && outline.points.size() == 2) {
+        text.title = Words::tr("AB line");
+        text.sentence = Words::tr("One swath lies on it, the others beside it. Drag it or its ends, or type its direction.");
+    } else if (outline.id.kind == OutlineKind::Split && outline.points.size() == 2) {
+        text.title = Words::tr("Split line %1").arg(outline.id.item + 1);
+        text.sentence = splitSentence();
+    } else {
+        text.title = Words::tr("Edge %1 of the %2").arg(edge + 1).arg(nameOf(outline.id));
+        text.sentence = Words::tr("Drag it to move it sideways; the dot in its middle makes another point.");
+    }
     text.isEdge = outline.id.kind != OutlineKind::Guide;
     text.rows = {numberRow(Words::tr("Length"), InspectorField::EdgeLength, norm(way), QuantityText::Length, 2, 0.01, kLongestEdgeM),
                  numberRow(Words::tr("Direction"), InspectorField::EdgeBearing, bearingDegOf(way), QuantityText::Angle, 2, 0.0, 360.0)};
@@ -170,13 +181,14 @@ InspectorText gateText(const Gate& gate) {
     return text;
 }
 
-InspectorText guideText(const Outline& outline) {
+InspectorText lineText(const Outline& outline) {
     if (outline.points.size() == 2) {
         return edgeText(outline, 0);
     }
+    const bool split = outline.id.kind == OutlineKind::Split;
     InspectorText text;
-    text.title = Words::tr("Guidance curve");
-    text.sentence = Words::tr("The swaths lie beside it. Drag its points, or delete it.");
+    text.title = split ? Words::tr("Split line %1").arg(outline.id.item + 1) : Words::tr("Guidance curve");
+    text.sentence = split ? splitSentence() : Words::tr("The swaths lie beside it. Drag its points, or delete it.");
     text.rows = {figure(Words::tr("Length"), lengthText(metres(lengthM(outline.points)))),
                  figure(Words::tr("Points"), QString::number(outline.points.size()))};
     return text;
@@ -209,7 +221,8 @@ std::optional<InspectorText> inspectorText(const Selection& selection, const Fie
                        : std::nullopt;
         case Selection::Kind::Gate:
             return source != nullptr && index < source->gates.size() ? std::optional{gateText(source->gates[index])} : std::nullopt;
-        case Selection::Kind::Guide: return outline != nullptr ? std::optional{guideText(*outline)} : std::nullopt;
+        case Selection::Kind::Guide:
+        case Selection::Kind::Split: return outline != nullptr ? std::optional{lineText(*outline)} : std::nullopt;
         case Selection::Kind::Segment:
             return plan != nullptr && index < plan->path.segments.size() ? std::optional{segmentText(*plan, index)} : std::nullopt;
         case Selection::Kind::Cell:

@@ -13,11 +13,11 @@ struct Selection {
     QML_ANONYMOUS
 
 public:
-    enum class Kind { None, Vertex, Edge, Hole, Obstacle, Gate, Guide, Segment, Cell, Finding };
+    enum class Kind { None, Vertex, Edge, Hole, Obstacle, Gate, Guide, Split, Segment, Cell, Finding };
     Q_ENUM(Kind)
 
     Kind kind = Kind::None;
-    OutlineId outline;      ///< of a vertex, an edge, a hole, an obstacle, a guide
+    OutlineId outline;      ///< of a vertex, an edge, a hole, an obstacle, a guide, a split line
     std::size_t index = 0;  ///< vertex, edge, gate, segment of the path, cell, finding
 
     bool isNone() const { return kind == Kind::None; }

@@ -10,6 +10,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <iterator>
 #include <utility>
 
 namespace furrow {
@@ -18,10 +19,6 @@ namespace {
 
 /// How often is looked whether the files are still there, and the same.
 constexpr int kWatchMs = 2000;
-
-std::filesystem::path toPath(const std::string& path) {
-    return path;
-}
 
 /// Tells one state of a file from another; 0 where it is not there.
 qint64 stampOf(const std::string& path) {
@@ -42,7 +39,11 @@ QGeoRectangle areaOf(const ImageryFacts& facts) {
 
 ImageryModel::ImageryModel(Document& document, QObject* parent) : QAbstractListModel{parent}, document_{document} {
     watch_.setInterval(kWatchMs);
-    connect(&watch_, &QTimer::timeout, this, &ImageryModel::watch);
+    connect(&watch_, &QTimer::timeout, this, [this] {
+        if (!watcher_.isBusy()) {
+            watch();
+        }
+    });
     connect(&document_, &Document::projectChanged, this, &ImageryModel::follow);
     connect(&store_, &TileStore::opened, this, &ImageryModel::take);
     connect(&store_, &TileStore::failed, this, &ImageryModel::takeFailure);
@@ -110,72 +111,80 @@ void ImageryModel::add(const QStringList& paths) {
     if (paths.isEmpty()) {
         return;
     }
-    reader_.submit([this, paths](const JobContext&) -> JobRunner::Delivery {
+    // What is asked for while others are still being looked at is added together with them.
+    adding_ << paths;
+    reader_.submit([this, paths = adding_](const JobContext& job) -> JobRunner::Delivery {
         std::vector<ImageryLayer> good;
         std::optional<Error> bad;
-        QStringList announced;
         for (const QString& path : paths) {
+            if (job.stop.stop_requested()) {
+                return {};
+            }
             const QString whole = QFileInfo{path}.absoluteFilePath();
             if (const auto opened = openImagery(whole.toStdU16String())) {
                 good.push_back({.path = whole.toStdString(), .name = QFileInfo{whole}.completeBaseName().toStdString(),
                                 .rowsFromSouth = {}, .others = {}});
-                announced << whole;
             } else if (!bad) {
                 bad = opened.error();
             }
         }
-        return [this, good = std::move(good), bad, announced] {
+        return [this, good = std::move(good), bad] {
+            adding_.clear();
             tell({}, {});
             if (bad) {
                 tell([what = bad->what, name = QFileInfo{fromStd(bad->where.text())}.fileName()] { return tr("%1: %2").arg(name, sentence(what)); },
                      [remedy = bad->remedy] { return sentence(remedy); });
             }
             if (!good.empty()) {
-                announced_ = announced;
-                const QString text = good.size() == 1 ? tr("Add %1").arg(fromStd(good.front().name))
-                                                      : tr("Add imagery");
-                document_.change(text, withImagery(*document_.project(), good));
+                document_.change([name = fromStd(good.front().name), one = good.size() == 1] {
+                    return one ? tr("Add %1").arg(name) : tr("Add imagery");
+                }, withImagery(*document_.project(), good));
+                // They lie above the others.
+                for (std::size_t i = rows_.size() - good.size(); i < rows_.size(); ++i) {
+                    rows_[i].announce = true;
+                }
             }
         };
     });
 }
 
-void ImageryModel::change(int row, const QString& text, const std::function<void(ImageryLayer&)>& edit,
+void ImageryModel::change(int row, const char* text, const std::function<void(ImageryLayer&)>& edit,
                           const QString& key, bool live) {
     if (!has(row)) {
         return;
     }
     ImageryLayer layer = rows_[indexOf(row)].layer;
     edit(layer);
-    document_.change(text, withImageryLayer(*document_.project(), indexOf(row), std::move(layer)), key,
+    document_.change([text] { return tr(text); }, withImageryLayer(*document_.project(), indexOf(row), std::move(layer)), key,
                      live ? Document::Follows::More : Document::Follows::Nothing);
 }
 
 void ImageryModel::remove(int row) {
     if (has(row)) {
-        document_.change(tr("Remove %1").arg(fromStd(rows_[indexOf(row)].layer.name)),
+        document_.change([name = fromStd(rows_[indexOf(row)].layer.name)] { return tr("Remove %1").arg(name); },
                          withoutImageryLayer(*document_.project(), indexOf(row)));
     }
 }
 
 void ImageryModel::move(int row, int steps) {
     if (has(row) && has(row + steps)) {
-        document_.change(tr("Move a layer"), withImageryMoved(*document_.project(), indexOf(row), indexOf(row + steps)));
+        document_.change([] { return tr("Move a layer"); },
+                         withImageryMoved(*document_.project(), indexOf(row), indexOf(row + steps)));
     }
 }
 
 void ImageryModel::rename(int row, const QString& name) {
     if (!name.trimmed().isEmpty()) {
-        change(row, tr("Rename a layer"), [&](ImageryLayer& layer) { layer.name = name.trimmed().toStdString(); });
+        change(row, QT_TR_NOOP("Rename a layer"), [&](ImageryLayer& layer) { layer.name = name.trimmed().toStdString(); });
     }
 }
 
 void ImageryModel::show(int row, bool shown) {
-    change(row, shown ? tr("Show a layer") : tr("Hide a layer"), [&](ImageryLayer& layer) { layer.visible = shown; });
+    change(row, shown ? QT_TR_NOOP("Show a layer") : QT_TR_NOOP("Hide a layer"), [&](ImageryLayer& layer) { layer.visible = shown; });
 }
 
 void ImageryModel::setOpacity(int row, double opacity, bool live) {
-    change(row, tr("Change how strong a layer is"),
+    change(row, QT_TR_NOOP("Change how strong a layer is"),
            [&](ImageryLayer& layer) { layer.opacity = std::clamp(opacity, 0.0, 1.0); },
            QStringLiteral("imagery.opacity.%1").arg(row), live);
     if (!live) {
@@ -184,7 +193,7 @@ void ImageryModel::setOpacity(int row, double opacity, bool live) {
 }
 
 void ImageryModel::setRowsFromSouth(int row, bool fromSouth) {
-    change(row, tr("Turn the rows of tiles round"), [&](ImageryLayer& layer) { layer.rowsFromSouth = fromSouth; });
+    change(row, QT_TR_NOOP("Turn the rows of tiles round"), [&](ImageryLayer& layer) { layer.rowsFromSouth = fromSouth; });
 }
 
 void ImageryModel::tryAgain(int row) {
@@ -211,7 +220,9 @@ void ImageryModel::open(Row& row) {
     }
     row.state = State::Opening;
     row.error = {};
-    row.sheet = store_.open(toPath(row.layer.path), row.layer.rowsFromSouth);
+    row.stamp.reset();
+    row.doubt.reset();
+    row.sheet = store_.open(row.layer.path, row.layer.rowsFromSouth);
 }
 
 void ImageryModel::follow() {
@@ -232,8 +243,7 @@ void ImageryModel::follow() {
             // Above it in the list are those behind it here.
             const int place = static_cast<int>(rows_.size() - i);
             beginInsertRows({}, place, place);
-            Row row{.layer = layers[i], .sheet = 0, .state = State::Opening, .error = {}, .stamp = 0, .announce = false};
-            row.announce = announced_.removeAll(fromStd(layers[i].path)) > 0;
+            Row row{.layer = layers[i], .error = {}, .stamp = {}, .doubt = {}};
             open(row);
             rows_.insert(rows_.begin() + static_cast<std::ptrdiff_t>(i), std::move(row));
             endInsertRows();
@@ -273,8 +283,8 @@ void ImageryModel::take(int sheet, const Result<void>& result) {
     const auto index = static_cast<std::size_t>(row - rows_.begin());
     row->state = result ? State::Ready : State::Failed;
     row->error = result ? Error{} : result.error();
-    row->stamp = stampOf(row->layer.path);
     changed(index);
+    watch();
     emit sheetsChanged();
     if (result && std::exchange(row->announce, false)) {
         emit added(areaOf(rowOf(index)));
@@ -286,23 +296,33 @@ void ImageryModel::takeFailure(int sheet, const Error& error) {
     if (row == rows_.end() || row->state == State::Failed) {
         return;
     }
-    const qint64 stamp = stampOf(row->layer.path);
-    if (stamp != 0 && stamp != row->stamp) {
-        // Another picture under the same name: shown as it is now.
-        open(*row);
-    } else {
-        row->state = State::Failed;
-        row->error = error;
-        row->stamp = stamp;
-    }
-    changed(static_cast<std::size_t>(row - rows_.begin()));
+    row->doubt = error;
+    watch();
 }
 
 void ImageryModel::watch() {
+    std::vector<std::string> paths;
+    std::ranges::transform(rows_, std::back_inserter(paths), [](const Row& row) { return row.layer.path; });
+    watcher_.submit([this, paths = std::move(paths)](const JobContext&) -> JobRunner::Delivery {
+        std::map<std::string, qint64> stamps;
+        for (const std::string& path : paths) {
+            stamps[path] = stampOf(path);
+        }
+        return [this, stamps = std::move(stamps)] { takeStamps(stamps); };
+    }, JobRunner::Replace::WhenDone);
+}
+
+void ImageryModel::takeStamps(const std::map<std::string, qint64>& stamps) {
     for (std::size_t i = 0; i < rows_.size(); ++i) {
         Row& row = rows_[i];
-        const qint64 stamp = stampOf(row.layer.path);
-        if (row.state == State::Opening || stamp == row.stamp) {
+        const auto found = stamps.find(row.layer.path);
+        if (found == stamps.end() || row.state == State::Opening) {
+            continue;
+        }
+        const qint64 stamp = found->second;
+        const bool same = std::exchange(row.stamp, stamp).value_or(stamp) == stamp;
+        const auto doubt = std::exchange(row.doubt, std::nullopt);
+        if (same && !doubt) {
             continue;
         }
         if (stamp == 0) {
@@ -311,7 +331,9 @@ void ImageryModel::watch() {
                          .what = "the file is not there any more",
                          .where = row.layer.path,
                          .remedy = "put it back, or remove the layer"};
-            row.stamp = 0;
+        } else if (same) {
+            row.state = State::Failed;
+            row.error = *doubt;
         } else {
             // It came back, or another picture is there under the same name.
             open(row);

@@ -11,7 +11,9 @@
 #include <QUrl>
 #include <QtQml/qqmlregistration.h>
 
+#include <map>
 #include <optional>
+#include <string>
 #include <vector>
 
 namespace furrow {
@@ -85,18 +87,24 @@ private:
         int sheet = 0;
         State state = State::Opening;
         Error error;
-        /// Of the file as it was seen last.
-        qint64 stamp = 0;
+        /// Of the file as it was seen last; not looked at yet since it was opened.
+        std::optional<qint64> stamp;
+        /// Why a tile could not be read, until it is known whether there is another file by now.
+        std::optional<Error> doubt;
+        /// Was added just now: the camera goes there when it is open.
         bool announce = false;
     };
     void follow();
     void open(Row& row);
-    void change(int row, const QString& text, const std::function<void(ImageryLayer&)>& edit, const QString& key = {},
+    /// `text` is marked for translation.
+    void change(int row, const char* text, const std::function<void(ImageryLayer&)>& edit, const QString& key = {},
                 bool live = false);
     void take(int sheet, const Result<void>& result);
     void takeFailure(int sheet, const Error& error);
     void changed(std::size_t index);
+    /// Looks away from the GUI thread which files are there: a drive on the network may take its time.
     void watch();
+    void takeStamps(const std::map<std::string, qint64>& stamps);
     void tell(Said message, Said remedy);
     /// Of a row of the model, in rows_ and in the project; out of range for none.
     std::size_t indexOf(int row) const { return rows_.size() - 1 - static_cast<std::size_t>(row); }
@@ -105,13 +113,14 @@ private:
 
     Document& document_;
     TileStore store_;
-    JobRunner reader_;
     std::vector<Row> rows_;
     QTimer watch_;
     Said message_;
     Said remedy_;
-    /// Paths that were added last: the camera goes there when the first of them is open.
-    QStringList announced_;
+    /// What is being looked at to be added.
+    QStringList adding_;
+    JobRunner reader_;
+    JobRunner watcher_;
 };
 
 }  // namespace furrow

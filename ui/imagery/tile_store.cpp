@@ -118,13 +118,21 @@ bool TileStore::isIdle() const {
 
 void TileStore::serve(const std::stop_token& stop) {
     giveWayToTheWindow();
+    bool worked = false;
     while (true) {
         std::function<void()> work;
         {
             std::unique_lock lock{mutex_};
-            if (!wake_.wait(lock, stop, [this] { return !openings_.empty() || !wanted_.empty(); })) {
+            const auto isWanted = [this] { return !openings_.empty() || !wanted_.empty(); };
+            if (std::exchange(worked, false) && !wake_.wait_for(lock, stop, kIdleBeforeReturning, isWanted)) {
+                lock.unlock();
+                returnFreeMemory();
+                lock.lock();
+            }
+            if (!wake_.wait(lock, stop, isWanted)) {
                 return;
             }
+            worked = true;
             ++busy_;
             if (!openings_.empty()) {
                 work = std::move(openings_.front());

@@ -1,9 +1,11 @@
 #include "ui/jobs/job_runner.h"
 
+#include <malloc.h>
 #include <sys/resource.h>
 #include <unistd.h>
 
 #include <algorithm>
+#include <utility>
 
 namespace furrow {
 
@@ -17,6 +19,12 @@ void giveWayToTheWindow() {
     constexpr int kNiceness = 10;
     // Linux counts niceness by thread. Where it is refused, work goes on as before.
     static_cast<void>(::setpriority(PRIO_PROCESS, static_cast<id_t>(::gettid()), kNiceness));
+}
+
+void returnFreeMemory() {
+#ifdef __GLIBC__
+    ::malloc_trim(0);
+#endif
 }
 
 JobRunner::JobRunner(QObject* parent) : QObject{parent} {
@@ -59,14 +67,22 @@ void JobRunner::cancel() {
 
 void JobRunner::run(const std::stop_token& stop) {
     giveWayToTheWindow();
+    bool worked = false;
     while (true) {
         Work work;
         std::stop_token jobStop;
         {
             std::unique_lock lock{mutex_};
-            if (!wake_.wait(lock, stop, [this] { return waiting_.has_value(); })) {
+            const auto isWaiting = [this] { return waiting_.has_value(); };
+            if (std::exchange(worked, false) && !wake_.wait_for(lock, stop, kIdleBeforeReturning, isWaiting)) {
+                lock.unlock();
+                returnFreeMemory();
+                lock.lock();
+            }
+            if (!wake_.wait(lock, stop, isWaiting)) {
                 return;
             }
+            worked = true;
             work = std::move(*waiting_);
             waiting_.reset();
             running_ = true;

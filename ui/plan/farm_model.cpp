@@ -82,25 +82,25 @@ QString FarmModel::season() const {
 
 void FarmModel::renameField(const QString& name) {
     if (!name.trimmed().isEmpty()) {
-        document_.change(tr("Rename the field"), withFieldName(*document_.project(), name.trimmed().toStdString()));
+        document_.change([] { return tr("Rename the field"); }, withFieldName(*document_.project(), name.trimmed().toStdString()));
     }
 }
 
 void FarmModel::removeField() {
-    document_.change(tr("Remove field %1").arg(fieldName()), withoutField(*document_.project()));
+    document_.change([name = fieldName()] { return tr("Remove field %1").arg(name); }, withoutField(*document_.project()));
 }
 
 void FarmModel::addPlan(const QString& name) {
-    document_.change(tr("Add a plan"), withPlanCopy(*document_.project(), name.trimmed().toStdString()));
+    document_.change([] { return tr("Add a plan"); }, withPlanCopy(*document_.project(), name.trimmed().toStdString()));
 }
 
 void FarmModel::renamePlan(const QString& name, const QString& season) {
-    document_.change(tr("Rename the plan"), withPlanName(*document_.project(), name.trimmed().toStdString(),
-                                                         season.trimmed().toStdString()));
+    document_.change([] { return tr("Rename the plan"); },
+                     withPlanName(*document_.project(), name.trimmed().toStdString(), season.trimmed().toStdString()));
 }
 
 void FarmModel::removePlan() {
-    document_.change(tr("Remove the plan"), withoutPlan(*document_.project()));
+    document_.change([] { return tr("Remove the plan"); }, withoutPlan(*document_.project()));
 }
 
 }  // namespace furrow

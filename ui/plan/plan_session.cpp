@@ -76,11 +76,11 @@ Result<std::vector<FieldSource>> boundariesIn(const QString& path, const JobCont
 PlanSession::PlanSession(QObject* parent) : QObject{parent}, samples_{sampleFields()} {
     connect(&steps_, &StepsModel::changeRequested, this, &PlanSession::changeSetting);
     connect(&machine_, &MachineModel::changeRequested, this, [this](const Machine& machine) {
-        document_.change(tr("Change the machine"), withPlan(*document_.project(), machine, settings()));
+        document_.change([] { return tr("Change the machine"); }, withPlan(*document_.project(), machine, settings()));
     });
     connect(&document_, &Document::projectChanged, this, &PlanSession::followDocument);
     connect(&document_, &Document::dragEnded, this, [this] {
-        if (isDraft() || planner_.isBusy()) {
+        if (draftAsked_) {
             requestPlan(JobRunner::Replace::Now);
         }
     });
@@ -235,10 +235,11 @@ void PlanSession::take(Reading reading, bool choose) {
 }
 
 void PlanSession::addFields(std::vector<FieldSource> fields) {
-    const QString text = fields.size() == 1 ? tr("Add field %1").arg(fromStd(fields.front().name))
-                                            : tr("Add %n field(s)", nullptr, static_cast<int>(fields.size()));
+    Said text = [name = fromStd(fields.front().name), count = static_cast<int>(fields.size())] {
+        return count == 1 ? tr("Add field %1").arg(name) : tr("Add %n field(s)", nullptr, count);
+    };
     choices_.show({});
-    document_.change(text, withFields(*document_.project(), std::move(fields)));
+    document_.change(std::move(text), withFields(*document_.project(), std::move(fields)));
     updateState();
 }
 
@@ -304,6 +305,7 @@ void PlanSession::setBoundary(const QList<QGeoCoordinate>& points) {
 void PlanSession::cancel() {
     reader_.cancel();
     planner_.cancel();
+    draftAsked_ = false;
     stopped_ = source_ != nullptr;
     updateState();
 }
@@ -366,10 +368,11 @@ void PlanSession::followDocument() {
         planner_.cancel();
         plan_.reset();
         wholePlan_.reset();
-        drawing_ = {};
+        // Its outline is there at once; the plan may take seconds.
+        drawing_ = source_ ? PlanDrawing{outlineGeometry(*source_, std::nullopt)} : PlanDrawing{};
+        drawnSource_ = source_;
         error_.reset();
         stopped_ = false;
-        announce_ = source_ != nullptr;
         exporter_.setPlan(nullptr);
         emit planChanged();
         emit drawingChanged();
@@ -380,11 +383,18 @@ void PlanSession::followDocument() {
         showSteps();
     }
     emit fieldChanged();
-    if (stale) {
+    // A drag may end where its last step was: nothing is stale then, but the whole plan is due.
+    if (stale || (draftAsked_ && !document_.isDragging())) {
         const bool live = document_.isDragging() && !otherPlan;
         requestPlan(live ? JobRunner::Replace::WhenDone : JobRunner::Replace::Now);
     }
     updateState();
+    if (otherField) {
+        announce_ = source_ != nullptr;
+        if (announce_) {
+            emit fieldOpened();
+        }
+    }
 }
 
 void PlanSession::changeSetting(const Parameter* parameter, const SettingValue& value, bool live) {
@@ -411,7 +421,7 @@ void PlanSession::changeSetting(const Parameter* parameter, const SettingValue& 
             changed.clear(*findParameter(entry.key).value());
         }
     }
-    document_.change(tr("Change: %1").arg(shown(parameter->name)),
+    document_.change([parameter] { return tr("Change: %1").arg(shown(parameter->name)); },
                      withPlan(*document_.project(), machine_.machine(), changed), fromStd(parameter->key),
                      live ? Document::Follows::More : Document::Follows::Nothing);
 }
@@ -421,9 +431,10 @@ void PlanSession::requestPlan(JobRunner::Replace replace) {
         return;
     }
     stopped_ = false;
+    draftAsked_ = replace == JobRunner::Replace::WhenDone;
     planner_.submit(
         [this, source = source_, field = field_, machine = machine_.machine(), settings = settings(),
-         draft = replace == JobRunner::Replace::WhenDone,
+         draft = draftAsked_,
          before = wholePlan_](const JobContext& job) -> JobRunner::Delivery {
             Outcome outcome = planned(source, field, machine, settings, draft, before.get(), job);
             return [this, outcome = std::move(outcome)]() mutable { take(std::move(outcome)); };
@@ -438,6 +449,7 @@ void PlanSession::take(Outcome outcome) {
     }
     plan_ = std::move(outcome.plan);
     drawing_ = std::move(outcome.drawing);
+    drawnSource_ = outcome.source;
     error_ = std::move(outcome.error);
     if (outcome.source == source_) {
         field_ = outcome.field;
@@ -450,8 +462,8 @@ void PlanSession::take(Outcome outcome) {
     emit fieldChanged();
     emit drawingChanged();
     emit planChanged();
-    if (announce_) {
-        announce_ = false;
+    if (std::exchange(announce_, false)) {
+        // Its results take room of the map.
         emit fieldOpened();
     }
     updateState();
@@ -468,7 +480,7 @@ void PlanSession::fail(const Error& error) {
 
 void PlanSession::showSteps() {
     const Field* field = field_ ? field_.get() : plan_ ? &plan_->field() : nullptr;
-    steps_.show(field, machine_.machine(), settings(), plan_.get(), error_.has_value());
+    steps_.show(field, source_.get(), machine_.machine(), settings(), plan_.get(), error_.has_value());
 }
 
 void PlanSession::showModels() {

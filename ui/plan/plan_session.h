@@ -32,6 +32,8 @@ class PlanSession : public QObject {
     Q_PROPERTY(State state READ state NOTIFY stateChanged FINAL)
     Q_PROPERTY(bool hasField READ hasField NOTIFY fieldChanged FINAL)
     Q_PROPERTY(bool hasPlan READ hasPlan NOTIFY planChanged FINAL)
+    /// The drawing is of outlines that have changed since: a plan of the field as it is now follows.
+    Q_PROPERTY(bool behind READ isBehind NOTIFY fieldChanged FINAL)
     /// What is shown was planned in haste, as while something is dragged; the whole plan follows.
     Q_PROPERTY(bool draft READ isDraft NOTIFY planChanged FINAL)
     Q_PROPERTY(QString fieldName READ fieldName NOTIFY fieldChanged FINAL)
@@ -64,6 +66,7 @@ public:
 
     State state() const { return state_; }
     bool hasField() const { return document_.project()->field() != nullptr; }
+    bool isBehind() const { return drawnSource_ != source_; }
     bool hasPlan() const { return plan_ != nullptr; }
     bool isDraft() const { return plan_ != nullptr && plan_->request.draft; }
     QString fieldName() const;
@@ -121,7 +124,7 @@ signals:
     void planChanged();
     void drawingChanged();
     void progressChanged();
-    /// A field that was not on the map before: the camera should go there.
+    /// A field that was not on the map before: the camera should go there; again when its first plan is there.
     void fieldOpened();
 
 private:
@@ -172,9 +175,12 @@ private:
     /// The last one that was no draft.
     std::shared_ptr<const Plan> wholePlan_;
     PlanDrawing drawing_;
+    Source drawnSource_;
     std::optional<Error> error_;
     bool stopped_ = false;
     bool announce_ = false;
+    /// The last request was for a draft.
+    bool draftAsked_ = false;
     QList<SampleField> samples_;
 
     Document document_;

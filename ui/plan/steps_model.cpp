@@ -1,5 +1,6 @@
 #include "ui/plan/steps_model.h"
 
+#include "planner/io/boundary_import.h"
 #include "planner/plan/method_registry.h"
 #include "ui/text/display.h"
 #include "ui/text/message_text.h"
@@ -101,14 +102,13 @@ StepsModel::StepsModel(QObject* parent) : QAbstractListModel{parent} {
     }
 }
 
-void StepsModel::show(const Field* field, const Machine& machine, const Settings& settings, const Plan* plan,
-                      bool failed) {
+void StepsModel::show(const Field* field, const FieldSource* source, const Machine& machine, const Settings& settings,
+                      const Plan* plan, bool failed) {
     const std::vector<Step> before = steps_;
     Step& first = steps_[0];
-    first.choice = field == nullptr ? (failed ? tr("No usable boundary") : tr("No field yet"))
-                                    : QStringList{fromStd(field->name()), areaText(field->area())}.join(kSeparator);
-    QStringList parts;
     if (field != nullptr) {
+        first.choice = QStringList{fromStd(field->name()), areaText(field->area())}.join(kSeparator);
+        QStringList parts;
         if (const auto count = static_cast<int>(field->source().obstacles.size()); count > 0) {
             parts << tr("%n obstacle(s)", nullptr, count);
         }
@@ -116,10 +116,17 @@ void StepsModel::show(const Field* field, const Machine& machine, const Settings
             parts << tr("%n hole(s)", nullptr, count);
         }
         parts << tr("%n boundary point(s)", nullptr, static_cast<int>(field->vertexCount()));
+        first.result = parts.join(kSeparator);
+        first.status = Status::Good;
+    } else if (failed) {
+        first.choice = tr("No usable boundary");
+        first.result = tr("The message on the map says why");
+        first.status = Status::Failed;
+    } else {
+        first.choice = source == nullptr ? tr("No field yet") : fromStd(source->name);
+        first.result = source == nullptr ? tr("Open a file or draw a boundary") : areaText(areaOf(*source));
+        first.status = Status::None;
     }
-    first.result = field == nullptr ? (failed ? tr("The message on the map says why") : tr("Open a file or draw a boundary")) : parts.join(kSeparator);
-    first.status = field == nullptr ? (failed ? Status::Failed : Status::None)
-                                     : Status::Good;
     const auto general = generalParameters();
     first.parameters->show({general.begin(), general.end()}, settings, plan);
 

@@ -28,8 +28,8 @@ public:
 
     explicit StepsModel(QObject* parent = nullptr);
 
-    /// What the steps show; `field` and `plan` may be null.
-    void show(const Field* field, const Machine& machine, const Settings& settings, const Plan* plan, bool failed);
+    /// What the steps show; each pointer may be null. `source` is what there is of a field that was not checked yet.
+    void show(const Field* field, const FieldSource* source, const Machine& machine, const Settings& settings, const Plan* plan, bool failed);
 
     int rowCount(const QModelIndex& parent = {}) const override;
     QVariant data(const QModelIndex& index, int role) const override;

@@ -132,6 +132,7 @@ QtObject {
             objectName: "command.undo"
             group: root.editGroup
             text: root.session.document.canUndo ? qsTr("Undo: %1").arg(root.session.document.undoText) : qsTr("Undo")
+            name: qsTr("Undo")
             shortcut: "Ctrl+Z"
             enabled: root.session.document.canUndo
             onTriggered: root.session.document.undo()
@@ -140,6 +141,7 @@ QtObject {
             objectName: "command.redo"
             group: root.editGroup
             text: root.session.document.canRedo ? qsTr("Redo: %1").arg(root.session.document.redoText) : qsTr("Redo")
+            name: qsTr("Redo")
             shortcut: "Ctrl+Shift+Z"
             enabled: root.session.document.canRedo
             onTriggered: root.session.document.redo()
@@ -159,6 +161,14 @@ QtObject {
             keysText: qsTr("Space")
             enabled: root.session.hasField
             onTriggered: root.page.editor.selectNext(1)
+        },
+        Command {
+            objectName: "command.nextShape"
+            group: root.editGroup
+            text: qsTr("Select the next outline, line or gate")
+            keysText: qsTr("PgDown")
+            enabled: root.session.hasField
+            onTriggered: root.page.editor.selectNextShape(1)
         },
         Command {
             objectName: "command.palette"
@@ -194,6 +204,13 @@ QtObject {
             text: qsTr("Draw an AB line")
             shortcut: "L"
             keywords: qsTr("guidance curve direction")
+        },
+        ToolCommand {
+            objectName: "command.split"
+            tool: FieldEditor.Split
+            text: qsTr("Draw a split line")
+            shortcut: "S"
+            keywords: qsTr("cut divide mainland parts")
         },
         ToolCommand {
             objectName: "command.gate"

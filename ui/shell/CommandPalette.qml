@@ -136,10 +136,10 @@ T.Popup {
 
     function matching(text: string): var {
         const words = text.toLowerCase().split(/\s+/).filter(word => word.length > 0);
-        const about = command => (command.text + " " + command.group + " " + command.keywords).toLowerCase();
+        const about = command => (command.name + " " + command.group + " " + command.keywords).toLowerCase();
         const fits = root.commands.filter(command => words.every(word => about(command).includes(word)));
         // Those whose name begins so, and those that can be run, come first.
-        const rank = command => (command.enabled ? 0 : 2) + (words.length > 0 && command.text.toLowerCase().startsWith(words[0]) ? 0 : 1);
+        const rank = command => (command.enabled ? 0 : 2) + (words.length > 0 && command.name.toLowerCase().startsWith(words[0]) ? 0 : 1);
         return fits.map((command, index) => [rank(command), index, command]).sort((a, b) => a[0] - b[0] || a[1] - b[1]).map(entry => entry[2]);
     }
     function run(index: int): void {

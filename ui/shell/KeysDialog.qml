@@ -60,8 +60,7 @@ ThemedDialog {
                 required property Command modelData
 
                 keys: modelData.keysText
-                // Without what would be undone just now.
-                what: modelData.text.split(":")[0].trim()
+                what: modelData.name
             }
         }
         Repeater {

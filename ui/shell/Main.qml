@@ -220,7 +220,7 @@ ApplicationWindow {
                 ground: Theme.panel,
                 ink: Theme.ink,
                 lineFactor: Theme.lineFactor,
-                showBoundary: layersPanel.layers.boundary && !page.editor.dragging,
+                showBoundary: layersPanel.layers.boundary && !page.editor.dragging && !root.session.behind,
                 showHeadland: layersPanel.layers.headland,
                 showSwaths: layersPanel.layers.swaths,
                 showTurns: layersPanel.layers.turns,
@@ -244,20 +244,23 @@ ApplicationWindow {
             root.currentFinding = index;
             page.editor.selectFinding(index);
         }
-        onInspectRequested: results.focusInspector()
+        onInspectRequested: {
+            root.panelWanted = true;
+            results.focusInspector();
+        }
 
         StatusChip {
             anchors { right: parent.right; top: parent.top; margins: 16 }
             session: root.session
         }
         FilesNotice {
-            anchors { left: parent.left; top: parent.top; leftMargin: 78; topMargin: 62 }
+            anchors { left: parent.left; top: parent.top; leftMargin: page.toolBar.x + page.toolBar.width + 16; topMargin: 62 }
             files: root.session.files
             onSaveAsRequested: dialogs.saveAs()
         }
         ImageryNotice {
             z: 1
-            anchors { horizontalCenter: parent.horizontalCenter; bottom: parent.bottom; bottomMargin: 20 }
+            anchors { horizontalCenter: parent.horizontalCenter; bottom: parent.bottom; bottomMargin: page.clearOfScale(width) }
             imagery: root.session.imagery
         }
         ProblemCard {
@@ -283,7 +286,7 @@ ApplicationWindow {
         LayersPanel {
             id: layersPanel
 
-            x: 70
+            x: page.toolBar.x + page.toolBar.width + 8
             y: 16
             room: page.height - 72
             imagery: root.session.imagery
@@ -293,7 +296,7 @@ ApplicationWindow {
             onFolderRequested: dialogs.addTileFolder()
         }
         DraftHint {
-            anchors { horizontalCenter: parent.horizontalCenter; bottom: parent.bottom; bottomMargin: 20 }
+            anchors { horizontalCenter: parent.horizontalCenter; bottom: parent.bottom; bottomMargin: page.clearOfScale(width) }
             visible: page.editor.drawing
             editor: page.editor
         }

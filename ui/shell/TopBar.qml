@@ -116,6 +116,8 @@ Rectangle {
         }
         PushButton {
             objectName: "openButton"
+            // The panel of the first step has it, too.
+            visible: root.width > 720
             Layout.leftMargin: 4
             text: qsTr("Open")
             iconName: "open"

@@ -53,7 +53,11 @@ Item {
         id: card
 
         objectName: "tour.card"
-        anchors { horizontalCenter: parent.horizontalCenter; bottom: parent.bottom; bottomMargin: 28 }
+        // Beside what it speaks about where that is narrow and on the left, otherwise in the middle.
+        readonly property real beside: root.place && root.place.width < 400 && root.width > 0 && root.place.mapToItem(root, 0, 0).x < root.width / 2 ? root.place.mapToItem(root, root.place.width, 0).x + 16 : 0
+
+        x: Math.min(Math.max((parent.width - width) / 2, beside), parent.width - width - 16)
+        anchors { bottom: parent.bottom; bottomMargin: 28 }
         width: Math.min(480, parent.width - 32)
         height: column.height + 40
         radius: 14

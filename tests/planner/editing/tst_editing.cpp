@@ -32,7 +32,7 @@ FieldSource field() {
 }
 
 FieldShape shape(const GeoRing& guide = {}) {
-    FieldShape made = *FieldShape::of(field(), guide);
+    FieldShape made = *FieldShape::of(field(), {.guide = guide, .splits = {}});
     // Worked out by hand in this frame.
     made.frame = kFrame;
     for (Outline& outline : made.outlines) {

@@ -3,14 +3,14 @@
 #include "planner/io/field_content.h"
 #include "planner/machine/machine_library.h"
 #include "planner/plan/plan.h"
+#include "tests/support/geo_rings.h"
+#include "tests/support/scratch.h"
 
 #include <QFileInfo>
 #include <QProcess>
 #include <QStandardPaths>
 
 #include <cmath>
-#include <fstream>
-#include <iterator>
 #include <memory>
 #include <string>
 
@@ -98,46 +98,6 @@ inline constexpr FormatCase kFormatCases[] = {{"plain field", plainField},
                                               {"0 degrees, southern and western", onTheGreenwichMeridianInTheSouth},
                                               {"100 holes", hundredHoles},
                                               {"50,000 points", manyCorners}};
-
-inline double metresBetween(GeoPoint a, GeoPoint b) {
-    constexpr double kMetresPerDegree = 111'195.0;
-    return kMetresPerDegree * std::hypot(std::remainder(a.lonDeg - b.lonDeg, 360.0) * std::cos(a.latDeg * M_PI / 180.0),
-                                         a.latDeg - b.latDeg);
-}
-
-/// The same corners one after the other, wherever the ring begins and whichever way it runs.
-inline bool sameRing(GeoRing actual, const GeoRing& expected, double toleranceM) {
-    if (actual.size() != expected.size()) {
-        return false;
-    }
-    const auto begin = std::min_element(actual.begin(), actual.end(), [&](GeoPoint a, GeoPoint b) {
-        return metresBetween(a, expected[0]) < metresBetween(b, expected[0]);
-    });
-    std::rotate(actual.begin(), begin, actual.end());
-    const auto equal = [&] {
-        return std::equal(actual.begin(), actual.end(), expected.begin(), [toleranceM](GeoPoint a, GeoPoint b) {
-            return metresBetween(a, b) <= toleranceM;
-        });
-    };
-    if (equal()) {
-        return true;
-    }
-    std::reverse(actual.begin() + 1, actual.end());
-    return equal();
-}
-
-inline bool samePolygon(const GeoPolygon& actual, const GeoPolygon& expected, double toleranceM) {
-    return sameRing(actual.outer, expected.outer, toleranceM) && actual.holes.size() == expected.holes.size() &&
-           std::all_of(expected.holes.begin(), expected.holes.end(), [&](const GeoRing& hole) {
-               return std::any_of(actual.holes.begin(), actual.holes.end(),
-                                  [&](const GeoRing& other) { return sameRing(other, hole, toleranceM); });
-           });
-}
-
-inline std::string bytesOf(const std::filesystem::path& path) {
-    std::ifstream file{path, std::ios::binary};
-    return {std::istreambuf_iterator<char>{file}, {}};
-}
 
 /// The plan of a field with the first machine, or of another one; null where it is refused, with a warning.
 inline std::shared_ptr<const Plan> planOf(const FieldSource& source, std::string_view machine = "agbot",

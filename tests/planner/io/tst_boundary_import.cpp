@@ -1,74 +1,17 @@
 #include "planner/io/boundary_import.h"
+#include "tests/support/north_field.h"
+#include "tests/support/result_check.h"
+#include "tests/support/scratch.h"
 
-#include <QDir>
-#include <QTemporaryDir>
 #include <QTest>
 
-#include <fcntl.h>
-#include <unistd.h>
-
+#include <atomic>
 #include <cmath>
-#include <cstdio>
-#include <fstream>
-#include <iterator>
+#include <format>
 #include <thread>
 
 using namespace furrow;
-
-namespace {
-
-// The field of tests/data/imports/README.md, by hand.
-const GeoRing kOuter{{9.0, 52.0}, {9.003, 52.0}, {9.003, 52.002}, {9.0, 52.002}};
-const GeoRing kHole{{9.001, 52.0005}, {9.001, 52.0015}, {9.002, 52.0015}, {9.002, 52.0005}};
-
-// A millimetre on the ground.
-constexpr double kToleranceDeg = 1e-8;
-
-std::filesystem::path dataFile(const QString& name) {
-    return std::filesystem::path{FURROW_TEST_DATA_DIR} / "imports" / name.toStdString();
-}
-
-/// The same points, wherever the ring begins and whichever way it runs.
-bool sameRing(const GeoRing& actual, const GeoRing& expected) {
-    return actual.size() == expected.size() &&
-           std::ranges::all_of(expected, [&actual](const GeoPoint& wanted) {
-               return std::ranges::any_of(actual, [&wanted](const GeoPoint& point) {
-                   return std::abs(point.lonDeg - wanted.lonDeg) < kToleranceDeg &&
-                          std::abs(point.latDeg - wanted.latDeg) < kToleranceDeg;
-               });
-           });
-}
-
-bool isNorthField(const FieldSource& field) {
-    return field.parts.size() == 1 && sameRing(field.parts[0].outer, kOuter) &&
-           field.parts[0].holes.size() == 1 && sameRing(field.parts[0].holes[0], kHole);
-}
-
-std::string bytesOf(const std::filesystem::path& path) {
-    std::ifstream file{path, std::ios::binary};
-    return {std::istreambuf_iterator<char>{file}, {}};
-}
-
-/// A folder with one file of this content.
-class Scratch {
-public:
-    std::filesystem::path write(const std::string& name, const std::string& content) const {
-        const std::filesystem::path path = std::filesystem::path{folder_.path().toStdString()} / name;
-        std::ofstream{path, std::ios::binary} << content;
-        return path;
-    }
-
-private:
-    QTemporaryDir folder_;
-};
-
-const char* text(const auto& result) {
-    static std::string line;
-    line = result ? "" : result.error().line();
-    return line.c_str();
-}
-
-}  // namespace
+using namespace furrow::test;
 
 class TestBoundaryImport : public QObject {
     Q_OBJECT
@@ -84,20 +27,10 @@ private slots:
     void readsOwnPlans();
     void takesIdsAndNames_data();
     void takesIdsAndNames();
-    void passesNotFiniteOn_data();
-    void passesNotFiniteOn();
     void curvesBecomeShortChords();
-    void refuses_data();
-    void refuses();
-    void refusesPlaces_data();
-    void refusesPlaces();
-    void truncatedFilesAreErrors_data();
-    void truncatedFilesAreErrors();
     void picksFields_data();
     void picksFields();
     void listsFieldsWhereOneMustBeChosen();
-    void stops();
-    void leavesNoTraces();
     void readsInSeveralThreads();
 };
 
@@ -128,7 +61,7 @@ void TestBoundaryImport::reads_data() {
 void TestBoundaryImport::reads() {
     QFETCH(int, fields);
     const auto read = readBoundaries(dataFile(QString::fromUtf8(QTest::currentDataTag())));
-    QVERIFY2(read, text(read));
+    VERIFY_RESULT(read);
     QCOMPARE(static_cast<int>(read->size()), fields);
     QVERIFY(isNorthField(read->front()));
     QVERIFY(read->front().repairs.empty());
@@ -193,7 +126,7 @@ void TestBoundaryImport::readsText() {
     QFETCH(QString, content);
     const Scratch scratch;
     const auto read = readBoundaries(scratch.write(file.toStdString(), content.toStdString()));
-    QVERIFY2(read, text(read));
+    VERIFY_RESULT(read);
     QVERIFY(isNorthField(read->front()));
 }
 
@@ -243,28 +176,28 @@ void TestBoundaryImport::saysWhichRingsWereOpen() {
     QFETCH(double, lonDeg);
     const Scratch scratch;
     const auto read = readBoundaries(scratch.write(file.toStdString(), content.toStdString()));
-    QVERIFY2(read, text(read));
+    VERIFY_RESULT(read);
     const std::vector<Note>& repairs = read->front().repairs;
     QCOMPARE(repairs.size(), said.isEmpty() ? 0U : 1U);
     if (!said.isEmpty()) {
         QCOMPARE(QString::fromStdString(repairs.front().text), said);
         QCOMPARE(QString::fromStdString(repairs.front().where), where);
-        QVERIFY(repairs.front().place && std::abs(repairs.front().place->lonDeg - lonDeg) < kToleranceDeg);
+        QVERIFY(repairs.front().place && std::abs(repairs.front().place->lonDeg - lonDeg) < 1e-8);
     }
 }
 
 void TestBoundaryImport::keepsPartsTogether() {
     const auto read = readBoundaries(dataFile("geojson/two_fields.geojson"));
-    QVERIFY2(read, text(read));
+    VERIFY_RESULT(read);
     const FieldSource& south = (*read)[1];
     QCOMPARE(south.parts.size(), 2U);
-    QVERIFY(sameRing(south.parts[1].outer, {{9.01, 51.99}, {9.013, 51.99}, {9.013, 51.992}}));
+    QVERIFY(sameRing(south.parts[1].outer, {{9.01, 51.99}, {9.013, 51.99}, {9.013, 51.992}}, kToleranceM));
     QCOMPARE(south.origin, std::string{"two_fields.geojson, feature 2"});
 }
 
 void TestBoundaryImport::readsOwnPlans() {
     const auto read = readBoundaries(dataFile("geojson/plan.geojson"));
-    QVERIFY2(read, text(read));
+    VERIFY_RESULT(read);
     QCOMPARE(read->size(), 2U);
     const FieldSource& north = (*read)[0];
     const FieldSource& south = (*read)[1];
@@ -275,7 +208,7 @@ void TestBoundaryImport::readsOwnPlans() {
     QVERIFY(!north.obstacles[0].passable);
     QCOMPARE(north.obstacles[0].buffer.si(), 1.5);
     QVERIFY(sameRing(north.obstacles[0].outline.outer,
-                     {{9.0005, 52.0002}, {9.0006, 52.0002}, {9.0006, 52.0003}}));
+                     {{9.0005, 52.0002}, {9.0006, 52.0002}, {9.0006, 52.0003}}, kToleranceM));
     QVERIFY(north.gates.empty());
     QCOMPARE(south.obstacles.size(), 1U);
     QVERIFY(south.obstacles[0].passable);
@@ -309,35 +242,10 @@ void TestBoundaryImport::takesIdsAndNames() {
         R"({"type":"FeatureCollection","features":[{"type":"Feature",)" + feature +
         R"(,"geometry":{"type":"Polygon","coordinates":[[[9,52],[9.1,52],[9,52.1],[9,52]]]}}]})";
     const auto read = readBoundaries(scratch.write("f.geojson", content.toStdString()));
-    QVERIFY2(read, text(read));
+    VERIFY_RESULT(read);
     QCOMPARE(QString::fromStdString(read->front().id), id);
     QCOMPARE(QString::fromStdString(read->front().name), name);
     QCOMPARE(read->front().origin, std::string{"f.geojson"});
-}
-
-void TestBoundaryImport::passesNotFiniteOn_data() {
-    QTest::addColumn<QString>("file");
-    QTest::addColumn<QString>("content");
-    QTest::newRow("NaN in GeoJSON")
-        << "f.geojson"
-        << R"({"type":"Polygon","coordinates":[[[9,52],[NaN,52],[9,52.1],[9,52]]]})";
-    QTest::newRow("infinity in GeoJSON")
-        << "f.geojson" << R"({"type":"Polygon","coordinates":[[[9,52],[1e999,52],[9,52.1],[9,52]]]})";
-    QTest::newRow("NaN in well-known text") << "f.wkt" << "POLYGON((9 52, nan 52, 9 52.1, 9 52))";
-    QTest::newRow("NaN in another system")
-        << "f.wkt" << "SRID=25832;POLYGON((500000 5761000, nan 5761000, 500000 5762000, 500000 5761000))";
-    QTest::newRow("NaN in a table") << "f.csv" << "lon,lat\n9,52\nnan,52\n9,52.1\n";
-}
-
-void TestBoundaryImport::passesNotFiniteOn() {
-    QFETCH(QString, file);
-    QFETCH(QString, content);
-    const Scratch scratch;
-    const auto read = readBoundaries(scratch.write(file.toStdString(), content.toStdString()));
-    QVERIFY2(read, text(read));
-    const GeoRing& ring = read->front().parts.front().outer;
-    QCOMPARE(ring.size(), 3U);
-    QVERIFY(!std::isfinite(ring[1].lonDeg));
 }
 
 void TestBoundaryImport::curvesBecomeShortChords() {
@@ -347,155 +255,13 @@ void TestBoundaryImport::curvesBecomeShortChords() {
     const auto read = readBoundaries(scratch.write(
         "pivot.wkt",
         "SRID=25832;CURVEPOLYGON(CIRCULARSTRING(499600 5761000, 500400 5761000, 499600 5761000))"));
-    QVERIFY2(read, text(read));
+    VERIFY_RESULT(read);
     const GeoPolygon& circle = read->front().parts.front();
     QVERIFY2(circle.outer.size() >= 300 && circle.outer.size() <= 400,
              std::to_string(circle.outer.size()).c_str());
     // Grid scale at the central meridian is 0.9996.
     const double expectedM2 = 3.14159265 * 400.0 * 400.0 / (0.9996 * 0.9996);
     QVERIFY(std::abs(geodesicArea(circle).si() / expectedM2 - 1.0) < 2e-4);
-}
-
-void TestBoundaryImport::refuses_data() {
-    QTest::addColumn<QString>("file");
-    QTest::addColumn<QByteArray>("content");
-    QTest::addColumn<bool>("unreadable");
-    QTest::addColumn<QString>("message");
-    const auto row = [](const char* name, const char* file, const QByteArray& content, bool unreadable,
-                        const char* message) {
-        QTest::newRow(name) << QString::fromUtf8(file) << content << unreadable << QString::fromUtf8(message);
-    };
-    row("empty file", "f.geojson", "", false, "f.geojson: the file is empty");
-    row("blanks only", "f.geojson", "   \n", true, "no boundary");
-    row("picture", "f.geojson", QByteArray{"\x89PNG\r\n\x1a\n\0\0\0\rIHDR", 16}, true, "the picture cannot be read");
-    row("shapefile in name only", "f.shp", "POINT and nothing else", true, "f.shp");
-    row("GeoJSON cut off", "f.geojson",
-        R"({"type":"Polygon",)"
-        "\n"
-        R"("coordinates":[[[9,52],[9.1,)",
-        true, "f.geojson, line 2, column 29: this is not JSON from here on");
-    row("null as a coordinate", "f.geojson",
-        R"({"type":"FeatureCollection","features":[)"
-        R"({"type":"Feature","properties":{},"geometry":{"type":"Polygon","coordinates":[[[9,52],[9.1,52],[9,52.1],[9,52]]]}},)"
-        R"({"type":"Feature","properties":{},"geometry":{"type":"MultiPolygon","coordinates":[[[[9,52],[9.1,52],[9,null],[9,52]]]]}}]})",
-        false, "f.geojson, feature 2, part 1, ring 1, vertex 3: a coordinate is not a number");
-    row("text as a coordinate", "f.geojson",
-        R"({"type":"Polygon","coordinates":[[[9,52],["9.1",52],[9,52.1],[9,52]]]})", false,
-        "ring 1, vertex 2: a coordinate is not a number");
-    row("coordinate without latitude", "f.geojson",
-        R"({"type":"Polygon","coordinates":[[[9,52],[9.1],[9,52.1],[9,52]]]})", false, "ring 1, vertex 2");
-    row("lines only", "f.geojson", R"({"type":"LineString","coordinates":[[9,52],[9.1,52],[9,52.1]]})", false,
-        "there is no field boundary in it, only 1 open line");
-    row("points only", "f.geojson", R"({"type":"MultiPoint","coordinates":[[9,52],[9.1,52],[9,52.1]]})",
-        false, "only 3 points");
-    row("no features", "f.geojson", R"({"type":"FeatureCollection","features":[]})", false,
-        "there is no field boundary in it;");
-    row("broken well-known text", "f.wkt", "POLYGON((9 52, 9.1 52, 9 52.1, 9 52))\nPOLYGON((9 52, 9.1", false,
-        "f.wkt, line 2, column 1: this is not well-known text");
-    row("metres without a system", "f.wkt", "POLYGON((500000 5761000, 500100 5761000, 500000 5761100))",
-        false, "500000.000, 5761000.000 is no longitude and latitude");
-    row("unknown system", "f.wkt", "SRID=999999;POLYGON((9 52, 9.1 52, 9 52.1))", false, "SRID=");
-    row("table without coordinates", "f.csv", "name,area\nA,5\nB,6\n", false,
-        "neither a column WKT nor columns lon and lat");
-    row("table with a word for a number", "f.csv", "lon,lat\n9,52\nabc,52\n9,52.1\n", false,
-        "f.csv, row 2: 'abc', '52' is no longitude and latitude");
-    row("table with a gap", "f.csv", "lon,lat\n9,52\n,52\n9,52.1\n", false, "f.csv, row 2");
-    row("table in metres", "f.csv", "x,y\n500000,5761000\n500100,5761000\n500000,5761100\n", false,
-        "f.csv, row 1");
-    row("table with broken well-known text", "f.csv",
-        "WKT,name\n\"POLYGON((9 52, 9.1 52, 9 52.1, 9 52))\",A\nPOLYGON(9),B\n", false, "f.csv, row 2");
-    row("obstacle far from every field", "f.geojson",
-        R"({"type":"FeatureCollection","features":[)"
-        R"({"type":"Feature","properties":{"kind":"field"},"geometry":{"type":"Polygon","coordinates":[[[9,52],[9.1,52],[9,52.1],[9,52]]]}},)"
-        R"({"type":"Feature","properties":{"kind":"field"},"geometry":{"type":"Polygon","coordinates":[[[8,52],[8.1,52],[8,52.1],[8,52]]]}},)"
-        R"({"type":"Feature","properties":{"kind":"obstacle","name":"Pylon"},"geometry":{"type":"Polygon","coordinates":[[[1,52],[1.1,52],[1,52.1],[1,52]]]}}]})",
-        false, "obstacle Pylon: it lies in none of the 2 fields");
-    row("buffer that is no length", "f.geojson",
-        R"({"type":"FeatureCollection","features":[)"
-        R"({"type":"Feature","properties":{"kind":"field"},"geometry":{"type":"Polygon","coordinates":[[[9,52],[9.1,52],[9,52.1],[9,52]]]}},)"
-        R"({"type":"Feature","properties":{"kind":"obstacle","name":"Pylon","buffer_m":-1},"geometry":{"type":"Polygon","coordinates":[[[9.01,52.01],[9.02,52.01],[9.01,52.02],[9.01,52.01]]]}}]})",
-        false, "buffer_m: '-1' is no length");
-    row("zip of nothing", "f.zip", QByteArray{"PK\x05\x06\0\0\0\0\0\0\0\0\0\0\0\0\0\0\0\0\0\0", 22}, true,
-        "f.zip");
-}
-
-void TestBoundaryImport::refuses() {
-    QFETCH(QString, file);
-    QFETCH(QByteArray, content);
-    QFETCH(bool, unreadable);
-    QFETCH(QString, message);
-    const Scratch scratch;
-    const auto read = readBoundaries(scratch.write(file.toStdString(), content.toStdString()));
-    QVERIFY(!read);
-    QVERIFY2(read.error().line().contains(message.toStdString()), text(read));
-    QVERIFY2((read.error().code == ErrorCode::ReadFailed) == unreadable, text(read));
-    QVERIFY2((read.error().code == ErrorCode::InputRefused) == !unreadable, text(read));
-    QVERIFY2(!read.error().remedy.empty(), text(read));
-}
-
-void TestBoundaryImport::refusesPlaces_data() {
-    QTest::addColumn<QString>("path");
-    QTest::addColumn<QString>("message");
-    QTest::newRow("missing") << "/no/such/file.geojson" << "/no/such/file.geojson: there is no such file";
-    QTest::newRow("folder") << FURROW_TEST_DATA_DIR "/imports/geojson" << "this folder holds no TASKDATA.XML";
-    QTest::newRow("device") << "/dev/null" << "this is no ordinary file";
-    QTest::newRow("web address") << "https://example.org/field.geojson" << "only files on this computer";
-    QTest::newRow("file system of GDAL's")
-        << "/vsicurl/https://example.org/field.geojson" << "only files on this computer";
-    QTest::newRow("shapefile without its index") << "" << "the .shx file that belongs to it is missing";
-    QTest::newRow("zip without boundaries")
-        << QString::fromStdString(dataFile("zip/nothing_of_use.zip").string())
-        << "no boundary file in this zip";
-}
-
-void TestBoundaryImport::refusesPlaces() {
-    QFETCH(QString, path);
-    QFETCH(QString, message);
-    const Scratch scratch;
-    std::filesystem::path file{path.toStdString()};
-    if (path.isEmpty()) {
-        file = scratch.write("lonely.shp", bytesOf(dataFile("shapefile/field_utm32.shp")));
-    }
-    const auto read = readBoundaries(file);
-    QVERIFY(!read);
-    QVERIFY2(read.error().line().contains(message.toStdString()), text(read));
-    QVERIFY(read.error().code == ErrorCode::ReadFailed);
-}
-
-void TestBoundaryImport::truncatedFilesAreErrors_data() {
-    QTest::addColumn<QString>("file");
-    for (const char* file :
-         {"geojson/field.geojson", "shapefile/field_utm32.shp", "zip/shapefile_flat.zip",
-          "zip/geopackage.zip", "kml/field.kml", "kml/without_document.kmz", "gpkg/two_layers.gpkg",
-          "gml/field_mercator.gml", "flatgeobuf/field_laea.fgb", "filegdb/field.gdb.zip", "wkt/field.wkt"}) {
-        QTest::newRow(file) << QString::fromUtf8(file);
-    }
-}
-
-void TestBoundaryImport::truncatedFilesAreErrors() {
-    QFETCH(QString, file);
-    const std::filesystem::path whole = dataFile(file);
-    const std::string bytes = bytesOf(whole);
-    for (const double share : {0.02, 0.2, 0.5, 0.8, 0.95}) {
-        const Scratch scratch;
-        const auto size = static_cast<std::size_t>(share * static_cast<double>(bytes.size()));
-        for (const char* companion : {".shx", ".dbf", ".prj", ".xsd"}) {
-            std::filesystem::path beside = whole;
-            beside.replace_extension(companion);
-            if (std::filesystem::exists(beside)) {
-                scratch.write(beside.filename().string(), bytesOf(beside));
-            }
-        }
-        const auto read = readBoundaries(scratch.write(whole.filename().string(), bytes.substr(0, size)));
-        if (read) {
-            // What lies behind the end of the boundary in the file may be cut off without harm.
-            QVERIFY2(isNorthField(read->front()), std::format("cut to {}", share).c_str());
-        } else {
-            QVERIFY2(
-                read.error().code == ErrorCode::ReadFailed || read.error().code == ErrorCode::InputRefused,
-                text(read));
-        }
-    }
 }
 
 void TestBoundaryImport::picksFields_data() {
@@ -520,7 +286,7 @@ void TestBoundaryImport::picksFields() {
     QFETCH(QString, wanted);
     QFETCH(int, index);
     QFETCH(QString, message);
-    const GeoPolygon ground{.outer = kOuter, .holes = {}};
+    const GeoPolygon ground{.outer = kNorthField.outer, .holes = {}};
     std::vector<FieldSource> fields(4);
     const char* const names[][2] = {{"a", "Hill"}, {"b", "Twin"}, {"c", "Twin"}, {"2", "Brook"}};
     for (std::size_t i = 0; i < fields.size(); ++i) {
@@ -531,11 +297,11 @@ void TestBoundaryImport::picksFields() {
     const std::string asked = wanted.toStdString();
     const auto picked = pickField(fields, asked);
     if (index >= 0) {
-        QVERIFY2(picked, text(picked));
+        VERIFY_RESULT(picked);
         QVERIFY(*picked == fields[static_cast<std::size_t>(index)]);
     } else {
         QVERIFY(!picked && picked.error().code == ErrorCode::Usage);
-        QVERIFY2(picked.error().line().contains(message.toStdString()), text(picked));
+        QVERIFY2(picked.error().line().contains(message.toStdString()), picked.error().line().c_str());
     }
 }
 
@@ -543,7 +309,7 @@ void TestBoundaryImport::listsFieldsWhereOneMustBeChosen() {
     std::vector<FieldSource> fields(23);
     for (std::size_t i = 0; i < fields.size(); ++i) {
         fields[i].id = std::format("f{}", i + 1);
-        fields[i].parts = {{.outer = kOuter, .holes = {kHole}}};
+        fields[i].parts = {kNorthField};
     }
     const auto picked = pickField(fields, std::nullopt);
     QVERIFY(!picked && picked.error().code == ErrorCode::Usage);
@@ -552,47 +318,6 @@ void TestBoundaryImport::listsFieldsWhereOneMustBeChosen() {
     QVERIFY2(line.contains("20 f20 (3.82 ha) and 3 more") && !line.contains("f21"), line.c_str());
     fields.resize(1);
     QVERIFY(pickField(fields, std::nullopt));
-}
-
-void TestBoundaryImport::stops() {
-    std::stop_source source;
-    source.request_stop();
-    const auto read = readBoundaries(dataFile("geojson/two_fields.geojson"), {.stop = source.get_token()});
-    QVERIFY(!read && read.error().code == ErrorCode::Cancelled);
-}
-
-void TestBoundaryImport::leavesNoTraces() {
-    // Neither files beside the one that is read nor words on standard error.
-    const QTemporaryDir folder;
-    const std::filesystem::path target{folder.path().toStdString()};
-    std::filesystem::copy(dataFile(""), target, std::filesystem::copy_options::recursive);
-    std::ofstream{target / "broken.gpkg"} << "SQLite format 3";
-    const auto listing = [&target] {
-        std::vector<std::filesystem::path> files;
-        for (const auto& entry : std::filesystem::recursive_directory_iterator{target}) {
-            files.push_back(entry.path());
-        }
-        std::ranges::sort(files);
-        return files;
-    };
-    const auto before = listing();
-    const std::filesystem::path caught =
-        std::filesystem::temp_directory_path() / std::format("furrow-stderr-{}", getpid());
-    std::fflush(stderr);
-    const int terminal = dup(STDERR_FILENO);
-    const int file = open(caught.c_str(), O_CREAT | O_TRUNC | O_WRONLY, 0600);
-    dup2(file, STDERR_FILENO);
-    for (const std::filesystem::path& path : before) {
-        [[maybe_unused]] const auto read = readBoundaries(path);
-    }
-    std::fflush(stderr);
-    dup2(terminal, STDERR_FILENO);
-    close(file);
-    close(terminal);
-    const std::string words = bytesOf(caught);
-    std::filesystem::remove(caught);
-    QVERIFY2(words.empty(), words.c_str());
-    QVERIFY(listing() == before);
 }
 
 void TestBoundaryImport::readsInSeveralThreads() {

@@ -18,20 +18,6 @@ namespace {
 
 namespace fs = std::filesystem;
 
-/// A folder that is gone with the test.
-class Scratch {
-public:
-    fs::path path(const std::string& name) const { return fs::path{folder_.path().toStdString()} / name; }
-    fs::path write(const std::string& name, const std::string& content) const {
-        fs::create_directories(path(name).parent_path());
-        std::ofstream{path(name), std::ios::binary} << content;
-        return path(name);
-    }
-
-private:
-    QTemporaryDir folder_;
-};
-
 const std::string kRing =
     R"(<PNT A="2" C="52.0" D="9.0"/><PNT A="2" C="52.0" D="9.003"/><PNT A="2" C="52.002" D="9.003"/><PNT A="2" C="52.002" D="9.0"/>)";
 const std::string kHole =

@@ -57,11 +57,22 @@ private slots:
         QCOMPARE(projectText(read->project), projectText(project));
         QVERIFY(isProject(projectText(project)));
     }
+    void drawnLinesAreKept() {
+        // Ends of numbers that need all their digits.
+        const std::vector<GeoRing> splits{{{22.5, 58.251}, {22.507 + 1e-13, 58.251}}, {{22.503, 58.25}, {22.5035, 58.252}, {22.503, 58.254}}};
+        const Project project = withSplits(sampleProject(), splits);
+        const auto read = parseProject(projectText(project), "farm.furrow");
+        VERIFY_RESULT(read);
+        QVERIFY(linesOf(read->project).splits == splits);
+        QVERIFY(linesOf(read->project).guide == linesOf(project).guide);
+        QVERIFY(!linesOf(project).guide.empty());
+        QVERIFY(withSplits(read->project, {}) == sampleProject());
+    }
     void imageryIsNamedFromTheProjectsFolder_data() {
         QTest::addColumn<QString>("place");
         QTest::addColumn<QString>("written");
-        QTest::newRow("beside it") << "farm/photo.tif" << "photo.tif";
-        QTest::newRow("below it") << "farm/pictures/2026/photo.tif" << "pictures/2026/photo.tif";
+        QTest::newRow("beside it") << "first/photo.tif" << "photo.tif";
+        QTest::newRow("below it") << "first/pictures/2026/photo.tif" << "pictures/2026/photo.tif";
         QTest::newRow("in a neighbour") << "drone/photo.tif" << "../drone/photo.tif";
         QTest::newRow("on another disk") << "/mnt/disk/photo.tif" << "/mnt/disk/photo.tif";
     }
@@ -69,22 +80,22 @@ private slots:
         QFETCH(QString, place);
         QFETCH(QString, written);
         const QTemporaryDir folder;
-        QVERIFY(QDir{folder.path()}.mkpath(QStringLiteral("farm")) && QDir{folder.path()}.mkpath(QStringLiteral("moved")));
+        QVERIFY(QDir{folder.path()}.mkpath(QStringLiteral("first")) && QDir{folder.path()}.mkpath(QStringLiteral("moved")));
         Project project = sampleProject();
         const std::string path = (std::filesystem::path{folder.path().toStdString()} / place.toStdString()).string();
         project = withImagery(project, {{.path = path, .name = "Photo", .visible = false, .opacity = 0.4,
                                          .rowsFromSouth = true, .others = R"({"colour":"blue"})"}});
-        VERIFY_RESULT(writeProject(project, pathIn(folder, "farm/a.furrow")));
-        const auto read = readProject(pathIn(folder, "farm/a.furrow"));
+        VERIFY_RESULT(writeProject(project, pathIn(folder, "first/a.furrow")));
+        const auto read = readProject(pathIn(folder, "first/a.furrow"));
         VERIFY_RESULT(read);
         QVERIFY(read->project == project);
-        QFile file{folder.filePath(QStringLiteral("farm/a.furrow"))};
+        QFile file{folder.filePath(QStringLiteral("first/a.furrow"))};
         QVERIFY(file.open(QIODevice::ReadOnly));
         QVERIFY(file.readAll().contains("\"path\":\"" + written.toUtf8() + "\""));
         // Somewhere else the same words name what lies beside it there.
-        QVERIFY(QDir{folder.path()}.mkpath(QStringLiteral("moved/farm")));
-        QVERIFY(QFile::copy(folder.filePath(QStringLiteral("farm/a.furrow")), folder.filePath(QStringLiteral("moved/farm/a.furrow"))));
-        const auto moved = readProject(pathIn(folder, "moved/farm/a.furrow"));
+        QVERIFY(QDir{folder.path()}.mkpath(QStringLiteral("moved/first")));
+        QVERIFY(QFile::copy(folder.filePath(QStringLiteral("first/a.furrow")), folder.filePath(QStringLiteral("moved/first/a.furrow"))));
+        const auto moved = readProject(pathIn(folder, "moved/first/a.furrow"));
         VERIFY_RESULT(moved);
         const std::filesystem::path there =
             place.startsWith('/') ? std::filesystem::path{place.toStdString()}

@@ -61,7 +61,7 @@ private slots:
         Document document;
         document.begin({.base = std::make_shared<const Project>(before), .steps = {}, .done = 0, .file = {},
                         .savedFingerprint = {}, .saved = 0});
-        document.change(QStringLiteral("Change"), changed);
+        document.change([] { return QStringLiteral("Change"); }, changed);
         QVERIFY(*document.project() == changed);
         QVERIFY(document.isModified());
         QCOMPARE(document.undoText(), QStringLiteral("Change"));
@@ -88,23 +88,26 @@ private slots:
         QCOMPARE(ids.size(), all);
         QCOMPARE(project.currentField, std::size_t{2});
     }
-    /// Its AB line lies in the field it was drawn in.
+    /// Its AB line and its split lines lie in the field they were drawn in.
     void aNewFieldTakesMachineAndSettingsButNoPlaces() {
-        const Project project = withFields(showing(sampleProject(), 0, 0), {sampleSource()});
+        const Project first = withSplits(showing(sampleProject(), 0, 0), {{{22.5, 58.251}, {22.507, 58.251}}});
+        QVERIFY(first.plan().settings.isSet(**findParameter("decomposition.split")));
+        const Project project = withFields(first, {sampleSource()});
         QCOMPARE(widthOf(project), 24.5);
         QVERIFY(!project.plan().settings.isSet(**findParameter("swaths.line")));
         QVERIFY(!project.plan().settings.isSet(**findParameter("swaths.method")));
+        QVERIFY(!project.plan().settings.isSet(**findParameter("decomposition.split")));
     }
     void draggingIsOneChange() {
         Document document;
         for (int i = 1; i <= 20; ++i) {
-            document.change(QStringLiteral("Width"), withWidth(*document.project(), i), QStringLiteral("w"),
+            document.change([] { return QStringLiteral("Width"); }, withWidth(*document.project(), i), QStringLiteral("w"),
                             Document::Follows::More);
             QVERIFY(document.isDragging());
         }
-        document.change(QStringLiteral("Width"), withWidth(*document.project(), 21), QStringLiteral("w"));
+        document.change([] { return QStringLiteral("Width"); }, withWidth(*document.project(), 21), QStringLiteral("w"));
         QVERIFY(!document.isDragging());
-        document.change(QStringLiteral("Width"), withWidth(*document.project(), 40), QStringLiteral("w"));
+        document.change([] { return QStringLiteral("Width"); }, withWidth(*document.project(), 40), QStringLiteral("w"));
         QCOMPARE(document.history().steps.size(), std::size_t{2});
         document.undo();
         QCOMPARE(widthOf(*document.project()), 21.0);
@@ -115,19 +118,19 @@ private slots:
     void draggingBackIsNoChange() {
         Document document;
         const Project before = *document.project();
-        document.change(QStringLiteral("Width"), withWidth(before, 5), QStringLiteral("w"), Document::Follows::More);
-        document.change(QStringLiteral("Width"), before, QStringLiteral("w"));
+        document.change([] { return QStringLiteral("Width"); }, withWidth(before, 5), QStringLiteral("w"), Document::Follows::More);
+        document.change([] { return QStringLiteral("Width"); }, before, QStringLiteral("w"));
         QVERIFY(!document.canUndo());
         QVERIFY(!document.isModified());
-        document.change(QStringLiteral("Nothing"), before);
+        document.change([] { return QStringLiteral("Nothing"); }, before);
         QVERIFY(!document.canUndo());
     }
     void anotherChangeEndsADrag() {
         Document document;
-        document.change(QStringLiteral("Width"), withWidth(*document.project(), 5), QStringLiteral("w"), Document::Follows::More);
-        document.change(QStringLiteral("Field"), withFields(*document.project(), {sampleSource()}));
+        document.change([] { return QStringLiteral("Width"); }, withWidth(*document.project(), 5), QStringLiteral("w"), Document::Follows::More);
+        document.change([] { return QStringLiteral("Field"); }, withFields(*document.project(), {sampleSource()}));
         document.undo();
-        document.change(QStringLiteral("Width"), withWidth(*document.project(), 6), QStringLiteral("w"), Document::Follows::More);
+        document.change([] { return QStringLiteral("Width"); }, withWidth(*document.project(), 6), QStringLiteral("w"), Document::Follows::More);
         QCOMPARE(document.history().steps.size(), std::size_t{2});
         document.undo();
         QCOMPARE(widthOf(*document.project()), 5.0);
@@ -145,7 +148,7 @@ private slots:
     void aHistoryGoesOn() {
         Document first;
         for (int i = 1; i <= 5; ++i) {
-            first.change(QStringLiteral("Step %1").arg(i), withWidth(*first.project(), i));
+            first.change([i] { return QStringLiteral("Step %1").arg(i); }, withWidth(*first.project(), i));
             if (i == 3) {
                 first.markSaved();
             }

@@ -48,7 +48,7 @@ struct Desk {
         return opened && files.open(path, std::move(*opened));
     }
     void step(int number) {
-        document.change(QStringLiteral("Step %1").arg(number), numbered(*document.project(), number));
+        document.change([number] { return QStringLiteral("Step %1").arg(number); }, numbered(*document.project(), number));
     }
 };
 
@@ -156,7 +156,7 @@ private slots:
     void workWithoutANameComesBackToo() {
         {
             Desk desk{journals_};
-            desk.document.change(QStringLiteral("Add"), withFields(*desk.document.project(), {sampleSource()}));
+            desk.document.change([] { return QStringLiteral("Add"); }, withFields(*desk.document.project(), {sampleSource()}));
         }
         {
             Desk desk{journals_};
@@ -283,7 +283,7 @@ static int editUntilKilled() {
     }
     int number = numberOf(*desk.document.project());
     if (desk.document.project()->fields.empty()) {
-        desk.document.change(QStringLiteral("Add"), withFields(*desk.document.project(), {sampleSource()}));
+        desk.document.change([] { return QStringLiteral("Add"); }, withFields(*desk.document.project(), {sampleSource()}));
     }
     const auto tell = [](const char* what, int value) {
         std::printf("%s %d.\n", what, value);

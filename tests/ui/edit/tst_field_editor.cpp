@@ -1,9 +1,12 @@
+#include "planner/decomposition/decomposition.h"
 #include "planner/editing/outline_edits.h"
 #include "planner/geometry/segment.h"
+#include "planner/project/project_edits.h"
 #include "tests/support/result_check.h"
 #include "ui/edit/field_editor.h"
 #include "ui/edit/inspector.h"
 #include "ui/plan/plan_session.h"
+#include "ui/text/display.h"
 
 #include <QAbstractItemModelTester>
 #include <QSignalSpy>
@@ -125,6 +128,20 @@ private slots:
         bench.editor.deleteSelection();
         QCOMPARE(bench.source().parts.front().outer.size(), std::size_t{4});
     }
+    void whatCanBeUndoneIsSaidInTheLanguageOfTheMoment() {
+        Bench bench;
+        furrow::Display::instance().force(QStringLiteral("en"), furrow::Display::Metric);
+        bench.drag(bench.corner(1), bench.corner(1) + Point{30, -20}, true);
+        QCOMPARE(bench.session.document()->undoText(), QStringLiteral("Move a point"));
+        QSignalSpy told{bench.session.document(), &Document::historyChanged};
+        furrow::Display::instance().force(QStringLiteral("de"), furrow::Display::Metric);
+        QVERIFY(told.count() > 0);
+        QCOMPARE(bench.session.document()->undoText(), QStringLiteral("Punkt verschieben"));
+        bench.session.document()->undo();
+        QCOMPARE(bench.session.document()->redoText(), QStringLiteral("Punkt verschieben"));
+        QCOMPARE(bench.session.document()->undoText(), QStringLiteral("Schlag Field 1 hinzufügen"));
+        furrow::Display::instance().force(QStringLiteral("en"), furrow::Display::Metric);
+    }
     void aClickAloneMovesNothing() {
         Bench bench;
         const std::size_t steps = bench.steps();
@@ -170,6 +187,69 @@ private slots:
             bench.session.document()->undo();
         }
         QVERIFY(bench.source().obstacles.empty() && bench.source().gates.empty() && bench.source().parts.front().holes.empty());
+    }
+    void splitLinesAreDrawnMovedAndDeleted() {
+        Bench bench;
+        const auto lines = [&bench] { return linesOf(*bench.session.document()->project()).splits; };
+        const OutlineId first{OutlineKind::Split, 0, 0};
+        const OutlineId second{OutlineKind::Split, 1, 0};
+        bench.draw(FieldEditor::Tool::Split, {{-10, -400}, {10, 400}});
+        QCOMPARE(lines().size(), std::size_t{1});
+        QCOMPARE(bench.editor.selection().kind, Selection::Kind::Split);
+        bench.draw(FieldEditor::Tool::Split, {{-400, 50}, {0, 60}, {400, 50}});
+        QCOMPARE(lines().size(), std::size_t{2});
+        QCOMPARE(bench.inspector.title(), QStringLiteral("Split line 2"));
+        const std::size_t steps = bench.steps();
+        bench.drag({0, 60}, {0, 90}, true);
+        QCOMPARE(bench.steps(), steps + 1);
+        QVERIFY(distance(bench.editor.shape()->find(second)->points[1], {0, 90}) < 1e-3);
+        // The field is 412 m wide: what is planned is cut in four.
+        QTRY_VERIFY_WITH_TIMEOUT(bench.session.plan() && !bench.session.isDraft() &&
+                                     bench.session.plan()->request.settings == bench.session.settings(), kPatienceMs);
+        QVERIFY(bench.session.plan()->cells.cells.size() >= 4);
+        // A point of three can go, then the line goes with either end.
+        bench.editor.deleteSelection();
+        QCOMPARE(lines()[1].size(), std::size_t{2});
+        bench.editor.select({.kind = Selection::Kind::Vertex, .outline = second, .index = 0});
+        bench.editor.deleteSelection();
+        QCOMPARE(lines().size(), std::size_t{1});
+        bench.click({-5, -200});
+        QCOMPARE(bench.inspector.title(), QStringLiteral("Split line 1"));
+        QVERIFY(bench.editor.canDelete());
+        bench.editor.deleteSelection();
+        QVERIFY(lines().empty());
+        QVERIFY(!bench.session.settings().isSet(kSplit));
+        for (int i = 0; i < 4; ++i) {
+            bench.session.document()->undo();
+        }
+        QCOMPARE(lines().size(), std::size_t{2});
+        QVERIFY(distance(bench.editor.shape()->find(second)->points[1], {0, 60}) < 1e-3);
+        QVERIFY(bench.editor.shape()->find(first) != nullptr);
+    }
+    void everythingIsReachedByKeys() {
+        Bench bench;
+        bench.draw(FieldEditor::Tool::Obstacle, {{60, 60}, {100, 60}, {80, 100}});
+        bench.draw(FieldEditor::Tool::Guide, {{-100, -50}, {100, 50}});
+        bench.draw(FieldEditor::Tool::Split, {{-10, -400}, {10, 400}});
+        bench.editor.setTool(FieldEditor::Tool::Gate);
+        bench.editor.click(bench.at(0.5 * (bench.corner(0) + bench.corner(1))));
+        bench.editor.clearSelection();
+        using Kind = Selection::Kind;
+        for (const Kind kind : {Kind::Vertex, Kind::Obstacle, Kind::Guide, Kind::Split, Kind::Gate, Kind::Vertex}) {
+            bench.editor.selectNextShape(1);
+            QCOMPARE(bench.editor.selection().kind, kind);
+        }
+        for (const Kind kind : {Kind::Gate, Kind::Split, Kind::Guide, Kind::Obstacle, Kind::Vertex}) {
+            bench.editor.selectNextShape(-1);
+            QCOMPARE(bench.editor.selection().kind, kind);
+        }
+    }
+    void aLineThatIsLetGoIsPlannedWhole() {
+        Bench bench;
+        bench.draw(FieldEditor::Tool::Guide, {{-100, -50}, {100, 50}});
+        QTRY_COMPARE_WITH_TIMEOUT(bench.session.state(), PlanSession::State::Ready, kPatienceMs);
+        bench.drag({100, 50}, {100, 80}, true);
+        QTRY_VERIFY_WITH_TIMEOUT(!bench.session.isDraft() && std::abs(bench.session.plan()->swaths.heading.si() - std::atan2(130.0, 200.0)) < 1e-3, kPatienceMs);
     }
     void theSwathsFollowAnEdge() {
         Bench bench;

@@ -75,6 +75,17 @@ private slots:
         }
         QCOMPARE(names(model), (QStringList{"b", "Photo of May"}));
     }
+    void whatIsAddedWhileOthersAreLookedAtIsNotLost() {
+        Document document;
+        ImageryModel model{document};
+        model.add({paths_[0]});
+        model.add({paths_[1], paths_[2]});
+        QTRY_COMPARE(model.count(), 3);
+        QCOMPARE(names(model), (QStringList{"c", "b", "a"}));
+        // Nothing of it comes a second time.
+        model.add({paths_[0]});
+        QTRY_COMPARE(model.count(), 4);
+    }
     void aDraggedSliderIsOneChange() {
         Document document;
         ImageryModel model{document};

@@ -47,7 +47,7 @@ void moveVertex(PlanSession& session, std::size_t vertex, const QGeoCoordinate& 
     const Project& project = *session.document()->project();
     FieldSource source = *project.field()->source;
     source.parts.front().outer[vertex] = geoPoint(place);
-    session.document()->change(QStringLiteral("Move"), withSource(project, std::move(source)), QStringLiteral("vertex"),
+    session.document()->change([] { return QStringLiteral("Move"); }, withSource(project, std::move(source)), QStringLiteral("vertex"),
                                finished ? Document::Follows::Nothing : Document::Follows::More);
 }
 
@@ -108,8 +108,14 @@ private slots:
         QSignalSpy opened{&session, &PlanSession::fieldOpened};
         session.setBoundary(rectangle());
         QCOMPARE(session.state(), PlanSession::State::Planning);
-        QTRY_COMPARE_WITH_TIMEOUT(session.state(), PlanSession::State::Ready, kPatienceMs);
+        // It is shown at once, whatever the plan takes.
         QCOMPARE(opened.count(), 1);
+        QVERIFY(session.drawing().bounds().contains(QGeoCoordinate{58.2515, 22.5035}));
+        const auto step = [&session](int role) { return session.steps()->index(0).data(role).toString(); };
+        QCOMPARE(step(StepsModel::ChoiceRole), QStringLiteral("Field 1"));
+        QVERIFY2(step(StepsModel::ResultRole).startsWith(QStringLiteral("16.")), qPrintable(step(StepsModel::ResultRole)));
+        QTRY_COMPARE_WITH_TIMEOUT(session.state(), PlanSession::State::Ready, kPatienceMs);
+        QCOMPARE(opened.count(), 2);
         QVERIFY(!session.drawing().isEmpty());
         QVERIFY(session.statusText().startsWith(QStringLiteral("Plan ready")));
         // 0.007 by 0.0035 degrees at 58.25 north are some 411 by 390 metres.

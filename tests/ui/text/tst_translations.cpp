@@ -162,6 +162,14 @@ QMap<QString, bool> plannerTexts() {
             }
         }
     }
+    // Errors that the window makes itself are said as the planner's are.
+    static const QRegularExpression error{QString::fromUtf8("\\.(?:what|remedy) = (%1)").arg(kLiteral)};
+    for (const QString& file : filesIn(QStringLiteral("/ui"), {"*.cpp", "*.h"})) {
+        const QString text = code(file);
+        for (auto each = error.globalMatch(text); each.hasNext();) {
+            texts.insert(joined(each.next().captured(1)), false);
+        }
+    }
     const auto add = [&texts](std::string_view text) {
         const QString key = QString::fromUtf8(text.data(), static_cast<qsizetype>(text.size()));
         if (!key.isEmpty() && !isNoText(key) && key.contains(QRegularExpression{QStringLiteral("[a-z]{2,}")})) {
@@ -337,7 +345,7 @@ private slots:
             QCOMPARE(entry.forms.size(), 2);
             englishPlurals << entry.source;
         }
-        static const QRegularExpression said{QString::fromUtf8("\\b(?:qsTr|tr)\\(\\s*(%1)\\s*([,)])").arg(kLiteral)};
+        static const QRegularExpression said{QString::fromUtf8("\\b(?:qsTr|tr|QT_TR_NOOP)\\(\\s*(%1)\\s*([,)])").arg(kLiteral)};
         QStringList missing;
         int count = 0;
         for (const QString& folder : {QStringLiteral("/ui"), QStringLiteral("/app/window")}) {
@@ -362,7 +370,7 @@ private slots:
         static const QRegularExpression words{QStringLiteral("[A-Z][a-z]|[a-z] [a-z]")};
         static const QRegularExpression literal{kLiteral};
         static const QRegularExpression sentence{QStringLiteral("[A-Za-z]{2,} [a-z]{2,}")};
-        static const QRegularExpression around{QString::fromUtf8("(?:\\btr|translate|shown|qWarning|qFatal|QML_UNCREATABLE|fputs|printf|add|property|toLatin1|static_assert|contains|QLatin1String|\\.what =|\\.remedy =)\\s*[({]?\\s*$")};
+        static const QRegularExpression around{QString::fromUtf8("(?:\\btr|QT_TR_NOOP|translate|shown|qWarning|qFatal|QML_UNCREATABLE|fputs|printf|add|property|toLatin1|static_assert|contains|QLatin1String|\\.what =|\\.remedy =)\\s*[({]?\\s*$")};
         QStringList wrong;
         for (const QString& file : filesIn(QStringLiteral("/ui"), {"*.qml"})) {
             const QString text = code(file);

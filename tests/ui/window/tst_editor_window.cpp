@@ -1,128 +1,22 @@
 #include "planner/project/project_file.h"
-#include "tests/ui/window/window_test.h"
+#include "tests/ui/window/editor_window_test.h"
+#include "tests/ui/window/frame_clock.h"
 #include "ui/edit/inspector.h"
 
-#include <QElapsedTimer>
 #include <QSignalSpy>
 #include <QTemporaryDir>
 
-#include <algorithm>
 #include <cmath>
-#include <vector>
 
 using namespace furrow;
 using namespace furrow::test;
 
 /// Editing and keeping a field, as a new user does it.
-class TestEditorWindow : public WindowTest {
+class TestEditorWindow : public EditorWindowTest {
     Q_OBJECT
 
-    const FieldSource& source() const { return *session_->document()->project()->field()->source; }
-    void ready() const {
-        // What was asked for may not have begun yet.
-        QTRY_COMPARE_WITH_TIMEOUT(session_->state(), PlanSession::State::Ready, 30000);
-    }
-    QPoint middle() const { return middleOf(*map()); }
-    /// 400 by 300 pixels around the middle of the map, at zoom 16.
-    void drawField() {
-        camera()->centreOn(QGeoCoordinate{58.2515, 22.5035}, 16.0, false);
-        key(Qt::Key_B);
-        QTRY_VERIFY(item(QStringLiteral("drawingHint"))->isVisible());
-        for (const QPoint corner : {QPoint{-200, -150}, QPoint{200, -150}, QPoint{200, 150}, QPoint{-200, 150}}) {
-            clickAt(middle() + corner);
-        }
-        key(Qt::Key_Return);
-        QTRY_VERIFY(session_->hasField());
-        ready();
-        QTRY_VERIFY(session_->hasPlan());
-    }
-    /// Goes on only with a field: what follows looks at it.
-#define DRAW_FIELD() \
-    drawField();     \
-    if (QTest::currentTestFailed() || !session_->hasPlan()) { \
-        return;      \
-    }
-    QPoint cornerOnMap(std::size_t vertex) const {
-        const GeoPoint place = source().parts.front().outer[vertex];
-        return onMap(QGeoCoordinate{place.latDeg, place.lonDeg});
-    }
-    bool shows(const QString& name) const { return item(name) != nullptr && item(name)->isVisible(); }
-
 private slots:
-    void theWalk() {
-        DRAW_FIELD();
-        picture(QStringLiteral("walk1_drawn"));
-        const QPoint centre = middle();
-
-        click(QStringLiteral("obstacleTool"));
-        for (const QPoint corner : {QPoint{-60, -40}, QPoint{10, -50}, QPoint{20, 30}, QPoint{-50, 40}}) {
-            clickAt(centre + corner);
-        }
-        QTest::mouseMove(window_, centre + QPoint{-120, 10});
-        picture(QStringLiteral("walk2_obstacle_drawing"));
-        key(Qt::Key_Return);
-        QTRY_COMPARE(source().obstacles.size(), std::size_t{1});
-        QTRY_VERIFY(shows(QStringLiteral("inspector")));
-        ready();
-        click(QStringLiteral("inspector.number.1"));
-        QTRY_VERIFY(item(QStringLiteral("inspector.number.1"))->hasActiveFocus());
-        type(QStringLiteral("4"));
-        key(Qt::Key_Return);
-        QTRY_COMPARE(source().obstacles.front().buffer.si(), 4.0);
-        click(QStringLiteral("inspector.passable"));
-        QTRY_VERIFY(source().obstacles.front().passable);
-        click(QStringLiteral("inspector.passable"));
-        QTRY_VERIFY(!source().obstacles.front().passable);
-        ready();
-        picture(QStringLiteral("walk3_obstacle"));
-
-        click(QStringLiteral("gateTool"));
-        clickAt(centre + QPoint{0, 148});
-        QTRY_COMPARE(source().gates.size(), std::size_t{1});
-        ready();
-        picture(QStringLiteral("walk4_gate"));
-
-        click(QStringLiteral("guideTool"));
-        clickAt(centre + QPoint{-150, 100});
-        clickAt(centre + QPoint{-150, -100});
-        if (editor()->isDrawing()) {
-            key(Qt::Key_Return);
-        }
-        QTRY_VERIFY_WITH_TIMEOUT(session_->plan() && std::abs(std::cos(session_->plan()->swaths.heading.si())) < 0.01, 30000);
-        ready();
-        picture(QStringLiteral("walk5_ab_line"));
-
-        // A corner is dragged, then everything is taken back and brought again.
-        drag(cornerOnMap(1), cornerOnMap(1) + QPoint{60, -30});
-        const auto changed = session_->document()->project();
-        ready();
-        int undone = 0;
-        while (session_->document()->canUndo()) {
-            key(Qt::Key_Z, Qt::ControlModifier);
-            ++undone;
-        }
-        QVERIFY2(undone >= 7, qPrintable(QString::number(undone)));
-        QVERIFY(!session_->hasField());
-        for (int i = 0; i < undone; ++i) {
-            key(Qt::Key_Z, Qt::ControlModifier | Qt::ShiftModifier);
-        }
-        QCOMPARE(session_->document()->project(), changed);
-        ready();
-
-        const QTemporaryDir folder;
-        session_->files()->saveAs(QUrl::fromLocalFile(folder.filePath(QStringLiteral("Home farm.furrow"))));
-        QTRY_VERIFY(!session_->document()->isModified());
-        QTRY_COMPARE(item(QStringLiteral("projectName"))->property("text").toString(), QStringLiteral("Home farm"));
-        QVERIFY(!shows(QStringLiteral("modifiedMark")));
-        picture(QStringLiteral("walk6_saved"));
-        session_->closeField();
-        QVERIFY(!session_->hasField());
-        session_->open(folder.filePath(QStringLiteral("Home farm.furrow")));
-        QTRY_VERIFY(session_->hasField());
-        QVERIFY(*session_->document()->project() == *changed);
-        ready();
-    }
-    /// The same without a mouse: points by typing, settings by Tab and arrows.
+    /// Without a mouse: points by typing, settings by Tab and arrows.
     void byKeyboardAlone() {
         camera()->centreOn(QGeoCoordinate{58.2515, 22.5035}, 16.0, false);
         map()->forceActiveFocus();
@@ -195,6 +89,35 @@ private slots:
         key(Qt::Key_Delete);
         QTRY_COMPARE(source().parts.front().outer.size(), std::size_t{4});
     }
+    /// While a corner is dragged, and after it was let go until the plan is there.
+    void theOutlineStaysWithTheHandle() {
+        DRAW_FIELD();
+        const QPoint from = cornerOnMap(1);
+        const QPoint to = from + (from - middle()) / 3;
+        const QPoint beside = cornerOnMap(0);
+        const auto isBoundary = [](const QImage& picture, QPoint at) {
+            const QColor colour = picture.pixelColor(at);
+            return colour.red() > 235 && colour.green() > 185 && colour.blue() < 90;
+        };
+        QTest::mouseMove(window_, from);
+        QTest::mousePress(window_, Qt::LeftButton, Qt::AltModifier, from);
+        for (int i = 1; i <= 8; ++i) {
+            QTest::mouseEvent(QTest::MouseMove, window_, Qt::NoButton, Qt::AltModifier, from + (to - from) * i / 8);
+        }
+        for (const bool held : {true, false}) {
+            const QImage picture = window_->grabWindow();
+            QDir{}.mkpath(QStringLiteral(FURROW_SCREENSHOT_DIR));
+            picture.save(QStringLiteral(FURROW_SCREENSHOT_DIR "/drag-%1.png").arg(held ? QStringLiteral("held") : QStringLiteral("let-go")));
+            QVERIFY2(isBoundary(picture, (cornerOnMap(1) + beside) / 2), held ? "dragged" : "let go");
+            QVERIFY2(!isBoundary(picture, (from + beside) / 2), held ? "dragged, where it was" : "let go, where it was");
+            if (held) {
+                QTest::mouseRelease(window_, Qt::LeftButton, Qt::AltModifier, to);
+            }
+        }
+        ready();
+        const QImage picture = window_->grabWindow();
+        QVERIFY(isBoundary(picture, (cornerOnMap(1) + beside) / 2) && !isBoundary(picture, (from + beside) / 2));
+    }
     void theMapStillMovesBesideTheField() {
         DRAW_FIELD();
         const QGeoCoordinate centre = camera()->center();
@@ -213,23 +136,12 @@ private slots:
         QSignalSpy plans{session_.get(), &PlanSession::planChanged};
         QTest::mouseMove(window_, from);
         QTest::mousePress(window_, Qt::LeftButton, {}, from);
-        QElapsedTimer clock;
-        clock.start();
-        std::vector<double> handled;
+        FrameClock frames{*window_};
         for (int i = 0; i < 60; ++i) {
-            QElapsedTimer turn;
-            turn.start();
-            QTest::mouseMove(window_, from + QPoint{-i, -i / 2});
-            handled.push_back(static_cast<double>(turn.nsecsElapsed()) / 1e6);
-            // The first few are within what is no drag yet, and draw nothing.
-            QSignalSpy frame{window_, &QQuickWindow::frameSwapped};
-            frame.wait(50);
+            frames.move(from + QPoint{-i, -i / 2});
         }
-        const double elapsed = static_cast<double>(clock.elapsed());
+        qInfo("%lld plans; %s", static_cast<long long>(plans.count()), qPrintable(frames.text()));
         QTest::mouseRelease(window_, Qt::LeftButton, {}, from + QPoint{-59, -29});
-        std::ranges::sort(handled);
-        qInfo("60 moves in %.0f ms, %lld plans; a move took the window %.1f ms, at most %.1f ms", elapsed,
-              static_cast<long long>(plans.count()), handled[handled.size() / 2], handled.back());
         QTRY_COMPARE_WITH_TIMEOUT(session_->plan()->field().source().parts == source().parts, true, 30000);
         QCOMPARE(session_->document()->history().steps.size(), std::size_t{3});
     }

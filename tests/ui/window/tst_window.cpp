@@ -1,14 +1,15 @@
 #include "planner/machine/machine_library.h"
+#include "tests/ui/window/frame_clock.h"
 #include "tests/ui/window/window_test.h"
 
-#include <QElapsedTimer>
+#include <QDragEnterEvent>
 #include <QFile>
 #include <QJsonDocument>
 #include <QJsonObject>
+#include <QMimeData>
 #include <QSignalSpy>
 #include <QTemporaryDir>
 
-#include <algorithm>
 #include <ctime>
 
 using namespace furrow;
@@ -83,36 +84,19 @@ private slots:
         const PlanGeometry& geometry = *session_->drawing().geometry();
         const QPoint from = onMap(coordinate(geometry.rings.front().points.front()));
         const QPoint inwards = middleOf(*map()) - from;
-        std::vector<double> gaps;
-        QElapsedTimer clock;
-        const auto connection = connect(window_, &QQuickWindow::frameSwapped, window_, [&] {
-            if (clock.isValid()) {
-                gaps.push_back(static_cast<double>(clock.nsecsElapsed()) / 1e6);
-            }
-            clock.start();
-        }, Qt::DirectConnection);
         QSignalSpy plans{session_.get(), &PlanSession::planChanged};
         QTest::mouseMove(window_, from);
         QTest::mousePress(window_, Qt::LeftButton, {}, from);
         const std::clock_t begin = std::clock();
-        QElapsedTimer whole;
-        whole.start();
+        FrameClock frames{*window_};
         constexpr int kMoves = 120;
         for (int i = 1; i <= kMoves; ++i) {
-            QTest::mouseMove(window_, from + inwards * i / (3 * kMoves));
-            QSignalSpy frame{window_, &QQuickWindow::frameSwapped};
-            QCoreApplication::processEvents(QEventLoop::AllEvents, 10);
-            frame.wait(50);
+            frames.move(from + inwards * i / (3 * kMoves));
         }
-        const auto elapsed = static_cast<double>(whole.elapsed());
         const double used = 1e3 * static_cast<double>(std::clock() - begin) / CLOCKS_PER_SEC;
-        const auto drafts = plans.count();
+        qInfo("%lld drafts, %.0f ms of processor time; %s", static_cast<long long>(plans.count()), used, qPrintable(frames.text()));
         QTest::mouseRelease(window_, Qt::LeftButton, {}, from + inwards / 3);
-        disconnect(connection);
-        std::ranges::sort(gaps);
-        QVERIFY(!gaps.empty());
-        qInfo("%.0f ms, %.0f ms of processor time, %lld drafts, %zu frames; gap between frames median %.1f ms, 95 %% %.1f ms, longest %.1f ms",
-              elapsed, used, static_cast<long long>(drafts), gaps.size(), gaps[gaps.size() / 2], gaps[gaps.size() * 95 / 100], gaps.back());
+        QVERIFY(frames.frames() > 0);
         QTRY_VERIFY_WITH_TIMEOUT(session_->hasPlan() && !session_->isDraft() && session_->state() == PlanSession::State::Ready, 60000);
     }
     void theMapIsPannedAndZoomed() {
@@ -171,6 +155,29 @@ private slots:
         QTRY_COMPARE(session_->state(), PlanSession::State::Ready);
         QCOMPARE(session_->fieldName(), QStringLiteral("South"));
     }
+    void filesAreDroppedOnTheMap() {
+        const QTemporaryDir folder;
+        QMimeData dropped;
+        QList<QUrl> urls;
+        for (const char* name : {"North", "South"}) {
+            QFile file{folder.filePath(QStringLiteral("%1.geojson").arg(QLatin1String{name}))};
+            QVERIFY(file.open(QIODevice::WriteOnly));
+            file.write(QStringLiteral(R"({"type": "Feature", "properties": {"name": "%1"}, "geometry": {"type": "Polygon", "coordinates":
+                [[[22.5, 58.25], [22.503, 58.25], [22.503, 58.252], [22.5, 58.252], [22.5, 58.25]]]}})").arg(QLatin1String{name}).toUtf8());
+            urls << QUrl::fromLocalFile(file.fileName());
+        }
+        dropped.setUrls(urls);
+        const QPoint at = middleOf(*map()) + QPoint{250, 250};
+        QDragEnterEvent enter{at, Qt::CopyAction, &dropped, Qt::LeftButton, Qt::NoModifier};
+        QCoreApplication::sendEvent(window_, &enter);
+        QVERIFY(enter.isAccepted());
+        picture(QStringLiteral("drop"));
+        QDropEvent drop{QPointF{at}, Qt::CopyAction, &dropped, Qt::LeftButton, Qt::NoModifier};
+        QCoreApplication::sendEvent(window_, &drop);
+        QTRY_COMPARE(session_->farm()->fields().size(), 2);
+        QTRY_COMPARE_WITH_TIMEOUT(session_->state(), PlanSession::State::Ready, 20000);
+        QCOMPARE(session_->fieldName(), QStringLiteral("North"));
+    }
     void theProblemOfABoundaryIsTold() {
         session_->setBoundary({{58.25, 22.5}, {58.2535, 22.507}, {58.25, 22.507}, {58.2535, 22.5}});
         QTRY_VERIFY(item(QStringLiteral("problemCard"))->isVisible());
@@ -192,38 +199,17 @@ private slots:
         QQuickItem* slider = item(QStringLiteral("headland.width_m.slider"));
         QTRY_VERIFY(slider->isVisible());
         waitForRest(*slider);
-        std::vector<double> gaps;
-        QElapsedTimer clock;
-        const auto connection = connect(window_, &QQuickWindow::frameSwapped, window_, [&] {
-            if (clock.isValid()) {
-                gaps.push_back(static_cast<double>(clock.nsecsElapsed()) / 1e6);
-            }
-            clock.start();
-        }, Qt::DirectConnection);
         QSignalSpy plans{session_.get(), &PlanSession::planChanged};
         const QPoint left = slider->mapToScene({12.0, slider->height() / 2.0}).toPoint();
         QTest::mousePress(window_, Qt::LeftButton, {}, left);
-        double longestTurnMs = 0.0;
-        QElapsedTimer whole;
-        whole.start();
+        FrameClock frames{*window_};
         for (int i = 0; i < 120; ++i) {
-            QTest::mouseMove(window_, left + QPoint{20 + i, 0});
-            QElapsedTimer turn;
-            turn.start();
-            QSignalSpy frame{window_, &QQuickWindow::frameSwapped};
-            QCoreApplication::processEvents(QEventLoop::AllEvents, 10);
-            frame.wait(50);
-            longestTurnMs = std::max(longestTurnMs, static_cast<double>(turn.nsecsElapsed()) / 1e6);
+            frames.move(left + QPoint{20 + i, 0});
         }
-        const auto elapsed = static_cast<double>(whole.elapsed());
+        qInfo("%zu swaths, %zu path points, %lld plans; %s", session_->plan()->swaths.swaths.size(),
+              session_->drawing().geometry()->pathPoints, static_cast<long long>(plans.count()), qPrintable(frames.text()));
         QTest::mouseRelease(window_, Qt::LeftButton, {}, left + QPoint{139, 0});
-        disconnect(connection);
-        std::ranges::sort(gaps);
-        QVERIFY(!gaps.empty());
-        qInfo("%zu swaths, %zu path points: %.0f ms, %lld plans, %zu frames; gap between frames median %.1f ms, 95 %% %.1f ms, longest %.1f ms",
-              session_->plan()->swaths.swaths.size(), session_->drawing().geometry()->pathPoints, elapsed,
-              static_cast<long long>(plans.count()), gaps.size(), gaps[gaps.size() / 2],
-              gaps[gaps.size() * 95 / 100], gaps.back());
+        QVERIFY(frames.frames() > 0);
         QTRY_VERIFY_WITH_TIMEOUT(plans.count() > 0, 30000);
         QTRY_COMPARE_WITH_TIMEOUT(session_->state(), PlanSession::State::Ready, 30000);
 

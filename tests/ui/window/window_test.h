@@ -42,6 +42,24 @@ protected:
         }
         return nullptr;
     }
+    /// The program starts, with an empty project.
+    void begin(QSize size) {
+        session_ = std::make_unique<PlanSession>();
+        engine_ = std::make_unique<QQmlApplicationEngine>();
+        engine_->setInitialProperties({{QStringLiteral("session"), QVariant::fromValue(session_.get())}});
+        engine_->loadFromModule("Furrow.Shell", "Main");
+        QVERIFY(!engine_->rootObjects().isEmpty());
+        window_ = qobject_cast<QQuickWindow*>(engine_->rootObjects().first());
+        window_->resize(size);
+        window_->requestActivate();
+        QVERIFY(QTest::qWaitForWindowActive(window_));
+        QTRY_COMPARE(map()->width(), size.width() - 348.0);
+    }
+    /// It is gone, as if it were killed: nothing is asked or saved.
+    void end() {
+        engine_.reset();
+        session_.reset();
+    }
     /// Items made by views are children in the scene only.
     QQuickItem* item(const QString& name) const { return below(window_->contentItem(), name); }
     QPoint middleOf(const QQuickItem& of) const { return of.mapToScene({of.width() / 2.0, of.height() / 2.0}).toPoint(); }
@@ -97,21 +115,9 @@ private slots:
     void init() {
         // As on the first start: what an earlier test switched off is on again.
         QSettings{}.clear();
-        session_ = std::make_unique<PlanSession>();
-        engine_ = std::make_unique<QQmlApplicationEngine>();
-        engine_->setInitialProperties({{QStringLiteral("session"), QVariant::fromValue(session_.get())}});
-        engine_->loadFromModule("Furrow.Shell", "Main");
-        QVERIFY(!engine_->rootObjects().isEmpty());
-        window_ = qobject_cast<QQuickWindow*>(engine_->rootObjects().first());
-        window_->resize(1280, 800);
-        window_->requestActivate();
-        QVERIFY(QTest::qWaitForWindowActive(window_));
-        QTRY_COMPARE(map()->width(), 1280.0 - 348.0);
+        begin({1280, 800});
     }
-    void cleanup() {
-        engine_.reset();
-        session_.reset();
-    }
+    void cleanup() { end(); }
 };
 
 }  // namespace furrow::test

@@ -1,0 +1,47 @@
+#pragma once
+
+#include "tests/ui/window/window_test.h"
+
+namespace furrow::test {
+
+/// Begins with a field that is drawn. Goes on only with one: what follows looks at it.
+#define DRAW_FIELD() \
+    drawField();     \
+    if (QTest::currentTestFailed() || !session_->hasPlan()) { \
+        return;      \
+    }
+
+/// Drawing and changing a field in the whole window.
+class EditorWindowTest : public WindowTest {
+    Q_OBJECT
+
+protected:
+    const FieldSource& source() const { return *session_->document()->project()->field()->source; }
+    /// What there is now is planned, and drawn.
+    void ready() const {
+        QTRY_VERIFY_WITH_TIMEOUT(session_->plan() && !session_->isDraft() && !session_->isBehind() &&
+                                     session_->plan()->request.settings == session_->settings() &&
+                                     session_->plan()->request.machine == session_->machine()->machine() &&
+                                     session_->state() == PlanSession::State::Ready, 30000);
+    }
+    QPoint middle() const { return middleOf(*map()); }
+    /// 400 by 300 pixels around the middle of the map, at zoom 16.
+    void drawField() {
+        camera()->centreOn(QGeoCoordinate{58.2515, 22.5035}, 16.0, false);
+        key(Qt::Key_B);
+        QTRY_VERIFY(item(QStringLiteral("drawingHint"))->isVisible());
+        for (const QPoint corner : {QPoint{-200, -150}, QPoint{200, -150}, QPoint{200, 150}, QPoint{-200, 150}}) {
+            clickAt(middle() + corner);
+        }
+        key(Qt::Key_Return);
+        QTRY_VERIFY(session_->hasField());
+        ready();
+    }
+    QPoint cornerOnMap(std::size_t vertex) const {
+        const GeoPoint place = source().parts.front().outer[vertex];
+        return onMap(QGeoCoordinate{place.latDeg, place.lonDeg});
+    }
+    bool shows(const QString& name) const { return item(name) != nullptr && item(name)->isVisible(); }
+};
+
+}  // namespace furrow::test

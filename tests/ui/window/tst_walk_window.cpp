@@ -1,0 +1,214 @@
+#include "tests/ui/window/editor_window_test.h"
+#include "ui/text/display.h"
+
+#include <QFile>
+#include <QTemporaryDir>
+
+#include <cmath>
+
+using namespace furrow;
+using namespace furrow::test;
+
+/// What a new user does, from nothing to files for the terminal. With FURROW_PICTURES set it is done in every size,
+/// theme and some languages, for people to look at the pictures.
+class TestWalkWindow : public EditorWindowTest {
+    Q_OBJECT
+
+    enum class Colours { Light = 1, Dark, Sunlight };
+
+    QString name_;
+    int number_ = 0;
+
+    void step(const char* what) { picture(QStringLiteral("walk-%1-%2-%3").arg(name_).arg(++number_, 2, 10, QLatin1Char{'0'}).arg(QLatin1String{what})); }
+    void beginAs(QSize size, int colours) {
+        begin(size);
+        engine_->singletonInstance<QObject*>("Furrow.Controls", "Theme")->setProperty("forced", colours);
+    }
+    std::size_t steps() const { return session_->document()->history().steps.size(); }
+    void openStep(const QString& name) {
+        item(QStringLiteral("stepsPanel"))->setProperty("openStep", name);
+        if (!name.isEmpty()) {
+            waitForRest(*item(QStringLiteral("step.") + name));
+        }
+    }
+
+private slots:
+    void theWalk_data() {
+        QTest::addColumn<QSize>("size");
+        QTest::addColumn<int>("colours");
+        QTest::addColumn<QString>("language");
+        QTest::addColumn<int>("units");
+        const auto row = [](const char* name, QSize size, Colours colours, const char* language = "en", furrow::Display::Units units = furrow::Display::Metric) {
+            QTest::newRow(name) << size << static_cast<int>(colours) << QString::fromLatin1(language) << static_cast<int>(units);
+        };
+        row("1440-light", {1440, 900}, Colours::Light);
+        if (!qEnvironmentVariableIsSet("FURROW_PICTURES")) {
+            return;
+        }
+        row("1440-dark", {1440, 900}, Colours::Dark);
+        row("1440-sunlight", {1440, 900}, Colours::Sunlight);
+        row("1000-light", {1000, 700}, Colours::Light);
+        row("1000-dark", {1000, 700}, Colours::Dark);
+        row("1000-sunlight", {1000, 700}, Colours::Sunlight);
+        row("1920-light", {1920, 1200}, Colours::Light);
+        row("1920-dark", {1920, 1200}, Colours::Dark);
+        row("1920-sunlight", {1920, 1200}, Colours::Sunlight);
+        row("1000-de", {1000, 700}, Colours::Light, "de");
+        row("1000-fr", {1000, 700}, Colours::Dark, "fr");
+        row("1440-imperial", {1440, 900}, Colours::Light, "en", furrow::Display::Imperial);
+    }
+    void theWalk() {
+        QFETCH(QSize, size);
+        QFETCH(int, colours);
+        QFETCH(QString, language);
+        QFETCH(int, units);
+        name_ = QString::fromUtf8(QTest::currentDataTag());
+        number_ = 0;
+        furrow::Display::instance().force(language, static_cast<furrow::Display::Units>(units));
+        end();
+        const QTemporaryDir folder;
+        beginAs(size, colours);
+        session_->keepIn(folder.filePath(QStringLiteral("kept")));
+        step("empty");
+
+        DRAW_FIELD();
+        step("drawn");
+        const QPoint centre = middle();
+
+        openStep(QStringLiteral("machine"));
+        click(QStringLiteral("machine.library"));
+        key(Qt::Key_Down);
+        key(Qt::Key_Down);
+        QTRY_COMPARE(item(QStringLiteral("machine.library"))->property("popup").value<QObject*>()->property("opacity").toDouble(), 1.0);
+        step("machines");
+        key(Qt::Key_Return);
+        QTRY_COMPARE(session_->machine()->libraryIndex(), 2);
+        ready();
+        step("machine");
+        openStep(QStringLiteral("headland"));
+        click(QStringLiteral("headland.width_m"));
+        QTRY_VERIFY(item(QStringLiteral("headland.width_m"))->hasActiveFocus());
+        key(Qt::Key_A, Qt::ControlModifier);
+        type(QStringLiteral("20m"));
+        key(Qt::Key_Return);
+        QTRY_COMPARE(steps(), std::size_t{3});
+        ready();
+        step("headland");
+
+        click(QStringLiteral("obstacleTool"));
+        for (const QPoint corner : {QPoint{-60, -40}, QPoint{10, -50}, QPoint{20, 30}, QPoint{-50, 40}}) {
+            clickAt(centre + corner);
+        }
+        QTest::mouseMove(window_, centre + QPoint{-120, 10});
+        step("obstacle-drawing");
+        key(Qt::Key_Return);
+        QTRY_COMPARE(source().obstacles.size(), std::size_t{1});
+        if (size.width() < 1200) {
+            // There is no room for it until it is asked for.
+            key(Qt::Key_Return);
+        }
+        QTRY_VERIFY(shows(QStringLiteral("inspector")));
+        ready();
+        click(QStringLiteral("inspector.number.1"));
+        QTRY_VERIFY(item(QStringLiteral("inspector.number.1"))->hasActiveFocus());
+        key(Qt::Key_A, Qt::ControlModifier);
+        type(QStringLiteral("4m"));
+        key(Qt::Key_Return);
+        QTRY_COMPARE(source().obstacles.front().buffer.si(), 4.0);
+        click(QStringLiteral("inspector.passable"));
+        QTRY_VERIFY(source().obstacles.front().passable);
+        click(QStringLiteral("inspector.passable"));
+        QTRY_VERIFY(!source().obstacles.front().passable);
+        ready();
+        step("obstacle");
+
+        click(QStringLiteral("gateTool"));
+        clickAt(centre + QPoint{0, 148});
+        QTRY_COMPARE(source().gates.size(), std::size_t{1});
+        ready();
+        step("gate");
+
+        click(QStringLiteral("guideTool"));
+        clickAt(centre + QPoint{-150, 100});
+        clickAt(centre + QPoint{-150, -100});
+        key(Qt::Key_Return);
+        QTRY_VERIFY_WITH_TIMEOUT(session_->plan() && std::abs(std::cos(session_->plan()->swaths.heading.si())) < 0.01, 30000);
+        ready();
+        step("ab-line");
+
+        click(QStringLiteral("splitTool"));
+        clickAt(centre + QPoint{90, -170});
+        clickAt(centre + QPoint{110, 170});
+        key(Qt::Key_Return);
+        QTRY_COMPARE(steps(), std::size_t{10});
+        ready();
+        step("split");
+
+        drag(cornerOnMap(1), cornerOnMap(1) + QPoint{40, -30});
+        const QPoint quarter = cornerOnMap(3) + (cornerOnMap(0) - cornerOnMap(3)) / 4;
+        drag(quarter, quarter + QPoint{-20, 0});
+        QCOMPARE(steps(), std::size_t{12});
+        ready();
+        step("changed");
+
+        for (int i = 0; i < 10; ++i) {
+            key(Qt::Key_Z, Qt::ControlModifier);
+        }
+        QVERIFY(source().obstacles.empty() && source().gates.empty());
+        QCOMPARE(session_->machine()->libraryIndex(), 2);
+        ready();
+        step("ten-undone");
+        for (int i = 0; i < 5; ++i) {
+            key(Qt::Key_Z, Qt::ControlModifier | Qt::ShiftModifier);
+        }
+        QCOMPARE(source().obstacles.size(), std::size_t{1});
+        QCOMPARE(source().obstacles.front().buffer.si(), 4.0);
+        QVERIFY(source().gates.empty());
+        ready();
+        step("five-redone");
+
+        const QString path = folder.filePath(QStringLiteral("Home farm.furrow"));
+        session_->files()->saveAs(QUrl::fromLocalFile(path));
+        QTRY_VERIFY(!session_->document()->isModified());
+        QTRY_COMPARE(item(QStringLiteral("projectName"))->property("text").toString(), QStringLiteral("Home farm"));
+        QVERIFY(!shows(QStringLiteral("modifiedMark")));
+        step("saved");
+
+        // Killed after one more change; the next start has it.
+        drag(cornerOnMap(2), cornerOnMap(2) + QPoint{30, 20});
+        const auto last = session_->document()->project();
+        end();
+        beginAs(size, colours);
+        session_->keepIn(folder.filePath(QStringLiteral("kept")));
+        QVERIFY(session_->files()->recover());
+        QVERIFY(*session_->document()->project() == *last);
+        QTRY_VERIFY(shows(QStringLiteral("filesNotice")));
+        ready();
+        step("restored");
+        click(QStringLiteral("filesNotice.keep"));
+        QTRY_VERIFY(!shows(QStringLiteral("filesNotice")));
+        key(Qt::Key_S, Qt::ControlModifier);
+        QTRY_VERIFY(!session_->document()->isModified());
+        session_->closeField();
+        step("recent");
+        session_->open(path);
+        QTRY_VERIFY(session_->hasField());
+        QVERIFY(*session_->document()->project() == *last);
+        ready();
+        step("reopened");
+
+        key(Qt::Key_E, Qt::ControlModifier);
+        click(QStringLiteral("export.inFolder"));
+        QTRY_VERIFY(shows(QStringLiteral("export.folder")));
+        item(QStringLiteral("export.folder"))->setProperty("text", folder.filePath(QStringLiteral("out")));
+        click(QStringLiteral("export.write"));
+        QTRY_COMPARE(session_->exporter()->state(), ExportModel::State::Done);
+        QVERIFY(QFile::exists(folder.filePath(QStringLiteral("out/plan.geojson"))));
+        step("exported");
+        key(Qt::Key_Escape);
+        furrow::Display::instance().force(QStringLiteral("en"), furrow::Display::Metric);
+    }
+};
+
+QTEST_MAIN(TestWalkWindow)
+#include "tst_walk_window.moc"
