@@ -349,7 +349,7 @@
     </message>
     <message>
         <source>Select the next outline, line or gate</source>
-        <translation>Nächsten Umriss, nächste Linie oder Zufahrt auswählen</translation>
+        <translation>Nächsten Umriss, Linie oder Zufahrt</translation>
     </message>
     <message>
         <source>PgDown</source>
@@ -718,6 +718,10 @@
 <context>
     <name>Inspector</name>
     <message>
+        <source>Headland</source>
+        <translation>Vorgewende</translation>
+    </message>
+    <message>
         <source>Name</source>
         <translation>Name</translation>
     </message>
@@ -935,6 +939,10 @@
 </context>
 <context>
     <name>InspectorPanel</name>
+    <message>
+        <source>Headland as elsewhere</source>
+        <translation>Vorgewende wie sonst</translation>
+    </message>
     <message>
         <source>selected</source>
         <translation>ausgewählt</translation>
@@ -5203,6 +5211,14 @@
     <message>
         <source>Add a point</source>
         <translation>Punkt hinzufügen</translation>
+    </message>
+    <message>
+        <source>Change the headland of an edge</source>
+        <translation>Vorgewende einer Kante ändern</translation>
+    </message>
+    <message>
+        <source>Headland of an edge as elsewhere</source>
+        <translation>Vorgewende einer Kante wie sonst</translation>
     </message>
     <message>
         <source>Move a point</source>

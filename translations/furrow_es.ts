@@ -349,7 +349,7 @@
     </message>
     <message>
         <source>Select the next outline, line or gate</source>
-        <translation>Seleccionar el contorno, la línea o la entrada siguiente</translation>
+        <translation>Contorno, línea o entrada siguiente</translation>
     </message>
     <message>
         <source>PgDown</source>
@@ -576,7 +576,7 @@
     </message>
     <message>
         <source>Also in a task, for terminals that show lines in tasks only</source>
-        <translation>También en una tarea, para terminales que solo muestran líneas en tareas</translation>
+        <translation>También en una tarea, si el terminal lo exige</translation>
     </message>
 </context>
 <context>
@@ -717,6 +717,10 @@
 </context>
 <context>
     <name>Inspector</name>
+    <message>
+        <source>Headland</source>
+        <translation>Cabecera</translation>
+    </message>
     <message>
         <source>Name</source>
         <translation>Nombre</translation>
@@ -935,6 +939,10 @@
 </context>
 <context>
     <name>InspectorPanel</name>
+    <message>
+        <source>Headland as elsewhere</source>
+        <translation>Cabecera como en el resto</translation>
+    </message>
     <message>
         <source>selected</source>
         <translation>seleccionado</translation>
@@ -5203,6 +5211,14 @@
     <message>
         <source>Add a point</source>
         <translation>Añadir un punto</translation>
+    </message>
+    <message>
+        <source>Change the headland of an edge</source>
+        <translation>Cambiar la cabecera de un lado</translation>
+    </message>
+    <message>
+        <source>Headland of an edge as elsewhere</source>
+        <translation>Cabecera de un lado como en el resto</translation>
     </message>
     <message>
         <source>Move a point</source>

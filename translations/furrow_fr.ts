@@ -349,7 +349,7 @@
     </message>
     <message>
         <source>Select the next outline, line or gate</source>
-        <translation>Sélectionner le contour, la ligne ou l’entrée de parcelle suivante</translation>
+        <translation>Contour, ligne ou entrée suivante</translation>
     </message>
     <message>
         <source>PgDown</source>
@@ -576,7 +576,7 @@
     </message>
     <message>
         <source>Also in a task, for terminals that show lines in tasks only</source>
-        <translation>Aussi dans une tâche, pour les consoles qui ne montrent des lignes que dans des tâches</translation>
+        <translation>Aussi dans une tâche, si la console l’exige</translation>
     </message>
 </context>
 <context>
@@ -717,6 +717,10 @@
 </context>
 <context>
     <name>Inspector</name>
+    <message>
+        <source>Headland</source>
+        <translation>Fourrière</translation>
+    </message>
     <message>
         <source>Name</source>
         <translation>Nom</translation>
@@ -935,6 +939,10 @@
 </context>
 <context>
     <name>InspectorPanel</name>
+    <message>
+        <source>Headland as elsewhere</source>
+        <translation>Fourrière comme ailleurs</translation>
+    </message>
     <message>
         <source>selected</source>
         <translation>sélection</translation>
@@ -5203,6 +5211,14 @@
     <message>
         <source>Add a point</source>
         <translation>Ajouter un point</translation>
+    </message>
+    <message>
+        <source>Change the headland of an edge</source>
+        <translation>Modifier la fourrière d&apos;un côté</translation>
+    </message>
+    <message>
+        <source>Headland of an edge as elsewhere</source>
+        <translation>Fourrière d&apos;un côté comme ailleurs</translation>
     </message>
     <message>
         <source>Move a point</source>

@@ -718,6 +718,10 @@
 <context>
     <name>Inspector</name>
     <message>
+        <source>Headland</source>
+        <translation>Kopakker</translation>
+    </message>
+    <message>
         <source>Name</source>
         <translation>Naam</translation>
     </message>
@@ -935,6 +939,10 @@
 </context>
 <context>
     <name>InspectorPanel</name>
+    <message>
+        <source>Headland as elsewhere</source>
+        <translation>Kopakker als elders</translation>
+    </message>
     <message>
         <source>selected</source>
         <translation>geselecteerd</translation>
@@ -5203,6 +5211,14 @@
     <message>
         <source>Add a point</source>
         <translation>Punt toevoegen</translation>
+    </message>
+    <message>
+        <source>Change the headland of an edge</source>
+        <translation>Kopakker van een zijde wijzigen</translation>
+    </message>
+    <message>
+        <source>Headland of an edge as elsewhere</source>
+        <translation>Kopakker van een zijde als elders</translation>
     </message>
     <message>
         <source>Move a point</source>

@@ -349,7 +349,7 @@
     </message>
     <message>
         <source>Select the next outline, line or gate</source>
-        <translation>Selecionar o próximo contorno, linha ou entrada</translation>
+        <translation>Próximo contorno, linha ou entrada</translation>
     </message>
     <message>
         <source>PgDown</source>
@@ -576,7 +576,7 @@
     </message>
     <message>
         <source>Also in a task, for terminals that show lines in tasks only</source>
-        <translation>Também em uma tarefa, para terminais que só mostram linhas em tarefas</translation>
+        <translation>Também em uma tarefa, se o terminal o exigir</translation>
     </message>
 </context>
 <context>
@@ -717,6 +717,10 @@
 </context>
 <context>
     <name>Inspector</name>
+    <message>
+        <source>Headland</source>
+        <translation>Cabeceira</translation>
+    </message>
     <message>
         <source>Name</source>
         <translation>Nome</translation>
@@ -935,6 +939,10 @@
 </context>
 <context>
     <name>InspectorPanel</name>
+    <message>
+        <source>Headland as elsewhere</source>
+        <translation>Cabeceira como no resto</translation>
+    </message>
     <message>
         <source>selected</source>
         <translation>selecionado</translation>
@@ -5203,6 +5211,14 @@
     <message>
         <source>Add a point</source>
         <translation>Adicionar um ponto</translation>
+    </message>
+    <message>
+        <source>Change the headland of an edge</source>
+        <translation>Mudar a cabeceira de um lado</translation>
+    </message>
+    <message>
+        <source>Headland of an edge as elsewhere</source>
+        <translation>Cabeceira de um lado como no resto</translation>
     </message>
     <message>
         <source>Move a point</source>

@@ -101,7 +101,7 @@
     </message>
     <message>
         <source>Also in a task, for terminals that show lines in tasks only</source>
-        <translation>Também numa tarefa, para terminais que só mostram linhas em tarefas</translation>
+        <translation>Também numa tarefa, se o terminal o exigir</translation>
     </message>
 </context>
 <context>

@@ -91,20 +91,45 @@ void renumber(std::vector<EdgeHeadland>& headlands, std::size_t part, std::size_
     headlands = std::move(kept);
 }
 
+/// Its ring by number: 0 for the outer one.
+std::size_t ringOf(const OutlineId& id) {
+    return id.kind == OutlineKind::Hole ? id.hole + 1 : 0;
+}
+
 }  // namespace
+
+const EdgeHeadland* findEdgeHeadland(const FieldSource& source, const OutlineId& id, std::size_t edge) {
+    if (id.kind != OutlineKind::Boundary && id.kind != OutlineKind::Hole) {
+        return nullptr;
+    }
+    const auto found = std::ranges::find_if(source.edgeHeadlands, [&](const EdgeHeadland& headland) {
+        return headland.part == id.item && headland.ring == ringOf(id) && headland.edge == edge;
+    });
+    return found == source.edgeHeadlands.end() ? nullptr : &*found;
+}
+
+FieldSource withEdgeHeadland(FieldSource source, const OutlineId& id, std::size_t edge, std::optional<Length> width) {
+    if (const EdgeHeadland* own = findEdgeHeadland(source, id, edge)) {
+        source.edgeHeadlands.erase(source.edgeHeadlands.begin() + (own - source.edgeHeadlands.data()));
+    }
+    if (width && (id.kind == OutlineKind::Boundary || id.kind == OutlineKind::Hole)) {
+        source.edgeHeadlands.push_back({.part = id.item, .ring = ringOf(id), .edge = edge, .width = *width});
+    }
+    return source;
+}
 
 FieldSource withOutline(FieldSource source, const OutlineId& id, GeoRing places) {
     switch (id.kind) {
         case OutlineKind::Boundary:
             if (id.item < source.parts.size()) {
-                renumber(source.edgeHeadlands, id.item, 0, source.parts[id.item].outer, places);
+                renumber(source.edgeHeadlands, id.item, ringOf(id), source.parts[id.item].outer, places);
                 source.parts[id.item].outer = std::move(places);
             }
             break;
         case OutlineKind::Hole:
             if (id.item < source.parts.size() && id.hole < source.parts[id.item].holes.size()) {
                 GeoRing& hole = source.parts[id.item].holes[id.hole];
-                renumber(source.edgeHeadlands, id.item, id.hole + 1, hole, places);
+                renumber(source.edgeHeadlands, id.item, ringOf(id), hole, places);
                 hole = std::move(places);
             }
             break;

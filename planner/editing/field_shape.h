@@ -57,6 +57,11 @@ struct FieldShape {
     const Outline* find(const OutlineId& id) const;
 };
 
+/// The headland of its own that an edge of the boundary or of a hole has; none of other outlines.
+const EdgeHeadland* findEdgeHeadland(const FieldSource& source, const OutlineId& id, std::size_t edge);
+/// With one of this width, in place of one it had; without a width as wide as elsewhere.
+FieldSource withEdgeHeadland(FieldSource source, const OutlineId& id, std::size_t edge, std::optional<Length> width);
+
 /// The source with other points in one outline; drawn lines are no part of it and leave it as it is.
 FieldSource withOutline(FieldSource source, const OutlineId& id, GeoRing places);
 

@@ -140,24 +140,6 @@ Project withoutHole(Project project, std::size_t part, std::size_t hole) {
     });
 }
 
-Project withEdgeHeadland(Project project, const EdgeHeadland& headland) {
-    return withSourceChanged(std::move(project), [&headland](ProjectField&, FieldSource& source) {
-        const auto isThis = [&](const EdgeHeadland& other) {
-            return other.part == headland.part && other.ring == headland.ring && other.edge == headland.edge;
-        };
-        const auto found = std::ranges::find_if(source.edgeHeadlands, isThis);
-        found == source.edgeHeadlands.end() ? source.edgeHeadlands.push_back(headland) : void(*found = headland);
-    });
-}
-
-Project withoutEdgeHeadland(Project project, std::size_t part, std::size_t ring, std::size_t edge) {
-    return withSourceChanged(std::move(project), [&](ProjectField&, FieldSource& source) {
-        std::erase_if(source.edgeHeadlands, [&](const EdgeHeadland& headland) {
-            return headland.part == part && headland.ring == ring && headland.edge == edge;
-        });
-    });
-}
-
 bool canFollowCurves() {
     return hasSwathMethod("ab-curve");
 }

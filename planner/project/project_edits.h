@@ -24,9 +24,6 @@ Project withObstacle(Project project, Obstacle obstacle);
 Project withGate(Project project, Gate gate);
 Project withHole(Project project, std::size_t part, GeoRing hole);
 Project withoutHole(Project project, std::size_t part, std::size_t hole);
-/// With a headland of its own along one edge, in place of one it had.
-Project withEdgeHeadland(Project project, const EdgeHeadland& headland);
-Project withoutEdgeHeadland(Project project, std::size_t part, std::size_t ring, std::size_t edge);
 /// With the swaths of the current plan along this line; of three points or more, as a curve where the planner can.
 /// Without points: back to the planner's own choice.
 Project withGuide(Project project, const GeoRing& line);

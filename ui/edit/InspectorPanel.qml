@@ -133,6 +133,12 @@ Column {
             onClicked: root.editor.guideAlongEdge()
         }
         PushButton {
+            objectName: "inspector.headlandAsElsewhere"
+            visible: root.inspector.hasOwnHeadland
+            text: qsTr("Headland as elsewhere")
+            onClicked: root.editor.clearEdgeHeadland()
+        }
+        PushButton {
             objectName: "inspector.delete"
             visible: root.editor.canDelete
             iconName: "trash"

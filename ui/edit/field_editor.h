@@ -123,6 +123,9 @@ public:
     void setVertex(GeoPoint place);
     void setEdgeLength(Length length);
     void setEdgeHeading(Angle heading);
+    void setEdgeHeadland(Length width);
+    /// As wide as elsewhere again.
+    Q_INVOKABLE void clearEdgeHeadland();
     void setBuffer(Length buffer);
     void setPassable(bool passable);
     void setGateWidth(Length width);

@@ -326,6 +326,20 @@ void FieldEditor::setEdgeHeading(Angle heading) {
     }
 }
 
+void FieldEditor::setEdgeHeadland(Length width) {
+    if (const ProjectField* field = project().field(); field != nullptr && selection_.kind == Selection::Kind::Edge) {
+        changeSource(QT_TR_NOOP("Change the headland of an edge"), withEdgeHeadland(*field->source, selection_.outline, selection_.index, width),
+                     Document::Follows::Nothing);
+    }
+}
+
+void FieldEditor::clearEdgeHeadland() {
+    if (const ProjectField* field = project().field(); field != nullptr && selection_.kind == Selection::Kind::Edge) {
+        changeSource(QT_TR_NOOP("Headland of an edge as elsewhere"), withEdgeHeadland(*field->source, selection_.outline, selection_.index, std::nullopt),
+                     Document::Follows::Nothing);
+    }
+}
+
 void FieldEditor::setBuffer(Length buffer) {
     if (const ProjectField* field = project().field(); field != nullptr && selection_.kind == Selection::Kind::Obstacle) {
         FieldSource source = *field->source;

@@ -20,6 +20,7 @@ class Inspector : public QAbstractListModel {
     Q_PROPERTY(bool hasPassable READ hasPassable NOTIFY changed FINAL)
     Q_PROPERTY(bool passable READ isPassable WRITE setPassable NOTIFY changed FINAL)
     Q_PROPERTY(bool isEdge READ isEdge NOTIFY changed FINAL)
+    Q_PROPERTY(bool hasOwnHeadland READ hasOwnHeadland NOTIFY changed FINAL)
 
 public:
     enum class Kind { Figure, Number, Text };
@@ -37,6 +38,7 @@ public:
     bool isPassable() const { return text_ && text_->passable.value_or(false); }
     void setPassable(bool passable);
     bool isEdge() const { return text_ && text_->isEdge; }
+    bool hasOwnHeadland() const { return text_ && text_->hasOwnHeadland; }
 
     int rowCount(const QModelIndex& parent = {}) const override;
     QVariant data(const QModelIndex& index, int role) const override;

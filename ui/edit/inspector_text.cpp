@@ -83,7 +83,18 @@ QString splitSentence() {
     return Words::tr("The mainland is cut along it, where it runs right through. Drag it or its points, or delete it.");
 }
 
-InspectorText edgeText(const Outline& outline, std::size_t edge) {
+/// How wide the headland along an edge of the field is: as said for it, or as wide as the plan has it.
+std::optional<Length> headlandAlong(const OutlineId& id, std::size_t edge, const FieldSource* source, const Plan* plan) {
+    if (source == nullptr || (id.kind != OutlineKind::Boundary && id.kind != OutlineKind::Hole)) {
+        return std::nullopt;
+    }
+    if (const EdgeHeadland* own = findEdgeHeadland(*source, id, edge)) {
+        return own->width;
+    }
+    return plan != nullptr ? std::optional{plan->headland.width} : std::nullopt;
+}
+
+InspectorText edgeText(const Outline& outline, std::size_t edge, const FieldSource* source, const Plan* plan) {
     InspectorText text;
     const Point way = outline.to(edge) - outline.from(edge);
     if (outline.id.kind == OutlineKind::Guide && outline.points.size() == 2) {
@@ -99,6 +110,10 @@ InspectorText edgeText(const Outline& outline, std::size_t edge) {
     text.isEdge = outline.id.kind != OutlineKind::Guide;
     text.rows = {numberRow(Words::tr("Length"), InspectorField::EdgeLength, norm(way), QuantityText::Length, 2, 0.01, kLongestEdgeM),
                  numberRow(Words::tr("Direction"), InspectorField::EdgeBearing, bearingDegOf(way), QuantityText::Angle, 2, 0.0, 360.0)};
+    if (const auto headland = headlandAlong(outline.id, edge, source, plan)) {
+        text.rows.push_back(numberRow(Words::tr("Headland"), InspectorField::EdgeHeadland, headland->si(), QuantityText::Length, 2, 0.0, 500.0));
+        text.hasOwnHeadland = findEdgeHeadland(*source, outline.id, edge) != nullptr;
+    }
     return text;
 }
 
@@ -183,7 +198,7 @@ InspectorText gateText(const Gate& gate) {
 
 InspectorText lineText(const Outline& outline) {
     if (outline.points.size() == 2) {
-        return edgeText(outline, 0);
+        return edgeText(outline, 0, nullptr, nullptr);
     }
     const bool split = outline.id.kind == OutlineKind::Split;
     InspectorText text;
@@ -205,7 +220,7 @@ std::optional<InspectorText> inspectorText(const Selection& selection, const Fie
         case Selection::Kind::Vertex:
             return outline != nullptr && index < outline->points.size() ? std::optional{vertexText(*outline, index)} : std::nullopt;
         case Selection::Kind::Edge:
-            return outline != nullptr && index < outline->edgeCount() ? std::optional{edgeText(*outline, index)} : std::nullopt;
+            return outline != nullptr && index < outline->edgeCount() ? std::optional{edgeText(*outline, index, source, plan)} : std::nullopt;
         case Selection::Kind::Hole:
             if (outline != nullptr) {
                 InspectorText text;

@@ -13,7 +13,7 @@
 namespace furrow {
 
 /// What of a selection can be typed.
-enum class InspectorField { None, Name, Latitude, Longitude, EdgeLength, EdgeBearing, Buffer, GateWidth };
+enum class InspectorField { None, Name, Latitude, Longitude, EdgeLength, EdgeBearing, EdgeHeadland, Buffer, GateWidth };
 
 /// One line of the inspector: a figure, or something to type.
 struct InspectorRow {
@@ -36,6 +36,7 @@ struct InspectorText {
     std::vector<InspectorRow> rows;
     std::optional<bool> passable;  ///< of obstacles
     bool isEdge = false;           ///< of the boundary: the swaths may follow it
+    bool hasOwnHeadland = false;  ///< an edge with a width of its own
 
     friend bool operator==(const InspectorText&, const InspectorText&) = default;
 };

@@ -318,6 +318,23 @@ private slots:
         bench.inspector.setText(bench.row(QStringLiteral("Name")), QStringLiteral("Wet spot"));
         QCOMPARE(bench.inspector.title(), QStringLiteral("Wet spot"));
     }
+    void anEdgeHasAHeadlandOfItsOwn() {
+        Bench bench;
+        bench.click(bench.corner(0) + 0.3 * (bench.corner(1) - bench.corner(0)));
+        QVERIFY(!bench.inspector.hasOwnHeadland());
+        bench.editor.setEdgeHeadland(metres(18.0));
+        QVERIFY(bench.inspector.hasOwnHeadland());
+        const int row = bench.row(QStringLiteral("Headland"));
+        QCOMPARE(bench.inspector.data(bench.inspector.index(row), Inspector::NumberRole).toDouble(), 18.0);
+        bench.inspector.setNumber(row, 24.0);
+        QCOMPARE(bench.source().edgeHeadlands.size(), std::size_t{1});
+        QVERIFY(bench.source().edgeHeadlands.front() == (EdgeHeadland{.part = 0, .ring = 0, .edge = 0, .width = metres(24.0)}));
+        bench.session.document()->undo();
+        QCOMPARE(bench.source().edgeHeadlands.front().width.si(), 18.0);
+        bench.editor.clearEdgeHeadland();
+        QVERIFY(bench.source().edgeHeadlands.empty());
+        QVERIFY(!bench.inspector.hasOwnHeadland());
+    }
     void theBufferHasAHandle() {
         Bench bench;
         bench.draw(FieldEditor::Tool::Obstacle, {{20, 20}, {60, 20}, {40, 60}});
