@@ -89,6 +89,27 @@ private slots:
         key(Qt::Key_Delete);
         QTRY_COMPARE(source().parts.front().outer.size(), std::size_t{4});
     }
+    void theHeadlandOfAnEdgeIsTyped() {
+        DRAW_FIELD();
+        const QPoint a = cornerOnMap(0);
+        const QPoint b = cornerOnMap(1);
+        const double before = session_->plan()->headland.mainlandRatio;
+        clickAt(a + (b - a) / 4);
+        QTRY_COMPARE(editor()->selection().kind, Selection::Kind::Edge);
+        click(QStringLiteral("inspector.number.2"));
+        QTRY_VERIFY(item(QStringLiteral("inspector.number.2"))->hasActiveFocus());
+        key(Qt::Key_A, Qt::ControlModifier);
+        type(QStringLiteral("60m"));
+        key(Qt::Key_Return);
+        QTRY_COMPARE(source().edgeHeadlands.size(), std::size_t{1});
+        QCOMPARE(source().edgeHeadlands.front().width.si(), 60.0);
+        QTRY_VERIFY(session_->plan() && session_->plan()->headland.mainlandRatio < before - 0.02);
+        ready();
+        picture(QStringLiteral("edge-headland"));
+        click(QStringLiteral("inspector.headlandAsElsewhere"));
+        QTRY_VERIFY(source().edgeHeadlands.empty());
+        QTRY_VERIFY(session_->plan() && std::abs(session_->plan()->headland.mainlandRatio - before) < 1e-9);
+    }
     /// While a corner is dragged, and after it was let go until the plan is there.
     void theOutlineStaysWithTheHandle() {
         DRAW_FIELD();
