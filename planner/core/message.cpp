@@ -95,7 +95,8 @@ std::string english(const MessageArgument& argument, std::string_view slot) {
         return argument.message.text();
     }
     if (argument.isWhole) {
-        return std::format("{}", static_cast<std::int64_t>(argument.number));
+        // Not by way of an integer: a file may state counts that fit into none.
+        return std::format("{:.0f}", argument.number);
     }
     return std::vformat(slot, std::make_format_args(argument.number));
 }

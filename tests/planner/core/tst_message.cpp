@@ -2,6 +2,8 @@
 
 #include <QTest>
 
+#include <cstdint>
+
 using namespace furrow;
 
 class TestMessage : public QObject {
@@ -40,6 +42,11 @@ private slots:
         QTEST(made, "text");
     }
 
+    // Found by feeding a rosbag reader nonsense.
+    void countsMayBeHuge() {
+        QCOMPARE(message("{} bytes", std::uint64_t{1} << 63).text(), std::string{"9223372036854775808 bytes"});
+        QCOMPARE(message("{} bytes", -3).text(), std::string{"-3 bytes"});
+    }
     void valuesAreTyped() {
         const Message made = message("{} leaves the field by {:.2f} m in {} of {} places", message("swath {}", 3), 1.5, 2, 7);
         QCOMPARE(made.arguments().size(), std::size_t{4});
