@@ -109,7 +109,11 @@ std::optional<std::string> fromLz4(std::string_view packed, std::size_t size) {
 class McapReader {
 public:
     McapReader(const fs::path& path, const Wants& wants, const Visit& visit, const JobContext& job)
-        : where_{path.string()}, file_{path, std::ios::binary}, wants_{wants}, visit_{visit}, job_{job} {}
+        : where_{path.string()}, file_{path, std::ios::binary}, wants_{wants}, visit_{visit}, job_{job} {
+        std::error_code unknown;
+        const auto size = fs::file_size(path, unknown);
+        size_ = unknown ? 0 : size;
+    }
 
     Result<void> read() {
         std::string magic(kMcapMagic.size(), '\0');
@@ -148,6 +152,11 @@ private:
             return std::unexpected(tooLarge(where_, length));
         }
         if (!needed) {
+            // A length of nonsense must not lead back to where it was read.
+            const auto here = static_cast<std::uint64_t>(file_.tellg());
+            if (length > size_ || here > size_ - length) {
+                return std::unexpected(damaged(where_, "the recording is cut off in the middle of a record"));
+            }
             file_.seekg(static_cast<std::streamoff>(length), std::ios::cur);
             return {};
         }
@@ -245,6 +254,7 @@ private:
 
     std::string where_;
     std::ifstream file_;
+    std::uint64_t size_ = 0;  ///< of the file
     const Wants& wants_;
     const Visit& visit_;
     const JobContext& job_;
