@@ -219,6 +219,21 @@ private slots:
         QCOMPARE(textOf(*migrated({{"b", 40}}, 3, steps, "x")), std::string{R"({"b":40})"});
         QVERIFY(!migrated({}, 4, steps, "x"));
     }
+    // Headlands of its edges go with a hole; those of later holes stay with them.
+    void aHoleTakesItsHeadlandsAlong() {
+        FieldSource source = sampleSource();
+        const GeoRing hole{{22.5021, 58.2511}, {22.5022, 58.2511}, {22.5022, 58.2512}};
+        source.parts.front().holes = {hole, hole, hole};
+        source.edgeHeadlands.clear();
+        for (const std::size_t ring : {0, 1, 2, 3}) {
+            source.edgeHeadlands.push_back({.part = 0, .ring = ring, .edge = ring % 3, .width = metres(10.0 + static_cast<double>(ring))});
+        }
+        const Project project = withoutHole(withFields(Project::empty(), {source}), 0, 1);
+        const std::vector<EdgeHeadland> expected{{.part = 0, .ring = 0, .edge = 0, .width = metres(10.0)},
+                                                 {.part = 0, .ring = 1, .edge = 1, .width = metres(11.0)},
+                                                 {.part = 0, .ring = 2, .edge = 0, .width = metres(13.0)}};
+        QVERIFY(project.field()->source->edgeHeadlands == expected);
+    }
     /// Files that were saved by earlier versions, one folder for each format.
     void storedProjectsAreRead() {
         const auto read = readProject(FURROW_TEST_DATA_DIR "/projects/v1/farm.furrow");
