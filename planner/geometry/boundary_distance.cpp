@@ -29,7 +29,12 @@ BoundaryDistance::BoundaryDistance(const MultiPolygon& polygons, Length reach) :
             if (cross(to - from, after - to) < 0.0) {
                 inwardCorners_.push_back(to);
             }
-            edges_.push_back({from, to, inwardNormal(before, from) + own, own + inwardNormal(to, after)});
+            const double square = dot(to - from, to - from);
+            edges_.push_back({.from = from,
+                              .way = to - from,
+                              .perSquare = square > 0.0 ? 1.0 / square : 0.0,
+                              .fromNormal = inwardNormal(before, from) + own,
+                              .toNormal = own + inwardNormal(to, after)});
         }
     };
     for (const Polygon& polygon : polygons) {
@@ -41,9 +46,9 @@ BoundaryDistance::BoundaryDistance(const MultiPolygon& polygons, Length reach) :
     // lies in the cells around that piece's ends.
     for (std::uint32_t e = 0; e < edges_.size(); ++e) {
         const Edge& edge = edges_[e];
-        const auto pieces = static_cast<int>(std::ceil(distance(edge.from, edge.to) / cellM_)) + 1;
+        const auto pieces = static_cast<int>(std::ceil(norm(edge.way) / cellM_)) + 1;
         for (int i = 0; i <= pieces; ++i) {
-            const Point at = edge.from + (static_cast<double>(i) / pieces) * (edge.to - edge.from);
+            const Point at = edge.from + (static_cast<double>(i) / pieces) * edge.way;
             for (int dx = -1; dx <= 1; ++dx) {
                 for (int dy = -1; dy <= 1; ++dy) {
                     std::vector<std::uint32_t>& cell = cells_[cellOf(at.x + dx * cellM_, at.y + dy * cellM_)];
@@ -72,31 +77,28 @@ std::optional<double> BoundaryDistance::insideM(Point point) const {
     if (cell == cells_.end()) {
         return std::nullopt;
     }
+    // The share of its edge and the square of its distance decide; only of the nearest more is wanted.
     double nearest = std::numeric_limits<double>::infinity();
-    double side = 0.0;
+    double nearestShare = 0.0;
+    const Edge* edge = nullptr;
     for (const std::uint32_t e : cell->second) {
-        const Edge& edge = edges_[e];
-        const Point way = edge.to - edge.from;
-        const double along = dot(point - edge.from, way);
-        const double square = dot(way, way);
-        Point foot = edge.from;
-        Point normal = edge.fromNormal;
-        if (along >= square) {
-            foot = edge.to;
-            normal = edge.toNormal;
-        } else if (along > 0.0) {
-            foot = edge.from + (along / square) * way;
-            normal = {-way.y, way.x};
-        }
-        if (const double away = distance(point, foot); away < nearest) {
-            nearest = away;
-            side = dot(point - foot, normal);
+        const Point from = point - edges_[e].from;
+        const double share = std::clamp(dot(from, edges_[e].way) * edges_[e].perSquare, 0.0, 1.0);
+        const Point away = from - share * edges_[e].way;
+        if (const double square = dot(away, away); square < nearest) {
+            nearest = square;
+            nearestShare = share;
+            edge = &edges_[e];
         }
     }
-    if (nearest > reachM_) {
+    if (nearest > reachM_ * reachM_) {
         return std::nullopt;
     }
-    return side < 0.0 ? -nearest : nearest;
+    const Point normal = nearestShare <= 0.0   ? edge->fromNormal
+                         : nearestShare >= 1.0 ? edge->toNormal
+                                               : Point{-edge->way.y, edge->way.x};
+    const double side = dot(point - edge->from - nearestShare * edge->way, normal);
+    return side < 0.0 ? -std::sqrt(nearest) : std::sqrt(nearest);
 }
 
 double BoundaryDistance::cutOffM(Point around, Point from, Point to) const {
@@ -107,7 +109,7 @@ double BoundaryDistance::cutOffM(Point around, Point from, Point to) const {
     const Point line = to - from;
     double farthest = 0.0;
     for (const std::uint32_t e : cell->second) {
-        const Point way = edges_[e].to - edges_[e].from;
+        const Point way = edges_[e].way;
         const double turn = cross(line, way);
         if (turn == 0.0) {
             continue;

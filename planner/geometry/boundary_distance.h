@@ -32,7 +32,8 @@ public:
 private:
     struct Edge {
         Point from;
-        Point to;
+        Point way;         ///< to its other end
+        double perSquare;  ///< 1 / its length squared, 0 without one
         Point fromNormal;  ///< sums of the inward normals at the edge's ends: which side a corner is on
         Point toNormal;
     };

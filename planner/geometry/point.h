@@ -25,7 +25,8 @@ constexpr double cross(Point a, Point b) {
 }
 
 inline double norm(Point a) {
-    return std::hypot(a.x, a.y);
+    // Fields are no larger than squares of doubles; hypot() guards against more and takes five times as long.
+    return std::sqrt(a.x * a.x + a.y * a.y);
 }
 
 inline double distance(Point a, Point b) {

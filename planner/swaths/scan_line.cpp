@@ -350,7 +350,8 @@ void ScanLine::findSlabs(Walk& walk) const {
         const double next = std::min(start, end);
         starts += start <= end ? 1 : 0;
         ends += end <= start ? 1 : 0;
-        if (walk.slabEdges.empty() || next > walk.slabEdges.back()) {
+        // Where one strip ends and the next begins is one edge, whatever their rounding.
+        if (walk.slabEdges.empty() || next > walk.slabEdges.back() + kFitSlack) {
             walk.slabEdges.push_back(next);
         }
     }
@@ -446,9 +447,10 @@ HeadingFigures ScanLine::measure(SwathObjective objective, Walk& walk) const {
                 };
                 const std::size_t edgesBelow = ladder.below(low.y);
                 std::size_t slab = edgesBelow > 0 ? edgesBelow - 1 : 0;
+                Point to = at(edges[slab]);
                 for (; slab + 1 < edges.size() && edges[slab] < high.y; ++slab) {
-                    const Point from = at(edges[slab]);
-                    const Point to = at(edges[slab + 1]);
+                    const Point from = to;
+                    to = at(edges[slab + 1]);
                     for (const Interval& interval : walk.coveredIn(slab)) {
                         coveredM2 += sign * clampedIntegral(from, to, interval);
                     }

@@ -17,17 +17,18 @@ constexpr double kTouchingM = 1e-3;
 /// How far a point is from a shape's sides, negative inside.
 double awayFrom(const Ring& shape, Point point) {
     bool inside = false;
-    double nearest = std::numeric_limits<double>::infinity();
-    for (std::size_t i = 0; i < shape.size(); ++i) {
-        const Point a = shape[i];
-        const Point b = shape[(i + 1) % shape.size()];
+    double nearest = std::numeric_limits<double>::infinity();  // squared
+    Point a = shape.back();
+    for (const Point b : shape) {
         if ((a.y > point.y) != (b.y > point.y) &&
             point.x < a.x + (b.x - a.x) * (point.y - a.y) / (b.y - a.y)) {
             inside = !inside;
         }
-        nearest = std::min(nearest, distanceToSegment(point, a, b));
+        const Point away = point - nearestOnSegment(point, a, b);
+        nearest = std::min(nearest, dot(away, away));
+        a = b;
     }
-    return inside ? -nearest : nearest;
+    return inside ? -std::sqrt(nearest) : std::sqrt(nearest);
 }
 
 }  // namespace
@@ -36,15 +37,19 @@ FootprintRoom roomAround(const Pose& pose, const Ring& footprint, const Boundary
     const double reachM = edges.reachM();
     FootprintRoom room{reachM, reachM};
     double radius = 0.0;
-    for (const Point& corner : placed(footprint, pose)) {
-        room.edgesM = std::min(room.edgesM, edges.insideM(corner).value_or(reachM));
-        radius = std::max(radius, distance(corner, pose.position));
-    }
     const Point ahead = direction(pose.heading.si());
+    const Point left{-ahead.y, ahead.x};
+    for (const Point& corner : footprint) {
+        const Point at = pose.position + corner.x * ahead + corner.y * left;
+        room.edgesM = std::min(room.edgesM, edges.insideM(at).value_or(reachM));
+        radius = std::max(radius, norm(corner));
+    }
     const double farM = radius + reachM;
     for (const Point& corner : edges.inwardCorners(pose.position.x - farM, pose.position.x + farM)) {
         const Point way = corner - pose.position;
-        if (std::abs(way.y) < farM) {
+        // What lies farther off than the nearest so far and all of the footprint is not looked at.
+        const double mostM = radius + room.cornersM;
+        if (dot(way, way) < mostM * mostM) {
             room.cornersM = std::min(room.cornersM, awayFrom(footprint, {dot(ahead, way), cross(ahead, way)}));
         }
     }
