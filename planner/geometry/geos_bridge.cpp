@@ -196,6 +196,11 @@ Result<MultiPolygon> buffered(const Shapes& shapes, double distanceM, double tol
         .transform([](const Geometry& result) { return fromGeos(result.get()); });
 }
 
+/// Polygons that enclose what its rings enclose, even-odd.
+Result<Geometry> validOf(const Geometry& shapes, const JobContext& job) {
+    return run(job, [&] { return GEOSMakeValid_r(handle(), shapes.get()); });
+}
+
 using Overlay = GEOSGeometry* (*)(GEOSContextHandle_t, const GEOSGeometry*, const GEOSGeometry*);
 using GridOverlay = GEOSGeometry* (*)(GEOSContextHandle_t, const GEOSGeometry*, const GEOSGeometry*, double);
 
@@ -203,13 +208,24 @@ using GridOverlay = GEOSGeometry* (*)(GEOSContextHandle_t, const GEOSGeometry*, 
 /// their fallbacks against failures, -1 is a grid of a metre.
 Result<MultiPolygon> combined(const MultiPolygon& a, const MultiPolygon& b, const JobContext& job,
                               Length grid, Overlay plain, GridOverlay snapping) {
+    const auto overlaid = [&](const Geometry& first, const Geometry& second) {
+        return run(job, [&] {
+            return grid > metres(0.0) ? snapping(handle(), first.get(), second.get(), grid.si())
+                                      : plain(handle(), first.get(), second.get());
+        });
+    };
     const Geometry first = toGeos(a);
     const Geometry second = toGeos(b);
-    return run(job,
-               [&] {
-                   return grid > metres(0.0) ? snapping(handle(), first.get(), second.get(), grid.si())
-                                             : plain(handle(), first.get(), second.get());
-               })
+    return overlaid(first, second)
+        .or_else([&](const Error& error) -> Result<Geometry> {
+            if (error.code == ErrorCode::Cancelled) {
+                return std::unexpected(error);
+            }
+            // Rounding made one of them touch or cross itself.
+            return validOf(first, job).and_then([&](const Geometry& one) {
+                return validOf(second, job).and_then([&](const Geometry& other) { return overlaid(one, other); });
+            });
+        })
         .transform([](const Geometry& result) { return fromGeos(result.get()); });
 }
 
@@ -415,9 +431,7 @@ Result<std::vector<Polyline>> linesOfWkt(const std::string& wkt) {
 }
 
 Result<MultiPolygon> madeValid(const MultiPolygon& polygons, const JobContext& job) {
-    const Geometry input = toGeos(polygons);
-    return run(job, [&] { return GEOSMakeValid_r(handle(), input.get()); })
-        .transform([](const Geometry& result) { return fromGeos(result.get()); });
+    return validOf(toGeos(polygons), job).transform([](const Geometry& result) { return fromGeos(result.get()); });
 }
 
 struct PreparedArea::Impl {

@@ -8,6 +8,7 @@
 #include "planner/turns/rig.h"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <functional>
 #include <iterator>
@@ -21,7 +22,7 @@ namespace furrow {
 namespace {
 
 // Rounded by a little more than the radius, so that arcs drawn as chords can be driven.
-constexpr double kRadiusReserve = 1.02;
+constexpr std::array kRadiusReserves{1.02, 1.1, 1.25};
 // Outside by less than this is touching.
 constexpr double kTouchingM = 8e-4;
 // And by less than this it is drawing.
@@ -263,47 +264,76 @@ std::vector<Excess> excessesAlong(const Turn& line, const Rig& rig, double apart
     return found;
 }
 
-/// All rings of a polygon as lines; nothing where one of them is too tight.
-std::optional<std::vector<Turn>> smoothed(const Polygon& polygon, Length radius, Length gentle) {
-    std::vector<Turn> lines;
-    const auto add = [&](const Ring& ring) {
-        auto line = smoothRing(ring, radius, kMergeTolerance, gentle);
-        if (line) {
-            lines.push_back(std::move(*line));
-        }
-        return line.has_value();
-    };
-    if (!add(polygon.outer) || !std::ranges::all_of(polygon.holes, add)) {
-        return std::nullopt;
+/// What a ring becomes when no disc of the radius may stick out of the side that is driven: seen by itself, since what
+/// lies on the far side of a lane that is narrower than a turn has a ring of its own.
+Result<std::vector<Ring>> roundedRing(const Ring& ring, bool isHole, Length radius, const JobContext& job) {
+    Polygon side{.outer = ring, .holes = {}};
+    if (isHole) {
+        // From outside: in a frame so far away that it does not matter.
+        const Bounds box = bounds({side});
+        const Point away{8.0 * radius.si(), 8.0 * radius.si()};
+        const Point low = box.min - away;
+        const Point high = box.max + away;
+        side = {.outer = {low, {high.x, low.y}, high, {low.x, high.y}}, .holes = {ring}};
     }
-    return lines;
+    return rounded(side, radius, job).transform([&](const MultiPolygon& parts) {
+        std::vector<Ring> rings;
+        for (const Polygon& part : parts) {
+            if (!isHole) {
+                rings.push_back(part.outer);
+            }
+            std::ranges::copy(part.holes, std::back_inserter(rings));
+        }
+        return rings;
+    });
 }
 
-/// The lines of a region. Most corners can be rounded one by one; where they are too close for that, everything
-/// goes that no disc of the radius can reach.
+/// The lines of a region, ring by ring. Most corners can be rounded one by one; where they are too close for that,
+/// everything goes that no disc of the radius can reach.
 Result<PassTracks> linesOf(const MultiPolygon& region, Length radius, Length gentle, const JobContext& job) {
     PassTracks tracks;
     // Less than a turn on full lock holds is a crumb of moving the ring.
     const Area least = squareMetres(std::numbers::pi * radius.si() * radius.si());
+    const auto add = [&](const Ring& ring) {
+        auto line = smoothRing(ring, radius, kMergeTolerance, gentle);
+        if (line) {
+            tracks.lines.push_back(std::move(*line));
+        }
+        return line.has_value();
+    };
+    const auto visit = [&](const Ring& ring, bool isHole) -> Result<void> {
+        if (add(ring)) {
+            return {};
+        }
+        // Arcs drawn as chords are too short for their corners now and then: those of a larger radius are not.
+        for (const double reserve : kRadiusReserves) {
+            const auto rings = roundedRing(ring, isHole, reserve * radius, job);
+            if (!rings) {
+                return std::unexpected(rings.error());
+            }
+            const std::size_t before = tracks.lines.size();
+            const auto failed = std::ranges::count_if(*rings, [&](const Ring& each) { return !add(each); });
+            if (failed == 0 && !rings->empty()) {
+                return {};
+            }
+            if (reserve != kRadiusReserves.back()) {
+                tracks.lines.resize(before);
+            } else {
+                tracks.givenUp += std::max(1, static_cast<int>(failed));
+            }
+        }
+        return {};
+    };
     for (const Polygon& polygon : region) {
         if (area(polygon) < least) {
             continue;
         }
-        if (auto lines = smoothed(polygon, radius, gentle)) {
-            std::ranges::move(*lines, std::back_inserter(tracks.lines));
-            continue;
+        Result<void> visited = visit(polygon.outer, false);
+        for (std::size_t i = 0; visited && i < polygon.holes.size(); ++i) {
+            visited = visit(polygon.holes[i], true);
         }
-        const auto reachable = rounded(polygon, kRadiusReserve * radius, job);
-        if (!reachable) {
-            return std::unexpected(reachable.error());
-        }
-        tracks.givenUp += reachable->empty() ? 1 : 0;
-        for (const Polygon& part : *reachable) {
-            if (auto lines = smoothed(part, radius, gentle)) {
-                std::ranges::move(*lines, std::back_inserter(tracks.lines));
-            } else {
-                ++tracks.givenUp;
-            }
+        if (!visited) {
+            return std::unexpected(visited.error());
         }
     }
     return tracks;
@@ -330,7 +360,18 @@ Result<MultiPolygon> alongEdges(const MultiPolygon& region, const MultiPolygon& 
         }
         (isOuter ? outer : holes).push_back({.outer = std::move(ring), .holes = {}});
     }
-    auto followed = madeValid(outer, job).and_then([&](const MultiPolygon& valid) { return difference(valid, holes, job); });
+    // A line that crosses itself or its neighbour somewhere is no shape to take away yet.
+    MultiPolygon taken;
+    for (const Polygon& hole : holes) {
+        auto valid = madeValid({hole}, job);
+        if (!valid) {
+            return std::unexpected(valid.error());
+        }
+        std::ranges::move(*valid, std::back_inserter(taken));
+    }
+    auto followed = madeValid(outer, job).and_then([&](const MultiPolygon& valid) {
+        return unionOf(taken, job).and_then([&](const MultiPolygon& one) { return difference(valid, one, job); });
+    });
     const auto along = followed.and_then([&](const MultiPolygon& valid) {
         return linesOf(valid, machine.minTurningRadius(), gentle, job);
     });
