@@ -212,7 +212,7 @@ public:
         }
         candidate.from = lane.on + beginsM * lane.along;
         candidate.to = lane.on + endsM * lane.along;
-        return isRefused(candidate) ? std::nullopt : std::optional{candidate};
+        return isRefused(candidate) || !isClear(candidate) ? std::nullopt : std::optional{candidate};
     }
 
 private:
@@ -231,6 +231,12 @@ private:
         return std::ranges::any_of(task_.refused, [&](const PassStretch& stretch) {
             return isClose(stretch.line.start, line.start) && isClose(stretch.line.end(), line.end());
         });
+    }
+
+    /// In between the places that were looked at, too.
+    bool isClear(const Candidate& candidate) const {
+        const Turn line = lineOf(candidate, task_.lowered.machine());
+        return task_.lowered.driven(Rig::inLine(line.start), line).has_value();
     }
 
     /// Along a line as far as the piece lies beside it, not far beyond the guide.

@@ -177,6 +177,27 @@ Result<ClosedRing> closedRing(const HeadlandTask& task, Length inset, int ring, 
     return result;
 }
 
+/// Where a rounded line does not get inside everywhere, it is driven in the parts that do.
+std::vector<HeadlandPass> cutWhereOutside(std::vector<HeadlandPass> passes, const HeadlandTask& task, const JobContext& job) {
+    for (HeadlandPass& pass : passes) {
+        // Corners that are driven into were looked at with their manoeuvres.
+        if (!pass.closed || pass.stretches.size() != 1) {
+            continue;
+        }
+        std::vector<Turn> parts = partsInside(pass.stretches.front().line, task.drivable, task.machine, job);
+        const bool isWhole = parts.size() == 1 && parts.front() == pass.stretches.front().line;
+        if (!isWhole) {
+            pass.closed = false;
+            pass.stretches.clear();
+            for (Turn& part : parts) {
+                pass.stretches.push_back({.line = std::move(part)});
+            }
+        }
+    }
+    std::erase_if(passes, [](const HeadlandPass& pass) { return pass.stretches.empty(); });
+    return passes;
+}
+
 /// Corners of the field, not those of obstacles and not those that point into it.
 std::vector<RoundedCorner> outwardCorners(const ClosedRing& ring, bool clockwise) {
     std::vector<RoundedCorner> outward;
@@ -364,7 +385,7 @@ Result<void> addPasses(Headland& headland, const HeadlandTask& task, const JobCo
                         headland.uncutCorners += uncutCorner(corner, machine.operatingWidth());
                     }
                 }
-                keep(std::move(closed->passes));
+                keep(cutWhereOutside(std::move(closed->passes), task, job));
                 continue;
             }
         }

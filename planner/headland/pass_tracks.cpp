@@ -5,6 +5,7 @@
 #include "planner/headland/edge_following.h"
 #include "planner/headland/smooth_ring.h"
 #include "planner/headland/swing_out.h"
+#include "planner/turns/curve_parts.h"
 #include "planner/turns/rig.h"
 
 #include <algorithm>
@@ -34,6 +35,8 @@ constexpr double kReserveFactor = 1.15;
 // Where it moves by less it does not move: the bend that begins there swings nothing out.
 constexpr double kLeastMoveM = 2e-4;
 constexpr int kMostMoves = 10;
+// Where that is not enough the line is cut; looked at so often.
+constexpr double kCutLookM = 0.25;
 // A trailed implement that points elsewhere than the tractor by less is in line.
 constexpr double kInLineRad = 1e-3;
 // Places that are looked at lie so many of the distances between two moves apart.
@@ -481,6 +484,59 @@ std::vector<Point> placesOutside(const Turn& line, const MultiPolygon& drivable,
         }
     }
     return places;
+}
+
+std::vector<Turn> partsInside(const Turn& closedLine, const MultiPolygon& drivable, const Machine& machine,
+                              const JobContext& job) {
+    // So far before and after such a place the line stays away from it, too.
+    const double awayM = 2.0 * kCutLookM;
+    const Rig rig{drivable, machine, ImplementAt::Lowered};
+    std::vector<std::pair<double, double>> parts;
+    double gone = 0.0;
+    double begins = 0.0;
+    RigState state = Rig::inLine(closedLine.start);
+    for (const TurnPiece& piece : closedLine.pieces) {
+        if (job.stopRequested()) {
+            return {closedLine};
+        }
+        if (const auto next = rig.driven(state, piece, metres(kDrawingM))) {
+            state = *next;
+            gone += piece.length.si();
+            continue;
+        }
+        // Somewhere in it: looked for step by step.
+        const auto steps = std::max(1, static_cast<int>(std::ceil(piece.length.si() / kCutLookM)));
+        TurnPiece step = piece;
+        step.length = (1.0 / steps) * piece.length;
+        for (int i = 0; i < steps; ++i) {
+            const bool isInside = rig.driven(state, step, metres(kDrawingM)).has_value();
+            state = *rig.follow(state, step, step.length, [](const RigState&) { return true; });
+            gone += step.length.si();
+            if (!isInside) {
+                if (gone - step.length.si() - awayM > begins) {
+                    parts.emplace_back(begins, gone - step.length.si() - awayM);
+                }
+                begins = gone + awayM;
+            }
+        }
+    }
+    if (begins == 0.0) {
+        return {closedLine};
+    }
+    if (begins < gone) {
+        parts.emplace_back(begins, gone);
+    }
+    std::vector<Turn> kept;
+    std::ranges::transform(parts, std::back_inserter(kept), [&](const auto& part) {
+        return partOf(closedLine, metres(part.first), metres(part.second));
+    });
+    // It begins and ends somewhere on the way: that is no cut.
+    if (kept.size() > 1 && parts.front().first == 0.0 && parts.back().second == gone) {
+        std::ranges::copy(kept.front().pieces, std::back_inserter(kept.back().pieces));
+        kept.erase(kept.begin());
+    }
+    std::erase_if(kept, [&](const Turn& part) { return part.length() < machine.operatingWidth(); });
+    return kept;
 }
 
 }  // namespace furrow

@@ -46,4 +46,9 @@ Result<PassTracks> passTracks(const MultiPolygon& workable, Length inset, const 
 std::vector<Point> placesOutside(const Turn& line, const MultiPolygon& drivable, const Machine& machine,
                                  const JobContext& job);
 
+/// What is left of a line without the places where the footprint is outside with the implement down, and not without
+/// stretches shorter than a pass is wide. A closed line is cut open there; it stays as it is where nothing is outside.
+std::vector<Turn> partsInside(const Turn& closedLine, const MultiPolygon& drivable, const Machine& machine,
+                              const JobContext& job);
+
 }  // namespace furrow

@@ -36,6 +36,22 @@ struct StartPlace {
     bool reversed = false;  ///< a single stretch, the other way round
 };
 
+/// At both ends and, since nose and tail swing differently, everywhere in between.
+bool fitsAlong(const Turn& line, const std::function<bool(const Pose&)>& fitsAt) {
+    Pose pose = line.start;
+    for (const TurnPiece& piece : line.pieces) {
+        const bool isStraight = piece.curvature == Curvature{} && piece.endCurvature == Curvature{};
+        const auto steps = isStraight ? 1 : std::max(1, static_cast<int>(std::ceil(piece.length / kCheckStep)));
+        for (int i = 0; i < steps; ++i) {
+            if (!fitsAt(advanced(pose, piece, piece.length * (static_cast<double>(i) / steps)))) {
+                return false;
+            }
+        }
+        pose = advanced(pose, piece, piece.length);
+    }
+    return fitsAt(pose);
+}
+
 /// Of a pass in stretches: before each of them. The other way round the nose is where the tail was, which has to fit.
 std::vector<StartPlace> startsOfStretches(const HeadlandPass& pass, const std::function<bool(const Pose&)>& fitsAt) {
     std::vector<StartPlace> places;
@@ -47,7 +63,7 @@ std::vector<StartPlace> startsOfStretches(const HeadlandPass& pass, const std::f
     }
     if (count == 1) {
         const Turn back = reversedLine(pass.stretches.front().line);
-        if (fitsAt(back.start) && fitsAt(back.end())) {
+        if (fitsAlong(back, fitsAt)) {
             places.push_back({.pose = back.start, .end = back.end(), .reversed = true});
         }
     }

@@ -24,6 +24,8 @@ constexpr double kMoveRad = kPi / 9.0;
 constexpr int kHeadings = 36;
 // Straight on, in the open, in longer moves.
 constexpr double kLongMove = 4.0;
+// But not longer than this share of what is left.
+constexpr double kLongestShare = 0.3;
 constexpr std::size_t kMostMoves = 3000;
 // A trailed implement takes ten times as long to be followed.
 constexpr std::size_t kMostMovesTrailed = 800;
@@ -366,7 +368,17 @@ private:
                 move(gear, curvature, shortM);
             }
         }
-        move(Gear::Forward, 0.0, kLongMove * shortM);
+        // The farther it is, the longer: a way along a side of a large field is no more moves than one round a corner.
+        const double leftM = grid_.from(node.state.tractor.position, mostWayM_);
+        double longM = kLongMove * shortM;
+        do {
+            move(Gear::Forward, 0.0, longM);
+            longM *= kLongMove;
+        } while (longM < kLongestShare * leftM);
+        // Back out of a lane it came into.
+        if (reverses_) {
+            move(Gear::Reverse, 0.0, kLongMove * shortM);
+        }
     }
 
     /// The rest of the way in one curve.

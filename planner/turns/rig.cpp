@@ -12,7 +12,7 @@ namespace furrow {
 
 namespace {
 
-// Outside by less than this is touching.
+// A place whose wheels are outside by less is inside.
 constexpr double kTouchingM = 1e-3;
 // What is flush with an edge is looked at no more often than this; in bends beside a corner of the field so often that
 // it cannot pass through a corner of the footprint unseen.
@@ -111,7 +111,7 @@ std::optional<RigState> Rig::follow(const RigState& from, const TurnPiece& piece
     return at;
 }
 
-std::optional<RigState> Rig::driven(const RigState& from, const TurnPiece& piece) const {
+std::optional<RigState> Rig::driven(const RigState& from, const TurnPiece& piece, Length touching) const {
     // No point of it moves by more than this for each metre of the way.
     const double bent = std::max(std::abs(piece.curvature.si()), std::abs(piece.endCurvature.si()));
     const double swings = std::max(1.0 + bent * tractor_.radiusM, trailer_ ? 1.0 + trailed_.radiusM / trailer_->trailingM : 0.0);
@@ -136,7 +136,7 @@ std::optional<RigState> Rig::driven(const RigState& from, const TurnPiece& piece
         free -= stepM;
         if (free <= kRoundingM || goneM == lengthM) {
             const FootprintRoom room = roomAround(at);
-            if (room.least() < -kTouchingM) {
+            if (room.least() < -touching.si()) {
                 return std::nullopt;
             }
             free = freeWay(room);

@@ -37,7 +37,8 @@ public:
 
     /// After a piece of a turn; nothing as soon as something is outside. It is looked at as often as the room there is
     /// asks for: what is outside in between is so by a millimetre or two.
-    std::optional<RigState> driven(const RigState& from, const TurnPiece& piece) const;
+    /// @param touching  outside by less is none
+    std::optional<RigState> driven(const RigState& from, const TurnPiece& piece, Length touching = metres(1e-3)) const;
     /// After all of a turn.
     std::optional<RigState> driven(const RigState& from, const Turn& turn) const;
 
