@@ -8,6 +8,7 @@
 #include "planner/path/path_builder.h"
 #include "planner/path/remembered_ways.h"
 #include "planner/path/travel_rule.h"
+#include "planner/path/way_repair.h"
 #include "planner/plan/general_parameters.h"
 #include "planner/plan/method_registry.h"
 #include "planner/turns/best_feasible.h"
@@ -16,6 +17,7 @@
 
 #include <algorithm>
 #include <array>
+#include <atomic>
 #include <chrono>
 #include <iterator>
 #include <optional>
@@ -172,21 +174,31 @@ Result<void> checkWays(Plan& plan, const MultiPolygon& drivable, const JobContex
     return {};
 }
 
-/// The path over these legs, checked and audited, with what both find.
-Result<void> drive(Plan& plan, std::span<const Leg> legs, RememberedWays& ways, const MultiPolygon& drivable,
+/// The path over these legs, checked and audited, with what both find. Where no way leads from one to the next they are
+/// put in another order.
+Result<void> drive(Plan& plan, std::vector<Leg>& legs, RememberedWays& ways, const MultiPolygon& drivable,
                    const JobContext& job) {
     const Settings& settings = plan.request.settings;
     const Machine& machine = plan.request.machine;
     TurnPlanner* const turn = turnMethod(settings);
     const bool fits = turn == kBestFeasibleMethod.run && settings.flag(kStayInside);
     const Clock::time_point begin = Clock::now();
-    auto path = buildPath(
-        legs, machine,
-        [&](const Pose& leaving, const Pose& arriving, const JobContext& part) {
-            auto way = fits ? ways(leaving, arriving, part) : std::nullopt;
-            return way ? std::move(*way) : connection(leaving, arriving, machine, turn);
-        },
-        job.part(0.0, 0.4));
+    std::atomic<bool> isWhole{true};
+    const auto build = [&](const JobContext& part) {
+        return buildPath(
+            legs, machine,
+            [&](const Pose& leaving, const Pose& arriving, const JobContext& piece) {
+                auto way = fits ? ways(leaving, arriving, piece) : std::nullopt;
+                isWhole = isWhole && (way || !fits);
+                return way ? std::move(*way) : connection(leaving, arriving, machine, turn);
+            },
+            part);
+    };
+    auto path = build(job.part(0.0, 0.3));
+    if (path && !isWhole) {
+        legs = withWaysBetween(std::move(legs), ways, Rig{drivable, machine, ImplementAt::Lowered}, job);
+        path = build(job.part(0.3, 0.4));
+    }
     if (!path) {
         return std::unexpected(path.error());
     }
