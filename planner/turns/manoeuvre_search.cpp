@@ -41,6 +41,9 @@ constexpr std::size_t kShotEvery = 8;
 constexpr double kNearRadii = 8.0;
 // Far ways are guided by a coarser grid.
 constexpr double kMostCellsAcross = 200.0;
+constexpr double kFartherReach = 4.0;
+// Within so many radii of both ends a machine may stand where its implement has no room in passing.
+constexpr double kNearEndsRadii = 2.0;
 // Larger regions are not searched.
 constexpr std::size_t kMostCells = 200'000;
 constexpr double kInfinite = std::numeric_limits<double>::infinity();
@@ -56,8 +59,9 @@ class GridDistance {
 public:
     /// @param towards  places near here are going to be asked: worked out in this direction first (Silver 2005,
     ///                 Cooperative Pathfinding: reverse resumable A*)
-    GridDistance(const Rig& rig, const TravelCost& travel, Point goal, Point towards, double cellM)
-        : rig_{rig}, travel_{travel}, origin_{goal}, towards_{towards}, cellM_{cellM} {
+    /// @param clearance  of the tractor's middle from the edges, but for places near both ends
+    GridDistance(const Rig& rig, const TravelCost& travel, Point goal, Point towards, double cellM, Length clearance)
+        : rig_{rig}, travel_{travel}, origin_{goal}, towards_{towards}, cellM_{cellM}, clearance_{clearance} {
         open_.push({norm(towards - goal), 0, 0});
         reached_[packed(0, 0)] = {.distance = 0.0, .travel = 1.0};
     }
@@ -91,6 +95,12 @@ private:
         bool operator<(const Entry& other) const { return atLeast > other.atLeast; }
     };
 
+    bool mayStandAt(Point point) const {
+        const double nearM = kNearEndsRadii * rig_.machine().minTurningRadius().si();
+        const bool isFar = distance(point, origin_) > nearM && distance(point, towards_) > nearM;
+        return rig_.mayStandAt(point, isFar ? clearance_ : Length{});
+    }
+
     void settleNearest() {
         const Entry nearest = open_.top();
         open_.pop();
@@ -109,7 +119,7 @@ private:
                 Place& next = found->second;
                 const Point point = origin_ + Point{column * cellM_, row * cellM_};
                 if (isNew) {
-                    next.travel = rig_.mayStandAt(point) ? (travel_ ? travel_(point) : 1.0) : 0.0;
+                    next.travel = mayStandAt(point) ? (travel_ ? travel_(point) : 1.0) : 0.0;
                 }
                 const double distance = here + cellM_ * std::hypot(dx, dy) * next.travel;
                 if (!next.settled && next.travel > 0.0 && distance < next.distance) {
@@ -125,6 +135,7 @@ private:
     Point origin_;
     Point towards_;
     double cellM_;
+    Length clearance_;
     std::size_t settled_ = 0;
     std::unordered_map<Cell, Place> reached_;
     std::priority_queue<Entry> open_;
@@ -162,7 +173,8 @@ struct Node {
 
 class Search {
 public:
-    Search(const Rig& rig, const Pose& from, const Pose& to, const TravelCost& travel, const JobContext& job)
+    /// @param afar  a way may lead farther than usual, and not where only the tractor gets through
+    Search(const Rig& rig, const Pose& from, const Pose& to, const TravelCost& travel, const JobContext& job, bool afar)
         : rig_{rig},
           machine_{rig.machine()},
           to_{to},
@@ -173,15 +185,22 @@ public:
           forwardMps_{machine_.turningSpeed().si()},
           reverseMps_{machine_.spec().tractor.reverseSpeed.si()},
           gearChangeS_{gearChangeDuration(machine_).si()},
-          grid_{rig, travel_, to.position, from.position,
-                std::max(std::clamp(0.4 * radiusM_, 0.6, 4.0), distance(from.position, to.position) / kMostCellsAcross)} {
+          reach_{afar ? kFartherReach : 1.0},
+          grid_{rig,
+                travel_,
+                to.position,
+                from.position,
+                std::max(std::clamp(0.4 * radiusM_, 0.6, 4.0),
+                         reach_ * distance(from.position, to.position) / kMostCellsAcross),
+                afar ? 0.5 * machine_.turningWidth() : Length{}} {
         nodes_.push_back({.state = Rig::inLine(from), .pieces = {}});
         ends_.push_back({.pieces = {}, .end = to});
     }
 
     std::optional<Turn> run(SearchEffort effort) {
-        mostWayM_ = 200.0 + 60.0 * radiusM_ + 8.0 * distance(from().position, to_.position);
-        greed_ = grid_.from(from().position, mostWayM_) > kNearRadii * radiusM_ ? kGreedAfar : kGreed;
+        mostWayM_ = reach_ * (200.0 + 60.0 * radiusM_ + 8.0 * distance(from().position, to_.position));
+        const double byGrid = grid_.from(from().position, mostWayM_);
+        greed_ = byGrid > kNearRadii * radiusM_ ? kGreedAfar : kGreed;
         auto out = escapes(from());
         auto in = escapes(to_);
         if (!out || !in) {
@@ -443,6 +462,7 @@ private:
     double forwardMps_;
     double reverseMps_;
     double gearChangeS_;
+    double reach_;
     GridDistance grid_;
     std::vector<Escape> ends_;  ///< the goal itself and the ways in to it
     double mostWayM_ = 0.0;
@@ -458,7 +478,12 @@ private:
 
 std::optional<Turn> searchManoeuvre(const Rig& rig, const Pose& from, const Pose& to, const TravelCost& travel,
                                     const JobContext& job, SearchEffort effort) {
-    return Search{rig, from, to, travel, job}.run(effort);
+    auto way = Search{rig, from, to, travel, job, false}.run(effort);
+    // Round a bay of a large field, or round a neck too narrow for the implement, the next place may be far away.
+    if (!way && effort == SearchEffort::Thorough) {
+        way = Search{rig, from, to, travel, job, true}.run(effort);
+    }
+    return way;
 }
 
 }  // namespace furrow

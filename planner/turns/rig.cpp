@@ -158,9 +158,9 @@ std::optional<RigState> Rig::driven(const RigState& from, const Turn& turn) cons
     return state;
 }
 
-bool Rig::mayStandAt(Point point) const {
+bool Rig::mayStandAt(Point point, Length clearance) const {
     const auto inside = edges_.insideM(point);
-    return !inside || *inside >= 0.5 * machine_.spec().tractor.width.si() - kTouchingM;
+    return !inside || *inside >= std::max(0.5 * machine_.spec().tractor.width, clearance).si() - kTouchingM;
 }
 
 }  // namespace furrow

@@ -49,7 +49,8 @@ public:
     bool hasTrailer() const { return trailer_.has_value(); }
 
     /// A place for the tractor's middle where at least its wheels are inside, whichever way it points.
-    bool mayStandAt(Point point) const;
+    /// @param clearance  of its middle, where that is more
+    bool mayStandAt(Point point, Length clearance = {}) const;
 
 private:
     /// A rectangle or T around what carries it.
