@@ -32,7 +32,7 @@ int fromEnvironment(const char* name, int standard) {
 
 /// A blob, a ditch or a pole, anywhere in or about the field: across its boundary and each other, too.
 Polygon obstacleIn(std::mt19937_64& random, double radiusM) {
-    const Point middle = uniform(random, 0.0, 1.05) * radiusM * direction(uniform(random, 0.0, 2.0 * std::numbers::pi));
+    const Point middle = uniform(random, 0.0, 0.6) * radiusM * direction(uniform(random, 0.0, 2.0 * std::numbers::pi));
     const double kind = uniform(random, 0.0, 3.0);
     double longM = uniform(random, 0.05, 0.25) * radiusM;
     double wideM = longM * uniform(random, 0.4, 1.0);
@@ -68,6 +68,18 @@ Settings generatedSettings(std::mt19937_64& random) {
         return settings;
     }
     for (const StageInfo& stage : stages()) {
+        if (stage.id == "swaths") {
+            // The others want a line, rows or heights.
+            constexpr std::array kFree{"exact", "brute-force", "fixed", "longest-edge", "edge", "oksanen"};
+            applySetting(settings, "swaths.method", kFree[static_cast<std::size_t>(uniform(random, 0.0, kFree.size()))]).value();
+            continue;
+        }
+        if (stage.id == "route") {
+            // Not an order by hand.
+            constexpr std::array kFree{"boustrophedon", "snake", "spiral", "skip", "racetrack"};
+            applySetting(settings, "route.method", kFree[static_cast<std::size_t>(uniform(random, 0.0, kFree.size()))]).value();
+            continue;
+        }
         const auto& method = stage.methods[static_cast<std::size_t>(uniform(random, 0.0, static_cast<double>(stage.methods.size())))];
         applySetting(settings, std::string{stage.id} + ".method", std::string{method.id}).value();
     }
