@@ -154,6 +154,20 @@ private slots:
         QVERIFY(touching->empty());
     }
 
+    // Its spike comes back on itself and crosses: 10 by 10 m less a corner of 2 by 2 m, and what it is taken from is a bow
+    // tie of two triangles of 25 m².
+    void combinesWhatCrossesItself() {
+        const MultiPolygon spiked = polygonsFromWkt("POLYGON((0 0, 10 0, 10 10, 12 10, 8 10, 0 10, 0 0))");
+        const auto rest = difference(spiked, {test::rectangle(4.0, 4.0, {8.0, 8.0})}, {});
+        VERIFY_RESULT(rest);
+        COMPARE_WITHIN(area(*rest).si(), 96.0, 1e-9);
+        const MultiPolygon bow = polygonsFromWkt("POLYGON((0 0, 10 10, 10 0, 0 10, 0 0))");
+        const auto half = difference(bow, {test::rectangle(5.0, 10.0)}, {});
+        VERIFY_RESULT(half);
+        COMPARE_WITHIN(area(*half).si(), 25.0, 1e-9);
+        QVERIFY(isInOurForm(*half));
+    }
+
     // Squares of 1.5 m, the second moved by 0.25 and 0.5 m: worked by hand, to the last bit, as all corners are
     // binary fractions. Any grid coarser than an eighth of a metre would show.
     void fractionsStay_data() {

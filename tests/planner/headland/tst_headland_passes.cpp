@@ -280,6 +280,65 @@ private slots:
         }
     }
 
+    // 80 by 80 m with a pond of 40 by 40 m that leaves a lane of 9 m on its right, narrower than twice the radius: both
+    // shores keep their line. Piers on both make the rings too sharp to be rounded corner by corner.
+    void aLaneNarrowerThanATurnKeepsItsPasses() {
+        MachineSpec spec = agbot().spec();
+        spec.tractor.minTurningRadius = metres(6.0);
+        const Machine machine = Machine::create(spec).value();
+        const MultiPolygon field = test::polygonsFromWkt(
+            "POLYGON((0 0, 40 0, 40 2, 41 2, 41 0, 80 0, 80 80, 0 80, 0 0), (31 20, 31 60, 71 60, 71 20, 52 20, 52 18, 51 18, 51 20, 31 20))");
+        const auto rings = eroded(field, metres(1.5), metres(0.01), {});
+        VERIFY_RESULT(rings);
+        QVERIFY(!smoothRing(rings->front().outer, metres(6.0), metres(0.25)));
+        QVERIFY(!smoothRing(rings->front().holes.front(), metres(6.0), metres(0.25)));
+        const auto tracks = passTracks(field, metres(1.5), field, machine, {}, {});
+        VERIFY_RESULT(tracks);
+        QCOMPARE(tracks->givenUp, 0);
+        QCOMPARE(tracks->lines.size(), std::size_t{2});
+        for (const Turn& line : tracks->lines) {
+            QVERIFY(sharpest(line) <= (1.0 + 1e-9) / 6.0);
+            // Both go along the lane: 4.5 m from its middle at most.
+            double nearest = 1e9;
+            for (double wayM = 0.0; wayM < line.length().si(); wayM += 0.5) {
+                nearest = std::min(nearest, distance(poseAt(line, wayM).position, {75.5, 40.0}));
+            }
+            QVERIFY2(nearest < 4.5, qPrintable(QString::number(nearest)));
+        }
+    }
+
+    // A line round a yard of 60 by 40 m, 2 m from its walls; a pillar stands on it in the middle of the lower side.
+    void aLineIsCutWhereItDoesNotFit() {
+        const Machine& machine = agbot();
+        const MultiPolygon yard{test::rectangle(60.0, 40.0)};
+        const Ring round{{5.0, 5.0}, {55.0, 5.0}, {55.0, 35.0}, {5.0, 35.0}};
+        const Turn line = smoothRing(round, machine.minTurningRadius(), metres(0.01)).value();
+        const auto whole = partsInside(line, yard, machine, {});
+        QCOMPARE(whole.size(), std::size_t{1});
+        QCOMPARE(whole.front(), line);
+        const auto pillared = difference(yard, {test::rectangle(0.5, 0.5, {29.75, 4.75})}, {});
+        VERIFY_RESULT(pillared);
+        const auto parts = partsInside(line, *pillared, machine, {});
+        double leftM = 0.0;
+        for (const Turn& part : parts) {
+            leftM += part.length().si();
+            for (double wayM = 0.0; wayM < part.length().si(); wayM += 0.1) {
+                // Nose and tail keep clear of the pillar.
+                for (const Point& corner : placed(machine.workingFootprint(), poseAt(part, wayM))) {
+                    QVERIFY(std::abs(corner.x - 30.0) > 0.25 || std::abs(corner.y - 5.0) > 0.25);
+                }
+            }
+        }
+        // What is lost is the pillar, the machine's length and a little.
+        double lengthM = 0.0;
+        for (const Point& corner : machine.workingFootprint()) {
+            lengthM = std::max({lengthM, corner.x - machine.workingFootprint().front().x, machine.workingFootprint().front().x - corner.x});
+        }
+        const double lostM = line.length().si() - leftM;
+        QVERIFY2(lostM > lengthM + 0.5 && lostM < lengthM + 0.5 + 2.0, qPrintable(QString::number(lostM)));
+        QCOMPARE(parts.size(), std::size_t{1});
+    }
+
     void aStoppedJobIsCancelled() {
         std::stop_source stop;
         stop.request_stop();

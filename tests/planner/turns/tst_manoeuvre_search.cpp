@@ -5,6 +5,7 @@
 #include "planner/turns/turn_method.h"
 #include "planner/turns/turn_sampling.h"
 #include "tests/planner/turns/turn_check.h"
+#include "tests/support/field_generator.h"
 #include "tests/support/wkt.h"
 
 #include <QTest>
@@ -181,6 +182,29 @@ private slots:
         // It is longer than the alley is wide: the nose cannot come round before the mouth, 12 m behind it.
         QVERIFY2(reversedM(*way) > 9.0, qPrintable(QString::number(reversedM(*way))));
         QVERIFY(!found(inside, forwardRobot(), from, to).has_value());
+    }
+
+    // A U of two fields 300 m long that hang together at its far end, 310 m away, and through a gap that is too narrow for
+    // the 2.5 m behind the tractor: the grid would lead through that.
+    void farRound_data() {
+        QTest::addColumn<double>("gapM");
+        QTest::newRow("no gap") << 0.0;
+        QTest::newRow("a gap for the tractor only") << 2.0;
+    }
+    void farRound() {
+        QFETCH(double, gapM);
+        MultiPolygon inside = room("POLYGON((0 0, 320 0, 320 50, 0 50, 0 30, 300 30, 300 20, 0 20, 0 0))");
+        if (gapM > 0.0) {
+            inside = unionOf({inside.front(), test::rectangle(gapM, 12.0, {20.0, 19.0})}, {}).value();
+        }
+        const Pose from = test::pose(25.0, 10.0, 180.0);
+        const Pose to = test::pose(25.0, 40.0, 0.0);
+        const auto way = found(inside, withDrill(), from, to);
+        QVERIFY(way.has_value());
+        const QByteArray fault = faultOf(*way, from, to, withDrill(), Walls{inside});
+        QVERIFY2(fault.isEmpty(), fault);
+        // To the far end and back, at least.
+        QVERIFY2(way->length().si() > 550.0 && way->length().si() < 900.0, qPrintable(QString::number(way->length().si())));
     }
 
     // Two centimetres from the edge any bend swings a corner out of the field.
