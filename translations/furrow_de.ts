@@ -1337,6 +1337,10 @@
         <translation>%1 springt um %2.</translation>
     </message>
     <message>
+        <source>%1 leads from one part of the field to another that this machine cannot drive to.</source>
+        <translation>%1 führt von einem Teil des Feldes in einen anderen, den diese Maschine nicht erreicht.</translation>
+    </message>
+    <message>
         <source>%1 leaves the field by %2.</source>
         <translation>%1 verlässt den Schlag um %2.</translation>
     </message>
@@ -2447,6 +2451,10 @@
     <message>
         <source>Plan again; the times were changed.</source>
         <translation>Neu planen; die Zeiten wurden geändert.</translation>
+    </message>
+    <message>
+        <source>Plan the parts of the field apart, or widen the passage between them.</source>
+        <translation>Die Teile des Feldes einzeln planen oder den Durchlass zwischen ihnen verbreitern.</translation>
     </message>
     <message>
         <source>Plan the turn that is missing here.</source>

@@ -1337,6 +1337,10 @@
         <translation>%1 salta %2.</translation>
     </message>
     <message>
+        <source>%1 leads from one part of the field to another that this machine cannot drive to.</source>
+        <translation>%1 lleva de una parte del campo a otra a la que esta máquina no puede llegar.</translation>
+    </message>
+    <message>
         <source>%1 leaves the field by %2.</source>
         <translation>%1 sale %2 de la parcela.</translation>
     </message>
@@ -2447,6 +2451,10 @@
     <message>
         <source>Plan again; the times were changed.</source>
         <translation>Planifique de nuevo; se cambiaron los tiempos.</translation>
+    </message>
+    <message>
+        <source>Plan the parts of the field apart, or widen the passage between them.</source>
+        <translation>Planifique las partes del campo por separado o ensanche el paso entre ellas.</translation>
     </message>
     <message>
         <source>Plan the turn that is missing here.</source>

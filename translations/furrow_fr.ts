@@ -1337,6 +1337,10 @@
         <translation>%1 saute de %2.</translation>
     </message>
     <message>
+        <source>%1 leads from one part of the field to another that this machine cannot drive to.</source>
+        <translation>%1 mène d’une partie du champ à une autre que cette machine ne peut pas atteindre.</translation>
+    </message>
+    <message>
         <source>%1 leaves the field by %2.</source>
         <translation>%1 sort de la parcelle de %2.</translation>
     </message>
@@ -2447,6 +2451,10 @@
     <message>
         <source>Plan again; the times were changed.</source>
         <translation>Planifier à nouveau ; les temps ont été modifiés.</translation>
+    </message>
+    <message>
+        <source>Plan the parts of the field apart, or widen the passage between them.</source>
+        <translation>Planifiez les parties du champ séparément, ou élargissez le passage entre elles.</translation>
     </message>
     <message>
         <source>Plan the turn that is missing here.</source>

@@ -1337,6 +1337,10 @@
         <translation>%1 verspringt %2.</translation>
     </message>
     <message>
+        <source>%1 leads from one part of the field to another that this machine cannot drive to.</source>
+        <translation>%1 leidt van het ene deel van het perceel naar een ander deel dat deze machine niet kan bereiken.</translation>
+    </message>
+    <message>
         <source>%1 leaves the field by %2.</source>
         <translation>%1 komt %2 buiten het perceel.</translation>
     </message>
@@ -2447,6 +2451,10 @@
     <message>
         <source>Plan again; the times were changed.</source>
         <translation>Plan opnieuw; de tijden zijn gewijzigd.</translation>
+    </message>
+    <message>
+        <source>Plan the parts of the field apart, or widen the passage between them.</source>
+        <translation>Plan de delen van het perceel apart, of maak de doorgang ertussen breder.</translation>
     </message>
     <message>
         <source>Plan the turn that is missing here.</source>

@@ -1337,6 +1337,10 @@
         <translation>%1 salta %2.</translation>
     </message>
     <message>
+        <source>%1 leads from one part of the field to another that this machine cannot drive to.</source>
+        <translation>%1 leva de uma parte do talhão a outra que esta máquina não alcança.</translation>
+    </message>
+    <message>
         <source>%1 leaves the field by %2.</source>
         <translation>%1 sai %2 do talhão.</translation>
     </message>
@@ -2447,6 +2451,10 @@
     <message>
         <source>Plan again; the times were changed.</source>
         <translation>Planeje de novo; os tempos foram alterados.</translation>
+    </message>
+    <message>
+        <source>Plan the parts of the field apart, or widen the passage between them.</source>
+        <translation>Planeje as partes do talhão separadamente ou alargue a passagem entre elas.</translation>
     </message>
     <message>
         <source>Plan the turn that is missing here.</source>

@@ -1,5 +1,7 @@
 #include "planner/plan/drive_stage.h"
 
+#include "planner/geometry/boundary_distance.h"
+#include "planner/geometry/geos_bridge.h"
 #include "planner/headland/finishing_passes.h"
 #include "planner/headland/headland_passes.h"
 #include "planner/path/drivable_check.h"
@@ -33,6 +35,8 @@ using Clock = std::chrono::steady_clock;
 constexpr double kMayStayShare = 0.009;
 constexpr Area kMayStayInOnePiece = squareMetres(95.0);
 constexpr int kFinishingRounds = 3;
+// Farther than any place is from the edge of a field.
+constexpr Length kWholeField = metres(1e5);
 
 /// "The way from swath 3 to swath 4", "Headland pass 1".
 Message nameOfWay(const Path& path, std::size_t segment) {
@@ -45,9 +49,46 @@ Message nameOfWay(const Path& path, std::size_t segment) {
                        after == nullptr ? Message{"the end"} : nameOf(*after));
 }
 
+/// The parts of the field that the tractor can drive about in, as far as its wheels decide.
+class DrivenParts {
+public:
+    static Result<DrivenParts> of(const MultiPolygon& drivable, const Machine& machine, const JobContext& job) {
+        return eroded(drivable, 0.5 * machine.spec().tractor.width, kArcTolerance, job).transform([](const MultiPolygon& rooms) {
+            DrivenParts parts;
+            for (const Polygon& room : rooms) {
+                parts.edges_.emplace_back(MultiPolygon{room}, kWholeField);
+            }
+            return parts;
+        });
+    }
+
+    /// Whether a way leaves one of them for another.
+    bool separate(const Path& path, std::size_t segment) const {
+        const PathSegment* const before = path.workBefore(segment);
+        const PathSegment* const after = path.workAfter(segment);
+        return !path.segments[segment].implementDown && before != nullptr && after != nullptr &&
+               partAt(before->samples.back().position) != partAt(after->samples.front().position);
+    }
+
+private:
+    std::size_t partAt(Point place) const {
+        const auto insideM = [&](const BoundaryDistance& edges) { return edges.insideM(place).value_or(-kWholeField.si()); };
+        return static_cast<std::size_t>(std::ranges::max_element(edges_, {}, insideM) - edges_.begin());
+    }
+
+    std::vector<BoundaryDistance> edges_;
+};
+
 Finding blockedFinding(const Path& path, const BlockedConnection& blocked, const Headland& headland,
-                       const Machine& machine) {
+                       const Machine& machine, const DrivenParts& parts) {
     const Message way = nameOfWay(path, blocked.segment);
+    if (parts.separate(path, blocked.segment)) {
+        return {.severity = Severity::Blocking,
+                .kind = blocked.obstacle ? "obstacle" : "outside",
+                .place = blocked.place,
+                .text = message("{} leads from one part of the field to another that this machine cannot drive to.", way),
+                .suggestion = "Plan the parts of the field apart, or widen the passage between them."};
+    }
     if (blocked.obstacle) {
         return {
             .severity = Severity::Blocking,
@@ -155,6 +196,13 @@ Result<void> checkWays(Plan& plan, const MultiPolygon& drivable, const JobContex
     if (!blocked) {
         return std::unexpected(blocked.error());
     }
+    if (blocked->empty()) {
+        return {};
+    }
+    const auto parts = DrivenParts::of(drivable, plan.request.machine, job);
+    if (!parts) {
+        return std::unexpected(parts.error());
+    }
     std::optional<BlockedConnection> worst;
     for (const BlockedConnection& connection : *blocked) {
         PathSegment& segment = plan.path.segments[connection.segment];
@@ -169,7 +217,7 @@ Result<void> checkWays(Plan& plan, const MultiPolygon& drivable, const JobContex
             plan.findings.pop_back();
         }
         worst = connection;
-        plan.findings.push_back(blockedFinding(plan.path, connection, plan.headland, plan.request.machine));
+        plan.findings.push_back(blockedFinding(plan.path, connection, plan.headland, plan.request.machine, *parts));
     }
     return {};
 }

@@ -363,6 +363,23 @@ private slots:
             QCOMPARE(plan.error().code, ErrorCode::InputRefused);
         }
     }
+
+    // Two yards of 60 by 60 m and a footpath of 1 m between them, on which no tractor drives.
+    void partsWithoutAWayBetweenAreTold() {
+        const MultiPolygon yards{{.outer = {{0, 0}, {60, 0}, {60, 30}, {70, 30}, {70, 0}, {130, 0}, {130, 60}, {70, 60}, {70, 31}, {60, 31}, {60, 60}, {0, 60}}, .holes = {}}};
+        const auto plan = makePlan({.field = fieldOf(yards), .machine = agbot(), .settings = {}});
+        VERIFY_RESULT(plan);
+        QVERIFY(!(*plan)->drivable());
+        const auto told = std::ranges::count_if((*plan)->findings, [](const Finding& finding) {
+            return finding.severity == Severity::Blocking && finding.text.contains("from one part of the field to another") &&
+                   finding.suggestion.contains("apart");
+        });
+        QVERIFY(told >= 1);
+        // Whatever else is in the way is not said to be one of these.
+        for (const Finding& finding : (*plan)->findings) {
+            QVERIFY(finding.severity != Severity::Blocking || !finding.suggestion.contains("another direction"));
+        }
+    }
 };
 
 QTEST_APPLESS_MAIN(PlanTest)
