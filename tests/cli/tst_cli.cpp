@@ -287,6 +287,37 @@ private slots:
         }
     }
 
+    // As the README runs it: the shards that GNU parallel starts are together what one run does, and going on from them
+    // has nothing left to plan.
+    void shardsInParallel() {
+        const QString two = writeFile(folder_.filePath("two.geojson"), kTwoFields);
+        const QString out = folder_.filePath("shards");
+        QProcess parallel;
+        parallel.start("parallel", QStringList{furrow::test::kFurrowCli, "batch", two, "--out", out, "--shard", "{}/2", "--threads", "1", "--quiet", ":::", "1", "2"});
+        if (!parallel.waitForStarted()) {
+            QSKIP("GNU parallel is not installed");
+        }
+        QVERIFY(parallel.waitForFinished(120'000));
+        QVERIFY2(parallel.exitCode() == 0, parallel.readAllStandardError());
+        const auto linesOf = [](const QString& record) {
+            QStringList lines;
+            for (const QByteArray& line : contentsOf(record).trimmed().split('\n')) {
+                QJsonObject one = QJsonDocument::fromJson(line).object();
+                one.remove("time_ms");
+                lines << QJsonDocument{one}.toJson(QJsonDocument::Compact);
+            }
+            return lines;
+        };
+        const Answer whole = furrowCli({"batch", two, "--out", folder_.filePath("whole"), "--quiet"});
+        QCOMPARE(whole.status, 0);
+        const QStringList all = linesOf(folder_.filePath("whole/batch.jsonl"));
+        QCOMPARE(all.size(), 2);
+        QCOMPARE(linesOf(out + "/batch-1-of-2.jsonl") + linesOf(out + "/batch-2-of-2.jsonl"), all);
+        const QByteArray before = contentsOf(out + "/batch-1-of-2.jsonl");
+        QCOMPARE(furrowCli({"batch", two, "--out", out, "--shard", "1/2", "--resume", "--quiet"}).status, 0);
+        QCOMPARE(contentsOf(out + "/batch-1-of-2.jsonl"), before);
+    }
+
     void listsAreJsonObjects() {
         for (const char* what : {"methods", "machines", "formats"}) {
             const Answer answer = furrowCli({"list", what, "--json"});
