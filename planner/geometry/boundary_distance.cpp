@@ -3,10 +3,15 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <numeric>
+#include <utility>
 
 namespace furrow {
 
 namespace {
+
+// Of large fields cells are larger.
+constexpr double kMostCellsAcross = 500.0;
 
 Point inwardNormal(Point from, Point to) {
     // The inside lies to the left of every edge: outer rings run counter-clockwise, holes clockwise.
@@ -42,29 +47,62 @@ BoundaryDistance::BoundaryDistance(const MultiPolygon& polygons, Length reach) :
         std::ranges::for_each(polygon.holes, add);
     }
     std::ranges::sort(inwardCorners_, {}, &Point::x);
-    // Cells are twice the reach wide: what is within reach of a piece of an edge that is no longer than a cell
-    // lies in the cells around that piece's ends.
-    for (std::uint32_t e = 0; e < edges_.size(); ++e) {
-        const Edge& edge = edges_[e];
-        const auto pieces = static_cast<int>(std::ceil(norm(edge.way) / cellM_)) + 1;
-        for (int i = 0; i <= pieces; ++i) {
-            const Point at = edge.from + (static_cast<double>(i) / pieces) * edge.way;
-            for (int dx = -1; dx <= 1; ++dx) {
-                for (int dy = -1; dy <= 1; ++dy) {
-                    std::vector<std::uint32_t>& cell = cells_[cellOf(at.x + dx * cellM_, at.y + dy * cellM_)];
-                    if (cell.empty() || cell.back() != e) {
-                        cell.push_back(e);
+    sortIntoCells();
+}
+
+/// What is within reach of a piece of an edge that is no longer than a cell lies in the cells around that piece's ends,
+/// as cells are at least twice the reach wide.
+void BoundaryDistance::sortIntoCells() {
+    if (edges_.empty()) {
+        return;
+    }
+    Point low = edges_.front().from;
+    Point high = low;
+    for (const Edge& edge : edges_) {
+        low = {std::min(low.x, edge.from.x), std::min(low.y, edge.from.y)};
+        high = {std::max(high.x, edge.from.x), std::max(high.y, edge.from.y)};
+    }
+    cellM_ = std::max(cellM_, std::max(high.x - low.x, high.y - low.y) / kMostCellsAcross);
+    corner_ = low - Point{2.0 * cellM_, 2.0 * cellM_};
+    columns_ = static_cast<std::size_t>((high.x - corner_.x) / cellM_) + 3;
+    rows_ = static_cast<std::size_t>((high.y - corner_.y) / cellM_) + 3;
+    const auto forEachCell = [this](const auto& visit) {
+        std::vector<std::uint32_t> visitedBy(columns_ * rows_, static_cast<std::uint32_t>(edges_.size()));
+        for (std::uint32_t e = 0; e < edges_.size(); ++e) {
+            const Edge& edge = edges_[e];
+            const auto pieces = static_cast<int>(std::ceil(norm(edge.way) / cellM_)) + 1;
+            for (int i = 0; i <= pieces; ++i) {
+                const Point at = edge.from + (static_cast<double>(i) / pieces) * edge.way - corner_;
+                const auto column = static_cast<std::size_t>(at.x / cellM_);
+                const auto row = static_cast<std::size_t>(at.y / cellM_);
+                for (std::size_t y = row - 1; y <= row + 1; ++y) {
+                    for (std::size_t x = column - 1; x <= column + 1; ++x) {
+                        const std::size_t cell = y * columns_ + x;
+                        if (std::exchange(visitedBy[cell], e) != e) {
+                            visit(cell, e);
+                        }
                     }
                 }
             }
         }
-    }
+    };
+    firstOf_.assign(columns_ * rows_ + 1, 0);
+    forEachCell([this](std::size_t cell, std::uint32_t) { ++firstOf_[cell + 1]; });
+    std::partial_sum(firstOf_.begin(), firstOf_.end(), firstOf_.begin());
+    edgesOf_.resize(firstOf_.back());
+    std::vector<std::uint32_t> next = firstOf_;
+    forEachCell([&](std::size_t cell, std::uint32_t e) { edgesOf_[next[cell]++] = e; });
 }
 
-BoundaryDistance::Cell BoundaryDistance::cellOf(double x, double y) const {
-    const auto column = static_cast<std::int32_t>(std::floor(x / cellM_));
-    const auto row = static_cast<std::int32_t>(std::floor(y / cellM_));
-    return static_cast<Cell>(static_cast<std::uint32_t>(column)) << 32U | static_cast<std::uint32_t>(row);
+std::span<const std::uint32_t> BoundaryDistance::edgesNear(Point point) const {
+    const double x = (point.x - corner_.x) / cellM_;
+    const double y = (point.y - corner_.y) / cellM_;
+    // Also false where it is not a number.
+    if (!(x >= 0.0 && y >= 0.0 && x < static_cast<double>(columns_) && y < static_cast<double>(rows_))) {
+        return {};
+    }
+    const std::size_t cell = static_cast<std::size_t>(y) * columns_ + static_cast<std::size_t>(x);
+    return std::span{edgesOf_}.subspan(firstOf_[cell], firstOf_[cell + 1] - firstOf_[cell]);
 }
 
 std::span<const Point> BoundaryDistance::inwardCorners(double low, double high) const {
@@ -73,15 +111,11 @@ std::span<const Point> BoundaryDistance::inwardCorners(double low, double high) 
 }
 
 std::optional<double> BoundaryDistance::insideM(Point point) const {
-    const auto cell = cells_.find(cellOf(point.x, point.y));
-    if (cell == cells_.end()) {
-        return std::nullopt;
-    }
     // The share of its edge and the square of its distance decide; only of the nearest more is wanted.
     double nearest = std::numeric_limits<double>::infinity();
     double nearestShare = 0.0;
     const Edge* edge = nullptr;
-    for (const std::uint32_t e : cell->second) {
+    for (const std::uint32_t e : edgesNear(point)) {
         const Point from = point - edges_[e].from;
         const double share = std::clamp(dot(from, edges_[e].way) * edges_[e].perSquare, 0.0, 1.0);
         const Point away = from - share * edges_[e].way;
@@ -102,13 +136,9 @@ std::optional<double> BoundaryDistance::insideM(Point point) const {
 }
 
 double BoundaryDistance::cutOffM(Point around, Point from, Point to) const {
-    const auto cell = cells_.find(cellOf(around.x, around.y));
-    if (cell == cells_.end()) {
-        return 0.0;
-    }
     const Point line = to - from;
     double farthest = 0.0;
-    for (const std::uint32_t e : cell->second) {
+    for (const std::uint32_t e : edgesNear(around)) {
         const Point way = edges_[e].way;
         const double turn = cross(line, way);
         if (turn == 0.0) {

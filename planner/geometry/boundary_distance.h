@@ -5,7 +5,6 @@
 #include <cstdint>
 #include <optional>
 #include <span>
-#include <unordered_map>
 #include <vector>
 
 namespace furrow {
@@ -37,14 +36,20 @@ private:
         Point fromNormal;  ///< sums of the inward normals at the edge's ends: which side a corner is on
         Point toNormal;
     };
-    using Cell = std::uint64_t;
-    Cell cellOf(double x, double y) const;
+    void sortIntoCells();
+    /// Edges near a point; none far from all.
+    std::span<const std::uint32_t> edgesNear(Point point) const;
 
     double reachM_;
-    double cellM_;
     std::vector<Edge> edges_;
     std::vector<Point> inwardCorners_;  // by x
-    std::unordered_map<Cell, std::vector<std::uint32_t>> cells_;
+    // Square cells in rows, from the lower left corner on: those of cell i are edgesOf_[firstOf_[i]] and on.
+    double cellM_;
+    Point corner_;
+    std::size_t columns_ = 0;
+    std::size_t rows_ = 0;
+    std::vector<std::uint32_t> firstOf_;
+    std::vector<std::uint32_t> edgesOf_;
 };
 
 }  // namespace furrow
