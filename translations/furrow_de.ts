@@ -1905,8 +1905,8 @@
         <translation>Entlang der Spuren geteilt, wo ein Hindernis oder eine Bucht beginnt oder endet.</translation>
     </message>
     <message>
-        <source>Cut where an obstacle or a bay begins or ends, and joined again where one follows on the other.</source>
-        <translation>Geteilt, wo ein Hindernis oder eine Bucht beginnt oder endet, und wieder verbunden, wo eine auf die andere folgt.</translation>
+        <source>Cut where an obstacle or a bay begins or ends, and joined again where that saves turns and ways.</source>
+        <translation>Geteilt, wo ein Hindernis oder eine Bucht beginnt oder endet, und wieder verbunden, wo das Wendungen und Wege spart.</translation>
     </message>
     <message>
         <source>Cutting grass: headland first, swaths overlap a little.</source>

@@ -1905,8 +1905,8 @@
         <translation>Dividido a lo largo de las pasadas donde empieza o acaba un obstáculo o un entrante.</translation>
     </message>
     <message>
-        <source>Cut where an obstacle or a bay begins or ends, and joined again where one follows on the other.</source>
-        <translation>Dividido donde empieza o acaba un obstáculo o un entrante, y unido de nuevo donde una sigue a otra.</translation>
+        <source>Cut where an obstacle or a bay begins or ends, and joined again where that saves turns and ways.</source>
+        <translation>Dividido donde empieza o acaba un obstáculo o un entrante, y unido de nuevo donde eso ahorra giros y trayectos.</translation>
     </message>
     <message>
         <source>Cutting grass: headland first, swaths overlap a little.</source>

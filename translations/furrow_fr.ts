@@ -1905,8 +1905,8 @@
         <translation>Coupé le long des passages là où un obstacle ou un renfoncement commence ou finit.</translation>
     </message>
     <message>
-        <source>Cut where an obstacle or a bay begins or ends, and joined again where one follows on the other.</source>
-        <translation>Coupé là où un obstacle ou un renfoncement commence ou finit, et réuni là où l&apos;une suit l&apos;autre.</translation>
+        <source>Cut where an obstacle or a bay begins or ends, and joined again where that saves turns and ways.</source>
+        <translation>Coupé là où un obstacle ou un renfoncement commence ou finit, et réuni là où cela évite des demi-tours et des trajets.</translation>
     </message>
     <message>
         <source>Cutting grass: headland first, swaths overlap a little.</source>

@@ -1905,8 +1905,8 @@
         <translation>Langs de werkgangen gesplitst waar een obstakel of een inham begint of eindigt.</translation>
     </message>
     <message>
-        <source>Cut where an obstacle or a bay begins or ends, and joined again where one follows on the other.</source>
-        <translation>Gesplitst waar een obstakel of een inham begint of eindigt, en weer samengevoegd waar het ene op het andere volgt.</translation>
+        <source>Cut where an obstacle or a bay begins or ends, and joined again where that saves turns and ways.</source>
+        <translation>Gesplitst waar een obstakel of een inham begint of eindigt, en weer samengevoegd waar dat draaien en wegen bespaart.</translation>
     </message>
     <message>
         <source>Cutting grass: headland first, swaths overlap a little.</source>

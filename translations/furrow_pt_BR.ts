@@ -1905,8 +1905,8 @@
         <translation>Dividido ao longo das passadas onde começa ou termina um obstáculo ou uma reentrância.</translation>
     </message>
     <message>
-        <source>Cut where an obstacle or a bay begins or ends, and joined again where one follows on the other.</source>
-        <translation>Dividido onde começa ou termina um obstáculo ou uma reentrância, e unido de novo onde um segue o outro.</translation>
+        <source>Cut where an obstacle or a bay begins or ends, and joined again where that saves turns and ways.</source>
+        <translation>Dividido onde começa ou termina um obstáculo ou uma reentrância, e unido de novo onde isso economiza manobras e deslocamentos.</translation>
     </message>
     <message>
         <source>Cutting grass: headland first, swaths overlap a little.</source>

@@ -177,7 +177,7 @@ static const char* const kPlannerTexts[] = {
     QT_TRANSLATE_NOOP("Planner", "Curves with reversing, smooth steering"),
     QT_TRANSLATE_NOOP("Planner", "Cut along the swaths at every corner."),
     QT_TRANSLATE_NOOP("Planner", "Cut along the swaths where an obstacle or a bay begins or ends."),
-    QT_TRANSLATE_NOOP("Planner", "Cut where an obstacle or a bay begins or ends, and joined again where one follows on the other."),
+    QT_TRANSLATE_NOOP("Planner", "Cut where an obstacle or a bay begins or ends, and joined again where that saves turns and ways."),
     QT_TRANSLATE_NOOP("Planner", "Cutting grass: headland first, swaths overlap a little."),
     QT_TRANSLATE_NOOP("Planner", "DXF drawing"),
     QT_TRANSLATE_NOOP("Planner", "Direction"),
