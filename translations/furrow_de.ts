@@ -1732,8 +1732,8 @@
         <translation>Bogen, Gerade, Bogen; für Spuren, die mindestens zwei Wenderadien auseinander liegen.</translation>
     </message>
     <message>
-        <source>As few as possible</source>
-        <translation>So wenige wie möglich</translation>
+        <source>Joined where that is quicker</source>
+        <translation>Verbunden, wo es schneller ist</translation>
     </message>
     <message>
         <source>As few swaths, and so turns, as possible.</source>

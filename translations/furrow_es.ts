@@ -1732,8 +1732,8 @@
         <translation>Arco, recta, arco; para pasadas separadas al menos dos radios de giro.</translation>
     </message>
     <message>
-        <source>As few as possible</source>
-        <translation>Las menos posibles</translation>
+        <source>Joined where that is quicker</source>
+        <translation>Unidas donde es más rápido</translation>
     </message>
     <message>
         <source>As few swaths, and so turns, as possible.</source>

@@ -1732,8 +1732,8 @@
         <translation>Arc, droite, arc ; pour des passages distants d&apos;au moins deux rayons de braquage.</translation>
     </message>
     <message>
-        <source>As few as possible</source>
-        <translation>Le moins possible</translation>
+        <source>Joined where that is quicker</source>
+        <translation>Réunies là où c&apos;est plus rapide</translation>
     </message>
     <message>
         <source>As few swaths, and so turns, as possible.</source>

@@ -1732,8 +1732,8 @@
         <translation>Boog, recht, boog; voor werkgangen minstens twee draaistralen uit elkaar.</translation>
     </message>
     <message>
-        <source>As few as possible</source>
-        <translation>Zo weinig mogelijk</translation>
+        <source>Joined where that is quicker</source>
+        <translation>Samengevoegd waar dat sneller is</translation>
     </message>
     <message>
         <source>As few swaths, and so turns, as possible.</source>

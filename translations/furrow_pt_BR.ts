@@ -1732,8 +1732,8 @@
         <translation>Arco, reta, arco; para passadas separadas por pelo menos dois raios de giro.</translation>
     </message>
     <message>
-        <source>As few as possible</source>
-        <translation>O mínimo possível</translation>
+        <source>Joined where that is quicker</source>
+        <translation>Unidos onde é mais rápido</translation>
     </message>
     <message>
         <source>As few swaths, and so turns, as possible.</source>

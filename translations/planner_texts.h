@@ -126,7 +126,7 @@ static const char* const kPlannerTexts[] = {
     QT_TRANSLATE_NOOP("Planner", "Another ISOBUS terminal"),
     QT_TRANSLATE_NOOP("Planner", "Anywhere"),
     QT_TRANSLATE_NOOP("Planner", "Arc, straight, arc; for swaths at least two turning radii apart."),
-    QT_TRANSLATE_NOOP("Planner", "As few as possible"),
+    QT_TRANSLATE_NOOP("Planner", "Joined where that is quicker"),
     QT_TRANSLATE_NOOP("Planner", "As few swaths, and so turns, as possible."),
     QT_TRANSLATE_NOOP("Planner", "At obstacles"),
     QT_TRANSLATE_NOOP("Planner", "At the left edge"),

@@ -15,10 +15,10 @@ namespace {
 
 constexpr double kInfinite = std::numeric_limits<double>::infinity();
 // Ends of cells are matched with so many of those nearest to them first.
-constexpr std::size_t kNearest = 12;
-// Sequences of so few pieces are improved by exact ways, of so many by rough ones. Not cells: estimates before and after a
-// join could not be compared.
-constexpr std::size_t kFew = 8;
+constexpr std::size_t kNearest = 14;
+// All ends of so few pieces are near each other, so that sequences are improved by exact ways; of up to so many by rough
+// ones. Not cells: estimates before and after a join could not be compared.
+constexpr std::size_t kFew = kNearest / 2 + 1;
 constexpr std::size_t kMany = 200;
 constexpr int kMostRounds = 20;
 // A sequence that is quicker by less is the same.
@@ -42,7 +42,7 @@ CellCost::CellCost(const SwathSet& swaths, const Machine& machine, std::vector<s
     const auto driven = static_cast<std::size_t>(std::ranges::count_if(pieces_, [](const Piece& piece) { return !piece.swaths.empty(); }));
     areFew_ = driven <= kFew;
     findLinks();
-    if (!areFew_ && pieces_.size() <= kMany) {
+    if (pieces_.size() <= kMany) {
         findRoughSeconds();
     }
 }
@@ -59,49 +59,45 @@ double CellCost::linkSeconds(Port leaving, Port arriving) const {
     return (curve + machine_.runIn()).si() / machine_.turningSpeed().si();
 }
 
-double CellCost::endsSeconds(std::size_t end, std::size_t other) const {
-    const auto swathAt = [this](std::size_t at) {
-        const Piece& piece = pieces_[at / 2];
-        return at % 2 == 1 ? piece.swaths.back() : piece.swaths.front();
-    };
-    double least = kInfinite;
-    for (const std::size_t side : {0U, 1U}) {
-        for (const std::size_t otherSide : {0U, 1U}) {
-            least = std::min(least, linkSeconds(2 * swathAt(end) + side, 2 * swathAt(other) + otherSide));
-        }
-    }
-    return least;
+std::size_t CellCost::swathAt(Corner corner) const {
+    const Piece& piece = pieces_[corner / 4];
+    return corner % 4 >= 2 ? piece.swaths.back() : piece.swaths.front();
+}
+
+double CellCost::cornerSeconds(Corner leaving, Corner arriving) const {
+    return linkSeconds(2 * swathAt(leaving) + leaving % 2, 2 * swathAt(arriving) + arriving % 2);
 }
 
 void CellCost::findLinks() {
-    std::vector<std::size_t> ends;
-    std::vector<Bounds> boxes;
+    std::vector<Corner> ends;
     for (std::size_t piece = 0; piece < pieces_.size(); ++piece) {
-        for (std::size_t end = 0; end < 2 && !isEmpty(piece); ++end) {
-            const Swath& swath = swaths_.swaths[end == 1 ? pieces_[piece].swaths.back() : pieces_[piece].swaths.front()];
-            ends.push_back(2 * piece + end);
-            boxes.push_back({.min = swath.start, .max = swath.end});
+        if (!isEmpty(piece)) {
+            ends.push_back(4 * piece);
+            ends.push_back(4 * piece + 2);
         }
     }
-    const auto apart = [&](std::size_t a, std::size_t b) {
-        return std::min({distance(boxes[a].min, boxes[b].min), distance(boxes[a].max, boxes[b].max),
-                         distance(boxes[a].min, boxes[b].max), distance(boxes[a].max, boxes[b].min)});
+    const auto apart = [&](Corner a, Corner b) {
+        const Swath& from = swaths_.swaths[swathAt(a)];
+        const Swath& to = swaths_.swaths[swathAt(b)];
+        return std::min({distance(from.start, to.start), distance(from.end, to.end), distance(from.start, to.end),
+                         distance(from.end, to.start)});
     };
-    std::vector<std::pair<double, std::size_t>> others;
-    for (std::size_t a = 0; a < ends.size(); ++a) {
+    std::vector<std::pair<double, Corner>> others;
+    for (const Corner a : ends) {
         others.clear();
-        for (std::size_t b = 0; b < ends.size(); ++b) {
-            if (ends[a] / 2 != ends[b] / 2) {
+        for (const Corner b : ends) {
+            if (a / 4 != b / 4) {
                 others.emplace_back(apart(a, b), b);
             }
         }
         const std::size_t count = std::min(kNearest, others.size());
         std::ranges::partial_sort(others, others.begin() + static_cast<std::ptrdiff_t>(count));
         for (std::size_t i = 0; i < count; ++i) {
-            const std::size_t b = others[i].second;
-            links_.push_back({.seconds = endsSeconds(ends[std::min(a, b)], ends[std::max(a, b)]),
-                              .from = ends[std::min(a, b)],
-                              .to = ends[std::max(a, b)]});
+            for (std::size_t sides = 0; sides < 4; ++sides) {
+                const Corner from = std::min(a, others[i].second) + sides % 2;
+                const Corner to = std::max(a, others[i].second) + sides / 2;
+                links_.push_back({.seconds = cornerSeconds(from, to), .from = from, .to = to});
+            }
         }
     }
     const auto key = [](const Link& link) { return std::tuple{link.seconds, link.from, link.to}; };
@@ -111,20 +107,16 @@ void CellCost::findLinks() {
 }
 
 void CellCost::findRoughSeconds() {
-    const std::size_t count = 2 * pieces_.size();
-    const auto swathAt = [this](std::size_t end) -> const Swath& {
-        const Piece& piece = pieces_[end / 2];
-        return swaths_.swaths[end % 2 == 1 ? piece.swaths.back() : piece.swaths.front()];
-    };
+    const std::size_t count = 4 * pieces_.size();
     roughSeconds_.assign(count * count, 0.0);
-    for (std::size_t a = 0; a < count; ++a) {
-        for (std::size_t b = 0; b < count; ++b) {
-            if (!isEmpty(a / 2) && !isEmpty(b / 2)) {
-                const Swath& from = swathAt(a);
-                const Swath& to = swathAt(b);
-                roughSeconds_[a * count + b] = std::min({distance(from.start, to.start), distance(from.end, to.end),
-                                                         distance(from.start, to.end), distance(from.end, to.start)}) /
-                                               machine_.turningSpeed().si();
+    const auto place = [this](Corner corner) {
+        const Swath& swath = swaths_.swaths[swathAt(corner)];
+        return corner % 2 == 1 ? swath.end : swath.start;
+    };
+    for (Corner a = 0; a < count; ++a) {
+        for (Corner b = 0; b < count; ++b) {
+            if (!isEmpty(a / 4) && !isEmpty(b / 4)) {
+                roughSeconds_[a * count + b] = distance(place(a), place(b)) / machine_.turningSpeed().si();
             }
         }
     }
@@ -160,7 +152,7 @@ std::vector<CellCost::Cell> CellCost::cellsOf(const Groups& groups) const {
         Cell& cell = cells.back();
         for (const std::size_t side : {0U, 1U}) {
             // After an odd number of swaths it stands at the other side, and goes on from there.
-            const std::size_t at = cell.isOdd ? 1 - side : side;
+            const std::size_t at = cell.across(side);
             cell.turning[side] += linkSeconds(2 * cell.lastSwath + at, 2 * piece.swaths.front() + at) + piece.turning[at];
         }
         cell.lastPiece = index;
@@ -168,6 +160,15 @@ std::vector<CellCost::Cell> CellCost::cellsOf(const Groups& groups) const {
         cell.isOdd = cell.isOdd != isOdd;
     }
     return cells;
+}
+
+CellCost::Corner CellCost::entered(const std::vector<Cell>& cells, const Visit& visit) const {
+    const Cell& cell = cells[visit.cell];
+    return visit.fromLast ? 4 * cell.lastPiece + 2 + cell.across(visit.side) : 4 * cell.firstPiece + visit.side;
+}
+
+CellCost::Corner CellCost::left(const std::vector<Cell>& cells, const Visit& visit) const {
+    return entered(cells, {.cell = visit.cell, .fromLast = !visit.fromLast, .side = visit.side});
 }
 
 std::vector<CellCost::Visit> CellCost::sequenceOf(const std::vector<Cell>& cells) const {
@@ -184,70 +185,75 @@ std::vector<CellCost::Visit> CellCost::sequenceOf(const std::vector<Cell>& cells
     for (std::size_t end = 0; end < farEnd.size(); ++end) {
         farEnd[end] = end ^ 1U;
     }
-    const auto connect = [&](std::size_t a, std::size_t b) {
-        partner[a] = b;
-        partner[b] = a;
-        const std::size_t first = farEnd[a];
-        const std::size_t last = farEnd[b];
-        farEnd[first] = last;
-        farEnd[last] = first;
+    // The side of its first swath at which a cell begins or ends, once it is matched.
+    std::vector<std::size_t> sides(cells.size(), kNone);
+    const auto sideFor = [&](std::size_t end, std::size_t side) { return end % 2 == 1 ? cells[end / 2].across(side) : side; };
+    const auto isFree = [&](std::size_t end, std::size_t side) {
+        return end != kNone && partner[end] == kNone && (sides[end / 2] == kNone || sides[end / 2] == sideFor(end, side));
     };
     for (const Link& link : links_) {
-        const std::size_t a = endOfPiece[link.from];
-        const std::size_t b = endOfPiece[link.to];
-        if (a != kNone && b != kNone && partner[a] == kNone && partner[b] == kNone && farEnd[a] != b) {
-            connect(a, b);
+        const std::size_t a = endOfPiece[link.from / 2];
+        const std::size_t b = endOfPiece[link.to / 2];
+        if (isFree(a, link.from % 2) && isFree(b, link.to % 2) && farEnd[a] != b) {
+            sides[a / 2] = sideFor(a, link.from % 2);
+            sides[b / 2] = sideFor(b, link.to % 2);
+            partner[a] = b;
+            partner[b] = a;
+            const std::size_t first = farEnd[a];
+            const std::size_t last = farEnd[b];
+            farEnd[first] = last;
+            farEnd[last] = first;
         }
     }
-    // What is left are chains that are far apart: from the first on to the nearest each.
+    // What is left are chains: from the first on to the nearest each.
     std::vector<Visit> sequence;
     std::vector<bool> isDone(cells.size(), false);
-    const auto follow = [&](std::size_t entered) {
-        for (std::size_t end = entered; end != kNone; end = partner[end ^ 1U]) {
-            isDone[end / 2] = true;
-            sequence.push_back({.cell = end / 2, .fromLast = end % 2 == 1});
-        }
-    };
-    const auto pieceEnd = [&](std::size_t end) {
-        return end % 2 == 1 ? 2 * cells[end / 2].lastPiece + 1 : 2 * cells[end / 2].firstPiece;
-    };
     while (sequence.size() < cells.size()) {
-        std::size_t next = kNone;
+        Visit next{};
         double least = kInfinite;
         for (std::size_t end = 0; end < partner.size(); ++end) {
-            if (isDone[end / 2] || partner[end] != kNone) {
-                continue;
-            }
-            const double seconds =
-                sequence.empty() ? 0.0 : endsSeconds(pieceEnd(2 * sequence.back().cell + (sequence.back().fromLast ? 0 : 1)), pieceEnd(end));
-            if (seconds < least) {
-                least = seconds;
-                next = end;
+            for (const std::size_t side : {0U, 1U}) {
+                if (isDone[end / 2] || partner[end] != kNone || (sides[end / 2] != kNone && sides[end / 2] != side)) {
+                    continue;
+                }
+                const Visit visit{.cell = end / 2, .fromLast = end % 2 == 1, .side = side};
+                const double seconds =
+                    sequence.empty() ? 0.0 : cornerSeconds(left(cells, sequence.back()), entered(cells, visit));
+                if (seconds < least) {
+                    least = seconds;
+                    next = visit;
+                }
             }
         }
-        follow(next);
+        sides[next.cell] = next.side;
+        for (std::size_t end = 2 * next.cell + (next.fromLast ? 1 : 0); end != kNone; end = partner[end ^ 1U]) {
+            isDone[end / 2] = true;
+            sequence.push_back({.cell = end / 2, .fromLast = end % 2 == 1, .side = sides[end / 2]});
+        }
     }
     return sequence;
 }
 
 double CellCost::secondsOf(const std::vector<Cell>& cells, const std::vector<Visit>& sequence) const {
-    // By the side at which a cell's first swath begins, or ends where it is driven from the last.
+    const bool areKnown = areFew_ && !roughSeconds_.empty();
+    const auto way = [&](Corner from, Corner to) {
+        return areKnown ? roughSeconds_[from * 4 * pieces_.size() + to] : cornerSeconds(from, to);
+    };
     BySide soFar{};
     for (std::size_t i = 0; i < sequence.size(); ++i) {
-        const Cell& cell = cells[sequence[i].cell];
         BySide next{kInfinite, kInfinite};
         for (const std::size_t side : {0U, 1U}) {
-            const std::size_t across = cell.isOdd ? 1 - side : side;
-            const Port entered = sequence[i].fromLast ? 2 * cell.lastSwath + across : 2 * cell.firstSwath + side;
+            Visit here = sequence[i];
+            here.side = side;
+            const double turning = cells[here.cell].turning[side];
+            if (i == 0) {
+                next[side] = turning;
+                continue;
+            }
             for (const std::size_t sideBefore : {0U, 1U}) {
-                if (i == 0) {
-                    next[side] = cell.turning[side];
-                    break;
-                }
-                const Cell& before = cells[sequence[i - 1].cell];
-                const std::size_t acrossBefore = before.isOdd ? 1 - sideBefore : sideBefore;
-                const Port left = sequence[i - 1].fromLast ? 2 * before.firstSwath + sideBefore : 2 * before.lastSwath + acrossBefore;
-                next[side] = std::min(next[side], soFar[sideBefore] + linkSeconds(left, entered) + cell.turning[side]);
+                Visit before = sequence[i - 1];
+                before.side = sideBefore;
+                next[side] = std::min(next[side], soFar[sideBefore] + way(left(cells, before), entered(cells, here)) + turning);
             }
         }
         soFar = next;
@@ -263,25 +269,33 @@ void CellCost::turnRound(std::vector<Visit>& sequence, std::size_t first, std::s
 }
 
 void CellCost::improveRoughly(const std::vector<Cell>& cells, std::vector<Visit>& sequence) const {
-    const std::size_t count = 2 * pieces_.size();
-    const auto entered = [&](const Visit& visit) {
-        return visit.fromLast ? 2 * cells[visit.cell].lastPiece + 1 : 2 * cells[visit.cell].firstPiece;
+    const std::size_t count = 4 * pieces_.size();
+    const auto way = [&](const Visit& from, const Visit& to) { return roughSeconds_[left(cells, from) * count + entered(cells, to)]; };
+    const auto around = [&](std::size_t i, const Visit& visit) {
+        return (i > 0 ? way(sequence[i - 1], visit) : 0.0) + (i + 1 < sequence.size() ? way(visit, sequence[i + 1]) : 0.0) +
+               cells[visit.cell].turning[visit.side];
     };
-    const auto left = [&](const Visit& visit) {
-        return visit.fromLast ? 2 * cells[visit.cell].firstPiece : 2 * cells[visit.cell].lastPiece + 1;
+    const auto turned = [](Visit visit) {
+        visit.fromLast = !visit.fromLast;
+        return visit;
     };
-    const auto rough = [&](std::size_t from, std::size_t to) { return roughSeconds_[from * count + to]; };
     bool isBetter = true;
     for (int round = 0; isBetter && round < kMostRounds; ++round) {
         isBetter = false;
         for (std::size_t i = 0; i < sequence.size(); ++i) {
+            Visit otherSide = sequence[i];
+            otherSide.side = 1 - otherSide.side;
+            if (around(i, otherSide) < around(i, sequence[i]) - kSameS) {
+                sequence[i] = otherSide;
+                isBetter = true;
+            }
             for (std::size_t k = i; k < sequence.size(); ++k) {
                 double gain = 0.0;
                 if (i > 0) {
-                    gain += rough(left(sequence[i - 1]), entered(sequence[i])) - rough(left(sequence[i - 1]), left(sequence[k]));
+                    gain += way(sequence[i - 1], sequence[i]) - way(sequence[i - 1], turned(sequence[k]));
                 }
                 if (k + 1 < sequence.size()) {
-                    gain += rough(left(sequence[k]), entered(sequence[k + 1])) - rough(entered(sequence[i]), entered(sequence[k + 1]));
+                    gain += way(sequence[k], sequence[k + 1]) - way(turned(sequence[i]), sequence[k + 1]);
                 }
                 if (gain > kSameS) {
                     turnRound(sequence, i, k);
@@ -293,17 +307,31 @@ void CellCost::improveRoughly(const std::vector<Cell>& cells, std::vector<Visit>
 }
 
 void CellCost::improve(const std::vector<Cell>& cells, std::vector<Visit>& sequence, double& seconds) const {
-    for (bool isBetter = true; isBetter;) {
+    bool isBetter = true;
+    const auto tryOther = [&](std::vector<Visit> changed) {
+        if (const double other = secondsOf(cells, changed); other < seconds - kSameS) {
+            seconds = other;
+            sequence = std::move(changed);
+            isBetter = true;
+        }
+    };
+    while (isBetter) {
         isBetter = false;
         for (std::size_t i = 0; i < sequence.size(); ++i) {
-            for (std::size_t k = i; k < sequence.size(); ++k) {
-                std::vector<Visit> turned = sequence;
-                turnRound(turned, i, k);
-                if (const double other = secondsOf(cells, turned); other < seconds - kSameS) {
-                    seconds = other;
-                    sequence = std::move(turned);
-                    isBetter = true;
+            for (std::size_t k = 0; k < sequence.size(); ++k) {
+                std::vector<Visit> changed = sequence;
+                if (k >= i) {
+                    turnRound(changed, i, k);
+                    tryOther(std::move(changed));
+                    changed = sequence;
                 }
+                // One cell elsewhere, either way round.
+                const Visit visit = changed[i];
+                changed.erase(changed.begin() + static_cast<std::ptrdiff_t>(i));
+                changed.insert(changed.begin() + static_cast<std::ptrdiff_t>(k), visit);
+                tryOther(changed);
+                changed[k].fromLast = !changed[k].fromLast;
+                tryOther(std::move(changed));
             }
         }
     }
@@ -312,7 +340,7 @@ void CellCost::improve(const std::vector<Cell>& cells, std::vector<Visit>& seque
 Duration CellCost::of(const Groups& groups) const {
     const std::vector<Cell> cells = cellsOf(groups);
     std::vector<Visit> sequence = sequenceOf(cells);
-    if (!roughSeconds_.empty()) {
+    if (!areFew_ && !roughSeconds_.empty()) {
         improveRoughly(cells, sequence);
     }
     double sum = secondsOf(cells, sequence);

@@ -14,7 +14,7 @@ using Groups = std::vector<std::size_t>;
 
 /// Estimates how long turning takes where the mainland is driven cell after cell: to and fro within each, and from
 /// the end of one to the begin of the next, all by the shortest forward curves of free space at the speed for turns.
-/// Cells follow on each other quickest way first (greedy matching of their ends); then stretches of the sequence are
+/// Cells follow on each other quickest way first (greedy matching of their corners); then stretches of the sequence are
 /// turned round while that is quicker, and each cell begins at the side that suits its neighbours best.
 ///
 /// Measured on finished plans of fields with many holes, turns within cells take what such a curve takes, and ways
@@ -40,11 +40,13 @@ private:
         std::vector<std::size_t> swaths;
         BySide turning{};
     };
-    /// Two ends of pieces that are near each other: 2 × piece + 1 at its last swath, 2 × piece at its first.
+    /// A corner of a piece: 4 × piece, 2 more at its last swath, 1 more at the end of that swath.
+    using Corner = std::size_t;
+    /// Between two corners of different pieces that are near each other.
     struct Link {
         double seconds;
-        std::size_t from;
-        std::size_t to;
+        Corner from;
+        Corner to;
     };
     struct Cell {
         std::size_t firstPiece;
@@ -53,19 +55,26 @@ private:
         std::size_t lastSwath;
         bool isOdd;
         BySide turning;
+
+        /// The side of the last swath that is reached from one of the first, or the other way round.
+        std::size_t across(std::size_t side) const { return isOdd ? 1 - side : side; }
     };
     /// A cell as it is driven in a sequence.
     struct Visit {
         std::size_t cell;
         bool fromLast;
+        std::size_t side;  ///< of its first swath
     };
 
     double linkSeconds(Port leaving, Port arriving) const;
-    double endsSeconds(std::size_t end, std::size_t other) const;
+    std::size_t swathAt(Corner corner) const;
+    double cornerSeconds(Corner leaving, Corner arriving) const;
     void findLinks();
     void findRoughSeconds();
     std::vector<Cell> cellsOf(const Groups& groups) const;
     std::vector<Visit> sequenceOf(const std::vector<Cell>& cells) const;
+    Corner entered(const std::vector<Cell>& cells, const Visit& visit) const;
+    Corner left(const std::vector<Cell>& cells, const Visit& visit) const;
     double secondsOf(const std::vector<Cell>& cells, const std::vector<Visit>& sequence) const;
     static void turnRound(std::vector<Visit>& sequence, std::size_t first, std::size_t last);
     /// By straight ways where ends are not near each other.
@@ -77,7 +86,7 @@ private:
     const Machine& machine_;
     std::vector<Piece> pieces_;
     std::vector<Link> links_;  ///< the quickest first
-    /// Between all ends of pieces; empty where these are too many.
+    /// Between all corners of pieces; empty where these are too many.
     std::vector<double> roughSeconds_;
     bool areFew_ = true;
 };

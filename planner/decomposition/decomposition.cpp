@@ -345,7 +345,7 @@ const Method<Decomposer> kBoustrophedonCellsMethod{
 
 const Method<Decomposer> kMergedCellsMethod{
     .info = {.id = "merged",
-             .name = "As few as possible",
+             .name = "Joined where that is quicker",
              .description = "Cut where an obstacle or a bay begins or ends, and joined again where that saves turns and ways.",
              .parameters = {}},
     .run = [](const DecompositionTask& task, const JobContext& job) { return decomposed(task, false, true, job); }};
