@@ -365,6 +365,37 @@
     </message>
 </context>
 <context>
+    <name>CellStepper</name>
+    <message>
+        <source>Done</source>
+        <translation>Fertig</translation>
+    </message>
+    <message>
+        <source>Go through the steps</source>
+        <translation>Schritte durchgehen</translation>
+    </message>
+    <message>
+        <source>Next step</source>
+        <translation>Nächster Schritt</translation>
+    </message>
+    <message>
+        <source>Previous step</source>
+        <translation>Vorheriger Schritt</translation>
+    </message>
+    <message>
+        <source>Show the cells</source>
+        <translation>Teilflächen zeigen</translation>
+    </message>
+    <message>
+        <source>Step of the cells</source>
+        <translation>Schritt der Teilflächen</translation>
+    </message>
+    <message>
+        <source>Turns and ways from cell to cell, estimated.</source>
+        <translation>Wendungen und Wege von Teilfläche zu Teilfläche, geschätzt.</translation>
+    </message>
+</context>
+<context>
     <name>Command</name>
     <message>
         <source>Ctrl</source>
@@ -1705,8 +1736,8 @@
         <translation>Bogen, Gerade, Bogen; für Spuren, die mindestens zwei Wenderadien auseinander liegen.</translation>
     </message>
     <message>
-        <source>As few as possible</source>
-        <translation>So wenige wie möglich</translation>
+        <source>Joined where that is quicker</source>
+        <translation>Verbunden, wo es schneller ist</translation>
     </message>
     <message>
         <source>As few swaths, and so turns, as possible.</source>
@@ -1909,8 +1940,8 @@
         <translation>Entlang der Spuren geteilt, wo ein Hindernis oder eine Bucht beginnt oder endet.</translation>
     </message>
     <message>
-        <source>Cut where an obstacle or a bay begins or ends, and joined again where one follows on the other.</source>
-        <translation>Geteilt, wo ein Hindernis oder eine Bucht beginnt oder endet, und wieder verbunden, wo eine auf die andere folgt.</translation>
+        <source>Cut where an obstacle or a bay begins or ends, and joined again where that saves turns and ways.</source>
+        <translation>Geteilt, wo ein Hindernis oder eine Bucht beginnt oder endet, und wieder verbunden, wo das Wendungen und Wege spart.</translation>
     </message>
     <message>
         <source>Cutting grass: headland first, swaths overlap a little.</source>
@@ -5163,6 +5194,44 @@
     <message>
         <source>Save</source>
         <translation>Speichern</translation>
+    </message>
+</context>
+<context>
+    <name>furrow::CellSteps</name>
+    <message numerus="yes">
+        <source>%n cell(s), %1</source>
+        <translation>
+            <numerusform>%n Teilfläche, %1</numerusform>
+            <numerusform>%n Teilflächen, %1</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>Cut: %1</source>
+        <translation>Geteilt: %1</translation>
+    </message>
+    <message>
+        <source>Cut: %1 → joined: %2</source>
+        <translation>Geteilt: %1 → verbunden: %2</translation>
+    </message>
+    <message>
+        <source>Joining any two of them would save nothing.</source>
+        <translation>Zwei davon zu verbinden würde nichts sparen.</translation>
+    </message>
+    <message>
+        <source>Step %1 of %2: %3</source>
+        <translation>Schritt %1 von %2: %3</translation>
+    </message>
+    <message>
+        <source>As cut.</source>
+        <translation>Wie geteilt.</translation>
+    </message>
+    <message>
+        <source>The two marked cells become one: that saves %1.</source>
+        <translation>Die zwei markierten Teilflächen werden eine: das spart %1.</translation>
+    </message>
+    <message>
+        <source>Cells in which no swath lies go to their neighbours.</source>
+        <translation>Teilflächen, in denen keine Spur liegt, kommen zu ihren Nachbarn.</translation>
     </message>
 </context>
 <context>

@@ -52,6 +52,16 @@
     </message>
 </context>
 <context>
+    <name>furrow::CellSteps</name>
+    <message numerus="yes">
+        <source>%n cell(s), %1</source>
+        <translation>
+            <numerusform>%n cell, %1</numerusform>
+            <numerusform>%n cells, %1</numerusform>
+        </translation>
+    </message>
+</context>
+<context>
     <name>furrow::ExportModel</name>
     <message numerus="yes">
         <source>%n file(s) written to %1</source>

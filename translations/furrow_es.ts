@@ -365,6 +365,37 @@
     </message>
 </context>
 <context>
+    <name>CellStepper</name>
+    <message>
+        <source>Done</source>
+        <translation>Listo</translation>
+    </message>
+    <message>
+        <source>Go through the steps</source>
+        <translation>Recorrer los pasos</translation>
+    </message>
+    <message>
+        <source>Next step</source>
+        <translation>Paso siguiente</translation>
+    </message>
+    <message>
+        <source>Previous step</source>
+        <translation>Paso anterior</translation>
+    </message>
+    <message>
+        <source>Show the cells</source>
+        <translation>Mostrar las subparcelas</translation>
+    </message>
+    <message>
+        <source>Step of the cells</source>
+        <translation>Paso de las subparcelas</translation>
+    </message>
+    <message>
+        <source>Turns and ways from cell to cell, estimated.</source>
+        <translation>Giros y trayectos de una subparcela a otra, estimados.</translation>
+    </message>
+</context>
+<context>
     <name>Command</name>
     <message>
         <source>Ctrl</source>
@@ -1705,8 +1736,8 @@
         <translation>Arco, recta, arco; para pasadas separadas al menos dos radios de giro.</translation>
     </message>
     <message>
-        <source>As few as possible</source>
-        <translation>Las menos posibles</translation>
+        <source>Joined where that is quicker</source>
+        <translation>Unidas donde es más rápido</translation>
     </message>
     <message>
         <source>As few swaths, and so turns, as possible.</source>
@@ -1909,8 +1940,8 @@
         <translation>Dividido a lo largo de las pasadas donde empieza o acaba un obstáculo o un entrante.</translation>
     </message>
     <message>
-        <source>Cut where an obstacle or a bay begins or ends, and joined again where one follows on the other.</source>
-        <translation>Dividido donde empieza o acaba un obstáculo o un entrante, y unido de nuevo donde una sigue a otra.</translation>
+        <source>Cut where an obstacle or a bay begins or ends, and joined again where that saves turns and ways.</source>
+        <translation>Dividido donde empieza o acaba un obstáculo o un entrante, y unido de nuevo donde eso ahorra giros y trayectos.</translation>
     </message>
     <message>
         <source>Cutting grass: headland first, swaths overlap a little.</source>
@@ -5163,6 +5194,44 @@
     <message>
         <source>Save</source>
         <translation>Guardar</translation>
+    </message>
+</context>
+<context>
+    <name>furrow::CellSteps</name>
+    <message numerus="yes">
+        <source>%n cell(s), %1</source>
+        <translation>
+            <numerusform>%n subparcela, %1</numerusform>
+            <numerusform>%n subparcelas, %1</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>Cut: %1</source>
+        <translation>Dividido: %1</translation>
+    </message>
+    <message>
+        <source>Cut: %1 → joined: %2</source>
+        <translation>Dividido: %1 → unido: %2</translation>
+    </message>
+    <message>
+        <source>Joining any two of them would save nothing.</source>
+        <translation>Unir dos de ellas no ahorraría nada.</translation>
+    </message>
+    <message>
+        <source>Step %1 of %2: %3</source>
+        <translation>Paso %1 de %2: %3</translation>
+    </message>
+    <message>
+        <source>As cut.</source>
+        <translation>Como se dividió.</translation>
+    </message>
+    <message>
+        <source>The two marked cells become one: that saves %1.</source>
+        <translation>Las dos subparcelas marcadas pasan a ser una: eso ahorra %1.</translation>
+    </message>
+    <message>
+        <source>Cells in which no swath lies go to their neighbours.</source>
+        <translation>Las subparcelas sin pasadas se unen a sus vecinas.</translation>
     </message>
 </context>
 <context>

@@ -365,6 +365,37 @@
     </message>
 </context>
 <context>
+    <name>CellStepper</name>
+    <message>
+        <source>Done</source>
+        <translation>Terminé</translation>
+    </message>
+    <message>
+        <source>Go through the steps</source>
+        <translation>Parcourir les étapes</translation>
+    </message>
+    <message>
+        <source>Next step</source>
+        <translation>Étape suivante</translation>
+    </message>
+    <message>
+        <source>Previous step</source>
+        <translation>Étape précédente</translation>
+    </message>
+    <message>
+        <source>Show the cells</source>
+        <translation>Montrer les sous-parcelles</translation>
+    </message>
+    <message>
+        <source>Step of the cells</source>
+        <translation>Étape des sous-parcelles</translation>
+    </message>
+    <message>
+        <source>Turns and ways from cell to cell, estimated.</source>
+        <translation>Demi-tours et trajets d&apos;une sous-parcelle à l&apos;autre, estimés.</translation>
+    </message>
+</context>
+<context>
     <name>Command</name>
     <message>
         <source>Ctrl</source>
@@ -1705,8 +1736,8 @@
         <translation>Arc, droite, arc ; pour des passages distants d&apos;au moins deux rayons de braquage.</translation>
     </message>
     <message>
-        <source>As few as possible</source>
-        <translation>Le moins possible</translation>
+        <source>Joined where that is quicker</source>
+        <translation>Réunies là où c&apos;est plus rapide</translation>
     </message>
     <message>
         <source>As few swaths, and so turns, as possible.</source>
@@ -1909,8 +1940,8 @@
         <translation>Coupé le long des passages là où un obstacle ou un renfoncement commence ou finit.</translation>
     </message>
     <message>
-        <source>Cut where an obstacle or a bay begins or ends, and joined again where one follows on the other.</source>
-        <translation>Coupé là où un obstacle ou un renfoncement commence ou finit, et réuni là où l&apos;une suit l&apos;autre.</translation>
+        <source>Cut where an obstacle or a bay begins or ends, and joined again where that saves turns and ways.</source>
+        <translation>Coupé là où un obstacle ou un renfoncement commence ou finit, et réuni là où cela évite des demi-tours et des trajets.</translation>
     </message>
     <message>
         <source>Cutting grass: headland first, swaths overlap a little.</source>
@@ -5163,6 +5194,44 @@
     <message>
         <source>Save</source>
         <translation>Enregistrer</translation>
+    </message>
+</context>
+<context>
+    <name>furrow::CellSteps</name>
+    <message numerus="yes">
+        <source>%n cell(s), %1</source>
+        <translation>
+            <numerusform>%n sous-parcelle, %1</numerusform>
+            <numerusform>%n sous-parcelles, %1</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>Cut: %1</source>
+        <translation>Coupé : %1</translation>
+    </message>
+    <message>
+        <source>Cut: %1 → joined: %2</source>
+        <translation>Coupé : %1 → réuni : %2</translation>
+    </message>
+    <message>
+        <source>Joining any two of them would save nothing.</source>
+        <translation>En réunir deux ne ferait rien gagner.</translation>
+    </message>
+    <message>
+        <source>Step %1 of %2: %3</source>
+        <translation>Étape %1 sur %2 : %3</translation>
+    </message>
+    <message>
+        <source>As cut.</source>
+        <translation>Tel que coupé.</translation>
+    </message>
+    <message>
+        <source>The two marked cells become one: that saves %1.</source>
+        <translation>Les deux sous-parcelles marquées n&apos;en font plus qu&apos;une : %1 de gagné.</translation>
+    </message>
+    <message>
+        <source>Cells in which no swath lies go to their neighbours.</source>
+        <translation>Les sous-parcelles sans passage vont à leurs voisines.</translation>
     </message>
 </context>
 <context>

@@ -365,6 +365,37 @@
     </message>
 </context>
 <context>
+    <name>CellStepper</name>
+    <message>
+        <source>Done</source>
+        <translation>Klaar</translation>
+    </message>
+    <message>
+        <source>Go through the steps</source>
+        <translation>Stappen doorlopen</translation>
+    </message>
+    <message>
+        <source>Next step</source>
+        <translation>Volgende stap</translation>
+    </message>
+    <message>
+        <source>Previous step</source>
+        <translation>Vorige stap</translation>
+    </message>
+    <message>
+        <source>Show the cells</source>
+        <translation>Deelpercelen tonen</translation>
+    </message>
+    <message>
+        <source>Step of the cells</source>
+        <translation>Stap van de deelpercelen</translation>
+    </message>
+    <message>
+        <source>Turns and ways from cell to cell, estimated.</source>
+        <translation>Draaien en wegen van deelperceel naar deelperceel, geschat.</translation>
+    </message>
+</context>
+<context>
     <name>Command</name>
     <message>
         <source>Ctrl</source>
@@ -1705,8 +1736,8 @@
         <translation>Boog, recht, boog; voor werkgangen minstens twee draaistralen uit elkaar.</translation>
     </message>
     <message>
-        <source>As few as possible</source>
-        <translation>Zo weinig mogelijk</translation>
+        <source>Joined where that is quicker</source>
+        <translation>Samengevoegd waar dat sneller is</translation>
     </message>
     <message>
         <source>As few swaths, and so turns, as possible.</source>
@@ -1909,8 +1940,8 @@
         <translation>Langs de werkgangen gesplitst waar een obstakel of een inham begint of eindigt.</translation>
     </message>
     <message>
-        <source>Cut where an obstacle or a bay begins or ends, and joined again where one follows on the other.</source>
-        <translation>Gesplitst waar een obstakel of een inham begint of eindigt, en weer samengevoegd waar het ene op het andere volgt.</translation>
+        <source>Cut where an obstacle or a bay begins or ends, and joined again where that saves turns and ways.</source>
+        <translation>Gesplitst waar een obstakel of een inham begint of eindigt, en weer samengevoegd waar dat draaien en wegen bespaart.</translation>
     </message>
     <message>
         <source>Cutting grass: headland first, swaths overlap a little.</source>
@@ -5163,6 +5194,44 @@
     <message>
         <source>Save</source>
         <translation>Opslaan</translation>
+    </message>
+</context>
+<context>
+    <name>furrow::CellSteps</name>
+    <message numerus="yes">
+        <source>%n cell(s), %1</source>
+        <translation>
+            <numerusform>%n deelperceel, %1</numerusform>
+            <numerusform>%n deelpercelen, %1</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>Cut: %1</source>
+        <translation>Gesplitst: %1</translation>
+    </message>
+    <message>
+        <source>Cut: %1 → joined: %2</source>
+        <translation>Gesplitst: %1 → samengevoegd: %2</translation>
+    </message>
+    <message>
+        <source>Joining any two of them would save nothing.</source>
+        <translation>Er twee samenvoegen zou niets besparen.</translation>
+    </message>
+    <message>
+        <source>Step %1 of %2: %3</source>
+        <translation>Stap %1 van %2: %3</translation>
+    </message>
+    <message>
+        <source>As cut.</source>
+        <translation>Zoals gesplitst.</translation>
+    </message>
+    <message>
+        <source>The two marked cells become one: that saves %1.</source>
+        <translation>De twee gemarkeerde deelpercelen worden één: dat bespaart %1.</translation>
+    </message>
+    <message>
+        <source>Cells in which no swath lies go to their neighbours.</source>
+        <translation>Deelpercelen waarin geen werkgang ligt, gaan naar hun buren.</translation>
     </message>
 </context>
 <context>

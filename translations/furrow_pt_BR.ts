@@ -365,6 +365,37 @@
     </message>
 </context>
 <context>
+    <name>CellStepper</name>
+    <message>
+        <source>Done</source>
+        <translation>Concluir</translation>
+    </message>
+    <message>
+        <source>Go through the steps</source>
+        <translation>Percorrer as etapas</translation>
+    </message>
+    <message>
+        <source>Next step</source>
+        <translation>Próxima etapa</translation>
+    </message>
+    <message>
+        <source>Previous step</source>
+        <translation>Etapa anterior</translation>
+    </message>
+    <message>
+        <source>Show the cells</source>
+        <translation>Mostrar os subtalhões</translation>
+    </message>
+    <message>
+        <source>Step of the cells</source>
+        <translation>Etapa dos subtalhões</translation>
+    </message>
+    <message>
+        <source>Turns and ways from cell to cell, estimated.</source>
+        <translation>Manobras e deslocamentos de um subtalhão a outro, estimados.</translation>
+    </message>
+</context>
+<context>
     <name>Command</name>
     <message>
         <source>Ctrl</source>
@@ -1705,8 +1736,8 @@
         <translation>Arco, reta, arco; para passadas separadas por pelo menos dois raios de giro.</translation>
     </message>
     <message>
-        <source>As few as possible</source>
-        <translation>O mínimo possível</translation>
+        <source>Joined where that is quicker</source>
+        <translation>Unidos onde é mais rápido</translation>
     </message>
     <message>
         <source>As few swaths, and so turns, as possible.</source>
@@ -1909,8 +1940,8 @@
         <translation>Dividido ao longo das passadas onde começa ou termina um obstáculo ou uma reentrância.</translation>
     </message>
     <message>
-        <source>Cut where an obstacle or a bay begins or ends, and joined again where one follows on the other.</source>
-        <translation>Dividido onde começa ou termina um obstáculo ou uma reentrância, e unido de novo onde um segue o outro.</translation>
+        <source>Cut where an obstacle or a bay begins or ends, and joined again where that saves turns and ways.</source>
+        <translation>Dividido onde começa ou termina um obstáculo ou uma reentrância, e unido de novo onde isso economiza manobras e deslocamentos.</translation>
     </message>
     <message>
         <source>Cutting grass: headland first, swaths overlap a little.</source>
@@ -5163,6 +5194,44 @@
     <message>
         <source>Save</source>
         <translation>Salvar</translation>
+    </message>
+</context>
+<context>
+    <name>furrow::CellSteps</name>
+    <message numerus="yes">
+        <source>%n cell(s), %1</source>
+        <translation>
+            <numerusform>%n subtalhão, %1</numerusform>
+            <numerusform>%n subtalhões, %1</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>Cut: %1</source>
+        <translation>Dividido: %1</translation>
+    </message>
+    <message>
+        <source>Cut: %1 → joined: %2</source>
+        <translation>Dividido: %1 → unido: %2</translation>
+    </message>
+    <message>
+        <source>Joining any two of them would save nothing.</source>
+        <translation>Unir dois deles não economizaria nada.</translation>
+    </message>
+    <message>
+        <source>Step %1 of %2: %3</source>
+        <translation>Etapa %1 de %2: %3</translation>
+    </message>
+    <message>
+        <source>As cut.</source>
+        <translation>Como foi dividido.</translation>
+    </message>
+    <message>
+        <source>The two marked cells become one: that saves %1.</source>
+        <translation>Os dois subtalhões marcados viram um só: isso economiza %1.</translation>
+    </message>
+    <message>
+        <source>Cells in which no swath lies go to their neighbours.</source>
+        <translation>Subtalhões sem passadas vão para os vizinhos.</translation>
     </message>
 </context>
 <context>

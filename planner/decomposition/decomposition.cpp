@@ -1,5 +1,7 @@
 #include "planner/decomposition/decomposition.h"
 
+#include "planner/decomposition/history.h"
+#include "planner/decomposition/joining.h"
 #include "planner/geometry/geos_bridge.h"
 #include "planner/geometry/segment.h"
 
@@ -22,8 +24,6 @@ constexpr double kLevelM = 1e-6;
 constexpr double kAcrossM = 1e-4;
 // An edge that leaves a corner almost along the heading is this far from it on the next line at most.
 constexpr double kBesideM = 1e-3;
-// Borders shorter than this join nothing.
-constexpr double kLeastBorderM = 0.5;
 
 /// Turned so that the swaths are level.
 class LevelFrame {
@@ -188,82 +188,6 @@ Result<LevelCells> levelCells(const MultiPolygon& mainland, bool atEveryCorner, 
     return level;
 }
 
-/// How long the border is that the top of one cell shares with the bottom of another, along a cut.
-double borderM(const Polygon& below, const Polygon& above) {
-    double length = 0.0;
-    forEachEdge({below}, [&](Point a, Point b) {
-        // Tops run to the left, bottoms to the right.
-        if (std::abs(a.y - b.y) > kLevelM || b.x >= a.x) {
-            return;
-        }
-        forEachEdge({above}, [&](Point c, Point d) {
-            if (std::abs(c.y - d.y) > kLevelM || d.x <= c.x || std::abs(c.y - a.y) > kLevelM) {
-                return;
-            }
-            length += std::max(0.0, std::min(a.x, d.x) - std::max(b.x, c.x));
-        });
-    });
-    return length;
-}
-
-/// Which cells are one: a group for each, named by its lowest member.
-using Groups = std::vector<std::size_t>;
-
-struct Border {
-    double lengthM;
-    std::size_t below;
-    std::size_t above;
-};
-
-/// The longest first.
-std::vector<Border> bordersOf(const MultiPolygon& cells) {
-    std::vector<Border> borders;
-    for (std::size_t i = 0; i < cells.size(); ++i) {
-        for (std::size_t k = 0; k < cells.size(); ++k) {
-            if (i != k) {
-                if (const double lengthM = borderM(cells[i], cells[k]); lengthM > kLeastBorderM) {
-                    borders.push_back({lengthM, i, k});
-                }
-            }
-        }
-    }
-    std::ranges::stable_sort(borders, std::greater{}, &Border::lengthM);
-    return borders;
-}
-
-void join(Groups& group, std::size_t a, std::size_t b) {
-    const std::size_t kept = std::min(group[a], group[b]);
-    const std::size_t gone = std::max(group[a], group[b]);
-    std::ranges::replace(group, gone, kept);
-}
-
-/// Every cell goes on into at most one above it and out of at most one below: a line along the heading still meets
-/// each group in one piece.
-Groups merged(const std::vector<Border>& borders, Groups group) {
-    std::vector<bool> goesOn(group.size(), false);
-    std::vector<bool> comesFrom(group.size(), false);
-    for (const Border& border : borders) {
-        if (!goesOn[border.below] && !comesFrom[border.above] && group[border.below] != group[border.above]) {
-            goesOn[border.below] = comesFrom[border.above] = true;
-            join(group, border.below, border.above);
-        }
-    }
-    return group;
-}
-
-/// Cells in which nothing is driven go to the neighbour they share most of their border with.
-Groups withoutEmpty(const std::vector<Border>& borders, const std::vector<std::size_t>& homes, Groups group) {
-    const auto isEmpty = [&](std::size_t cell) {
-        return std::ranges::none_of(homes, [&](std::size_t home) { return group[home] == group[cell]; });
-    };
-    for (const Border& border : borders) {
-        if (group[border.below] != group[border.above] && (isEmpty(border.below) || isEmpty(border.above))) {
-            join(group, border.below, border.above);
-        }
-    }
-    return group;
-}
-
 /// The cell that the middle of each swath lies in.
 std::vector<std::size_t> homesOf(const SwathSet& swaths, const LevelFrame& frame, const MultiPolygon& cells) {
     std::vector<std::size_t> homes;
@@ -290,6 +214,50 @@ Result<Decomposition> onePiece(const DecompositionTask& task, const JobContext& 
     return whole;
 }
 
+/// The figures of cells at one time.
+DecompositionStep stepOf(const MultiPolygon& levelPieces, const Groups& groups, const CellCost& cost) {
+    DecompositionStep step{.joins = {}, .cells = 0, .altitude = {}, .cost = cost.of(groups)};
+    std::vector<std::optional<Bounds>> boxes(levelPieces.size());
+    for (std::size_t piece = 0; piece < levelPieces.size(); ++piece) {
+        const Bounds box = bounds({levelPieces[piece]});
+        std::optional<Bounds>& cell = boxes[groups[piece]];
+        if (!cell) {
+            ++step.cells;
+            cell = box;
+        }
+        cell->min.y = std::min(cell->min.y, box.min.y);
+        cell->max.y = std::max(cell->max.y, box.max.y);
+    }
+    for (const std::optional<Bounds>& cell : boxes) {
+        step.altitude += metres(cell ? cell->height() : 0.0);
+    }
+    return step;
+}
+
+/// As cut first, then one for every join of two cells that are driven, and one for those of others between two of these.
+std::vector<DecompositionStep> stepsOf(const MultiPolygon& levelPieces, const std::vector<Join>& joins, const CellCost& cost) {
+    Groups groups(levelPieces.size());
+    std::iota(groups.begin(), groups.end(), std::size_t{0});
+    std::vector<bool> isDriven(levelPieces.size());
+    for (std::size_t piece = 0; piece < isDriven.size(); ++piece) {
+        isDriven[piece] = !cost.isEmpty(piece);
+    }
+    std::vector<DecompositionStep> steps{stepOf(levelPieces, groups, cost)};
+    std::vector<Join> pending;
+    for (std::size_t i = 0; i < joins.size(); ++i) {
+        const auto counts = [&](const Join& join) { return isDriven[join.kept] && isDriven[join.gone]; };
+        const bool alone = counts(joins[i]);
+        pending.push_back(joins[i]);
+        apply(joins[i], groups);
+        isDriven[joins[i].kept] = isDriven[joins[i].kept] || isDriven[joins[i].gone];
+        if (alone || i + 1 == joins.size() || counts(joins[i + 1])) {
+            steps.push_back(stepOf(levelPieces, groups, cost));
+            steps.back().joins = std::exchange(pending, {});
+        }
+    }
+    return steps;
+}
+
 Result<Decomposition> decomposed(const DecompositionTask& task, bool atEveryCorner, bool merge, const JobContext& job) {
     if (task.swaths.isCurved()) {
         return onePiece(task, job);
@@ -299,37 +267,36 @@ Result<Decomposition> decomposed(const DecompositionTask& task, bool atEveryCorn
     if (!level) {
         return std::unexpected(level.error());
     }
-    const MultiPolygon& cells = level->cells;
-    const std::vector<std::size_t> homes = homesOf(task.swaths, frame, cells);
-    Groups group(cells.size());
-    std::iota(group.begin(), group.end(), std::size_t{0});
-    if (merge) {
-        const std::vector<Border> borders = bordersOf(cells);
-        group = withoutEmpty(borders, homes, merged(borders, std::move(group)));
+    const MultiPolygon& pieces = level->cells;
+    std::vector<std::vector<std::size_t>> dealt(pieces.size());
+    const std::vector<std::size_t> homes = homesOf(task.swaths, frame, pieces);
+    for (std::size_t swath = 0; swath < homes.size(); ++swath) {
+        dealt[homes[swath]].push_back(swath);
+    }
+    const CellCost cost{task.swaths, task.machine, dealt};
+    const auto joins = merge ? joinsWhereQuicker(bordersOf(pieces), cost, pieces.size(), job) : std::vector<Join>{};
+    if (!joins) {
+        return std::unexpected(joins.error());
     }
     Decomposition result;
-    for (std::size_t i = 0; i < cells.size(); ++i) {
-        if (group[i] != i) {
-            continue;
+    result.history = {.pieces = frame.from(pieces), .steps = stepsOf(pieces, *joins, cost)};
+    result.altitude = result.history.steps.back().altitude;
+    const Groups groups = cellsAt(result.history, result.history.steps.size() - 1);
+    auto outlines = outlinesOf(pieces, groups, job);
+    if (!outlines) {
+        return std::unexpected(outlines.error());
+    }
+    std::vector<std::size_t> cellOf(pieces.size());
+    for (std::size_t piece = 0; piece < pieces.size(); ++piece) {
+        if (groups[piece] == piece) {
+            cellOf[piece] = result.cells.size();
+            result.cells.push_back({.outline = frame.from(std::move((*outlines)[result.cells.size()])), .swaths = {}});
         }
-        MultiPolygon members;
-        for (std::size_t k = i; k < cells.size(); ++k) {
-            if (group[k] == i) {
-                members.push_back(cells[k]);
-            }
-        }
-        result.altitude = result.altitude + metres(bounds(members).height());
-        auto outline = members.size() == 1 ? Result<MultiPolygon>{members} : unionOf(members, job);
-        if (!outline) {
-            return std::unexpected(outline.error());
-        }
-        Cell cell{.outline = frame.from(std::move(*outline)), .swaths = {}};
-        for (std::size_t s = 0; s < homes.size(); ++s) {
-            if (group[homes[s]] == i) {
-                cell.swaths.push_back(s);
-            }
-        }
-        result.cells.push_back(std::move(cell));
+        std::vector<std::size_t>& swaths = result.cells[cellOf[groups[piece]]].swaths;
+        swaths.insert(swaths.end(), dealt[piece].begin(), dealt[piece].end());
+    }
+    for (Cell& cell : result.cells) {
+        std::ranges::sort(cell.swaths);
     }
     return result;
 }
@@ -378,8 +345,8 @@ const Method<Decomposer> kBoustrophedonCellsMethod{
 
 const Method<Decomposer> kMergedCellsMethod{
     .info = {.id = "merged",
-             .name = "As few as possible",
-             .description = "Cut where an obstacle or a bay begins or ends, and joined again where one follows on the other.",
+             .name = "Joined where that is quicker",
+             .description = "Cut where an obstacle or a bay begins or ends, and joined again where that saves turns and ways.",
              .parameters = {}},
     .run = [](const DecompositionTask& task, const JobContext& job) { return decomposed(task, false, true, job); }};
 

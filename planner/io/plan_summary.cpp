@@ -66,6 +66,17 @@ Json headingsJson(const Decomposition& cells) {
     return headings;
 }
 
+/// Costs are estimated in free space; null where nothing was estimated, as for one piece.
+Json decompositionJson(const Decomposition& cells) {
+    const std::vector<DecompositionStep>& steps = cells.history.steps;
+    const auto secondsOf = [&](const auto& step) { return steps.empty() ? Json{} : Json(step().cost.si()); };
+    return {{"cells", cells.cells.size()},
+            {"cells_before", steps.empty() ? cells.cells.size() : steps.front().cells},
+            {"altitude_m", cells.altitude.si()},
+            {"cost_before_s", secondsOf([&] { return steps.front(); })},
+            {"cost_after_s", secondsOf([&] { return steps.back(); })}};
+}
+
 Json milliseconds(Duration duration) {
     return duration.si() * 1e3;
 }
@@ -98,6 +109,7 @@ std::string planSummaryJson(const Plan& plan) {
           {"uncut_strip_m", plan.headland.uncutStrip.si()},
           {"uncut_corners_m2", plan.headland.uncutCorners.si()},
           {"mainland_ratio", plan.headland.mainlandRatio}}},
+        {"decomposition", decompositionJson(plan.cells)},
         {"swaths",
          {{"count", plan.swaths.swaths.size()},
           {"total_length_m", plan.swaths.totalLength.si()},

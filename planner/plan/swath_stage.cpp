@@ -12,7 +12,9 @@
 
 #include <algorithm>
 #include <cmath>
+#include <iterator>
 #include <numeric>
+#include <ranges>
 
 namespace furrow {
 
@@ -238,6 +240,40 @@ Result<LaidSwaths> layStage(const Plan& plan, const MultiPolygon& drivable, cons
     return laid;
 }
 
+namespace {
+
+/// One part after the other: the figures of a step are those of all parts.
+void append(DecompositionHistory& all, DecompositionHistory part) {
+    if (part.steps.empty()) {
+        return;
+    }
+    const std::size_t offset = all.pieces.size();
+    std::ranges::move(part.pieces, std::back_inserter(all.pieces));
+    if (all.steps.empty()) {
+        all.steps = std::move(part.steps);
+        return;
+    }
+    const auto add = [](DecompositionStep& sum, const DecompositionStep& more) {
+        sum.cells += more.cells;
+        sum.altitude += more.altitude;
+        sum.cost += more.cost;
+    };
+    const DecompositionStep before = all.steps.back();
+    for (DecompositionStep& step : all.steps) {
+        add(step, part.steps.front());
+    }
+    for (DecompositionStep& step : part.steps | std::views::drop(1)) {
+        add(step, before);
+        for (Join& join : step.joins) {
+            join.kept += offset;
+            join.gone += offset;
+        }
+        all.steps.push_back(std::move(step));
+    }
+}
+
+}  // namespace
+
 Result<Decomposition> cellStage(const PlanRequest& request, const LaidSwaths& laid, const JobContext& job) {
     Decomposition all;
     for (const MainlandPart& part : laid.parts) {
@@ -257,6 +293,7 @@ Result<Decomposition> cellStage(const PlanRequest& request, const LaidSwaths& la
             all.cells.push_back(std::move(cell));
         }
         all.altitude += cells->altitude;
+        append(all.history, std::move(cells->history));
     }
     return all;
 }

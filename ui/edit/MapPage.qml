@@ -133,6 +133,19 @@ FocusScope {
             drawing: root.drawing
             style: root.planStyle
         }
+        CellLayer {
+            objectName: "cellLayer"
+            anchors.fill: parent
+            z: 1
+            visible: root.session.cells.current >= 0
+            camera: camera
+            drawing: root.session.cells.drawing
+            color: Theme.ink
+            fillColor: Theme.accent
+            casingColor: Theme.panel
+            joinedColor: Theme.turn
+            lineFactor: Theme.lineFactor
+        }
         EditLayer {
             id: edit
 

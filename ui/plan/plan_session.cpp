@@ -486,6 +486,7 @@ void PlanSession::showSteps() {
 void PlanSession::showModels() {
     showSteps();
     figures_.show(plan_.get());
+    cells_.show(plan_);
     if (isDraft()) {
         // Not looked for: what was found last stays until the whole plan says what there is.
         return;

@@ -5,6 +5,7 @@
 #include "ui/imagery/imagery_model.h"
 #include "ui/jobs/job_runner.h"
 #include "ui/map/plan_drawing.h"
+#include "ui/plan/cell_steps.h"
 #include "ui/plan/export_model.h"
 #include "ui/plan/farm_model.h"
 #include "ui/plan/field_choice_model.h"
@@ -55,6 +56,7 @@ class PlanSession : public QObject {
     Q_PROPERTY(furrow::MachineModel* machine READ machine CONSTANT FINAL)
     Q_PROPERTY(furrow::FiguresModel* figures READ figures CONSTANT FINAL)
     Q_PROPERTY(furrow::FindingsModel* findings READ findings CONSTANT FINAL)
+    Q_PROPERTY(furrow::CellSteps* cells READ cells CONSTANT FINAL)
     Q_PROPERTY(furrow::FieldChoiceModel* choices READ choices CONSTANT FINAL)
     Q_PROPERTY(furrow::ExportModel* exporter READ exporter CONSTANT FINAL)
 
@@ -83,6 +85,7 @@ public:
     MachineModel* machine() { return &machine_; }
     FiguresModel* figures() { return &figures_; }
     FindingsModel* findings() { return &findings_; }
+    CellSteps* cells() { return &cells_; }
     FieldChoiceModel* choices() { return &choices_; }
     ExportModel* exporter() { return &exporter_; }
     Document* document() { return &document_; }
@@ -192,6 +195,7 @@ private:
     MachineModel machine_;
     FiguresModel figures_;
     FindingsModel findings_;
+    CellSteps cells_;
     FieldChoiceModel choices_;
     ExportModel exporter_;
     JobRunner reader_;

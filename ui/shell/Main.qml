@@ -16,6 +16,8 @@ ApplicationWindow {
     property bool panelWanted: true
     readonly property bool panelOpen: session.hasPlan && (roomForPanel || panelWanted)
     property int currentFinding: -1
+    /// The steps to the cells are gone through: of the plan the map shows the swaths only.
+    readonly property bool steppingCells: session.cells.current >= 0
     /// What was not saved is settled: the window may close.
     property bool settled: false
     /// The tour starts by itself where it was never shown.
@@ -223,19 +225,19 @@ ApplicationWindow {
                 showBoundary: layersPanel.layers.boundary && !page.editor.dragging && !root.session.behind,
                 showHeadland: layersPanel.layers.headland,
                 showSwaths: layersPanel.layers.swaths,
-                showTurns: layersPanel.layers.turns,
-                showDirections: layersPanel.layers.directions,
-                showNumbers: layersPanel.layers.numbers,
+                showTurns: layersPanel.layers.turns && !root.steppingCells,
+                showDirections: layersPanel.layers.directions && !root.steppingCells,
+                showNumbers: layersPanel.layers.numbers && !root.steppingCells,
                 covered: Theme.covered,
                 overlap: Theme.overlap,
                 missed: Theme.missed,
                 wheels: Theme.wheels,
                 showCoverage: layersPanel.layers.coverage,
                 showOverlap: layersPanel.layers.overlap,
-                showMissed: layersPanel.layers.missed,
+                showMissed: layersPanel.layers.missed && !root.steppingCells,
                 showWheels: layersPanel.layers.wheels,
                 onImagery: layersPanel.layers.online || layersPanel.layers.imagery && root.session.imagery.count > 0,
-                showFindings: layersPanel.layers.findings,
+                showFindings: layersPanel.layers.findings && !root.steppingCells,
                 selectedFinding: root.currentFinding
             })
         onFindingClicked: index => {

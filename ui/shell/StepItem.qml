@@ -148,6 +148,14 @@ Rectangle {
                 visible: root.stepId === "machine"
                 machine: root.session.machine
             }
+            Loader {
+                width: parent.width
+                active: root.stepId === "decomposition" && root.session.cells.count > 0
+                visible: active
+                sourceComponent: CellStepper {
+                    cells: root.session.cells
+                }
+            }
             ParameterList {
                 width: parent.width
                 visible: root.stepId !== "machine"

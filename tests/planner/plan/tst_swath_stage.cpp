@@ -90,6 +90,13 @@ private slots:
         }
         QCOMPARE(dealt.size(), p.swaths.swaths.size());
         COMPARE_WITHIN(sum / area(p.headland.mainland).si(), 1.0, 1e-6);
+        // Nothing is joined across a split line.
+        if (method != "none") {
+            QCOMPARE(p.cells.history.pieces.size(), std::size_t{3});
+            QCOMPARE(p.cells.history.steps.size(), std::size_t{1});
+            QCOMPARE(p.cells.history.steps.front().cells, std::size_t{3});
+            COMPARE_WITHIN(p.cells.history.steps.front().altitude.si(), 3.0 * heightM, 1e-3);
+        }
         QCOMPARE(p.route.steps.size(), p.swaths.swaths.size());
         // A swath goes on beyond the line: together they are as long as without.
         const auto whole = planOf(field, {{"swaths.method", "fixed"}, {"swaths.angle_deg", "0"}});
