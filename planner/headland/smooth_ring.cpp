@@ -15,6 +15,8 @@ constexpr double kSamePointM = 0.01;
 constexpr double kRoundingM = 0.01;
 // Corners that turn by less in all can become one.
 constexpr double kWidestMergeRad = std::numbers::pi / 2.0;
+// Corners of an arc matter alike: which of them goes is not for rounding to say.
+constexpr double kTieM = 1e-4;
 // No rounding turns the vehicle round on the spot.
 constexpr double kSharpestRad = 0.95 * std::numbers::pi;
 // Edges that differ by less are one line.
@@ -97,7 +99,7 @@ public:
                     if (!sharpestRad_) {
                         return false;
                     }
-                    cut(corners_[i].needM >= corners_[links_[i].next].needM ? i : links_[i].next);
+                    cut(corners_[i].needM >= corners_[links_[i].next].needM - kTieM ? i : links_[i].next);
                 }
             }
         }
@@ -157,7 +159,7 @@ private:
             drop(next);
             return true;
         }
-        const bool firstGoes = corners_[next].isCut || (!corners_[i].isCut && moveWithout(i) <= moveWithout(next));
+        const bool firstGoes = corners_[next].isCut || (!corners_[i].isCut && moveWithout(i) <= moveWithout(next) + kTieM);
         const std::size_t gone = firstGoes ? i : next;
         if (moveWithout(gone) > toleranceM_) {
             return false;

@@ -263,7 +263,8 @@ private slots:
                     const double apartM = std::max(distance(line.start.position + offset, other.start.position),
                                                    distance(line.end().position + offset, other.end().position));
                     VERIFY_TOLD(apartM < 1e-3, told + QByteArray::number(apartM));
-                    VERIFY_TOLD(std::abs((line.length() - other.length()).si()) < 1e-3, told);
+                    const double longerM = (other.length() - line.length()).si();
+                    VERIFY_TOLD(std::abs(longerM) < 1e-3, told + ", pass " + QByteArray::number(static_cast<int>(k)) + ": " + QByteArray::number(longerM));
                     ++stretches;
                 }
             }
