@@ -2144,6 +2144,10 @@
         <translation>Vorgegebene Richtung</translation>
     </message>
     <message>
+        <source>Go round obstacles up to</source>
+        <translation>Hindernisse umfahren bis</translation>
+    </message>
+    <message>
         <source>Great Field</source>
         <translation>Großes Feld</translation>
     </message>
@@ -2746,6 +2750,10 @@
     <message>
         <source>Swaths go on from cell to cell.</source>
         <translation>Spuren laufen von Teilfläche zu Teilfläche weiter.</translation>
+    </message>
+    <message>
+        <source>Swaths go round obstacles of up to this size; larger ones get a headland. Auto is the operating width.</source>
+        <translation>Spuren umfahren Hindernisse bis zu dieser Größe; größere bekommen ein Vorgewende. Auto ist die Arbeitsbreite.</translation>
     </message>
     <message>
         <source>Swaths left out at each turn and driven on the way back.</source>

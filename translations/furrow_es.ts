@@ -2144,6 +2144,10 @@
         <translation>Dirección dada</translation>
     </message>
     <message>
+        <source>Go round obstacles up to</source>
+        <translation>Rodear obstáculos de hasta</translation>
+    </message>
+    <message>
         <source>Great Field</source>
         <translation>Campo Grande</translation>
     </message>
@@ -2746,6 +2750,10 @@
     <message>
         <source>Swaths go on from cell to cell.</source>
         <translation>Las pasadas siguen de una subparcela a otra.</translation>
+    </message>
+    <message>
+        <source>Swaths go round obstacles of up to this size; larger ones get a headland. Auto is the operating width.</source>
+        <translation>Las pasadas rodean los obstáculos de hasta este tamaño; los mayores reciben una cabecera. Auto es el ancho de trabajo.</translation>
     </message>
     <message>
         <source>Swaths left out at each turn and driven on the way back.</source>

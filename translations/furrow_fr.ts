@@ -2144,6 +2144,10 @@
         <translation>Orientation donnée</translation>
     </message>
     <message>
+        <source>Go round obstacles up to</source>
+        <translation>Contourner les obstacles jusqu’à</translation>
+    </message>
+    <message>
         <source>Great Field</source>
         <translation>Grand Champ</translation>
     </message>
@@ -2746,6 +2750,10 @@
     <message>
         <source>Swaths go on from cell to cell.</source>
         <translation>Les passages continuent d&apos;une sous-parcelle à l&apos;autre.</translation>
+    </message>
+    <message>
+        <source>Swaths go round obstacles of up to this size; larger ones get a headland. Auto is the operating width.</source>
+        <translation>Les passages contournent les obstacles jusqu’à cette taille ; les plus grands reçoivent une fourrière. Auto est la largeur de travail.</translation>
     </message>
     <message>
         <source>Swaths left out at each turn and driven on the way back.</source>

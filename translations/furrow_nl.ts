@@ -2144,6 +2144,10 @@
         <translation>Opgegeven richting</translation>
     </message>
     <message>
+        <source>Go round obstacles up to</source>
+        <translation>Om obstakels heen tot</translation>
+    </message>
+    <message>
         <source>Great Field</source>
         <translation>Groot Veld</translation>
     </message>
@@ -2746,6 +2750,10 @@
     <message>
         <source>Swaths go on from cell to cell.</source>
         <translation>Werkgangen lopen door van deelperceel naar deelperceel.</translation>
+    </message>
+    <message>
+        <source>Swaths go round obstacles of up to this size; larger ones get a headland. Auto is the operating width.</source>
+        <translation>Werkgangen gaan om obstakels tot deze grootte heen; grotere krijgen een kopakker. Auto is de werkbreedte.</translation>
     </message>
     <message>
         <source>Swaths left out at each turn and driven on the way back.</source>

@@ -2144,6 +2144,10 @@
         <translation>Direção dada</translation>
     </message>
     <message>
+        <source>Go round obstacles up to</source>
+        <translation>Contornar obstáculos de até</translation>
+    </message>
+    <message>
         <source>Great Field</source>
         <translation>Campo Grande</translation>
     </message>
@@ -2746,6 +2750,10 @@
     <message>
         <source>Swaths go on from cell to cell.</source>
         <translation>As passadas continuam de um subtalhão ao outro.</translation>
+    </message>
+    <message>
+        <source>Swaths go round obstacles of up to this size; larger ones get a headland. Auto is the operating width.</source>
+        <translation>As passadas contornam obstáculos de até este tamanho; os maiores recebem uma cabeceira. Auto é a largura de trabalho.</translation>
     </message>
     <message>
         <source>Swaths left out at each turn and driven on the way back.</source>

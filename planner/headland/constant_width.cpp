@@ -31,7 +31,7 @@ Result<Headland> constantWidth(const HeadlandTask& task, const JobContext& job) 
                                  : passesForTurns(task);
     wanted.width = givenWidth ? std::max(*givenWidth, task.margin) : widthOfPasses(wanted.passes, task);
     if (!task.field.edgeHeadlands().empty()) {
-        wanted.strips = EdgeStrips::along(task.field.workable(), wanted.width, wanted.passes);
+        wanted.strips = EdgeStrips::along(task.workable(), wanted.width, wanted.passes);
     }
     return headlandOf(std::move(wanted), task, job);
 }

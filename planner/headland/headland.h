@@ -68,6 +68,11 @@ struct HeadlandTask {
     Length margin;              ///< what everything keeps from the boundary
     bool drawsOutEnds = false;  ///< swaths will reach beyond the mainland where that slants
     SwathEnds swathEnds;        ///< for headlands that depend on them; may fail as the swath method does
+    /// What it is laid along the edges of, where that is not all of the field's workable area: without the holes that
+    /// swaths go round.
+    const MultiPolygon* along = nullptr;
+
+    const MultiPolygon& workable() const { return along != nullptr ? *along : field.workable(); }
 };
 
 /// The common signature of all headland methods.

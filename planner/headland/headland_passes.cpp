@@ -143,7 +143,7 @@ Result<ClosedRing> closedRing(const HeadlandTask& task, Length inset, int ring, 
                               const JobContext& job) {
     const Machine& machine = task.machine;
     const bool clockwise = task.settings.choice(kHeadlandDirection) == "clockwise";
-    const auto tracks = passTracks(task.field.workable(), inset + corners.beside, task.drivable, machine,
+    const auto tracks = passTracks(task.workable(), inset + corners.beside, task.drivable, machine,
                                    {.way = clockwise ? RoundTheField::Clockwise : RoundTheField::CounterClockwise,
                                     .beside = corners.beside,
                                     .driven = corners.driven,
@@ -276,7 +276,7 @@ Result<ClosedRing> outermostRing(const HeadlandTask& task, Length inset, const J
     }
     const std::vector<RoundedCorner> outward =
         outwardCorners(*rounded, task.settings.choice(kHeadlandDirection) == "clockwise");
-    if (leftAt(outward, task.machine) <= kMostUncutShare * area(task.field.workable())) {
+    if (leftAt(outward, task.machine) <= kMostUncutShare * area(task.workable())) {
         return rounded;
     }
     return withCornersDriven(task, inset, 0, std::move(*rounded), outward, kBesideEdge, job);

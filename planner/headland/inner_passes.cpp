@@ -301,7 +301,7 @@ std::vector<HeadlandPass> passesOn(const MultiPolygon& region, const HeadlandTas
 
 Result<std::vector<HeadlandPass>> innerPasses(const HeadlandTask& task, Length inset, int ring, bool clockwise,
                                               const JobContext& job) {
-    return erodedSharp(task.field.workable(), inset, job).transform([&](const MultiPolygon& region) {
+    return erodedSharp(task.workable(), inset, job).transform([&](const MultiPolygon& region) {
         return passesOn(region, task, ring, clockwise, {});
     });
 }
@@ -366,7 +366,7 @@ Result<std::vector<HeadlandPass>> passesAlongStrips(const HeadlandTask& task, Le
                                                     const JobContext& job) {
     const Length width = task.machine.operatingWidth();
     const Length half = 0.5 * width;
-    const auto inside = eroded(task.field.workable(), inset, kArcTolerance, job);
+    const auto inside = eroded(task.workable(), inset, kArcTolerance, job);
     if (!inside) {
         return std::unexpected(inside.error());
     }

@@ -6,11 +6,10 @@ namespace furrow {
 namespace {
 
 Result<Headland> noHeadland(const HeadlandTask& task, const JobContext& job) {
-    const Field& field = task.field;
     const Length margin = task.margin;
     // The margin is kept everywhere, headland or not.
-    auto mainland = margin > metres(0.0) ? eroded(field.workable(), margin, kArcTolerance, job)
-                                         : Result<MultiPolygon>{field.workable()};
+    auto mainland = margin > metres(0.0) ? eroded(task.workable(), margin, kArcTolerance, job)
+                                         : Result<MultiPolygon>{task.workable()};
     if (!mainland) {
         return std::unexpected(mainland.error());
     }
@@ -18,7 +17,7 @@ Result<Headland> noHeadland(const HeadlandTask& task, const JobContext& job) {
         return std::unexpected(nothingLeft(margin));
     }
     Headland headland{.width = margin, .passes = 0, .mainland = std::move(*mainland)};
-    headland.mainlandRatio = area(headland.mainland) / area(field.workable());
+    headland.mainlandRatio = area(headland.mainland) / area(task.workable());
     return headland;
 }
 

@@ -68,7 +68,7 @@ Result<bool> makeRoom(std::vector<EdgeStrip>& strips, const MultiPolygon& mainla
 /// The narrowest headland along every edge: one pass, so that the outermost goes all round. Where none is driven,
 /// nothing along the outermost straight sides of the field that all swaths run along.
 std::vector<EdgeStrip> narrowest(const HeadlandTask& task, const std::vector<Pose>& ends) {
-    std::vector<EdgeStrip> strips = EdgeStrips::along(task.field.workable(), widthOfPasses(1, task), 1);
+    std::vector<EdgeStrip> strips = EdgeStrips::along(task.workable(), widthOfPasses(1, task), 1);
     const bool isOneHeading = !ends.empty() && std::ranges::all_of(ends, [&](const Pose& end) {
         return std::abs(std::sin((end.heading - ends.front().heading).si())) < kSameHeading;
     });
@@ -92,8 +92,8 @@ std::vector<EdgeStrip> narrowest(const HeadlandTask& task, const std::vector<Pos
 
 Result<Headland> perEdge(const HeadlandTask& task, const JobContext& job) {
     Headland wanted;
-    wanted.strips = EdgeStrips::along(task.field.workable(), widthOfPasses(1, task), 1);
-    const auto first = withoutStrips(task.field.workable(), wanted.strips, job);
+    wanted.strips = EdgeStrips::along(task.workable(), widthOfPasses(1, task), 1);
+    const auto first = withoutStrips(task.workable(), wanted.strips, job);
     if (!first) {
         return std::unexpected(first.error());
     }
@@ -107,7 +107,7 @@ Result<Headland> perEdge(const HeadlandTask& task, const JobContext& job) {
     wanted.strips = narrowest(task, *ends);
     // A wider strip somewhere may end swaths elsewhere, or turn them all.
     for (int round = 0; round < kMostRounds; ++round) {
-        const auto mainland = withoutStrips(task.field.workable(), wanted.strips, job);
+        const auto mainland = withoutStrips(task.workable(), wanted.strips, job);
         if (!mainland) {
             return std::unexpected(mainland.error());
         }

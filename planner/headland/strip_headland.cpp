@@ -63,7 +63,7 @@ void limitPasses(Headland& headland, int most, const HeadlandTask& task) {
 }
 
 Result<MultiPolygon> mainlandOf(const Headland& headland, const HeadlandTask& task, const JobContext& job) {
-    const MultiPolygon& workable = task.field.workable();
+    const MultiPolygon& workable = task.workable();
     if (!headland.strips.empty()) {
         return withoutStrips(workable, headland.strips, job);
     }
@@ -119,7 +119,7 @@ Result<Headland> headlandOf(Headland wanted, const HeadlandTask& task, const Job
              "headland",
              {}});
     }
-    headland.mainlandRatio = area(headland.mainland) / area(task.field.workable());
+    headland.mainlandRatio = area(headland.mainland) / area(task.workable());
     if (const auto added = addPasses(headland, task, job); !added) {
         return std::unexpected(added.error());
     }

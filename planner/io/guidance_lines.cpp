@@ -95,7 +95,8 @@ bool isBeside(const Polyline& line, const Polyline& guide) {
 std::vector<const Swath*> curvedGuides(const SwathSet& set) {
     std::vector<const Swath*> longest;
     for (const Swath& swath : set.swaths) {
-        if (swath.isCurved()) {
+        // Those beside one that goes round an obstacle have none to go round.
+        if (swath.isCurved() && !swath.goesRound) {
             longest.push_back(&swath);
         }
     }
@@ -149,11 +150,12 @@ GuidanceLine lineFor(const Swath& swath, const Plan& plan, std::size_t number) {
     if (!isBent(swath)) {
         return abLine(swath, plan);
     }
-    GuidanceLine line = swath.isClosed() ? pivot(swath, plan)
-                                         : GuidanceLine{.kind = GuidanceKind::Curve,
-                                                        .points = plan.field().frame().toGeo(middleLine(swath, kGuideChord)),
-                                                        .width = plan.request.machine.operatingWidth()};
-    line.name = std::format("{} {}", swath.isClosed() ? "Pivot" : "Curve", number);
+    const bool isPivot = swath.isClosed() && !swath.goesRound;
+    GuidanceLine line = isPivot ? pivot(swath, plan)
+                                : GuidanceLine{.kind = GuidanceKind::Curve,
+                                               .points = plan.field().frame().toGeo(middleLine(swath, kGuideChord)),
+                                               .width = plan.request.machine.operatingWidth()};
+    line.name = std::format("{} {}", isPivot ? "Pivot" : "Curve", number);
     return line;
 }
 
@@ -165,6 +167,13 @@ std::vector<GuidanceLine> guidanceLines(const Plan& plan) {
     for (const auto& guides : {curvedGuides(plan.swaths), straightGuides(plan.swaths)}) {
         for (std::size_t i = 0; i < guides.size(); ++i) {
             lines.push_back(lineFor(*guides[i], plan, i + 1));
+        }
+    }
+    for (const Swath& swath : plan.swaths.swaths) {
+        if (swath.goesRound && !swath.tramline) {
+            lines.push_back(lineFor(swath, plan, 0));
+            lines.back().name = std::format("Swath {}", swath.number);
+            lines.back().repeats = false;
         }
     }
     int tramline = 0;

@@ -4,6 +4,7 @@
 #include "planner/machine/machine_file.h"
 #include "planner/plan/general_parameters.h"
 #include "planner/plan/method_registry.h"
+#include "planner/plan/round_stage.h"
 #include "planner/settings/operation.h"
 #include "planner/version.h"
 
@@ -118,7 +119,9 @@ std::string planSummaryJson(const Plan& plan) {
           {"coverage", plan.swaths.coverage},
           {"overlap_m2", plan.swaths.overlap.si()},
           {"shift_m", plan.swaths.shift.si()},
-          {"end_overlap_m2", plan.swaths.endOverlap.si()}}},
+          {"end_overlap_m2", plan.swaths.endOverlap.si()},
+          {"round_up_to_m", roundUpTo(settings, plan.request.machine).si()},
+          {"obstacles_gone_round", plan.swaths.goneRound.size()}}},
         {"route",
          {{"method", methodOf("route", settings)},
           {"objective", nullptr},

@@ -2,6 +2,7 @@
 
 #include "planner/headland/methods.h"
 #include "planner/plan/general_parameters.h"
+#include "planner/plan/round_stage.h"
 #include "planner/path/gate_ways.h"
 #include "planner/route/methods.h"
 #include "planner/settings/operation.h"
@@ -74,8 +75,8 @@ constexpr std::array kTurnMethods{
 };
 
 // Parameters that every method of a stage reads.
-constexpr std::array<const Parameter*, 5> kSwathParameters{&kEnds, &kOverlap, &kLastPass, &kTramlineEvery,
-                                                           &kTramlineStart};
+constexpr std::array<const Parameter*, 6> kSwathParameters{&kEnds,          &kOverlap,       &kLastPass,
+                                                           &kTramlineEvery, &kTramlineStart, &kRoundUpTo};
 constexpr std::array<const Parameter*, 2> kCellParameters{&kSplit, &kCellHeading};
 constexpr std::array<const Parameter*, 3> kRouteParameters{&kTraversal, &kRouteStart, &kRouteEnd};
 constexpr std::array<const Parameter*, 1> kPathParameters{&kStayInside};

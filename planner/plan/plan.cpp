@@ -1,11 +1,13 @@
 #include "planner/plan/plan.h"
 
 #include "planner/field/drivable_area.h"
+#include "planner/field/small_obstacles.h"
 #include "planner/geometry/convex_hull.h"
 #include "planner/geometry/geos_bridge.h"
 #include "planner/plan/drive_stage.h"
 #include "planner/plan/general_parameters.h"
 #include "planner/plan/method_registry.h"
+#include "planner/plan/round_stage.h"
 #include "planner/plan/swath_stage.h"
 #include "planner/swaths/methods.h"
 #include "planner/turns/turn_sampling.h"
@@ -20,12 +22,15 @@ namespace {
 
 using Clock = std::chrono::steady_clock;
 
-/// Runs one stage and notes how long it took.
+// Of the progress where obstacles may have to be planned once more.
+constexpr double kFirstTry = 0.95;
+
+/// Runs one stage and adds how long it took.
 template <class Run>
 auto timed(Duration& taken, const Run& run) {
     const Clock::time_point begin = Clock::now();
     auto result = run();
-    taken = seconds(std::chrono::duration<double>(Clock::now() - begin).count());
+    taken += seconds(std::chrono::duration<double>(Clock::now() - begin).count());
     return result;
 }
 
@@ -91,6 +96,119 @@ Polyline lineOf(const Turn& turn) {
     return line;
 }
 
+/// The notes of all stages, as findings behind what was found.
+void addNotes(Plan& plan) {
+    const Field& field = plan.field();
+    const Point middle = field.frame().toLocal(middleOf(field.source().parts));
+    for (const auto& notes : {plan.headland.notes, plan.swaths.notes}) {
+        for (const Note& note : notes) {
+            plan.findings.push_back({.severity = Severity::Note,
+                                     .kind = note.where,
+                                     .place = note.place ? field.frame().toLocal(*note.place) : middle,
+                                     .text = message("{}.", note.text),
+                                     .suggestion = ""});
+        }
+    }
+    for (const Note& repair : field.repairs()) {
+        plan.findings.push_back({.severity = Severity::Note,
+                                 .kind = "repair",
+                                 .place = repair.place ? field.frame().toLocal(*repair.place) : middle,
+                                 .text = message("Repaired in {}: {}.", repair.where, repair.text),
+                                 .suggestion = ""});
+    }
+}
+
+std::ptrdiff_t blockingCount(const Plan& plan) {
+    return std::ranges::count(plan.findings, Severity::Blocking, &Finding::severity);
+}
+
+/// Without progress: what is laid out once more takes no part of it.
+JobContext quiet(const JobContext& job) {
+    return {job.stop, {}, job.threads};
+}
+
+/// The headland and where it lies, as the settings have it.
+Result<Headland> headlandAlong(const Plan& plan, const MultiPolygon& workable, const MultiPolygon& drivable, const JobContext& job) {
+    const PlanRequest& request = plan.request;
+    const Settings& settings = request.settings;
+    return headlandMethod(settings)(
+        {.field = *request.field,
+         .drivable = drivable,
+         .machine = request.machine,
+         .turn = turnMethod(settings),
+         .settings = settings,
+         .margin = plan.margin,
+         .drawsOutEnds = drawsOutEnds(settings),
+         .swathEnds = [&](const MultiPolygon& mainland) { return swathEnds(request, mainland, job); },
+         .along = &workable},
+        job);
+}
+
+/// Headland and swaths, with swaths that go round these obstacles or as many of them as they can.
+Result<LaidSwaths> layOutRound(Plan& plan, std::vector<Ring> obstacles, const MultiPolygon& drivable, const JobContext& job) {
+    for (bool again = false;; again = true) {
+        const JobContext part = again ? quiet(job) : job;
+        const MultiPolygon workable = filled(plan.field().workable(), obstacles);
+        auto headland = timed(plan.timings.headland, [&] { return headlandAlong(plan, workable, drivable, part.part(0.0, 0.1)); });
+        if (!headland) {
+            return std::unexpected(headland.error());
+        }
+        plan.headland = std::move(*headland);
+        if (eraseOutside(obstacles, plan)) {
+            continue;
+        }
+        Result<bool> wasRefused = false;
+        auto laid = timed(plan.timings.swaths, [&] {
+            auto swaths = layStage(plan, workable, drivable, part.part(0.1, 0.78));
+            if (swaths) {
+                plan.swaths = swaths->swaths;
+                wasRefused = roundStage(plan, obstacles, drivable, part.part(0.78, 0.8));
+            }
+            return swaths;
+        });
+        if (!wasRefused) {
+            return std::unexpected(wasRefused.error());
+        }
+        if (!laid || !*wasRefused) {
+            return laid;
+        }
+    }
+}
+
+/// All stages, with swaths that go round these obstacles or as many of them as they can.
+Result<std::shared_ptr<Plan>> plannedRound(const PlanRequest& request, std::vector<Ring> obstacles,
+                                           const MultiPolygon& drivable, Length margin, const JobContext& job) {
+    const Settings& settings = request.settings;
+    auto plan = std::make_shared<Plan>(Plan{.request = request, .margin = margin});
+    const auto laid = layOutRound(*plan, std::move(obstacles), drivable, job);
+    if (!laid) {
+        return std::unexpected(laid.error());
+    }
+    auto route = timed(plan->timings.route, [&]() -> Result<Route> {
+        auto cells = cellStage(request, *laid, job.part(0.8, 0.82));
+        if (!cells) {
+            return std::unexpected(cells.error());
+        }
+        plan->cells = std::move(*cells);
+        if (auto cut = cutOutGoneRound(*plan, job); !cut) {
+            return std::unexpected(cut.error());
+        }
+        RouteTask task{.swaths = plan->swaths, .machine = request.machine, .turn = turnMethod(settings), .settings = settings};
+        for (const Cell& cell : plan->cells.cells) {
+            task.cells.push_back(cell.swaths);
+        }
+        return routeMethod(settings)(task, job.part(0.82, 0.85));
+    });
+    if (!route) {
+        return std::unexpected(route.error());
+    }
+    plan->route = std::move(*route);
+    if (auto driven = driveStage(*plan, drivable, job.part(0.85, 1.0)); !driven) {
+        return std::unexpected(driven.error());
+    }
+    return plan;
+}
+
 }  // namespace
 
 bool Plan::drivable() const {
@@ -138,78 +256,41 @@ Result<std::shared_ptr<const Plan>> makePlan(const PlanRequest& request, const J
     const Clock::time_point begin = Clock::now();
     const Field& field = *request.field;
     const Machine& machine = request.machine;
-    const Settings& settings = request.settings;
-    const auto plan = std::make_shared<Plan>(Plan{.request = request});
-    plan->margin = settings.length(kMargin).value_or(field.source().boundaryAccuracy);
+    const Length margin = request.settings.length(kMargin).value_or(field.source().boundaryAccuracy);
 
-    if (auto fits = checkThatItFits(field, machine, plan->margin, job); !fits) {
+    if (auto fits = checkThatItFits(field, machine, margin, job); !fits) {
         return std::unexpected(fits.error());
     }
-    const auto drivable = drivableArea(field, plan->margin, job);
+    const auto drivable = drivableArea(field, margin, job);
     if (!drivable) {
         return std::unexpected(drivable.error());
     }
-    auto headland = timed(plan->timings.headland, [&] {
-        return headlandMethod(settings)({.field = field,
-                                         .drivable = *drivable,
-                                         .machine = machine,
-                                         .turn = turnMethod(settings),
-                                         .settings = settings,
-                                         .margin = plan->margin,
-                                         .drawsOutEnds = drawsOutEnds(settings),
-                                         .swathEnds = [&](const MultiPolygon& mainland) {
-                                             return swathEnds(request, mainland, job.part(0.0, 0.1));
-                                         }},
-                                        job.part(0.0, 0.1));
-    });
-    if (!headland) {
-        return std::unexpected(headland.error());
+    const std::vector<Ring> small = smallObstacles(field, roundUpTo(request.settings, machine));
+    auto best = plannedRound(request, small, *drivable, margin, job.part(0.0, small.empty() ? 1.0 : kFirstTry));
+    if (!best) {
+        return std::unexpected(best.error());
     }
-    plan->headland = std::move(*headland);
-
-    auto laid = timed(plan->timings.swaths, [&] { return layStage(*plan, *drivable, job.part(0.1, 0.8)); });
-    if (!laid) {
-        return std::unexpected(laid.error());
-    }
-    plan->swaths = laid->swaths;
-
-    auto route = timed(plan->timings.route, [&]() -> Result<Route> {
-        auto cells = cellStage(request, *laid, job.part(0.8, 0.82));
-        if (!cells) {
-            return std::unexpected(cells.error());
+    // What is blocked near obstacles that are gone round may be better off with headlands there, or everywhere.
+    for (const bool isLast : {false, true}) {
+        const Plan& blocked = **best;
+        if (request.draft || blocked.drivable() || blocked.swaths.goneRound.empty()) {
+            break;
         }
-        plan->cells = std::move(*cells);
-        RouteTask task{.swaths = plan->swaths, .machine = machine, .turn = turnMethod(settings), .settings = settings};
-        for (const Cell& cell : plan->cells.cells) {
-            task.cells.push_back(cell.swaths);
+        const std::vector<Ring> fewer = isLast ? std::vector<Ring>{} : awayFromBlocking(blocked);
+        if (fewer.size() == blocked.swaths.goneRound.size()) {
+            continue;
         }
-        return routeMethod(settings)(task, job.part(0.82, 0.85));
-    });
-    if (!route) {
-        return std::unexpected(route.error());
-    }
-    plan->route = std::move(*route);
-
-    if (auto driven = driveStage(*plan, *drivable, job.part(0.85, 1.0)); !driven) {
-        return std::unexpected(driven.error());
-    }
-    const Point middle = field.frame().toLocal(middleOf(field.source().parts));
-    for (const auto& notes : {plan->headland.notes, plan->swaths.notes}) {
-        for (const Note& note : notes) {
-            plan->findings.push_back({.severity = Severity::Note,
-                                      .kind = note.where,
-                                      .place = note.place ? field.frame().toLocal(*note.place) : middle,
-                                      .text = message("{}.", note.text),
-                                      .suggestion = ""});
+        auto other = plannedRound(request, fewer, *drivable, margin, quiet(job));
+        if (!other && other.error().code == ErrorCode::Cancelled) {
+            return std::unexpected(other.error());
+        }
+        // Headlands may leave nothing to work.
+        if (other && blockingCount(**other) < blockingCount(blocked)) {
+            best = std::move(other);
         }
     }
-    for (const Note& repair : field.repairs()) {
-        plan->findings.push_back({.severity = Severity::Note,
-                                  .kind = "repair",
-                                  .place = repair.place ? field.frame().toLocal(*repair.place) : middle,
-                                  .text = message("Repaired in {}: {}.", repair.where, repair.text),
-                                  .suggestion = ""});
-    }
+    const std::shared_ptr<Plan> plan = std::move(*best);
+    addNotes(*plan);
     plan->timings.total = seconds(std::chrono::duration<double>(Clock::now() - begin).count());
     job.report(1.0);
     return std::shared_ptr<const Plan>{plan};

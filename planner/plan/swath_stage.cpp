@@ -23,35 +23,6 @@ namespace {
 // A heading of its own is worth it from this share of the time on.
 constexpr double kWorthwhile = 0.99;
 
-Turn lineOf(const Swath& swath) {
-    if (swath.isCurved()) {
-        return swath.curve;
-    }
-    const Point way = swath.end - swath.start;
-    return {.type = {},
-            .start = {.position = swath.start, .heading = radians(std::atan2(way.y, way.x))},
-            .pieces = {{.length = swath.length(), .curvature = {}}}};
-}
-
-/// What lies inside of a part, in the same order and on the same tracks.
-SwathSet cutTo(const SwathSet& set, const MultiPolygon& part) {
-    const MainlandEdges edges{part};
-    SwathSet inside = set;
-    inside.swaths.clear();
-    inside.totalLength = {};
-    for (const Swath& swath : set.swaths) {
-        for (Turn& piece : edges.partsInside(lineOf(swath))) {
-            Swath cut = swath;
-            cut.start = piece.start.position;
-            cut.end = piece.end().position;
-            cut.curve = swath.isCurved() ? std::move(piece) : Turn{};
-            inside.totalLength += cut.length();
-            inside.swaths.push_back(std::move(cut));
-        }
-    }
-    return inside;
-}
-
 /// Work and turns to and fro, and what is missed worked by itself: in free space, as an estimate.
 double estimatedSeconds(const SwathSet& set, const MultiPolygon& part, const PlanRequest& request) {
     if (set.swaths.empty()) {
@@ -203,6 +174,24 @@ void drawOut(LaidSwaths& laid, const MultiPolygon& mainland, const EndRoom& room
 
 }  // namespace
 
+SwathSet cutTo(const SwathSet& set, const MultiPolygon& part) {
+    const MainlandEdges edges{part};
+    SwathSet inside = set;
+    inside.swaths.clear();
+    inside.totalLength = {};
+    for (const Swath& swath : set.swaths) {
+        for (Turn& piece : edges.partsInside(lineOf(swath))) {
+            Swath cut = swath;
+            cut.start = piece.start.position;
+            cut.end = piece.end().position;
+            cut.curve = swath.isCurved() ? std::move(piece) : Turn{};
+            inside.totalLength += cut.length();
+            inside.swaths.push_back(std::move(cut));
+        }
+    }
+    return inside;
+}
+
 Result<std::vector<Pose>> swathEnds(const PlanRequest& request, const MultiPolygon& mainland, const JobContext& job) {
     return byMethod(request, mainland, job).transform([](const SwathSet& set) {
         std::vector<Pose> ends;
@@ -215,7 +204,8 @@ Result<std::vector<Pose>> swathEnds(const PlanRequest& request, const MultiPolyg
     });
 }
 
-Result<LaidSwaths> layStage(const Plan& plan, const MultiPolygon& drivable, const JobContext& job) {
+Result<LaidSwaths> layStage(const Plan& plan, const MultiPolygon& workable, const MultiPolygon& drivable,
+                            const JobContext& job) {
     const PlanRequest& request = plan.request;
     auto common = byMethod(request, plan.headland.mainland, job);
     if (!common) {
@@ -228,7 +218,7 @@ Result<LaidSwaths> layStage(const Plan& plan, const MultiPolygon& drivable, cons
         return laid;
     }
     const Length outermost = plan.margin + uncutEdge(request.machine) + request.machine.operatingWidth();
-    const auto working = eroded(plan.field().workable(), outermost, kArcTolerance, job);
+    const auto working = eroded(workable, outermost, kArcTolerance, job);
     if (!working) {
         return std::unexpected(working.error());
     }

@@ -25,9 +25,14 @@ struct LaidSwaths {
 /// asks for it: parts are the pieces between split lines, and with headings of their own the cells of these.
 ///
 /// @param plan      its request, margin and headland
+/// @param workable  what the headland was laid along
 /// @param drivable  where the machine may be
 /// Errors: those of the method. Cancelled.
-Result<LaidSwaths> layStage(const Plan& plan, const MultiPolygon& drivable, const JobContext& job);
+Result<LaidSwaths> layStage(const Plan& plan, const MultiPolygon& workable, const MultiPolygon& drivable,
+                            const JobContext& job);
+
+/// What of a set lies inside of a part of the mainland, in the same order and on the same tracks.
+SwathSet cutTo(const SwathSet& set, const MultiPolygon& part);
 
 /// Where the swaths of the chosen method end in a mainland, looking out of it. Errors: those of the method. Cancelled.
 Result<std::vector<Pose>> swathEnds(const PlanRequest& request, const MultiPolygon& mainland, const JobContext& job);

@@ -3,7 +3,6 @@
 #include "planner/jobs/parallel.h"
 #include "planner/turns/curve_parts.h"
 #include "planner/swaths/heading_search.h"
-#include "planner/swaths/strip_coverage.h"
 #include "planner/turns/turn_sampling.h"
 #include "planner/units/angle.h"
 
@@ -31,7 +30,7 @@ constexpr double kClosedM = 1e-6;
 MultiPolygon stripsOf(const SwathSet& set) {
     MultiPolygon strips;
     for (const Swath& swath : set.swaths) {
-        addStrips(swath.curve, swath.width, strips);
+        addStrips(lineOf(swath), swath.width, strips);
     }
     return strips;
 }
@@ -229,13 +228,17 @@ Result<SwathSet> swathsOnLines(const std::vector<SwathLine>& lines, const SwathT
         return std::unexpected(noSwathFits());
     }
     set.heading = meanHeading(set.swaths);
-    const auto covered = coverageOf(stripsOf(set), task.mainland, set.heading, job);
+    const auto covered = coverageOf(set, task.mainland, job);
     if (!covered) {
         return std::unexpected(covered.error());
     }
     set.coverage = covered->share;
     set.overlap = covered->overlap;
     return set;
+}
+
+Result<StripCoverage> coverageOf(const SwathSet& set, const MultiPolygon& mainland, const JobContext& job) {
+    return coverageOf(stripsOf(set), mainland, set.heading, job);
 }
 
 }  // namespace furrow

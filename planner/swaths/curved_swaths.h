@@ -3,6 +3,7 @@
 #include "planner/swaths/guide_line.h"
 #include "planner/swaths/mainland_edges.h"
 #include "planner/swaths/scan_line.h"
+#include "planner/swaths/strip_coverage.h"
 
 #include <vector>
 
@@ -31,6 +32,9 @@ Result<std::vector<SwathLine>> parallelSwathLines(const GuideLine& guide, const 
 
 /// Adds what is worked along a line, in strips without folds.
 void addStrips(const Turn& line, Length width, MultiPolygon& strips);
+
+/// How the swaths of a set cover a mainland, straight or not, with the ends that they have. Cancelled.
+Result<StripCoverage> coverageOf(const SwathSet& set, const MultiPolygon& mainland, const JobContext& job);
 
 /// Swaths on these lines, in their order, numbered, with coverage and overlap of flat ends. InputRefused: there are none. Cancelled.
 Result<SwathSet> swathsOnLines(const std::vector<SwathLine>& lines, const SwathTask& task, const JobContext& job);

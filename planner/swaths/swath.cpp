@@ -2,7 +2,19 @@
 
 #include "planner/turns/turn_sampling.h"
 
+#include <cmath>
+
 namespace furrow {
+
+Turn lineOf(const Swath& swath) {
+    if (swath.isCurved()) {
+        return swath.curve;
+    }
+    const Point way = swath.end - swath.start;
+    return {.type = {},
+            .start = {.position = swath.start, .heading = radians(std::atan2(way.y, way.x))},
+            .pieces = {{.length = swath.length(), .curvature = {}}}};
+}
 
 Polyline middleLine(const Swath& swath, Length chordTolerance) {
     if (!swath.isCurved()) {

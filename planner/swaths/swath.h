@@ -30,6 +30,7 @@ struct Swath {
     /// moved to the edge.
     std::optional<int> lane = {};
     bool tramline = false;  ///< later passes of a wider machine will drive on it
+    bool goesRound = false;  ///< leaves its track to pass obstacles
     /// The line from start to end where it is not straight along the set's heading: lines and arcs. Otherwise without
     /// pieces.
     Turn curve = {};
@@ -44,6 +45,9 @@ struct Swath {
 /// The middle of a swath from start to end, curves as chords within this of them.
 Polyline middleLine(const Swath& swath, Length chordTolerance = kSwathChord);
 
+/// The line of a swath, straight or not.
+Turn lineOf(const Swath& swath);
+
 /// The swaths of one mainland and the figures of their heading.
 struct SwathSet {
     std::vector<Swath> swaths;  ///< ordered by track, then along the heading
@@ -56,6 +60,7 @@ struct SwathSet {
     int headingsTried = 1;
     /// Worked beyond the mainland's edge where ends were drawn out to the full width.
     Area endOverlap;
+    std::vector<Ring> goneRound;  ///< obstacles inside the mainland that swaths go round
     std::vector<Note> notes;  ///< what was left out, and why
 
     bool isCurved() const {

@@ -1,5 +1,6 @@
 #include "ui/plan/parameter_model.h"
 
+#include "planner/plan/round_stage.h"
 #include "ui/text/display.h"
 #include "ui/text/message_text.h"
 #include "ui/text/quantity_text.h"
@@ -75,7 +76,8 @@ std::map<std::string, double, std::less<>> usedNumbers(const Plan* plan) {
     }
     return {{"headland.width_m", plan->headland.width.si()},
             {"headland.passes", plan->headland.passes},
-            {"field.margin_m", plan->margin.si()}};
+            {"field.margin_m", plan->margin.si()},
+            {"swaths.round_up_to_m", roundUpTo(plan->request.settings, plan->request.machine).si()}};
 }
 
 std::size_t choiceIndex(const Parameter& parameter, const Settings& settings) {

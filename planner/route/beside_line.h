@@ -1,0 +1,35 @@
+#pragma once
+
+#include "planner/geometry/polygon.h"
+#include "planner/turns/turn_sampling.h"
+
+#include <vector>
+
+namespace furrow {
+
+/// Where something lies beside a line, in metres: along it from its start, and to its left, negative to the right.
+struct Extent {
+    double fromM = 0.0;
+    double toM = 0.0;
+    double rightM = 0.0;
+    double leftM = 0.0;
+
+    void add(const Extent& other);
+    friend bool operator==(const Extent&, const Extent&) = default;
+};
+
+/// Places beside a line of straights and arcs, which is drawn out straight at both ends. Immutable.
+class BesideLine {
+public:
+    explicit BesideLine(const Turn& line);
+
+    /// Of a ring's corners. Cost: O(corners * chords of the line).
+    Extent of(const Ring& ring) const;
+
+private:
+    Extent of(Point point) const;
+
+    std::vector<TurnSample> samples_;
+};
+
+}  // namespace furrow
