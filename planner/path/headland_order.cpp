@@ -36,24 +36,9 @@ struct StartPlace {
     bool reversed = false;  ///< a single stretch, the other way round
 };
 
-/// At both ends and, since nose and tail swing differently, everywhere in between.
-bool fitsAlong(const Turn& line, const std::function<bool(const Pose&)>& fitsAt) {
-    Pose pose = line.start;
-    for (const TurnPiece& piece : line.pieces) {
-        const bool isStraight = piece.curvature == Curvature{} && piece.endCurvature == Curvature{};
-        const auto steps = isStraight ? 1 : std::max(1, static_cast<int>(std::ceil(piece.length / kCheckStep)));
-        for (int i = 0; i < steps; ++i) {
-            if (!fitsAt(advanced(pose, piece, piece.length * (static_cast<double>(i) / steps)))) {
-                return false;
-            }
-        }
-        pose = advanced(pose, piece, piece.length);
-    }
-    return fitsAt(pose);
-}
-
-/// Of a pass in stretches: before each of them. The other way round the nose is where the tail was, which has to fit.
-std::vector<StartPlace> startsOfStretches(const HeadlandPass& pass, const std::function<bool(const Pose&)>& fitsAt) {
+/// Of a pass in stretches: before each of them. The other way round the nose is where the tail was, which
+/// has to fit, and swings differently in bends.
+std::vector<StartPlace> startsOfStretches(const HeadlandPass& pass, const std::function<bool(const Turn&)>& fits) {
     std::vector<StartPlace> places;
     const std::size_t count = pass.stretches.size();
     for (std::size_t s = 0; s < count; ++s) {
@@ -63,7 +48,7 @@ std::vector<StartPlace> startsOfStretches(const HeadlandPass& pass, const std::f
     }
     if (count == 1) {
         const Turn back = reversedLine(pass.stretches.front().line);
-        if (fitsAlong(back, fitsAt)) {
+        if (fits(back)) {
             places.push_back({.pose = back.start, .end = back.end(), .reversed = true});
         }
     }
@@ -71,9 +56,9 @@ std::vector<StartPlace> startsOfStretches(const HeadlandPass& pass, const std::f
 }
 
 /// What trails has to be in line again where a closed pass ends: so far after the last bend.
-std::vector<StartPlace> startPlaces(const HeadlandPass& pass, Length inLineAfter, const std::function<bool(const Pose&)>& fitsAt) {
+std::vector<StartPlace> startPlaces(const HeadlandPass& pass, Length inLineAfter, const std::function<bool(const Turn&)>& fits) {
     if (!pass.closed) {
-        return startsOfStretches(pass, fitsAt);
+        return startsOfStretches(pass, fits);
     }
     const Length step = std::max(0.5 * pass.width, (1.0 / kMostStarts) * pass.length());
     std::vector<StartPlace> places;
@@ -95,7 +80,7 @@ std::vector<StartPlace> startPlaces(const HeadlandPass& pass, Length inLineAfter
         }
     }
     // Where no straight is long enough it starts anywhere.
-    return places.empty() && inLineAfter > Length{} ? startPlaces(pass, Length{}, fitsAt) : places;
+    return places.empty() && inLineAfter > Length{} ? startPlaces(pass, Length{}, fits) : places;
 }
 
 Leg legOf(const HeadlandPass& pass, const PassStretch& stretch) {
@@ -249,10 +234,12 @@ std::vector<Leg> headlandLegs(const std::vector<HeadlandPass>& passes, const Hea
         Trailer::of(machine) ? kLengthsIntoLine * (implement.hitchOffset - implement.offset) : Length{};
     const Ring working = machine.workingFootprint();
     const BoundaryDistance edges{drive.drivable, machine.workingFootprintWidth() + machine.spec().tractor.length};
-    const auto fitsAt = [&](const Pose& pose) { return isInside(pose, working, edges); };
+    const auto fits = [&](const Turn& line) {
+        return isInside(line.start, working, edges) && staysInside(line, working, edges, kCheckStep);
+    };
     std::vector<std::vector<StartPlace>> places;
     for (const HeadlandPass& pass : passes) {
-        places.push_back(startPlaces(pass, inLineAfter, fitsAt));
+        places.push_back(startPlaces(pass, inLineAfter, fits));
     }
     // What is fixed is the end that meets the swaths: from there the passes are lined up, backwards where the
     // swaths come after them.

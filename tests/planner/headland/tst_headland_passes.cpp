@@ -330,10 +330,9 @@ private slots:
             }
         }
         // What is lost is the pillar, the machine's length and a little.
-        double lengthM = 0.0;
-        for (const Point& corner : machine.workingFootprint()) {
-            lengthM = std::max({lengthM, corner.x - machine.workingFootprint().front().x, machine.workingFootprint().front().x - corner.x});
-        }
+        const Ring footprint = machine.workingFootprint();
+        const auto [tail, nose] = std::ranges::minmax(footprint, {}, &Point::x);
+        const double lengthM = nose.x - tail.x;
         const double lostM = line.length().si() - leftM;
         QVERIFY2(lostM > lengthM + 0.5 && lostM < lengthM + 0.5 + 2.0, qPrintable(QString::number(lostM)));
         QCOMPARE(parts.size(), std::size_t{1});
