@@ -108,6 +108,8 @@ struct AuditReport {
 /// width, that is, wherever such a disc fits without leaving it; of a machine that cannot reverse, by the disc whose
 /// edge the outer end of its implement describes on full lock.
 /// A trailed implement follows the hitch on its own track (tractrix), straight behind at the start.
+/// Left: what is missed within reach; where that would block the plan, and nothing trails, only as far as the machine
+/// has room to work there (WorkingRoom).
 /// Findings are blocking for: outside, obstacle, curvature, jump, heading, missing-turn, reverse,
 /// dropped-swath, dropped-pass, undrivable, and missed area within reach above 1 % of the workable area or
 /// 100 m² in one piece.

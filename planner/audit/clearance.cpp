@@ -3,6 +3,7 @@
 #include "planner/audit/boundary_index.h"
 #include "planner/audit/convex.h"
 #include "planner/audit/depth_sweep.h"
+#include "planner/audit/footprint.h"
 #include "planner/audit/length.h"
 #include "planner/audit/swept_area.h"
 #include "planner/geometry/geos_bridge.h"
@@ -165,41 +166,13 @@ private:
     BoundaryIndex land_;
 };
 
-/// A rectangle of the machine.
-struct Part {
-    double offsetM = 0.0;  ///< of its middle, ahead of what carries it
-    double halfLengthM = 0.0;
-    double halfWidthM = 0.0;
-
-    double radius() const { return lengthOf({halfLengthM, halfWidthM}); }
-};
-
-/// The tractor is carried by its own reference point, the implement by the middle of its working line.
-struct Footprint {
-    Part tractor;
-    Part raised;
-    Part lowered;
-};
-
-Footprint footprintOf(const Machine& machine) {
-    const Tractor& tractor = machine.spec().tractor;
-    const Implement& implement = machine.spec().implement;
-    const double halfLength = 0.5 * implement.length.si();
-    return {.tractor = {.offsetM = (0.5 * tractor.length - tractor.rearOverhang).si(),
-                        .halfLengthM = 0.5 * tractor.length.si(),
-                        .halfWidthM = 0.5 * tractor.width.si()},
-            .raised = {.halfLengthM = halfLength,
-                       .halfWidthM = 0.5 * implement.raisedWidth.value_or(implement.operatingWidth).si()},
-            .lowered = {.halfLengthM = halfLength, .halfWidthM = 0.5 * implement.operatingWidth.si()}};
-}
-
 /// Where a part is.
 struct Placed {
     Point middle;
     Point nose;
 };
 
-Placed placed(const Part& part, Point carrier, Point nose) {
+Placed placed(const FootprintPart& part, Point carrier, Point nose) {
     return {carrier + part.offsetM * nose, nose};
 }
 
@@ -215,12 +188,12 @@ Placed halfWay(const Placed& a, const Placed& b) {
 
 /// How far the hull of both places reaches beyond what the part sweeps between them, at most: its corners
 /// turn by half of the angle to either side of the place in the middle, which lies on an arc.
-double bridgedBy(const Part& part, const Placed& a, const Placed& b) {
+double bridgedBy(const FootprintPart& part, const Placed& a, const Placed& b) {
     const double turn = std::abs(std::atan2(cross(a.nose, b.nose), dot(a.nose, b.nose)));
     return (0.5 * part.radius() + 0.125 * lengthOf(b.middle - a.middle)) * turn;
 }
 
-Ring hullOf(const Part& part, const Placed& a, const Placed& b) {
+Ring hullOf(const FootprintPart& part, const Placed& a, const Placed& b) {
     Ring corners = rectangle(a.middle, a.nose, part.halfLengthM, part.halfWidthM);
     std::ranges::copy(rectangle(b.middle, b.nose, part.halfLengthM, part.halfWidthM),
                       std::back_inserter(corners));
@@ -274,7 +247,7 @@ public:
 
     /// Ends early, with something, where the job is stopped.
     SegmentClearance run(const SegmentMotion& motion, bool down, const JobContext& job) {
-        const Part& implement = down ? footprint_.lowered : footprint_.raised;
+        const FootprintPart& implement = down ? footprint_.lowered : footprint_.raised;
         for (const auto* states : {&motion.turnOnTheSpot, &motion.states}) {
             for (std::size_t i = 1; i < states->size() && !job.stopRequested(); ++i) {
                 const MotionState& a = (*states)[i - 1];
@@ -291,7 +264,7 @@ public:
 private:
     /// From one place to the next. The part stays in a disc; where that is free by more than the least
     /// clearance known from anywhere on the path, the move changes nothing. What is outside always does.
-    void move(const Part& part, const Placed& a, const Placed& b) {
+    void move(const FootprintPart& part, const Placed& a, const Placed& b) {
         const double way = lengthOf(b.middle - a.middle);
         const Point middle = 0.5 * (a.middle + b.middle);
         const double limit = std::max(0.0, std::min(found_.clearanceM, smallest_.get()));

@@ -10,7 +10,8 @@ namespace {
 
 constexpr double kNoAreaM2 = 1e-12;
 
-/// The parts of a convex ring to the left and to the right of a line.
+}  // namespace
+
 std::pair<Ring, Ring> cut(const Ring& ring, Point start, Point along) {
     Ring left;
     Ring right;
@@ -28,8 +29,6 @@ std::pair<Ring, Ring> cut(const Ring& ring, Point start, Point along) {
     }
     return {std::move(left), std::move(right)};
 }
-
-}  // namespace
 
 // Andrew's monotone chain, over and back.
 Ring hullAround(Ring points) {

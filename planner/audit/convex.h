@@ -11,6 +11,10 @@ namespace furrow {
 
 // What the audit asks of convex rings; the planner's own answers are not trusted here.
 
+/// The parts of a ring to the left and to the right of a line. Of a ring that is not convex, parts that come apart
+/// stay joined by edges with nothing between them.
+std::pair<Ring, Ring> cut(const Ring& ring, Point start, Point along);
+
 /// Counter-clockwise.
 Ring hullAround(Ring points);
 

@@ -14,8 +14,6 @@ namespace {
 
 /// Twice the chord error: outside by less than this may be a matter of drawing.
 constexpr double kOutsideM = 2.0 * kChordErrorM;
-constexpr double kMissedShare = 0.01;
-constexpr double kMissedPieceM2 = 100.0;
 constexpr std::size_t kMostMissedPieces = 20;
 
 Message areaText(Area area) {
@@ -236,7 +234,7 @@ private:
         const bool tooMuch = swept.droppedArea > kMissedShare * area(input_.workable);
         std::size_t told = 0;
         for (const Polygon& piece : swept.dropped) {
-            if (area(piece) <= squareMetres(kMissedPieceM2) || told == kMostMissedPieces) {
+            if (area(piece) <= kMissedPiece || told == kMostMissedPieces) {
                 break;
             }
             ++told;

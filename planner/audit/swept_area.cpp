@@ -2,6 +2,7 @@
 
 #include "planner/audit/depth_sweep.h"
 #include "planner/audit/length.h"
+#include "planner/audit/working_room.h"
 #include "planner/geometry/geos_bridge.h"
 
 #include <functional>
@@ -221,6 +222,24 @@ Result<MultiPolygon> withoutHairs(MultiPolygon pieces, Length hair, const JobCon
     return kept;
 }
 
+/// Leaves of what was dropped only where the machine has room to work, if it is too much otherwise. What trails behind
+/// has more than its straight line to do so, and is judged by its disc alone.
+Result<void> keepWithRoom(const AuditInput& input, const MachineShape& shape, const JobContext& job, SweptArea& swept) {
+    const bool tooMuch = swept.droppedArea > kMissedShare * area(input.workable) ||
+                         std::ranges::any_of(swept.dropped, [](const Polygon& piece) { return area(piece) > kMissedPiece; });
+    if (!input.machine || shape.trailingM || !tooMuch) {
+        return {};
+    }
+    auto kept = partsWithRoom(swept.dropped, WorkingRoom{input.drivable, *input.machine, shape},
+                              input.machine->operatingWidth(), job);
+    if (!kept) {
+        return std::unexpected(kept.error());
+    }
+    swept.droppedArea = swept.droppedArea - (area(swept.dropped) - area(*kept));
+    swept.dropped = std::move(*kept);
+    return {};
+}
+
 }  // namespace
 
 Point mainDirection(const std::vector<SegmentMotion>& motions) {
@@ -285,6 +304,9 @@ Result<SweptArea> measureSweptArea(const AuditInput& input, const MachineShape& 
         return std::unexpected(pieces.error());
     }
     result.dropped = std::move(*pieces);
+    if (auto kept = keepWithRoom(input, shape, job, result); !kept) {
+        return std::unexpected(kept.error());
+    }
     result.stripArea = regions[kStrip].area;
     result.strip = std::move(regions[kStrip].polygons);
     result.laneEnds = regions[kEnds].area;

@@ -4,6 +4,10 @@
 
 namespace furrow {
 
+/// More missed within reach than this share of the workable area, or than this in one piece, is too much.
+inline constexpr double kMissedShare = 0.01;
+inline constexpr Area kMissedPiece = squareMetres(100.0);
+
 /// A part of what the working line sweeps in one step.
 struct SweptPiece {
     Ring ring;  ///< counter-clockwise, convex but for rounding

@@ -1,0 +1,228 @@
+#include "planner/audit/working_room.h"
+
+#include "planner/audit/convex.h"
+#include "planner/audit/length.h"
+#include "planner/geometry/geos_bridge.h"
+
+#include <algorithm>
+#include <cmath>
+#include <iterator>
+#include <limits>
+#include <numbers>
+#include <optional>
+#include <tuple>
+#include <utility>
+
+namespace furrow {
+
+namespace {
+
+constexpr int kHeadings = 48;
+// Of the way as long as the run-in.
+constexpr int kWayPoses = 2;
+/// Outside by less is not outside, as with everything that the audit looks at.
+constexpr double kOutsideM = 2.0 * kChordErrorM;
+/// Edges that are shorter do not say where a pass could run.
+constexpr double kShortestEdgeM = 0.5;
+constexpr double kNoAreaM2 = 1e-9;
+
+/// The centre of gravity of a ring; nothing of one without area.
+std::optional<Point> middleOf(const Ring& ring) {
+    double twice = 0.0;
+    Point sum;
+    for (std::size_t i = 2; i < ring.size(); ++i) {
+        const double part = cross(ring[i - 1] - ring[0], ring[i] - ring[0]);
+        twice += part;
+        sum = sum + part * (ring[i - 1] + ring[i] - 2.0 * ring[0]);
+    }
+    return std::abs(twice) > kNoAreaM2 ? std::optional{ring[0] + (1.0 / (3.0 * twice)) * sum} : std::nullopt;
+}
+
+struct Rectangle {
+    Point middle;
+    double halfLengthM = 0.0;
+    double halfWidthM = 0.0;
+};
+
+/// Of a part that is carried along an arc about its axle, so far from where it is.
+void addCorners(const Rectangle& part, Point axle, double wayM, double curvature1pm, Ring& corners) {
+    const double turn = wayM * curvature1pm;
+    const Point nose{std::cos(turn), std::sin(turn)};
+    const Point moved = curvature1pm == 0.0 ? Point{wayM, 0.0} : (1.0 / curvature1pm) * Point{nose.y, 1.0 - nose.x};
+    for (const double along : {-part.halfLengthM, part.halfLengthM}) {
+        for (const double aside : {-part.halfWidthM, part.halfWidthM}) {
+            const Point corner = part.middle - axle + Point{along, aside};
+            corners.push_back(axle + moved + corner.x * nose + corner.y * Point{-nose.y, nose.x});
+        }
+    }
+}
+
+/// For which s an edge meets a convex ring that is moved by s to -y; nothing where it never does.
+std::optional<std::pair<double, double>> meetingShifts(const Ring& ring, Edge edge) {
+    if (edge.from.x > edge.to.x) {
+        std::swap(edge.from, edge.to);
+    }
+    const double slope = edge.to.x > edge.from.x ? (edge.to.y - edge.from.y) / (edge.to.x - edge.from.x) : 0.0;
+    std::pair<double, double> shifts{std::numeric_limits<double>::infinity(), -std::numeric_limits<double>::infinity()};
+    const auto add = [&](double ringY, double edgeY) {
+        shifts.first = std::min(shifts.first, ringY - edgeY);
+        shifts.second = std::max(shifts.second, ringY - edgeY);
+    };
+    Point from = ring.back();
+    for (const Point& to : ring) {
+        if (to.x >= edge.from.x && to.x <= edge.to.x) {
+            add(to.y, edge.from.y + (to.x - edge.from.x) * slope);
+        }
+        for (const Point& end : {edge.from, edge.to}) {
+            if ((end.x - from.x) * (end.x - to.x) < 0.0) {
+                add(from.y + (end.x - from.x) / (to.x - from.x) * (to.y - from.y), end.y);
+            }
+        }
+        from = to;
+    }
+    return shifts.first < shifts.second ? std::optional{shifts} : std::nullopt;
+}
+
+}  // namespace
+
+WorkingRoom::WorkingRoom(const MultiPolygon& drivable, const Machine& machine, const MachineShape& shape)
+    : edges_{drivable}, halfWidthM_{0.5 * shape.operatingWidthM} {
+    const Footprint footprint = footprintOf(machine);
+    const Point axle{-shape.implementOffsetM, -shape.lateralOffsetM};  // from the middle of the working line
+    const Rectangle tractor{.middle = axle + Point{footprint.tractor.offsetM, 0.0},
+                            .halfLengthM = footprint.tractor.halfLengthM - kOutsideM,
+                            .halfWidthM = footprint.tractor.halfWidthM - kOutsideM};
+    const Rectangle implement{.middle = {},
+                              .halfLengthM = std::max(0.0, footprint.lowered.halfLengthM - kOutsideM),
+                              .halfWidthM = footprint.lowered.halfWidthM - kOutsideM};
+    // What joins the two is thin.
+    const Rectangle bar{.middle = {0.5 * axle.x, axle.y}, .halfLengthM = 0.5 * std::abs(axle.x), .halfWidthM = 0.0};
+    const double runInM = machine.runIn().si();
+    const double sharpest1pm = 1.0 / machine.minTurningRadius().si();
+    for (const double curvature1pm : {0.0, sharpest1pm, -sharpest1pm}) {
+        Sweep sweep;
+        for (const Rectangle& part : {tractor, implement, bar}) {
+            Ring corners;
+            for (int i = 0; i <= kWayPoses; ++i) {
+                addCorners(part, axle, -runInM * i / kWayPoses, curvature1pm, corners);
+            }
+            sweep.push_back(hullAround(std::move(corners)));
+            for (const Point& corner : sweep.back()) {
+                lookM_ = std::max(lookM_, lengthOf(corner) + halfWidthM_);
+            }
+        }
+        sweeps_.push_back(std::move(sweep));
+        if (runInM <= 0.0) {
+            break;
+        }
+    }
+}
+
+bool WorkingRoom::reaches(Point place) const {
+    std::vector<Edge> edges;
+    const Point look{lookM_, lookM_};
+    edges_.visitNear({.min = place - look, .max = place + look}, [&](const Edge& edge) {
+        if (squaredDistanceToSegment(place, edge) < lookM_ * lookM_) {
+            edges.push_back(edge);
+        }
+    });
+    std::ranges::sort(edges, {}, [](const Edge& edge) { return std::tuple{edge.from.x, edge.from.y, edge.to.x, edge.to.y}; });
+    const auto same = [](const Edge& a, const Edge& b) { return a.from == b.from && a.to == b.to; };
+    edges.erase(std::unique(edges.begin(), edges.end(), same), edges.end());
+
+    std::vector<Point> noses;
+    for (int i = 0; i < kHeadings; ++i) {
+        const double heading = 2.0 * std::numbers::pi * i / kHeadings;
+        noses.push_back({std::cos(heading), std::sin(heading)});
+    }
+    for (const Edge& edge : edges) {
+        const Point way = edge.to - edge.from;
+        if (const double lengthM = lengthOf(way); lengthM > kShortestEdgeM) {
+            const Point along = (1.0 / lengthM) * way;
+            const Point across{-along.y, along.x};
+            noses.insert(noses.end(), {along, -1.0 * along, across, -1.0 * across});
+        }
+    }
+    return std::ranges::any_of(sweeps_, [&](const Sweep& sweep) {
+        return std::ranges::any_of(noses, [&](Point nose) { return reachesAhead(place, nose, edges, sweep); });
+    });
+}
+
+// The working line lies over the place wherever that is s to the left of its middle; each edge that meets a part for
+// some s rules out an interval of them.
+bool WorkingRoom::reachesAhead(Point place, Point nose, const std::vector<Edge>& edges, const Sweep& sweep) const {
+    std::vector<std::pair<double, double>> ruledOut;
+    const Point left{-nose.y, nose.x};
+    for (const Edge& edge : edges) {
+        const Edge seen{{dot(edge.from - place, nose), dot(edge.from - place, left)},
+                        {dot(edge.to - place, nose), dot(edge.to - place, left)}};
+        for (const Ring& part : sweep) {
+            if (const auto interval = meetingShifts(part, seen)) {
+                ruledOut.push_back(*interval);
+            }
+        }
+    }
+    std::ranges::sort(ruledOut);
+    double free = -halfWidthM_;
+    for (const auto& [begin, end] : ruledOut) {
+        if (begin > free) {
+            break;
+        }
+        free = std::max(free, end);
+    }
+    return free <= halfWidthM_;
+}
+
+Result<MultiPolygon> partsWithRoom(const MultiPolygon& polygons, const WorkingRoom& room, Length operatingWidth,
+                                   const JobContext& job) {
+    const double sizeM = std::clamp(operatingWidth.si() / 16.0, 0.25, 0.5);
+    MultiPolygon parts;
+    for (const Polygon& polygon : polygons) {
+        const Bounds box = bounds({polygon});
+        MultiPolygon within;
+        bool isWhole = true;
+        for (double y = box.min.y; y < box.max.y; y += sizeM) {
+            if (job.stopRequested()) {
+                return std::unexpected(cancelled());
+            }
+            Ring row = cut(cut(polygon.outer, {0.0, y}, {1.0, 0.0}).first, {0.0, y + sizeM}, {1.0, 0.0}).second;
+            std::optional<double> begun;
+            const auto end = [&](double x) {
+                if (begun) {
+                    within.push_back({.outer = {{*begun, y}, {x, y}, {x, y + sizeM}, {*begun, y + sizeM}}, .holes = {}});
+                    begun.reset();
+                }
+            };
+            for (double x = box.min.x; x < box.max.x; x += sizeM) {
+                auto [square, rest] = cut(row, {x + sizeM, 0.0}, {0.0, 1.0});
+                row = std::move(rest);
+                const std::optional<Point> middle = middleOf(square);
+                if (!middle) {
+                    continue;
+                }
+                if (room.reaches(*middle)) {
+                    begun = begun.value_or(x);
+                } else {
+                    isWhole = false;
+                    end(x);
+                }
+            }
+            end(box.max.x);
+        }
+        if (isWhole) {
+            parts.push_back(polygon);
+        } else if (!within.empty()) {
+            auto joined = unionOf(within, job, kSnapGrid).and_then([&](const MultiPolygon& squares) {
+                return intersection({polygon}, squares, job, kSnapGrid);
+            });
+            if (!joined) {
+                return joined;
+            }
+            std::ranges::move(*joined, std::back_inserter(parts));
+        }
+    }
+    std::ranges::stable_sort(parts, std::ranges::greater{}, [](const Polygon& part) { return area(part); });
+    return parts;
+}
+
+}  // namespace furrow
