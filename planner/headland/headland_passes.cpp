@@ -1,6 +1,7 @@
 #include "planner/headland/headland_passes.h"
 
 #include "planner/geometry/boundary_distance.h"
+#include "planner/geometry/geos_bridge.h"
 #include "planner/geometry/segment.h"
 #include "planner/headland/corner_manoeuvres.h"
 #include "planner/headland/edge_strips.h"
@@ -9,10 +10,13 @@
 #include "planner/headland/smooth_ring.h"
 #include "planner/turns/trailer.h"
 #include "planner/turns/turn_method.h"
+#include "planner/turns/turn_sampling.h"
 
 #include <algorithm>
 #include <cmath>
+#include <functional>
 #include <iterator>
+#include <numeric>
 #include <optional>
 #include <utility>
 #include <vector>
@@ -31,6 +35,9 @@ constexpr double kMergedShare = 0.1;
 constexpr double kMostUncutShare = 0.004;
 // And at a corner between two passes so much.
 constexpr Area kMostUncutInside = squareMetres(50.0);
+// A pass in so many stretches runs along an edge that is no line to follow, if another has so many times fewer.
+constexpr std::size_t kManyStretches = 16;
+constexpr std::size_t kTimesFewer = 2;
 // Beside an edge a machine gets free only if it has a finger's breadth to begin with.
 constexpr Length kBesideEdge = metres(0.02);
 
@@ -115,6 +122,7 @@ std::vector<RingInsets> ringsOf(const Headland& headland, const Machine& machine
 /// One ring all around, its corners rounded or driven into on the way.
 struct ClosedRing {
     std::vector<HeadlandPass> passes;
+    std::vector<Turn> lines;             ///< of the passes before they are driven into corners or cut
     std::vector<RoundedCorner> rounded;  ///< corners that stayed so
     std::vector<Point> outside;          ///< beside corners that are driven into
     Length movedIn;
@@ -158,7 +166,8 @@ Result<ClosedRing> closedRing(const HeadlandTask& task, Length inset, int ring, 
                std::ranges::any_of(corners.driven, [&](Point place) { return isAt(corner, place, machine); });
     };
     ClosedRing result{.passes = {}, .rounded = {}, .movedIn = tracks->movedIn, .complete = tracks->givenUp == 0};
-    for (const Turn& line : tracks->lines) {
+    result.lines = tracks->lines;
+    for (const Turn& line : result.lines) {
         result.passes.push_back({.ring = ring,
                                  .width = machine.operatingWidth(),
                                  .closed = true,
@@ -175,6 +184,45 @@ Result<ClosedRing> closedRing(const HeadlandTask& task, Length inset, int ring, 
         return std::unexpected(cancelled());
     }
     return result;
+}
+
+std::size_t stretchCount(const std::vector<HeadlandPass>& passes) {
+    return std::transform_reduce(passes.begin(), passes.end(), std::size_t{0}, std::plus{},
+                                 [](const HeadlandPass& pass) { return pass.stretches.size(); });
+}
+
+/// What lies inside of closed lines round a field and its obstacles.
+Result<MultiPolygon> insideOf(const std::vector<Turn>& lines, const JobContext& job) {
+    MultiPolygon rings;
+    for (const Turn& line : lines) {
+        Ring ring;
+        for (const TurnSample& sample : sampled(line, kArcTolerance)) {
+            ring.push_back(sample.pose.position);
+        }
+        rings.push_back({.outer = std::move(ring), .holes = {}});
+    }
+    return madeValid(rings, job);
+}
+
+/// The passes of a ring inside of the outermost one: along the edges with their corners kept sharp. Edges that jut
+/// back and forth within less than a turn, as those traced from an image do, would cut them to bits; they then run
+/// beside the outermost one, which has gone round that smoothly.
+/// @param outermost  its lines; none where they were not to be had
+Result<std::vector<HeadlandPass>> innerRingOf(const HeadlandTask& task, const std::vector<Turn>& outermost, Length fromOutermost,
+                                              Length inset, int ring, const JobContext& job) {
+    const bool clockwise = task.settings.choice(kHeadlandDirection) == "clockwise";
+    auto along = innerPasses(task, inset, ring, clockwise, job);
+    if (!along || outermost.empty() || stretchCount(*along) < kManyStretches) {
+        return along;
+    }
+    const auto region = insideOf(outermost, job).and_then([&](const MultiPolygon& inside) {
+        return eroded(inside, fromOutermost, kArcTolerance, job);
+    });
+    if (!region) {
+        return std::unexpected(region.error());
+    }
+    std::vector<HeadlandPass> beside = passesOn(*region, task, ring, clockwise, {});
+    return kTimesFewer * stretchCount(beside) <= stretchCount(*along) ? std::move(beside) : std::move(along);
 }
 
 /// Where a rounded line does not get inside everywhere, it is driven in the parts that do.
@@ -339,7 +387,6 @@ Result<void> addPasses(Headland& headland, const HeadlandTask& task, const JobCo
     if (!settings.flag(kHeadlandDriven) || headland.passes == 0) {
         return {};
     }
-    const bool clockwise = settings.choice(kHeadlandDirection) == "clockwise";
     const CornerMethod method = cornerMethod(settings);
     headland.uncutStrip = uncutEdge(machine);
     const std::vector<RingInsets> all = ringsOf(headland, machine, task.margin);
@@ -349,6 +396,7 @@ Result<void> addPasses(Headland& headland, const HeadlandTask& task, const JobCo
     };
     // A boom that trails comes to the edge by its own track.
     const Length beside = Trailer::of(machine) ? kBesideEdge : Length{};
+    std::vector<Turn> outermost;
     for (std::size_t i = 0; i < all.size(); ++i) {
         const int ring = static_cast<int>(i);
         if (!all[i].ofStrip.empty()) {
@@ -380,6 +428,7 @@ Result<void> addPasses(Headland& headland, const HeadlandTask& task, const JobCo
             }
             if (closed->complete) {
                 if (ring == 0) {
+                    outermost = std::move(closed->lines);
                     headland.uncutStrip += closed->movedIn;
                     for (const RoundedCorner& corner : closed->rounded) {
                         headland.uncutCorners += uncutCorner(corner, machine.operatingWidth());
@@ -389,7 +438,7 @@ Result<void> addPasses(Headland& headland, const HeadlandTask& task, const JobCo
                 continue;
             }
         }
-        auto stretches = innerPasses(task, inset, ring, clockwise, job);
+        auto stretches = innerRingOf(task, outermost, inset - all.front().different.front(), inset, ring, job);
         if (!stretches) {
             return std::unexpected(stretches.error());
         }

@@ -414,6 +414,44 @@ private slots:
         COMPARE_WITHIN(headland->width.si(), insetsM.back() + 1.25, 1e-9);
     }
 
+    /// As an outline traced from squares of 2 m is, where it runs across them: each tooth would cut the passes inside of
+    /// the outermost one in two. What these work, beside each other, is nearly all between it and the mainland.
+    void edgesOfTeethDoNotCutPasses() {
+        constexpr double kTooth = 2.0 * std::numbers::sqrt2;
+        constexpr int kAlong = 32;
+        constexpr int kAcross = 18;
+        Ring ring;
+        const auto side = [&](Point from, Point along, int teeth) {
+            for (int i = 0; i < teeth; ++i) {
+                ring.push_back(from + (i * kTooth) * along);
+                ring.push_back(from + ((i + 0.5) * kTooth) * along + 0.5 * kTooth * Point{along.y, -along.x});
+            }
+        };
+        const Point far{kAlong * kTooth, kAcross * kTooth};
+        side({}, {1.0, 0.0}, kAlong);
+        side({far.x, 0.0}, {0.0, 1.0}, kAcross);
+        side(far, {-1.0, 0.0}, kAlong);
+        side({0.0, far.y}, {0.0, -1.0}, kAcross);
+        const Field field = fieldFrom({{.outer = ring, .holes = {}}});
+        const auto headland = headlandOf(field, agbot(), {{&kHeadlandPasses, "4"}});
+        VERIFY_RESULT(headland);
+        MultiPolygon lanes;
+        for (const HeadlandPass& pass : headland->rings) {
+            QVERIFY2(pass.stretches.size() <= 8, QByteArray::number(static_cast<qsizetype>(pass.stretches.size())).constData());
+            const auto lane = aroundLines(linesOf(pass), 0.5 * pass.width, kArcTolerance, {});
+            VERIFY_RESULT(lane);
+            lanes.insert(lanes.end(), lane->begin(), lane->end());
+        }
+        QCOMPARE(headland->rings.size(), std::size_t{4});
+        const auto toothless = eroded(field.boundary(), metres(1.25), kArcTolerance, {});
+        VERIFY_RESULT(toothless);
+        const auto inside = difference(*toothless, headland->mainland, {});
+        VERIFY_RESULT(inside);
+        const auto left = unionOf(lanes, {}).and_then([&](const MultiPolygon& all) { return difference(*inside, all, {}); });
+        VERIFY_RESULT(left);
+        QCOMPARE_LT(area(*left) / area(*inside), 0.04);
+    }
+
     void aWidthThatHoldsNoWholeNumberOfPasses() {
         // 9 m: passes at 1.25, 3.75 and 6.25 m, and one flush with the mainland at 9 - 1.25 m.
         const Field field = fieldFrom({test::centredRectangle(100.0, 60.0)});
