@@ -9,17 +9,18 @@
 #include <array>
 #include <cmath>
 #include <iterator>
-#include <numeric>
+#include <numbers>
 #include <optional>
+#include <ranges>
 #include <utility>
 
 namespace furrow {
 
 namespace {
 
-constexpr std::size_t kMostPasses = 32;
+constexpr std::size_t kMostPasses = 128;
 // A pass that gains less, as a share of the square of its width, is not worth lowering the implement for.
-constexpr double kLeastGainShare = 0.05;
+constexpr double kLeastGainShare = 0.02;
 constexpr double kLookM = 0.15;
 constexpr double kTouchingM = 1e-3;
 // Beside an edge it keeps a finger's breadth, to get away from there again.
@@ -34,6 +35,9 @@ constexpr double kNearM = 0.5;
 constexpr double kSamePassShare = 0.15;
 // How much farther in than flush with an edge a pass may lie, as shares of the width.
 constexpr std::array kAside{0.0, 0.04, 0.1, 0.2, 0.4};
+// Passes over a piece in any direction: in so many, and so far beside each other, as a share of the width.
+constexpr int kHeadings = 24;
+constexpr double kStepShare = 0.125;
 
 /// A pass of the implement: its middle goes from `from` to `to`.
 struct Candidate {
@@ -162,10 +166,11 @@ public:
           flushM_{0.5 * std::max(widthM_, task.lowered.machine().workingFootprintWidth().si()) + kBesideEdgeM},
           runInM_{task.lowered.machine().runIn().si()} {}
 
+    double widthM() const { return widthM_; }
     double leastGainM2() const { return kLeastGainShare * widthM_ * widthM_; }
 
     /// Every stretch beside a piece on which a pass would be worth it.
-    std::vector<Lane> lanesFor(const Polygon& piece) const {
+    std::vector<Lane> lanesBeside(const Polygon& piece) const {
         std::vector<Lane> lanes;
         for (const Guide& guide : guidesFor(piece, task_.workable, widthM_)) {
             for (const double sign : {1.0, -1.0}) {
@@ -181,9 +186,26 @@ public:
         return lanes;
     }
 
+    /// And every stretch over it, whatever runs beside it.
+    std::vector<Lane> lanesAcross(const Polygon& piece) const {
+        std::vector<Lane> lanes;
+        for (int i = 0; i < kHeadings; ++i) {
+            const Point along = direction(2.0 * std::numbers::pi * i / kHeadings);
+            const Point side{-along.y, along.x};
+            const auto [right, left] = std::ranges::minmax(
+                piece.outer | std::views::transform([&](Point point) { return dot(side, point - piece.outer.front()); }));
+            for (double asideM = right - 0.5 * widthM_ + kStepShare * widthM_; asideM < left + 0.5 * widthM_;
+                 asideM += kStepShare * widthM_) {
+                addLanes(piece, piece.outer.front() + asideM * side, along, 0.0, lanes);
+            }
+        }
+        return lanes;
+    }
+
     /// The pass along a lane over what is left beside it now; nothing where it is not worth it.
     std::optional<Candidate> passAlong(const Lane& lane, const Left& left) const {
-        const Point from = lane.on + lane.fromM * lane.along;
+        // Of its run-in it works nothing.
+        const Point from = lane.on + (lane.fromM + runInM_) * lane.along;
         const Point to = lane.on + lane.toM * lane.along;
         const Ring strip = stripOf({.from = from, .to = to}, widthM_);
         const Bounds box = bounds({{.outer = strip, .holes = {}}});
@@ -206,7 +228,6 @@ public:
                 endsM = std::max(endsM, m);
             }
         }
-        beginsM = std::max(beginsM, lane.fromM + runInM_);
         if (candidate.gainM2 < leastGainM2() || endsM - beginsM <= 2.0 * kLookM) {
             return std::nullopt;
         }
@@ -284,72 +305,91 @@ private:
     double runInM_;
 };
 
-}  // namespace
+/// What has been chosen, and what that leaves.
+struct Chosen {
+    std::vector<Candidate> passes;
+    Left left;
+};
 
-Result<std::vector<HeadlandPass>> finishingPasses(const FinishingTask& task, const JobContext& job) {
-    const double widthM = task.lowered.machine().operatingWidth().si();
-    const BoundaryDistance edges{task.workable, metres(1e4)};
-    const Chooser chooser{task};
-    std::vector<HeadlandPass> passes;
-    const auto tooLarge = [&](const Polygon& piece) { return area(piece) > task.mayStayInOnePiece; };
-    if (area(task.left) <= task.mayStay && std::ranges::none_of(task.left, tooLarge)) {
-        return passes;
-    }
-    std::vector<Lane> lanes;
-    for (const Polygon& piece : task.left) {
-        if (area(piece).si() >= chooser.leastGainM2()) {
-            std::ranges::move(chooser.lanesFor(piece), std::back_inserter(lanes));
-        }
+bool isTooMuchInAll(const FinishingTask& task, const MultiPolygon& left) {
+    return area(left) > task.mayStay;
+}
+
+bool isTooMuch(const FinishingTask& task, const MultiPolygon& left) {
+    return isTooMuchInAll(task, left) || largestOf(left) > task.mayStayInOnePiece;
+}
+
+/// The pass that gains most, again and again, while too much is left. The more is worked the less there is to gain
+/// anywhere: what is the best when looked at again is the best of all (Minoux 1978, doi 10.1007/BFb0006528).
+Result<void> chooseBest(std::vector<Lane> lanes, const Chooser& chooser, const FinishingTask& task, Chosen& chosen,
+                        const JobContext& job) {
+    const auto less = [](const Lane& a, const Lane& b) { return a.gainM2 < b.gainM2; };
+    std::ranges::make_heap(lanes, less);
+    while (!lanes.empty() && chosen.passes.size() < kMostPasses && isTooMuch(task, chosen.left.pieces)) {
         if (job.stopRequested()) {
             return std::unexpected(cancelled());
         }
-    }
-    // The more is worked the less there is to gain anywhere: what is the best when looked at again is the best of all
-    // (Minoux 1978, doi 10.1007/BFb0006528).
-    const auto less = [&](std::size_t a, std::size_t b) { return lanes[a].gainM2 < lanes[b].gainM2; };
-    std::vector<std::size_t> order(lanes.size());
-    std::iota(order.begin(), order.end(), std::size_t{0});
-    std::ranges::make_heap(order, less);
-    Left left{task.left};
-    while (!order.empty() && passes.size() < kMostPasses) {
-        if (job.stopRequested()) {
-            return std::unexpected(cancelled());
-        }
-        const bool isEnough = area(left.pieces) <= task.mayStay;
-        if (isEnough && std::ranges::none_of(left.pieces, tooLarge)) {
-            break;
-        }
-        std::ranges::pop_heap(order, less);
-        const std::size_t next = order.back();
-        const std::optional<Candidate> found = chooser.passAlong(lanes[next], left);
+        std::ranges::pop_heap(lanes, less);
+        Lane lane = lanes.back();
+        lanes.pop_back();
+        const std::optional<Candidate> found = chooser.passAlong(lane, chosen.left);
         if (!found) {
-            order.pop_back();
             continue;
         }
-        const bool isBest = order.size() == 1 || found->gainM2 >= lanes[order.front()].gainM2;
-        lanes[next].gainM2 = found->gainM2;
-        std::ranges::push_heap(order, less);
-        if (!isBest) {
+        lane.gainM2 = found->gainM2;
+        const auto putBack = [&] {
+            lanes.push_back(lane);
+            std::ranges::push_heap(lanes, less);
+        };
+        if (!lanes.empty() && lane.gainM2 < lanes.front().gainM2) {
+            putBack();
             continue;
         }
-        const Polygon strip{.outer = stripOf(*found, widthM), .holes = {}};
-        auto rest = difference(left.pieces, {strip}, job);
+        const Polygon strip{.outer = stripOf(*found, chooser.widthM()), .holes = {}};
+        auto rest = difference(chosen.left.pieces, {strip}, job);
         if (!rest) {
             return std::unexpected(rest.error());
         }
         // Once enough is worked in all only what makes a large piece smaller is of use.
-        const Area largest = largestOf(left.pieces);
-        if (!isEnough || largestOf(*rest) < largest) {
-            const double fromEdgeM = edges.insideM(0.5 * (found->from + found->to)).value_or(0.0);
-            passes.push_back({.ring = static_cast<int>(fromEdgeM / widthM),
-                              .width = task.lowered.machine().operatingWidth(),
-                              .closed = false,
-                              .stretches = {{.line = lineOf(*found, task.lowered.machine())}}});
-            left = Left{std::move(*rest)};
-        } else {
-            std::erase(order, next);
-            std::ranges::make_heap(order, less);
+        if (isTooMuchInAll(task, chosen.left.pieces) || largestOf(*rest) < largestOf(chosen.left.pieces)) {
+            chosen.passes.push_back(*found);
+            chosen.left = Left{std::move(*rest)};
+            putBack();
         }
+    }
+    return {};
+}
+
+}  // namespace
+
+Result<std::vector<HeadlandPass>> finishingPasses(const FinishingTask& task, const JobContext& job) {
+    const Chooser chooser{task};
+    Chosen chosen{.passes = {}, .left = Left{task.left}};
+    for (const auto lanesOver : {&Chooser::lanesBeside, &Chooser::lanesAcross}) {
+        if (!isTooMuch(task, chosen.left.pieces)) {
+            break;
+        }
+        std::vector<Lane> lanes;
+        for (const Polygon& piece : chosen.left.pieces) {
+            if (area(piece).si() >= chooser.leastGainM2()) {
+                std::ranges::move((chooser.*lanesOver)(piece), std::back_inserter(lanes));
+            }
+            if (job.stopRequested()) {
+                return std::unexpected(cancelled());
+            }
+        }
+        if (auto done = chooseBest(std::move(lanes), chooser, task, chosen, job); !done) {
+            return std::unexpected(done.error());
+        }
+    }
+    const BoundaryDistance edges{task.workable, metres(1e4)};
+    std::vector<HeadlandPass> passes;
+    for (const Candidate& pass : chosen.passes) {
+        const double fromEdgeM = edges.insideM(0.5 * (pass.from + pass.to)).value_or(0.0);
+        passes.push_back({.ring = static_cast<int>(fromEdgeM / chooser.widthM()),
+                          .width = task.lowered.machine().operatingWidth(),
+                          .closed = false,
+                          .stretches = {{.line = lineOf(pass, task.lowered.machine())}}});
     }
     return passes;
 }
