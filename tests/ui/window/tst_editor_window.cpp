@@ -76,7 +76,7 @@ private slots:
         const double area = session_->plan()->field().area().si();
         const QPoint out = quarter.y() < middle().y() ? QPoint{0, -40} : QPoint{0, 40};
         drag(quarter, quarter + out);
-        QTRY_VERIFY(session_->plan() && std::abs(session_->plan()->field().area().si() / area - (height + 40.0) / height) < 0.005);
+        QTRY_VERIFY_WITH_TIMEOUT(session_->plan() && std::abs(session_->plan()->field().area().si() / area - (height + 40.0) / height) < 0.005, 30000);
         QCOMPARE(editor()->selection().kind, Selection::Kind::Edge);
         QTRY_VERIFY(shows(QStringLiteral("inspector")));
         ready();
@@ -103,12 +103,12 @@ private slots:
         key(Qt::Key_Return);
         QTRY_COMPARE(source().edgeHeadlands.size(), std::size_t{1});
         QCOMPARE(source().edgeHeadlands.front().width.si(), 60.0);
-        QTRY_VERIFY(session_->plan() && session_->plan()->headland.mainlandRatio < before - 0.02);
+        QTRY_VERIFY_WITH_TIMEOUT(session_->plan() && session_->plan()->headland.mainlandRatio < before - 0.02, 30000);
         ready();
         picture(QStringLiteral("edge-headland"));
         click(QStringLiteral("inspector.headlandAsElsewhere"));
         QTRY_VERIFY(source().edgeHeadlands.empty());
-        QTRY_VERIFY(session_->plan() && std::abs(session_->plan()->headland.mainlandRatio - before) < 1e-9);
+        QTRY_VERIFY_WITH_TIMEOUT(session_->plan() && std::abs(session_->plan()->headland.mainlandRatio - before) < 1e-9, 30000);
     }
     /// While a corner is dragged, and after it was let go until the plan is there.
     void theOutlineStaysWithTheHandle() {
