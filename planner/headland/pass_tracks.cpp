@@ -42,6 +42,8 @@ constexpr double kInLineRad = 1e-3;
 // Places that are looked at lie so many of the distances between two moves apart.
 constexpr double kLookShare = 0.1;
 constexpr double kBendLooks = 4.0;
+// And so far where something is known to be outside between them.
+constexpr double kLookCloselyM = 0.01;
 // Points of a ring that can be moved lie no farther apart.
 constexpr double kDenseM = 1.0;
 // Points of a moved ring that make less difference are left out.
@@ -213,10 +215,12 @@ Result<MultiPolygon> moved(const MultiPolygon& polygons, const Displacement& dis
     return madeValid(result, job);
 }
 
-/// The worst places along a line, at most one for each `apart`, where `looksAt` says so. Ends early where the job is
-/// stopped.
-std::vector<Excess> excessesAlong(const Turn& line, const Rig& rig, double apartM, const std::function<bool(Point)>& looksAt,
-                                  const JobContext& job) {
+enum class Look { NowAndThen, Closely };
+
+/// The worst places along a line, at most one for each `apart`, where `looksAt` says so. Looked at closely, also those
+/// where a corner of the field goes in and out of the footprint between two looks. Ends early where the job is stopped.
+std::vector<Excess> excessesAlong(const Turn& line, const Rig& rig, double apartM, Look how,
+                                  const std::function<bool(Point)>& looksAt, const JobContext& job) {
     std::vector<Excess> found;
     double wayM = 0.0;
     double lastM = -apartM;
@@ -245,13 +249,15 @@ std::vector<Excess> excessesAlong(const Turn& line, const Rig& rig, double apart
         int looked = 0;
         // In bends the corners of the footprint go several times as far as the axle.
         const double swung = 1.0 + kBendLooks * std::abs(piece.curvature.si()) * apartM;
-        const auto next = rig.follow(state, piece, metres(kLookShare * apartM / swung), [&](const RigState& at) {
+        const bool closely = how == Look::Closely && !rig.driven(state, piece, metres(kDrawingM));
+        const double stepM = closely ? kLookCloselyM : kLookShare * apartM / swung;
+        const auto next = rig.follow(state, piece, metres(stepM), [&](const RigState& at) {
             goneM += distance(at.tractor.position, last);
             last = at.tractor.position;
             // In the middle of a straight nothing swings: now and then is often enough.
             const bool inLine = std::abs((at.implement - at.tractor.heading).si()) < kInLineRad;
             const bool nearEnd = std::min(goneM, piece.length.si() - goneM) <= 2.0 * apartM;
-            const bool swings = piece.curvature != Curvature{} || nearEnd || !inLine || looked % 10 == 0;
+            const bool swings = closely || piece.curvature != Curvature{} || nearEnd || !inLine || looked % 10 == 0;
             if (swings && looksAt(at.tractor.position)) {
                 look(at, wayM + goneM);
             }
@@ -431,10 +437,10 @@ Result<PassTracks> passTracks(const MultiPolygon& workable, Length inset, const 
             std::ranges::transform(tracks->lines, tracks->lines.begin(),
                                    [&rig](const Turn& line) { return swungOut(line, rig); });
         }
-        const auto look = [&](const std::function<bool(Point)>& looksAt) {
+        const auto look = [&](Look how, const std::function<bool(Point)>& looksAt) {
             std::vector<Excess> excesses;
             for (const Turn& line : tracks->lines) {
-                std::vector<Excess> found = excessesAlong(line, rig, 0.5 * reachM, looksAt, job);
+                std::vector<Excess> found = excessesAlong(line, rig, 0.5 * reachM, how, looksAt, job);
                 std::erase_if(found, [&](const Excess& excess) { return following.leavesOut(excess.place); });
                 std::ranges::copy(found, std::back_inserter(excesses));
                 const bool canBeLeft =
@@ -445,10 +451,10 @@ Result<PassTracks> passTracks(const MultiPolygon& workable, Length inset, const 
             }
             return excesses;
         };
-        std::vector<Excess> excesses = look([&](Point place) { return displacement.changedLastAt(place); });
+        std::vector<Excess> excesses = look(Look::NowAndThen, [&](Point place) { return displacement.changedLastAt(place); });
         // Merged corners may move the line a little farther away.
-        if (excesses.empty() && round > 0) {
-            excesses = look(everywhere);
+        if (excesses.empty()) {
+            excesses = look(Look::Closely, everywhere);
         }
         if (job.stopRequested()) {
             return std::unexpected(cancelled());
@@ -478,7 +484,7 @@ std::vector<Point> placesOutside(const Turn& line, const MultiPolygon& drivable,
                                  const JobContext& job) {
     std::vector<Point> places;
     const Rig rig{drivable, machine, ImplementAt::Lowered};
-    for (const Excess& excess : excessesAlong(line, rig, 0.5 * overhangM(machine), everywhere, job)) {
+    for (const Excess& excess : excessesAlong(line, rig, 0.5 * overhangM(machine), Look::Closely, everywhere, job)) {
         if (excess.outsideM > kDrawingM) {
             places.push_back(excess.place);
         }

@@ -4,6 +4,7 @@
 #include "planner/headland/methods.h"
 #include "planner/headland/pass_tracks.h"
 #include "planner/headland/smooth_ring.h"
+#include "planner/machine/machine_library.h"
 #include "planner/turns/dubins.h"
 #include "planner/turns/turn_sampling.h"
 #include "tests/support/field_generator.h"
@@ -338,6 +339,25 @@ private slots:
         QCOMPARE(parts.size(), std::size_t{1});
     }
 
+    /// The corner of a step passes through a corner of the footprint between two places that are looked at.
+    void aStepInTheEdgeDoesNotCutThePass_data() {
+        QTest::addColumn<double>("height");
+        for (const double height : {0.8, 1.5, 2.0, 3.0}) {
+            QTest::addRow("%.1f m", height) << height;
+        }
+    }
+    void aStepInTheEdgeDoesNotCutThePass() {
+        QFETCH(double, height);
+        const Machine machine = findMachine("cultivator").value();
+        const MultiPolygon field{{.outer = {{0, 0}, {76, 1}, {75, 71}, {56, 71}, {56, 71 + height}, {0, 71 + height}}, .holes = {}}};
+        const auto tracks = passTracks(field, metres(3.0), field, machine, {}, {});
+        VERIFY_RESULT(tracks);
+        QCOMPARE(tracks->lines.size(), std::size_t{1});
+        QCOMPARE(tracks->givenUp, 0);
+        const std::vector<Turn> parts = partsInside(tracks->lines.front(), field, machine, {});
+        QCOMPARE(parts.size(), std::size_t{1});
+        QCOMPARE(parts.front(), tracks->lines.front());
+    }
     void aStoppedJobIsCancelled() {
         std::stop_source stop;
         stop.request_stop();
