@@ -199,19 +199,25 @@ private:
         }
         convex = scaledTo(convex, squareMetres(1e4));
         const MultiPolygon mainland{convex};
+        const auto whole = fieldOf(convex, "bench");
+        if (!whole) {
+            return std::unexpected(whole.error());
+        }
+        const Machine machine = paperMachine();
+        // By whole degrees, too: what the exact search may take a multiple of.
         for (const std::string_view objective : {"swath-count", "time"}) {
-            const auto settings = settingsWith({{"swaths.objective", objective}});
-            const auto whole = fieldOf(convex, "bench");
-            if (!settings || !whole) {
-                return std::unexpected(settings ? whole.error() : settings.error());
+            for (const auto& [name, method] : {std::pair{"exact search", "exact"}, std::pair{"best of 180 headings", "brute-force"}}) {
+                const auto settings = settingsWith({{"swaths.method", method}, {"swaths.objective", objective}});
+                if (!settings) {
+                    return std::unexpected(settings.error());
+                }
+                const SwathTask task{.field = **whole, .mainland = mainland, .machine = machine, .settings = *settings};
+                add(std::format("{} of a convex cell, {}", name, objective), convex, 1, measured([&] {
+                        const auto set = swathMethod(*settings)(task, {.stop = job_.stop, .progress = {}, .threads = 1});
+                        keep(set ? set->coverage : 0.0);
+                    }),
+                    std::nullopt);
             }
-            const Machine machine = paperMachine();
-            const SwathTask task{.field = **whole, .mainland = mainland, .machine = machine, .settings = *settings};
-            add(std::format("exact search of a convex cell, {}", objective), convex, 1, measured([&] {
-                    const auto set = swathMethod(*settings)(task, {.stop = job_.stop, .progress = {}, .threads = 1});
-                    keep(set ? set->coverage : 0.0);
-                }),
-                std::nullopt);
         }
         return stopped();
     }

@@ -12,6 +12,12 @@ struct Interval {
     double to = 0.0;
 };
 
+/// Integral over u of clamp(u, 0, span), from far below.
+inline double clampedArea(double u, double span) {
+    const double inside = std::min(std::max(u, 0.0), span);
+    return 0.5 * inside * inside + span * (std::max(u, span) - span);
+}
+
 /// Integral over y of clamp(x, from, to) - from along a straight edge, y running from y0 to y1.
 inline double clampedIntegral(Point p0, Point p1, Interval interval) {
     const double span = interval.to - interval.from;

@@ -7,7 +7,6 @@
 #include <cmath>
 #include <cstdint>
 #include <limits>
-#include <span>
 
 namespace furrow {
 
@@ -22,6 +21,8 @@ constexpr double kFitSlack = 1e-9;
 constexpr double kFlushM = 1e-3;
 // Land that no swath covers costs its time at least; in bits and pieces, several times that.
 constexpr double kPiecemealFactor = 5.0;
+// Edges that lean over by less, as a share of their height, are as good as upright.
+constexpr double kSteep = 1e-3;
 // How many shifts are tried where the shift is free.
 constexpr int kShifts = 9;
 
@@ -63,6 +64,7 @@ struct ScanLine::Walk {
     double anchorY = 0.0;
     std::vector<double> tracks;              // y of each centre line, rising
     std::vector<std::uint32_t> tracksBelow;  // each vertex
+    std::vector<std::int32_t> added;         // crossings from each track on, less those that end before it
     std::vector<std::size_t> firstInterval;  // of track i; one more entry than tracks
     std::vector<double> crossings;           // sorted within a track: pairs are intervals
     // Slabs: stretches of y over which the same tracks cover.
@@ -73,11 +75,44 @@ struct ScanLine::Walk {
     std::vector<Interval> doubled;  // by two or more, disjoint
     std::vector<Interval> scratch;
 
-    std::span<const Interval> coveredIn(std::size_t slab) const {
-        return {covered.data() + firstCovered[slab], covered.data() + firstCovered[slab + 1]};
+    /// The integrals of clamp(x) dy up an edge, over what is covered once and twice.
+    std::pair<double, double> coveredBeside(Point low, Point high, const Ladder& edgeLadder) const {
+        const double dx = high.x - low.x;
+        const double dy = high.y - low.y;
+        // Differences of areas say nothing where x hardly changes.
+        if (std::abs(dx) < kSteep * dy) {
+            return integrate(low, high, edgeLadder, clampedIntegral);
+        }
+        const auto [once, twice] = integrate(low, high, edgeLadder, [](Point from, Point to, Interval interval) {
+            const double span = interval.to - interval.from;
+            return clampedArea(to.x - interval.from, span) - clampedArea(from.x - interval.from, span);
+        });
+        return {once * (dy / dx), twice * (dy / dx)};
     }
-    std::span<const Interval> doubledIn(std::size_t slab) const {
-        return {doubled.data() + firstDoubled[slab], doubled.data() + firstDoubled[slab + 1]};
+
+private:
+    template <class Integral>
+    std::pair<double, double> integrate(Point low, Point high, const Ladder& edgeLadder, Integral&& integral) const {
+        const double slope = (high.x - low.x) / (high.y - low.y);
+        const auto at = [&](double y) {
+            return y <= low.y ? low : y >= high.y ? high : Point{low.x + slope * (y - low.y), y};
+        };
+        const std::size_t edgesBelow = edgeLadder.below(low.y);
+        std::size_t slab = edgesBelow > 0 ? edgesBelow - 1 : 0;
+        double once = 0.0;
+        double twice = 0.0;
+        Point to = at(slabEdges[slab]);
+        for (; slab + 1 < slabEdges.size() && slabEdges[slab] < high.y; ++slab) {
+            const Point from = to;
+            to = at(slabEdges[slab + 1]);
+            for (std::size_t i = firstCovered[slab]; i < firstCovered[slab + 1]; ++i) {
+                once += integral(from, to, covered[i]);
+            }
+            for (std::size_t i = firstDoubled[slab]; i < firstDoubled[slab + 1]; ++i) {
+                twice += integral(from, to, doubled[i]);
+            }
+        }
+        return {once, twice};
     }
 };
 
@@ -303,38 +338,56 @@ void ScanLine::findCrossings(Walk& walk) const {
         walk.tracksBelow[i] = static_cast<std::uint32_t>(ladder.below(walk.rotated[i].y));
     }
     // Half-open: a vertex on a centre line counts for one of its two edges.
-    const auto forEachCrossing = [&](auto&& visit) {
+    const auto forEachEdge = [&](auto&& visit) {
         std::size_t begin = 0;
         for (const std::size_t end : ringEnds_) {
             std::size_t a = end - 1;
             for (std::size_t b = begin; b < end; a = b++) {
                 const auto [low, high] = std::minmax(walk.tracksBelow[a], walk.tracksBelow[b]);
-                for (std::size_t k = low; k < high; ++k) {
-                    visit(k, walk.rotated[a], walk.rotated[b]);
+                if (low < high) {
+                    visit(low, high, walk.rotated[a], walk.rotated[b]);
                 }
             }
             begin = end;
         }
     };
-    walk.firstInterval.assign(trackCount + 1, 0);
-    forEachCrossing([&](std::size_t k, Point, Point) { ++walk.firstInterval[k + 1]; });
+    // An edge adds one crossing from its lowest track on and takes it away after its highest.
+    walk.added.assign(trackCount + 1, 0);
+    forEachEdge([&](std::size_t low, std::size_t high, Point, Point) {
+        ++walk.added[low];
+        --walk.added[high];
+    });
+    walk.firstInterval.resize(trackCount + 1);
+    std::size_t sum = 0;
+    std::ptrdiff_t onTrack = 0;
     for (std::size_t k = 0; k < trackCount; ++k) {
-        walk.firstInterval[k + 1] += walk.firstInterval[k];
+        walk.firstInterval[k] = sum;
+        onTrack += walk.added[k];
+        sum += static_cast<std::size_t>(onTrack);
     }
-    walk.crossings.resize(walk.firstInterval.back());
-    forEachCrossing([&](std::size_t k, Point a, Point b) {
-        const double share = (walk.tracks[k] - a.y) / (b.y - a.y);
-        walk.crossings[walk.firstInterval[k]++] = a.x + share * (b.x - a.x);
+    walk.firstInterval.back() = sum;
+    walk.crossings.resize(sum);
+    forEachEdge([&](std::size_t low, std::size_t high, Point a, Point b) {
+        const double slope = (b.x - a.x) / (b.y - a.y);
+        for (std::size_t k = low; k < high; ++k) {
+            walk.crossings[walk.firstInterval[k]++] = a.x + (walk.tracks[k] - a.y) * slope;
+        }
     });
     // Filling moved every entry on to the next track's beginning.
     std::ranges::move_backward(walk.firstInterval.begin(), walk.firstInterval.end() - 1,
                                walk.firstInterval.end());
     walk.firstInterval.front() = 0;
     for (std::size_t k = 0; k < trackCount; ++k) {
-        std::sort(walk.crossings.begin() + static_cast<std::ptrdiff_t>(walk.firstInterval[k]),
-                  walk.crossings.begin() + static_cast<std::ptrdiff_t>(walk.firstInterval[k + 1]));
+        double* const first = walk.crossings.data() + walk.firstInterval[k];
+        double* const last = walk.crossings.data() + walk.firstInterval[k + 1];
+        if (last - first == 2) {
+            if (first[1] < first[0]) {
+                std::swap(first[0], first[1]);
+            }
+        } else {
+            std::sort(first, last);
+        }
     }
-
 }
 
 /// Slabs between the edges of all strips, and what the active strips cover in each.
@@ -365,15 +418,22 @@ void ScanLine::findSlabs(Walk& walk) const {
         while (firstActive < trackCount && walk.tracks[firstActive] + half < middle) {
             ++firstActive;
         }
+        std::size_t beyondActive = firstActive;
+        while (beyondActive < trackCount && walk.tracks[beyondActive] - half < middle) {
+            ++beyondActive;
+        }
+        // The swaths of one track are beside each other.
+        const bool isOne = beyondActive - firstActive == 1;
+        std::vector<Interval>& into = isOne ? walk.covered : walk.scratch;
         walk.scratch.clear();
-        for (std::size_t k = firstActive; k < trackCount && walk.tracks[k] - half < middle; ++k) {
-            for (std::size_t i = walk.firstInterval[k]; i + 1 < walk.firstInterval[k + 1]; i += 2) {
-                if (walk.crossings[i + 1] - walk.crossings[i] >= kShortestSwathM) {
-                    walk.scratch.push_back({walk.crossings[i], walk.crossings[i + 1]});
-                }
+        for (std::size_t i = walk.firstInterval[firstActive]; i + 1 < walk.firstInterval[beyondActive]; i += 2) {
+            if (walk.crossings[i + 1] - walk.crossings[i] >= kShortestSwathM) {
+                into.push_back({walk.crossings[i], walk.crossings[i + 1]});
             }
         }
-        countOverlaps(walk.scratch, walk.covered, walk.doubled);
+        if (!isOne) {
+            countOverlaps(walk.scratch, walk.covered, walk.doubled);
+        }
         walk.firstCovered.push_back(walk.covered.size());
         walk.firstDoubled.push_back(walk.doubled.size());
     }
@@ -423,46 +483,34 @@ HeadingFigures ScanLine::measureLines(const Walk& walk) const {
     return figures;
 }
 
-HeadingFigures ScanLine::measure(SwathObjective objective, Walk& walk) const {
-    findSlabs(walk);
-    HeadingFigures figures = measureLines(walk);
-    // Green's theorem on the part of the mainland inside each rectangle: the integral of clamp(x) dy
-    // around every ring, edge by edge, slab by slab.
+// Green's theorem on the part of the mainland inside each rectangle: the integral of clamp(x) dy around every ring, edge
+// by edge, slab by slab.
+std::pair<double, double> ScanLine::coveredAreas(const Walk& walk) const {
     double coveredM2 = 0.0;
     double doubledM2 = 0.0;
+    const Ladder ladder{walk.slabEdges};
     std::size_t begin = 0;
-    const std::vector<double>& edges = walk.slabEdges;
-    const Ladder ladder{edges};
     for (const std::size_t end : ringEnds_) {
         Point a = walk.rotated[end - 1];
         for (std::size_t i = begin; i < end; ++i) {
             const Point b = walk.rotated[i];
             if (a.y != b.y) {
-                const Point low = a.y < b.y ? a : b;
-                const Point high = a.y < b.y ? b : a;
+                const auto [covered, doubled] = a.y < b.y ? walk.coveredBeside(a, b, ladder) : walk.coveredBeside(b, a, ladder);
                 const double sign = a.y < b.y ? 1.0 : -1.0;
-                const double slope = (high.x - low.x) / (high.y - low.y);
-                const auto at = [&](double y) {
-                    return y <= low.y ? low : y >= high.y ? high : Point{low.x + slope * (y - low.y), y};
-                };
-                const std::size_t edgesBelow = ladder.below(low.y);
-                std::size_t slab = edgesBelow > 0 ? edgesBelow - 1 : 0;
-                Point to = at(edges[slab]);
-                for (; slab + 1 < edges.size() && edges[slab] < high.y; ++slab) {
-                    const Point from = to;
-                    to = at(edges[slab + 1]);
-                    for (const Interval& interval : walk.coveredIn(slab)) {
-                        coveredM2 += sign * clampedIntegral(from, to, interval);
-                    }
-                    for (const Interval& interval : walk.doubledIn(slab)) {
-                        doubledM2 += sign * clampedIntegral(from, to, interval);
-                    }
-                }
+                coveredM2 += sign * covered;
+                doubledM2 += sign * doubled;
             }
             a = b;
         }
         begin = end;
     }
+    return {coveredM2, doubledM2};
+}
+
+HeadingFigures ScanLine::measure(SwathObjective objective, Walk& walk) const {
+    findSlabs(walk);
+    HeadingFigures figures = measureLines(walk);
+    const auto [coveredM2, doubledM2] = coveredAreas(walk);
     figures.coverage = areaM2_ > 0.0 ? std::clamp(coveredM2 / areaM2_, 0.0, 1.0) : 0.0;
     figures.overlap = squareMetres(std::max(0.0, doubledM2));
     if (objective == SwathObjective::Time && driving_) {

@@ -83,6 +83,8 @@ private:
     void findCrossings(Walk& walk) const;
     void findSlabs(Walk& walk) const;
     HeadingFigures measureLines(const Walk& walk) const;
+    /// By one swath or more, and by two or more, square metres.
+    std::pair<double, double> coveredAreas(const Walk& walk) const;
     HeadingFigures measure(SwathObjective objective, Walk& walk) const;
     /// Of the layout with the best lines; `walk` is rotated.
     HeadingFigures linesOf(SwathObjective objective, Walk& walk) const;
