@@ -25,6 +25,11 @@ constexpr double kOutsideM = 2.0 * kChordErrorM;
 /// Edges that are shorter do not say where a pass could run.
 constexpr double kShortestEdgeM = 0.5;
 constexpr double kNoAreaM2 = 1e-9;
+/// Edges that point the same way but for less are one direction to try.
+constexpr double kSameWay = 0.01;
+/// A piece is looked at in about so many squares across.
+constexpr double kSquaresAcross = 16.0;
+constexpr double kLargestSquareM = 1.5;
 
 /// The centre of gravity of a ring; nothing of one without area.
 std::optional<Point> middleOf(const Ring& ring) {
@@ -135,10 +140,19 @@ bool WorkingRoom::reaches(Point place) const {
         const double heading = 2.0 * std::numbers::pi * i / kHeadings;
         noses.push_back({std::cos(heading), std::sin(heading)});
     }
+    std::vector<Point> ways;
     for (const Edge& edge : edges) {
         const Point way = edge.to - edge.from;
-        if (const double lengthM = lengthOf(way); lengthM > kShortestEdgeM) {
-            const Point along = (1.0 / lengthM) * way;
+        const double lengthM = lengthOf(way);
+        if (lengthM < kShortestEdgeM) {
+            continue;
+        }
+        const Point along = (1.0 / lengthM) * way;
+        const auto isSame = [along](Point other) {
+            return std::min(std::abs(cross(along, other)), std::abs(dot(along, other))) < kSameWay;
+        };
+        if (std::ranges::none_of(ways, isSame)) {
+            ways.push_back(along);
             const Point across{-along.y, along.x};
             noses.insert(noses.end(), {along, -1.0 * along, across, -1.0 * across});
         }
@@ -175,9 +189,10 @@ bool WorkingRoom::reachesAhead(Point place, Point nose, const std::vector<Edge>&
 
 Result<MultiPolygon> partsWithRoom(const MultiPolygon& polygons, const WorkingRoom& room, Length operatingWidth,
                                    const JobContext& job) {
-    const double sizeM = std::clamp(operatingWidth.si() / 16.0, 0.25, 0.5);
+    const double finestM = std::clamp(operatingWidth.si() / 16.0, 0.25, 0.5);
     MultiPolygon parts;
     for (const Polygon& polygon : polygons) {
+        const double sizeM = std::clamp(std::sqrt(area(polygon).si()) / kSquaresAcross, finestM, kLargestSquareM);
         const Bounds box = bounds({polygon});
         MultiPolygon within;
         bool isWhole = true;
@@ -193,7 +208,11 @@ Result<MultiPolygon> partsWithRoom(const MultiPolygon& polygons, const WorkingRo
                     begun.reset();
                 }
             };
-            for (double x = box.min.x; x < box.max.x; x += sizeM) {
+            if (row.size() < 3) {
+                continue;
+            }
+            const Bounds extent = bounds({{.outer = row, .holes = {}}});
+            for (double x = extent.min.x; x < extent.max.x && row.size() > 2; x += sizeM) {
                 auto [square, rest] = cut(row, {x + sizeM, 0.0}, {0.0, 1.0});
                 row = std::move(rest);
                 const std::optional<Point> middle = middleOf(square);
@@ -207,7 +226,7 @@ Result<MultiPolygon> partsWithRoom(const MultiPolygon& polygons, const WorkingRo
                     end(x);
                 }
             }
-            end(box.max.x);
+            end(extent.max.x);
         }
         if (isWhole) {
             parts.push_back(polygon);

@@ -33,7 +33,7 @@ private:
 };
 
 /// The parts of polygons that are within reach in this sense, largest first, told by squares of a quarter of a metre
-/// to half of one. O(area x what one place costs). Cancelled.
+/// to one and a half, the larger the piece. O(area x what one place costs). Cancelled.
 Result<MultiPolygon> partsWithRoom(const MultiPolygon& polygons, const WorkingRoom& room, Length operatingWidth,
                                    const JobContext& job);
 

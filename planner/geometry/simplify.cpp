@@ -41,4 +41,11 @@ Polyline simplified(const Polyline& line, Length tolerance) {
     return kept;
 }
 
+Ring simplifiedRing(Ring ring, Length tolerance) {
+    ring.push_back(ring.front());
+    Ring kept = simplified(ring, tolerance);
+    kept.pop_back();
+    return kept;
+}
+
 }  // namespace furrow

@@ -9,4 +9,7 @@ namespace furrow {
 /// Cost: O(n log n) for usual lines, O(n²) at worst.
 Polyline simplified(const Polyline& line, Length tolerance);
 
+/// The ring likewise; its first point stays.
+Ring simplifiedRing(Ring ring, Length tolerance);
+
 }  // namespace furrow

@@ -3,6 +3,7 @@
 #include "planner/geometry/boundary_distance.h"
 #include "planner/geometry/geos_bridge.h"
 #include "planner/geometry/segment.h"
+#include "planner/geometry/simplify.h"
 #include "planner/headland/corner_manoeuvres.h"
 #include "planner/headland/edge_strips.h"
 #include "planner/headland/inner_passes.h"
@@ -38,6 +39,8 @@ constexpr Area kMostUncutInside = squareMetres(50.0);
 // A pass in so many stretches runs along an edge that is no line to follow, if another has so many times fewer.
 constexpr std::size_t kManyStretches = 16;
 constexpr std::size_t kTimesFewer = 2;
+// What such a pass may differ from its line, as a share of its width.
+constexpr double kDrawnShare = 0.02;
 // Beside an edge a machine gets free only if it has a finger's breadth to begin with.
 constexpr Length kBesideEdge = metres(0.02);
 
@@ -221,7 +224,16 @@ Result<std::vector<HeadlandPass>> innerRingOf(const HeadlandTask& task, const st
     if (!region) {
         return std::unexpected(region.error());
     }
-    std::vector<HeadlandPass> beside = passesOn(*region, task, ring, clockwise, {});
+    // An offset of arcs drawn as chords has more bends than anybody could drive.
+    const Length drawn = kDrawnShare * task.machine.operatingWidth();
+    MultiPolygon plain;
+    for (const Polygon& polygon : *region) {
+        plain.push_back({.outer = simplifiedRing(polygon.outer, drawn), .holes = {}});
+        for (const Ring& hole : polygon.holes) {
+            plain.back().holes.push_back(simplifiedRing(hole, drawn));
+        }
+    }
+    std::vector<HeadlandPass> beside = passesOn(plain, task, ring, clockwise, {});
     return kTimesFewer * stretchCount(beside) <= stretchCount(*along) ? std::move(beside) : std::move(along);
 }
 

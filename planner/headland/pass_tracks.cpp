@@ -181,14 +181,6 @@ Ring densified(const Ring& ring, const Displacement& displacement) {
     return dense;
 }
 
-/// Fewer points on the same curve; the buffers cost by the point.
-Ring thinned(Ring ring) {
-    ring.push_back(ring.front());
-    Ring kept = simplified(ring, kSimplified);
-    kept.pop_back();
-    return kept;
-}
-
 Ring moved(const Ring& ring, const Displacement& displacement) {
     const Ring dense = densified(ring, displacement);
     Ring result;
@@ -198,7 +190,8 @@ Ring moved(const Ring& ring, const Displacement& displacement) {
         const double mitre = 1.0 / std::max(0.5, std::cos(0.5 * bend.turnRad));
         result.push_back(dense[i] + displacement.at(dense[i]) * mitre * bend.inward);
     }
-    return thinned(std::move(result));
+    // Fewer points on the same curve: the buffers cost by the point.
+    return simplifiedRing(std::move(result), kSimplified);
 }
 
 Result<MultiPolygon> moved(const MultiPolygon& polygons, const Displacement& displacement, const JobContext& job) {
@@ -362,7 +355,7 @@ Result<MultiPolygon> alongEdges(const MultiPolygon& region, const MultiPolygon& 
     MultiPolygon outer;
     MultiPolygon holes;
     for (const Turn& line : straight->lines) {
-        Ring ring = thinned(followingTheEdge(line, edges, machine, following));
+        Ring ring = simplifiedRing(followingTheEdge(line, edges, machine, following), kSimplified);
         const bool isOuter = signedAreaM2(ring) > 0.0;
         if (!isOuter) {
             std::ranges::reverse(ring);
