@@ -95,6 +95,26 @@ private slots:
         ready();
         step("headland");
 
+        const QPoint along = cornerOnMap(1) - cornerOnMap(0);
+        clickAt(cornerOnMap(0) + along / 4);
+        QTRY_COMPARE(editor()->selection().kind, Selection::Kind::Edge);
+        const bool isNarrow = size.width() < 1200;
+        if (isNarrow) {
+            // There is no room for it until it is asked for.
+            key(Qt::Key_Return);
+        }
+        QTRY_VERIFY(shows(QStringLiteral("inspector")));
+        click(QStringLiteral("inspector.number.2"));
+        QTRY_VERIFY(item(QStringLiteral("inspector.number.2"))->hasActiveFocus());
+        key(Qt::Key_A, Qt::ControlModifier);
+        type(QStringLiteral("30m"));
+        key(Qt::Key_Return);
+        QTRY_COMPARE(source().edgeHeadlands.size(), std::size_t{1});
+        QCOMPARE(source().edgeHeadlands.front().width.si(), 30.0);
+        QCOMPARE(steps(), std::size_t{4});
+        ready();
+        step("edge-headland");
+
         click(QStringLiteral("obstacleTool"));
         for (const QPoint corner : {QPoint{-60, -40}, QPoint{10, -50}, QPoint{20, 30}, QPoint{-50, 40}}) {
             clickAt(centre + corner);
@@ -103,8 +123,7 @@ private slots:
         step("obstacle-drawing");
         key(Qt::Key_Return);
         QTRY_COMPARE(source().obstacles.size(), std::size_t{1});
-        if (size.width() < 1200) {
-            // There is no room for it until it is asked for.
+        if (isNarrow) {
             key(Qt::Key_Return);
         }
         QTRY_VERIFY(shows(QStringLiteral("inspector")));
@@ -140,21 +159,21 @@ private slots:
         clickAt(centre + QPoint{90, -170});
         clickAt(centre + QPoint{110, 170});
         key(Qt::Key_Return);
-        QTRY_COMPARE(steps(), std::size_t{10});
+        QTRY_COMPARE(steps(), std::size_t{11});
         ready();
         step("split");
 
         drag(cornerOnMap(1), cornerOnMap(1) + QPoint{40, -30});
         const QPoint quarter = cornerOnMap(3) + (cornerOnMap(0) - cornerOnMap(3)) / 4;
         drag(quarter, quarter + QPoint{-20, 0});
-        QCOMPARE(steps(), std::size_t{12});
+        QCOMPARE(steps(), std::size_t{13});
         ready();
         step("changed");
 
         for (int i = 0; i < 10; ++i) {
             key(Qt::Key_Z, Qt::ControlModifier);
         }
-        QVERIFY(source().obstacles.empty() && source().gates.empty());
+        QVERIFY(source().obstacles.empty() && source().gates.empty() && source().edgeHeadlands.empty());
         QCOMPARE(session_->machine()->libraryIndex(), 2);
         ready();
         step("ten-undone");
@@ -163,6 +182,7 @@ private slots:
         }
         QCOMPARE(source().obstacles.size(), std::size_t{1});
         QCOMPARE(source().obstacles.front().buffer.si(), 4.0);
+        QCOMPARE(source().edgeHeadlands.size(), std::size_t{1});
         QVERIFY(source().gates.empty());
         ready();
         step("five-redone");
