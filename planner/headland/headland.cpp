@@ -1,5 +1,8 @@
 #include "planner/headland/headland.h"
 
+#include "planner/geometry/segment.h"
+
+#include <algorithm>
 
 namespace furrow {
 
@@ -16,6 +19,17 @@ Length HeadlandPass::length() const {
         sum += stretch.line.length();
     }
     return sum;
+}
+
+Length widthBeside(const Headland& headland, Point place) {
+    const auto nearest = std::ranges::min_element(
+        headland.strips, {}, [place](const EdgeStrip& strip) { return distanceToSegment(place, strip.from, strip.to); });
+    return nearest == headland.strips.end() ? headland.width : nearest->width;
+}
+
+Length narrowestWidth(const Headland& headland) {
+    const auto narrowest = std::ranges::min_element(headland.strips, {}, &EdgeStrip::width);
+    return narrowest == headland.strips.end() ? headland.width : narrowest->width;
 }
 
 }  // namespace furrow

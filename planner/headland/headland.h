@@ -52,6 +52,12 @@ struct Headland {
     std::vector<Note> notes;     ///< what was given up, and why
 };
 
+/// How wide the headland is along the edge that is nearest to a place. Cost: O(edges).
+Length widthBeside(const Headland& headland, Point place);
+
+/// How wide it is along the edge where it is narrowest. Cost: O(edges).
+Length narrowestWidth(const Headland& headland);
+
 /// InputRefused: the margin alone leaves nothing of the field.
 Error nothingLeft(Length margin);
 

@@ -467,7 +467,7 @@ const Parameter kHeadlandDriven{.key = "headland.driven",
                                 .choices = {}};
 
 const Parameter kHeadlandOrder{.key = "headland.order",
-                               .name = "Passes",
+                               .name = "Order",
                                .description = "In which order the headland passes are driven.",
                                .kind = ParameterKind::Choice,
                                .standard = 0.0,

@@ -84,14 +84,21 @@ QString splitSentence() {
 }
 
 /// How wide the headland along an edge of the field is: as said for it, or as wide as the plan has it.
-std::optional<Length> headlandAlong(const OutlineId& id, std::size_t edge, const FieldSource* source, const Plan* plan) {
+std::optional<Length> headlandAlong(const Outline& outline, std::size_t edge, const FieldSource* source, const Plan* plan) {
+    const OutlineId& id = outline.id;
     if (source == nullptr || (id.kind != OutlineKind::Boundary && id.kind != OutlineKind::Hole)) {
         return std::nullopt;
     }
     if (const EdgeHeadland* own = findEdgeHeadland(*source, id, edge)) {
         return own->width;
     }
-    return plan != nullptr ? std::optional{plan->headland.width} : std::nullopt;
+    if (plan == nullptr) {
+        return std::nullopt;
+    }
+    const LocalFrame& frame = plan->field().frame();
+    const Point from = frame.toLocal(outline.places[edge]);
+    const Point to = frame.toLocal(outline.places[(edge + 1) % outline.places.size()]);
+    return widthBeside(plan->headland, 0.5 * (from + to));
 }
 
 InspectorText edgeText(const Outline& outline, std::size_t edge, const FieldSource* source, const Plan* plan) {
@@ -110,7 +117,7 @@ InspectorText edgeText(const Outline& outline, std::size_t edge, const FieldSour
     text.isEdge = outline.id.kind != OutlineKind::Guide;
     text.rows = {numberRow(Words::tr("Length"), InspectorField::EdgeLength, norm(way), QuantityText::Length, 2, 0.01, kLongestEdgeM),
                  numberRow(Words::tr("Direction"), InspectorField::EdgeBearing, bearingDegOf(way), QuantityText::Angle, 2, 0.0, 360.0)};
-    if (const auto headland = headlandAlong(outline.id, edge, source, plan)) {
+    if (const auto headland = headlandAlong(outline, edge, source, plan)) {
         text.rows.push_back(numberRow(Words::tr("Headland"), InspectorField::EdgeHeadland, headland->si(), QuantityText::Length, 2, 0.0, 500.0));
         text.hasOwnHeadland = findEdgeHeadland(*source, outline.id, edge) != nullptr;
     }

@@ -105,6 +105,21 @@ private slots:
         }
     }
 
+    /// 12 m along the lower side of 100 by 60 m, 5 m along the others.
+    void widthsBesideEdges() {
+        Headland headland{.width = metres(12.0)};
+        QCOMPARE(widthBeside(headland, {50.0, 60.0}).si(), 12.0);
+        QCOMPARE(narrowestWidth(headland).si(), 12.0);
+        const Ring ring = test::rectangle(100.0, 60.0).outer;
+        for (std::size_t i = 0; i < ring.size(); ++i) {
+            headland.strips.push_back({.from = ring[i], .to = ring[(i + 1) % ring.size()], .width = metres(i == 0 ? 12.0 : 5.0)});
+        }
+        QCOMPARE(widthBeside(headland, {50.0, 1.0}).si(), 12.0);
+        QCOMPARE(widthBeside(headland, {50.0, 58.0}).si(), 5.0);
+        QCOMPARE(widthBeside(headland, {1.0, 20.0}).si(), 5.0);
+        QCOMPARE(narrowestWidth(headland).si(), 5.0);
+    }
+
     void holesGetARing() {
         const Field field = fieldFrom(test::polygonsFromWkt(
             "POLYGON((-50 -50, 50 -50, 50 50, -50 50, -50 -50), (-10 -10, -10 10, 10 10, 10 -10, -10 -10))"));

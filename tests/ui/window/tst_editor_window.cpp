@@ -94,6 +94,7 @@ private slots:
         const QPoint a = cornerOnMap(0);
         const QPoint b = cornerOnMap(1);
         const double before = session_->plan()->headland.mainlandRatio;
+        const double elsewhere = session_->plan()->headland.width.si();
         clickAt(a + (b - a) / 4);
         QTRY_COMPARE(editor()->selection().kind, Selection::Kind::Edge);
         click(QStringLiteral("inspector.number.2"));
@@ -106,6 +107,14 @@ private slots:
         QTRY_VERIFY_WITH_TIMEOUT(session_->plan() && session_->plan()->headland.mainlandRatio < before - 0.02, 30000);
         ready();
         picture(QStringLiteral("edge-headland"));
+        // The others keep theirs.
+        QVERIFY(session_->plan()->headland.width.si() > 59.0);
+        const QPoint c = cornerOnMap(2);
+        clickAt(b + (c - b) / 4);
+        QTRY_VERIFY(item(QStringLiteral("inspector.number.2")) && item(QStringLiteral("inspector.number.2"))->property("value").toDouble() < 59.0);
+        QVERIFY(std::abs(item(QStringLiteral("inspector.number.2"))->property("value").toDouble() - elsewhere) < 0.01);
+        clickAt(a + (b - a) / 4);
+        QTRY_VERIFY(shows(QStringLiteral("inspector.headlandAsElsewhere")));
         click(QStringLiteral("inspector.headlandAsElsewhere"));
         QTRY_VERIFY(source().edgeHeadlands.empty());
         QTRY_VERIFY_WITH_TIMEOUT(session_->plan() && std::abs(session_->plan()->headland.mainlandRatio - before) < 1e-9, 30000);
