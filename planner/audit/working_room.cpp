@@ -30,6 +30,9 @@ constexpr double kSameWay = 0.01;
 /// A piece is looked at in about so many squares across.
 constexpr double kSquaresAcross = 16.0;
 constexpr double kLargestSquareM = 1.5;
+/// What is larger has room somewhere, and so has the rest where so much of it is left.
+constexpr Area kLargestInDoubt = squareMetres(1000.0);
+constexpr Area kMostInDoubt = squareMetres(20'000.0);
 
 /// The centre of gravity of a ring; nothing of one without area.
 std::optional<Point> middleOf(const Ring& ring) {
@@ -191,7 +194,13 @@ Result<MultiPolygon> partsWithRoom(const MultiPolygon& polygons, const WorkingRo
                                    const JobContext& job) {
     const double finestM = std::clamp(operatingWidth.si() / 16.0, 0.25, 0.5);
     MultiPolygon parts;
+    Area looked;
     for (const Polygon& polygon : polygons) {
+        if (area(polygon) > kLargestInDoubt || looked > kMostInDoubt) {
+            parts.push_back(polygon);
+            continue;
+        }
+        looked += area(polygon);
         const double sizeM = std::clamp(std::sqrt(area(polygon).si()) / kSquaresAcross, finestM, kLargestSquareM);
         const Bounds box = bounds({polygon});
         MultiPolygon within;

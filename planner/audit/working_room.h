@@ -33,7 +33,8 @@ private:
 };
 
 /// The parts of polygons that are within reach in this sense, largest first, told by squares of a quarter of a metre
-/// to one and a half, the larger the piece. O(area x what one place costs). Cancelled.
+/// to one and a half, the larger the piece. What is
+/// larger than 1,000 m², and what comes after 2 ha of smaller ones, stays as it is. O(area x what one place costs). Cancelled.
 Result<MultiPolygon> partsWithRoom(const MultiPolygon& polygons, const WorkingRoom& room, Length operatingWidth,
                                    const JobContext& job);
 

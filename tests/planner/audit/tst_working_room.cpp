@@ -117,6 +117,9 @@ private slots:
         const auto whole = partsWithRoom({test::rectangle(6.0, 6.0, {20.0, 20.0})}, room, cultivator().operatingWidth(), {});
         VERIFY_RESULT(whole);
         QCOMPARE(*whole, MultiPolygon{test::rectangle(6.0, 6.0, {20.0, 20.0})});
+        // A square kilometre is not looked at piece by piece.
+        const MultiPolygon vast{test::rectangle(1000.0, 1000.0)};
+        QCOMPARE(partsWithRoom(vast, room, cultivator().operatingWidth(), {}).value(), vast);
         QVERIFY(partsWithRoom({test::rectangle(1.0, 1.0)}, room, cultivator().operatingWidth(), {}).value().empty());
     }
 };
