@@ -190,58 +190,68 @@ bool WorkingRoom::reachesAhead(Point place, Point nose, const std::vector<Edge>&
     return free <= halfWidthM_;
 }
 
+namespace {
+
+/// Squares over the parts of a polygon that are within reach, those side by side as one; nothing where all of it is.
+std::optional<MultiPolygon> squaresWithRoom(const Polygon& polygon, const WorkingRoom& room, double sizeM) {
+    const Bounds box = bounds({polygon});
+    MultiPolygon squares;
+    bool isWhole = true;
+    for (double y = box.min.y; y < box.max.y; y += sizeM) {
+        Ring row = cut(cut(polygon.outer, {0.0, y}, {1.0, 0.0}).first, {0.0, y + sizeM}, {1.0, 0.0}).second;
+        if (row.size() < 3) {
+            continue;
+        }
+        const Bounds extent = bounds({{.outer = row, .holes = {}}});
+        std::optional<double> begun;
+        const auto end = [&](double x) {
+            if (begun) {
+                squares.push_back({.outer = {{*begun, y}, {x, y}, {x, y + sizeM}, {*begun, y + sizeM}}, .holes = {}});
+                begun.reset();
+            }
+        };
+        for (double x = extent.min.x; x < extent.max.x && row.size() > 2; x += sizeM) {
+            auto [square, rest] = cut(row, {x + sizeM, 0.0}, {0.0, 1.0});
+            row = std::move(rest);
+            const std::optional<Point> middle = middleOf(square);
+            if (!middle) {
+                continue;
+            }
+            if (room.reaches(*middle)) {
+                begun = begun.value_or(x);
+            } else {
+                isWhole = false;
+                end(x);
+            }
+        }
+        end(extent.max.x);
+    }
+    return isWhole ? std::nullopt : std::optional{std::move(squares)};
+}
+
+}  // namespace
+
 Result<MultiPolygon> partsWithRoom(const MultiPolygon& polygons, const WorkingRoom& room, Length operatingWidth,
                                    const JobContext& job) {
     const double finestM = std::clamp(operatingWidth.si() / 16.0, 0.25, 0.5);
     MultiPolygon parts;
     Area looked;
     for (const Polygon& polygon : polygons) {
+        if (job.stopRequested()) {
+            return std::unexpected(cancelled());
+        }
         if (area(polygon) > kLargestInDoubt || looked > kMostInDoubt) {
             parts.push_back(polygon);
             continue;
         }
         looked += area(polygon);
         const double sizeM = std::clamp(std::sqrt(area(polygon).si()) / kSquaresAcross, finestM, kLargestSquareM);
-        const Bounds box = bounds({polygon});
-        MultiPolygon within;
-        bool isWhole = true;
-        for (double y = box.min.y; y < box.max.y; y += sizeM) {
-            if (job.stopRequested()) {
-                return std::unexpected(cancelled());
-            }
-            Ring row = cut(cut(polygon.outer, {0.0, y}, {1.0, 0.0}).first, {0.0, y + sizeM}, {1.0, 0.0}).second;
-            std::optional<double> begun;
-            const auto end = [&](double x) {
-                if (begun) {
-                    within.push_back({.outer = {{*begun, y}, {x, y}, {x, y + sizeM}, {*begun, y + sizeM}}, .holes = {}});
-                    begun.reset();
-                }
-            };
-            if (row.size() < 3) {
-                continue;
-            }
-            const Bounds extent = bounds({{.outer = row, .holes = {}}});
-            for (double x = extent.min.x; x < extent.max.x && row.size() > 2; x += sizeM) {
-                auto [square, rest] = cut(row, {x + sizeM, 0.0}, {0.0, 1.0});
-                row = std::move(rest);
-                const std::optional<Point> middle = middleOf(square);
-                if (!middle) {
-                    continue;
-                }
-                if (room.reaches(*middle)) {
-                    begun = begun.value_or(x);
-                } else {
-                    isWhole = false;
-                    end(x);
-                }
-            }
-            end(extent.max.x);
-        }
-        if (isWhole) {
+        const std::optional<MultiPolygon> squares = squaresWithRoom(polygon, room, sizeM);
+        if (!squares) {
             parts.push_back(polygon);
-        } else if (!within.empty()) {
-            auto joined = unionOf(within, job, kSnapGrid).and_then([&](const MultiPolygon& squares) {
-                return intersection({polygon}, squares, job, kSnapGrid);
+        } else if (!squares->empty()) {
+            auto joined = unionOf(*squares, job, kSnapGrid).and_then([&](const MultiPolygon& one) {
+                return intersection({polygon}, one, job, kSnapGrid);
             });
             if (!joined) {
                 return joined;
