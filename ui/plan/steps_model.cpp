@@ -46,19 +46,12 @@ int blockingCount(const Plan& plan) {
     return static_cast<int>(std::ranges::count(plan.findings, Severity::Blocking, &Finding::severity));
 }
 
-/// One width, or from the narrowest to the widest where edges have their own.
-QString headlandWidthText(const Headland& headland) {
-    const QString narrowest = metresText(narrowestWidth(headland), 1);
-    const QString widest = metresText(headland.width, 1);
-    return narrowest == widest ? widest : narrowest + QStringLiteral(" – ") + widest;
-}
-
 /// What came of a stage, in one line; empty for stages that are not known here.
 QString resultOf(std::string_view stage, const Plan& plan) {
     if (stage == "headland") {
         return plan.headland.width.si() <= 0.0
                    ? StepsModel::tr("mainland %1").arg(percentText(plan.headland.mainlandRatio))
-                   : QStringList{headlandWidthText(plan.headland),
+                   : QStringList{metresText(narrowestWidth(plan.headland), plan.headland.width, 1),
                                  StepsModel::tr("%n pass(es)", nullptr, plan.headland.passes),
                                  StepsModel::tr("mainland %1").arg(percentText(plan.headland.mainlandRatio))}
                          .join(kSeparator);

@@ -83,6 +83,12 @@ QString metresText(Length length, int decimals) {
     return imperial() ? feetText(length.si() / kFootM, decimals) : Text::tr("%1 m").arg(numberText(length.si(), decimals));
 }
 
+QString metresText(Length least, Length most, int decimals) {
+    const QString all = metresText(most, decimals);
+    const QString first = numberText(least.si() / (imperial() ? kFootM : 1.0), decimals);
+    return all == metresText(least, decimals) ? all : QStringLiteral("%1 – %2").arg(first, all);
+}
+
 QString shortLengthText(Length length) {
     return imperial() ? Text::tr("%1 ft").arg(shortNumberText(length.si() / kFootM, 2))
                       : Text::tr("%1 m").arg(shortNumberText(length.si(), 3));

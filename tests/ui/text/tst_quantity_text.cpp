@@ -135,6 +135,14 @@ private slots:
         QVERIFY(fields.complaint(QStringLiteral("65,6"), QuantityText::Length, 0.0, 20.0, 1).isEmpty());
     }
 
+    void unitsStandOnceInRanges() {
+        use("en", false);
+        QCOMPARE(metresText(metres(20.0), metres(30.0), 1), QStringLiteral("20.0 – 30.0 m"));
+        QCOMPARE(metresText(metres(20.01), metres(20.04), 1), QStringLiteral("20.0 m"));
+        use("de", true);
+        QCOMPARE(metresText(metres(6.096), metres(9.144), 1), QStringLiteral("20,0 – 30,0 ft"));
+    }
+
     void scaleBarsAreRound_data() {
         QTest::addColumn<bool>("imperial");
         QTest::addColumn<double>("room");
