@@ -41,6 +41,14 @@ protected:
         const GeoPoint place = source().parts.front().outer[vertex];
         return onMap(QGeoCoordinate{place.latDeg, place.lonDeg});
     }
+    /// Types into a field over all that is there.
+    void enter(const QString& field, const QString& text) {
+        click(field);
+        QTRY_VERIFY(item(field)->hasActiveFocus());
+        key(Qt::Key_A, Qt::ControlModifier);
+        type(text);
+        key(Qt::Key_Return);
+    }
     bool shows(const QString& name) const { return item(name) != nullptr && item(name)->isVisible(); }
 };
 

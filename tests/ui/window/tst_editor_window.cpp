@@ -97,11 +97,7 @@ private slots:
         const double elsewhere = session_->plan()->headland.width.si();
         clickAt(a + (b - a) / 4);
         QTRY_COMPARE(editor()->selection().kind, Selection::Kind::Edge);
-        click(QStringLiteral("inspector.number.2"));
-        QTRY_VERIFY(item(QStringLiteral("inspector.number.2"))->hasActiveFocus());
-        key(Qt::Key_A, Qt::ControlModifier);
-        type(QStringLiteral("60m"));
-        key(Qt::Key_Return);
+        enter(QStringLiteral("inspector.number.2"), QStringLiteral("60m"));
         QTRY_COMPARE(source().edgeHeadlands.size(), std::size_t{1});
         QCOMPARE(source().edgeHeadlands.front().width.si(), 60.0);
         QTRY_VERIFY_WITH_TIMEOUT(session_->plan() && session_->plan()->headland.mainlandRatio < before - 0.02, 30000);
