@@ -12,6 +12,8 @@ namespace {
 
 // Of large fields cells are larger.
 constexpr double kMostCellsAcross = 500.0;
+// Against rounding at the sides of cells.
+constexpr double kSpareM = 1e-6;
 
 Point inwardNormal(Point from, Point to) {
     // The inside lies to the left of every edge: outer rings run counter-clockwise, holes clockwise.
@@ -22,7 +24,7 @@ Point inwardNormal(Point from, Point to) {
 
 }  // namespace
 
-BoundaryDistance::BoundaryDistance(const MultiPolygon& polygons, Length reach) : reachM_{reach.si()}, cellM_{2.0 * reach.si()} {
+BoundaryDistance::BoundaryDistance(const MultiPolygon& polygons, Length reach) : reachM_{reach.si()}, cellM_{reach.si()} {
     const auto add = [this](const Ring& ring) {
         const std::size_t size = ring.size();
         for (std::size_t i = 0; i < size; ++i) {
@@ -50,8 +52,7 @@ BoundaryDistance::BoundaryDistance(const MultiPolygon& polygons, Length reach) :
     sortIntoCells();
 }
 
-/// What is within reach of a piece of an edge that is no longer than a cell lies in the cells around that piece's ends,
-/// as cells are at least twice the reach wide.
+/// An edge lies in every cell that is within reach of one of its pieces no longer than a cell, told by boxes around them.
 void BoundaryDistance::sortIntoCells() {
     if (edges_.empty()) {
         return;
@@ -63,20 +64,22 @@ void BoundaryDistance::sortIntoCells() {
         high = {std::max(high.x, edge.from.x), std::max(high.y, edge.from.y)};
     }
     cellM_ = std::max(cellM_, std::max(high.x - low.x, high.y - low.y) / kMostCellsAcross);
-    corner_ = low - Point{2.0 * cellM_, 2.0 * cellM_};
-    columns_ = static_cast<std::size_t>((high.x - corner_.x) / cellM_) + 3;
-    rows_ = static_cast<std::size_t>((high.y - corner_.y) / cellM_) + 3;
-    const auto forEachCell = [this](const auto& visit) {
+    const Point reach{reachM_ + kSpareM, reachM_ + kSpareM};
+    corner_ = low - reach;
+    columns_ = cellAt(high + reach).first + 1;
+    rows_ = cellAt(high + reach).second + 1;
+    const auto forEachCell = [&](const auto& visit) {
         std::vector<std::uint32_t> visitedBy(columns_ * rows_, static_cast<std::uint32_t>(edges_.size()));
         for (std::uint32_t e = 0; e < edges_.size(); ++e) {
             const Edge& edge = edges_[e];
             const auto pieces = static_cast<int>(std::ceil(norm(edge.way) / cellM_)) + 1;
-            for (int i = 0; i <= pieces; ++i) {
-                const Point at = edge.from + (static_cast<double>(i) / pieces) * edge.way - corner_;
-                const auto column = static_cast<std::size_t>(at.x / cellM_);
-                const auto row = static_cast<std::size_t>(at.y / cellM_);
-                for (std::size_t y = row - 1; y <= row + 1; ++y) {
-                    for (std::size_t x = column - 1; x <= column + 1; ++x) {
+            for (int i = 0; i < pieces; ++i) {
+                const Point a = edge.from + (static_cast<double>(i) / pieces) * edge.way;
+                const Point b = edge.from + (static_cast<double>(i + 1) / pieces) * edge.way;
+                const auto [left, below] = cellAt(Point{std::min(a.x, b.x), std::min(a.y, b.y)} - reach);
+                const auto [right, above] = cellAt(Point{std::max(a.x, b.x), std::max(a.y, b.y)} + reach);
+                for (std::size_t y = below; y <= std::min(above, rows_ - 1); ++y) {
+                    for (std::size_t x = left; x <= std::min(right, columns_ - 1); ++x) {
                         const std::size_t cell = y * columns_ + x;
                         if (std::exchange(visitedBy[cell], e) != e) {
                             visit(cell, e);
@@ -92,6 +95,11 @@ void BoundaryDistance::sortIntoCells() {
     edgesOf_.resize(firstOf_.back());
     std::vector<std::uint32_t> next = firstOf_;
     forEachCell([&](std::size_t cell, std::uint32_t e) { edgesOf_[next[cell]++] = e; });
+}
+
+std::pair<std::size_t, std::size_t> BoundaryDistance::cellAt(Point point) const {
+    return {static_cast<std::size_t>(std::max(0.0, (point.x - corner_.x) / cellM_)),
+            static_cast<std::size_t>(std::max(0.0, (point.y - corner_.y) / cellM_))};
 }
 
 std::span<const std::uint32_t> BoundaryDistance::edgesNear(Point point) const {

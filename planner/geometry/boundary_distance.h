@@ -5,6 +5,7 @@
 #include <cstdint>
 #include <optional>
 #include <span>
+#include <utility>
 #include <vector>
 
 namespace furrow {
@@ -37,6 +38,8 @@ private:
         Point toNormal;
     };
     void sortIntoCells();
+    /// Its column and its row; the first ones where a point lies before them.
+    std::pair<std::size_t, std::size_t> cellAt(Point point) const;
     /// Edges near a point; none far from all.
     std::span<const std::uint32_t> edgesNear(Point point) const;
 

@@ -9,6 +9,7 @@
 #include <array>
 #include <cmath>
 #include <iterator>
+#include <limits>
 #include <numbers>
 #include <optional>
 #include <ranges>
@@ -274,15 +275,21 @@ private:
         const auto [first, last] = std::ranges::minmax(beside, {}, [&](Point point) { return dot(along, point - on); });
         const double toM = dot(along, last - on);
         const Angle heading = radians(std::atan2(along.y, along.x));
-        const auto isFree = [&](double m) {
+        const auto roomM = [&](double m) {
             const Pose pose = vehicleAt({.position = on + m * along, .heading = heading}, task_.lowered.machine());
-            return task_.lowered.outsideM(Rig::inLine(pose)) <= kTouchingM;
+            return task_.lowered.roomM(Rig::inLine(pose));
         };
         std::optional<double> begun;
+        double freeToM = -std::numeric_limits<double>::infinity();
         // With the run-in before it.
         for (double m = dot(along, first - on) - runInM_;; m += kLookM) {
             const double here = std::min(m, toM);
-            const bool free = isFree(here);
+            bool free = here < freeToM;
+            if (!free) {
+                const double room = roomM(here);
+                free = room >= -kTouchingM;
+                freeToM = here + room;
+            }
             if (free && !begun) {
                 begun = here;
             }

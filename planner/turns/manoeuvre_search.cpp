@@ -32,6 +32,7 @@ constexpr std::size_t kMostMovesTrailed = 800;
 constexpr std::size_t kMostMovesQuick = 200;
 // Moves that are looked at for a quicker way when one was found.
 constexpr std::size_t kMovesAfterFirst = 150;
+constexpr std::size_t kMovesAfterFirstQuick = 40;
 // The way to the goal is taken for longer than it is known to be: fewer moves for a slightly longer way. From afar
 // more so: there many ways are as good as each other.
 constexpr double kGreed = 1.15;
@@ -220,7 +221,7 @@ public:
         for (Escape& escape : *in) {
             ends_.push_back({.pieces = backInTime(std::move(escape.pieces)), .end = escape.end});
         }
-        std::size_t movesLeft = kMovesAfterFirst;
+        std::size_t movesLeft = effort == SearchEffort::Quick ? kMovesAfterFirstQuick : kMovesAfterFirst;
         const std::size_t most = effort == SearchEffort::Quick ? kMostMovesQuick
                                  : rig_.hasTrailer()           ? kMostMovesTrailed
                                                                : kMostMoves;

@@ -85,13 +85,14 @@ double Rig::straddledM(const Part& part, const Pose& pose) const {
     return farthest;
 }
 
-double Rig::outsideM(const RigState& state) const {
-    const double outside = -roomAround(state).least();
-    if (outside > 0.0) {
-        return outside;
+double Rig::roomM(const RigState& state) const {
+    const double room = roomAround(state).least();
+    if (room < 0.0) {
+        return room;
     }
     const double tractor = straddledM(tractor_, state.tractor);
-    return trailer_ ? std::max(tractor, straddledM(trailed_, trailer_->poseOf(state.tractor, state.implement))) : tractor;
+    const double both = trailer_ ? std::max(tractor, straddledM(trailed_, trailer_->poseOf(state.tractor, state.implement))) : tractor;
+    return both > 0.0 ? -both : room;
 }
 
 std::optional<RigState> Rig::follow(const RigState& from, const TurnPiece& piece, Length step,

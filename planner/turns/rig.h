@@ -6,6 +6,7 @@
 #include "planner/turns/trailer.h"
 #include "planner/turns/turn.h"
 
+#include <algorithm>
 #include <functional>
 #include <optional>
 
@@ -33,7 +34,9 @@ public:
     static RigState inLine(const Pose& pose) { return {pose, pose.heading}; }
 
     /// How far either gets outside at this place; 0 inside. About 1 microsecond near an edge.
-    double outsideM(const RigState& state) const;
+    double outsideM(const RigState& state) const { return std::max(0.0, -roomM(state)); }
+    /// How far every point of both may move at least without getting outside; less than 0 by how far they are.
+    double roomM(const RigState& state) const;
 
     /// After a piece of a turn; nothing as soon as something is outside. It is looked at as often as the room there is
     /// asks for: what is outside in between is so by a millimetre or two.
