@@ -155,6 +155,25 @@ struct Left {
         }
     }
 
+    bool liesBy(std::size_t piece, const Bounds& box) const {
+        const Bounds& own = boxes[piece];
+        return own.min.x <= box.max.x && own.max.x >= box.min.x && own.min.y <= box.max.y && own.max.y >= box.min.y;
+    }
+    /// Without what one more strip works.
+    Result<MultiPolygon> without(const Ring& strip, const JobContext& job) const {
+        const Polygon polygon{.outer = strip, .holes = {}};
+        const Bounds box = bounds({polygon});
+        MultiPolygon near;
+        MultiPolygon rest;
+        for (std::size_t i = 0; i < pieces.size(); ++i) {
+            (liesBy(i, box) ? near : rest).push_back(pieces[i]);
+        }
+        return difference(near, {polygon}, job).transform([&](MultiPolygon cut) {
+            std::ranges::move(cut, std::back_inserter(rest));
+            return std::move(rest);
+        });
+    }
+
     MultiPolygon pieces;
     std::vector<Bounds> boxes;
 };
@@ -214,8 +233,7 @@ public:
         double beginsM = lane.toM;
         double endsM = lane.fromM;
         for (std::size_t i = 0; i < left.pieces.size(); ++i) {
-            const Bounds& other = left.boxes[i];
-            if (other.min.x > box.max.x || other.max.x < box.min.x || other.min.y > box.max.y || other.max.y < box.min.y) {
+            if (!left.liesBy(i, box)) {
                 continue;
             }
             const Ring inStrip = clipped(left.pieces[i].outer, strip);
@@ -352,8 +370,7 @@ Result<void> chooseBest(std::vector<Lane> lanes, const Chooser& chooser, const F
             putBack();
             continue;
         }
-        const Polygon strip{.outer = stripOf(*found, chooser.widthM()), .holes = {}};
-        auto rest = difference(chosen.left.pieces, {strip}, job);
+        auto rest = chosen.left.without(stripOf(*found, chooser.widthM()), job);
         if (!rest) {
             return std::unexpected(rest.error());
         }
