@@ -1,7 +1,10 @@
 #include "planner/geometry/boundary_distance.h"
 
+#include "planner/geometry/segment.h"
+
 #include <algorithm>
 #include <cmath>
+#include <iterator>
 #include <limits>
 #include <numeric>
 #include <utility>
@@ -14,8 +17,13 @@ namespace {
 constexpr double kMostCellsAcross = 500.0;
 // As a share of the reach: smaller ones hold fewer edges that are not near, but there are more of them.
 constexpr double kCellShare = 0.5;
+constexpr double kSamePlaceM = 1e-9;
 // Against rounding at the sides of cells.
 constexpr double kSpareM = 1e-6;
+
+bool isBefore(Point a, Point b) {
+    return std::pair{a.x, a.y} < std::pair{b.x, b.y};
+}
 
 Point inwardNormal(Point from, Point to) {
     // The inside lies to the left of every edge: outer rings run counter-clockwise, holes clockwise.
@@ -51,7 +59,41 @@ BoundaryDistance::BoundaryDistance(const MultiPolygon& polygons, Length reach) :
         std::ranges::for_each(polygon.holes, add);
     }
     std::ranges::sort(inwardCorners_, {}, &Point::x);
+    findMeetings();
     sortIntoCells();
+}
+
+void BoundaryDistance::findMeetings() {
+    std::vector<Point> corners;
+    std::ranges::transform(edges_, std::back_inserter(corners), &Edge::from);
+    std::ranges::sort(corners, isBefore);
+    for (std::size_t i = 1; i < corners.size(); ++i) {
+        if (corners[i] == corners[i - 1]) {
+            meetings_.push_back(corners[i]);
+        }
+    }
+}
+
+// Nearest to a corner is what lies in the one gap between its edges that is half a turn or more: the edge next to the
+// point in angle is a side of that.
+double BoundaryDistance::sideAtMeeting(Point point, Point corner) const {
+    const Point away = point - corner;
+    double nextTo = -std::numeric_limits<double>::infinity();
+    double side = 0.0;
+    for (const std::uint32_t e : edgesNear(point)) {
+        const Edge& edge = edges_[e];
+        const Point to = edge.from + edge.way;
+        const bool begins = distance(edge.from, corner) < kSamePlaceM;
+        if (begins == (distance(to, corner) < kSamePlaceM)) {
+            continue;
+        }
+        const Point along = begins ? edge.way : -1.0 * edge.way;
+        if (const double cosine = dot(away, along) / norm(along); cosine > nextTo) {
+            nextTo = cosine;
+            side = cross(edge.way, away);
+        }
+    }
+    return side;
 }
 
 /// An edge lies in every cell that is within reach of one of its pieces no longer than a cell, told by boxes around them.
@@ -138,29 +180,65 @@ std::optional<double> BoundaryDistance::insideM(Point point) const {
     if (nearest > reachM_ * reachM_) {
         return std::nullopt;
     }
-    const Point normal = nearestShare <= 0.0   ? edge->fromNormal
-                         : nearestShare >= 1.0 ? edge->toNormal
-                                               : Point{-edge->way.y, edge->way.x};
-    const double side = dot(point - edge->from - nearestShare * edge->way, normal);
+    const bool isCorner = nearestShare <= 0.0 || nearestShare >= 1.0;
+    const Point place = edge->from + nearestShare * edge->way;
+    const Point normal = !isCorner               ? Point{-edge->way.y, edge->way.x}
+                         : nearestShare <= 0.0 ? edge->fromNormal
+                                               : edge->toNormal;
+    const auto isHere = [place](Point corner) { return distance(corner, place) < kSamePlaceM; };
+    const double side = isCorner && std::ranges::any_of(meetings_, isHere) ? sideAtMeeting(point, place)
+                                                                           : dot(point - place, normal);
     return side < 0.0 ? -std::sqrt(nearest) : std::sqrt(nearest);
 }
 
-double BoundaryDistance::cutOffM(Point around, Point from, Point to) const {
-    const Point line = to - from;
-    double farthest = 0.0;
+double BoundaryDistance::crossedM(Point around, const Ring& shape) const {
+    double deepest = 0.0;
+    double farM = 0.0;
+    for (const Point& corner : shape) {
+        farM = std::max(farM, distance(around, corner));
+    }
+    std::vector<double> shares;
     for (const std::uint32_t e : edgesNear(around)) {
-        const Point way = edges_[e].way;
-        const double turn = cross(line, way);
-        if (turn == 0.0) {
+        const Edge& edge = edges_[e];
+        if (distanceToSegment(around, edge.from, edge.from + edge.way) > farM) {
             continue;
         }
-        const double onLine = cross(edges_[e].from - from, way) / turn;
-        const double onEdge = cross(edges_[e].from - from, line) / turn;
-        if (onLine > 0.0 && onLine < 1.0 && onEdge >= 0.0 && onEdge <= 1.0) {
-            farthest = std::max(farthest, std::min(onLine, 1.0 - onLine) * std::abs(turn) / norm(way));
+        shares.assign(1, 0.0);
+        Point a = shape.back();
+        for (const Point b : shape) {
+            const Point side = b - a;
+            const double turn = cross(edge.way, side);
+            const double onSide = cross(a - edge.from, edge.way) / turn;
+            const double share = cross(a - edge.from, side) / turn;
+            if (turn != 0.0 && onSide >= 0.0 && onSide <= 1.0 && share > 0.0 && share < 1.0) {
+                shares.push_back(share);
+            }
+            a = b;
+        }
+        shares.push_back(1.0);
+        std::ranges::sort(shares);
+        for (std::size_t i = 1; i < shares.size(); ++i) {
+            const Point middle = edge.from + 0.5 * (shares[i - 1] + shares[i]) * edge.way;
+            deepest = std::max(deepest, -awayFrom(shape, middle));
         }
     }
-    return farthest;
+    return deepest;
+}
+
+double awayFrom(const Ring& shape, Point point) {
+    bool inside = false;
+    double nearest = std::numeric_limits<double>::infinity();  // squared
+    Point a = shape.back();
+    for (const Point b : shape) {
+        if ((a.y > point.y) != (b.y > point.y) &&
+            point.x < a.x + (b.x - a.x) * (point.y - a.y) / (b.y - a.y)) {
+            inside = !inside;
+        }
+        const Point away = point - nearestOnSegment(point, a, b);
+        nearest = std::min(nearest, dot(away, away));
+        a = b;
+    }
+    return inside ? -std::sqrt(nearest) : std::sqrt(nearest);
 }
 
 }  // namespace furrow

@@ -21,9 +21,9 @@ public:
     /// Cost: the edges in the cells around the point.
     std::optional<double> insideM(Point point) const;
     double reachM() const { return reachM_; }
-    /// How far the nearer end of a line lies beyond an edge that crosses it, at most; 0 where none does. Asked around a
-    /// place that is no farther than the reach from both ends. Cost: the edges in its cell.
-    double cutOffM(Point around, Point from, Point to) const;
+    /// How deep edges lie in a shape, each at the middle of what of it is in there; 0 where none is. Asked around a place that is no farther than the reach from all of the shape. Cost: the edges in its
+    /// cell times the shape's sides.
+    double crossedM(Point around, const Ring& shape) const;
 
     /// Corners that point inwards, where a shape can be poked between its own corners; those with x from low to
     /// high.
@@ -37,7 +37,10 @@ private:
         Point fromNormal;  ///< sums of the inward normals at the edge's ends: which side a corner is on
         Point toNormal;
     };
+    void findMeetings();
     void sortIntoCells();
+    /// Positive inside: of a point that is nearest to a corner at which several rings meet.
+    double sideAtMeeting(Point point, Point corner) const;
     /// Its column and its row; the first ones where a point lies before them.
     std::pair<std::size_t, std::size_t> cellAt(Point point) const;
     /// Edges near a point; none far from all.
@@ -46,6 +49,7 @@ private:
     double reachM_;
     std::vector<Edge> edges_;
     std::vector<Point> inwardCorners_;  // by x
+    std::vector<Point> meetings_;       // corners at which several rings meet
     // Square cells in rows, from the lower left corner on: those of cell i are edgesOf_[firstOf_[i]] and on.
     double cellM_;
     Point corner_;
@@ -54,5 +58,8 @@ private:
     std::vector<std::uint32_t> firstOf_;
     std::vector<std::uint32_t> edgesOf_;
 };
+
+/// How far a point is from the sides of a ring, negative inside.
+double awayFrom(const Ring& shape, Point point);
 
 }  // namespace furrow

@@ -1,11 +1,9 @@
 #include "planner/turns/footprint_check.h"
 
-#include "planner/geometry/segment.h"
 #include "planner/turns/turn_sampling.h"
 
 #include <algorithm>
 #include <cmath>
-#include <limits>
 
 namespace furrow {
 
@@ -13,23 +11,6 @@ namespace {
 
 // Outside by less than this is touching.
 constexpr double kTouchingM = 1e-3;
-
-/// How far a point is from a shape's sides, negative inside.
-double awayFrom(const Ring& shape, Point point) {
-    bool inside = false;
-    double nearest = std::numeric_limits<double>::infinity();  // squared
-    Point a = shape.back();
-    for (const Point b : shape) {
-        if ((a.y > point.y) != (b.y > point.y) &&
-            point.x < a.x + (b.x - a.x) * (point.y - a.y) / (b.y - a.y)) {
-            inside = !inside;
-        }
-        const Point away = point - nearestOnSegment(point, a, b);
-        nearest = std::min(nearest, dot(away, away));
-        a = b;
-    }
-    return inside ? -std::sqrt(nearest) : std::sqrt(nearest);
-}
 
 }  // namespace
 

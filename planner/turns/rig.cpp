@@ -72,17 +72,16 @@ FootprintRoom Rig::roomAround(const RigState& state) const {
     return {std::min(tractor.edgesM, trailed.edgesM), std::min(tractor.cornersM, trailed.cornersM)};
 }
 
-double Rig::straddledM(const Part& part, const Pose& pose) const {
+double Rig::crossedM(const Part& part, const Pose& pose) const {
     if (edges_.insideM(pose.position).value_or(edges_.reachM()) > part.radiusM) {
         return 0.0;
     }
-    // What is long and thin crosses the sides without a corner of either in the other.
-    double farthest = 0.0;
-    const Ring outline = placed(part.shape, pose);
-    for (std::size_t i = 0; i < outline.size(); ++i) {
-        farthest = std::max(farthest, edges_.cutOffM(pose.position, outline[i], outline[(i + 1) % outline.size()]));
-    }
-    return farthest;
+    return edges_.crossedM(pose.position, placed(part.shape, pose));
+}
+
+double Rig::crossedM(const RigState& state) const {
+    const double tractor = crossedM(tractor_, state.tractor);
+    return trailer_ ? std::max(tractor, crossedM(trailed_, trailer_->poseOf(state.tractor, state.implement))) : tractor;
 }
 
 double Rig::roomM(const RigState& state) const {
@@ -90,9 +89,9 @@ double Rig::roomM(const RigState& state) const {
     if (room < 0.0) {
         return room;
     }
-    const double tractor = straddledM(tractor_, state.tractor);
-    const double both = trailer_ ? std::max(tractor, straddledM(trailed_, trailer_->poseOf(state.tractor, state.implement))) : tractor;
-    return both > 0.0 ? -both : room;
+    // What is long and thin crosses the sides without a corner of either in the other.
+    const double crossed = crossedM(state);
+    return crossed > 0.0 ? -crossed : room;
 }
 
 std::optional<RigState> Rig::follow(const RigState& from, const TurnPiece& piece, Length step,
@@ -137,7 +136,8 @@ std::optional<RigState> Rig::driven(const RigState& from, const TurnPiece& piece
         free -= stepM;
         if (free <= kRoundingM || goneM == lengthM) {
             const FootprintRoom room = roomAround(at);
-            if (room.least() < -touching.si()) {
+            // With its own corners along an edge and a corner of the field along its side, an edge may come in between.
+            if (room.least() < -touching.si() || (room.least() < kLookAtCornersM && crossedM(at) > touching.si())) {
                 return std::nullopt;
             }
             free = freeWay(room);

@@ -64,8 +64,9 @@ private:
     static Part partOf(Ring shape);
     FootprintRoom roomAround(const Part& part, const Pose& pose) const;
     FootprintRoom roomAround(const RigState& state) const;
-    /// How deep an edge of the field cuts into the sides of a part; 0 where none does.
-    double straddledM(const Part& part, const Pose& pose) const;
+    /// How deep edges of the field lie in a part, or in both.
+    double crossedM(const Part& part, const Pose& pose) const;
+    double crossedM(const RigState& state) const;
 
     Machine machine_;
     std::optional<Trailer> trailer_;

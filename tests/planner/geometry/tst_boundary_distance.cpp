@@ -80,6 +80,11 @@ private slots:
         const QString parts = QStringLiteral("MULTIPOLYGON(((0 0, 20 0, 20 20, 0 20, 0 0)), ((24 0, 44 0, 44 20, 24 20, 24 0)))");
         QTest::newRow("between parts") << parts << 5.0 << 23.0 << 10.0 << -1.0;
         QTest::newRow("in the other part") << parts << 5.0 << 25.5 << 10.0 << 1.5;
+        // The tip of a triangle lies in the bend of an L: holes that meet at (50, 50).
+        const QString meeting = QStringLiteral("POLYGON((0 0, 100 0, 100 100, 0 100, 0 0), (50 50, 54 60, 60 54, 50 50), "
+                                               "(20 20, 20 80, 50 80, 50 50, 80 50, 80 20, 20 20))");
+        QTest::newRow("in a hole whose bend another hole touches") << meeting << 6.0 << 47.0 << 46.0 << -5.0;
+        QTest::newRow("in the gap between them") << meeting << 6.0 << 54.0 << 51.0 << 0.6 / std::sqrt(1.16);
     }
     void byHand() {
         QFETCH(QString, wkt);

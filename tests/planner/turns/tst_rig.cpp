@@ -101,6 +101,16 @@ private slots:
         COMPARE_WITHIN(rig.outsideM(Rig::inLine(away)), 0.0, 1e-9);
     }
 
+    // An obstacle cuts the front of the tractor off from corner to side: all its own corners and those of the machine
+    // touch each other's sides and nothing more. The middle of its long side, (12, 10), is a metre from front and side.
+    void anEdgeFromCornerToSide() {
+        const MultiPolygon wedged{{.outer = square().front().outer, .holes = {{{13, 11}, {13, 9}, {11, 9}}}}};
+        const Rig rig{wedged, mounted()};
+        COMPARE_WITHIN(rig.outsideM(Rig::inLine(test::pose(10.0, 10.0, 0.0))), 1.0, 1e-9);
+        const auto within = rig.driven(Rig::inLine(test::pose(9.999, 10.0, 0.0)), piece(0.001, 0.0));
+        QVERIFY(!within.has_value());
+    }
+
     void aTrailedImplementHasItsOwnPlace() {
         const Rig rig{square(), trailed(-1.0)};
         QVERIFY(rig.hasTrailer());
