@@ -25,6 +25,8 @@ constexpr double kPieceM = 6.0;
 constexpr double kTouchingM = 1e-6;
 // Steps that turn get finer down to hulls that reach this far beyond what is swept.
 constexpr double kFinestM = 0.002;
+// Longer than any machine.
+constexpr double kFarM = 1000.0;
 // An intrusion without any corner of the footprint outside: too small to measure, but there.
 constexpr double kLeastIntrusionM = 1e-3;
 
@@ -140,13 +142,18 @@ private:
                 consider(side.from + 0.5 * (crossings[k - 1] + crossings[k]) * along);
             }
         }
-        // Something small between the wheels: its middle is in it, unless it is bent.
+        // Something small between the wheels: its middle is in it, unless it is bent. What reaches in from a side: in
+        // between an edge and whatever comes next across it.
         Point sum;
         double inside = 0.0;
         for (const Edge& edge : intruding) {
             if (const auto part = partInside(hull, edge, kTouchingM)) {
-                sum = sum + (edge.from + 0.5 * (part->first + part->second) * (edge.to - edge.from));
+                const Point middle = edge.from + 0.5 * (part->first + part->second) * (edge.to - edge.from);
+                sum = sum + middle;
                 inside += 1.0;
+                const Point along = (1.0 / lengthOf(edge.to - edge.from)) * (edge.to - edge.from);
+                consider(middleAcross(hull, intruding, middle, {along.y, -along.x}));
+                consider(middleAcross(hull, intruding, middle, {-along.y, along.x}));
             }
         }
         if (inside > 0.0) {
@@ -160,6 +167,23 @@ private:
             found.place = place;
             found.beyondLand = !land_.contains(place);
         }
+    }
+
+    /// Half-way from a place in a convex piece to where it ends in a direction, or to the first edge before that.
+    static Point middleAcross(const Ring& hull, const std::vector<Edge>& edges, Point from, Point way) {
+        const Edge ray{from, from + kFarM * way};
+        const auto within = partInside(hull, ray);
+        double endM = within ? kFarM * within->second : 0.0;
+        for (const Edge& edge : edges) {
+            const Point along = edge.to - edge.from;
+            const double turn = cross(way, along);
+            const double m = cross(edge.from - from, along) / turn;
+            const double share = cross(edge.from - from, way) / turn;
+            if (turn != 0.0 && m > kTouchingM && share >= 0.0 && share <= 1.0) {
+                endM = std::min(endM, m);
+            }
+        }
+        return from + 0.5 * endM * way;
     }
 
     BoundaryIndex edges_;

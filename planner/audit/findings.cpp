@@ -12,8 +12,8 @@ namespace furrow {
 
 namespace {
 
-/// Twice the chord error: outside by less than this may be a matter of drawing.
-constexpr double kOutsideM = 2.0 * kChordErrorM;
+/// Outside by less than this may be a matter of drawing.
+constexpr double kOutsideM = kChordErrorM;
 constexpr std::size_t kMostMissedPieces = 20;
 
 Message areaText(Area area) {

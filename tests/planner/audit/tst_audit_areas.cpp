@@ -254,6 +254,18 @@ private slots:
         QVERIFY(report.minClearance->si() < 0.0);
         QCOMPARE(report.findings.front().finding.kind, "obstacle");
     }
+    // A wedge lies in what is swept, from the side to the corner where it ends: no corner of either is within the other.
+    // The circle in it has a radius of (6 + 2 - sqrt 40) / 2 = 0.84 m.
+    void aWedgeFromSideToCorner() {
+        MultiPolygon field{rectangle(100, 40)};
+        field.front().holes.push_back({{21, 21}, {21, 19}, {15, 19}});
+        PathDrawer drawer{{10.0, 20.0}};
+        drawer.begin(SegmentKind::Swath, true, 1).straight(10.0);
+        const AuditReport report = reportOf(field, plainMachine(2.0), drawer.segments);
+        COMPARE_WITHIN(report.outside->si(), 6.0, 1e-3);
+        QVERIFY2(report.minClearance->si() < -0.4, qPrintable(QString::number(report.minClearance->si())));
+        QCOMPARE(report.findings.front().finding.kind, "obstacle");
+    }
     // Through a gate 12 m wide the machine may leave the field.
     void gatesAreOpen() {
         PathDrawer drawer{{50.0, 20.0}, -0.5 * kPi};
