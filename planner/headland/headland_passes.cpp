@@ -41,6 +41,8 @@ constexpr std::size_t kManyStretches = 16;
 constexpr std::size_t kTimesFewer = 2;
 // What such a pass may differ from its line, as a share of its width.
 constexpr double kDrawnShare = 0.02;
+// Its many slight bends begin so far before their corners, as a share of its width: less steering.
+constexpr double kGentleShare = 0.5;
 // Beside an edge a machine gets free only if it has a finger's breadth to begin with.
 constexpr Length kBesideEdge = metres(0.02);
 
@@ -233,7 +235,7 @@ Result<std::vector<HeadlandPass>> innerRingOf(const HeadlandTask& task, const st
             plain.back().holes.push_back(simplifiedRing(hole, drawn));
         }
     }
-    std::vector<HeadlandPass> beside = passesOn(plain, task, ring, clockwise, {});
+    std::vector<HeadlandPass> beside = passesOn(plain, task, ring, clockwise, kGentleShare * task.machine.operatingWidth());
     return kTimesFewer * stretchCount(beside) <= stretchCount(*along) ? std::move(beside) : std::move(along);
 }
 
