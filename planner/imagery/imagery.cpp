@@ -13,7 +13,7 @@ namespace furrow {
 namespace {
 
 /// Blocks that GDAL keeps decoded; tiles are kept by whoever shows them.
-constexpr GIntBig kBlockCacheBytes = GIntBig{32} << 20;
+constexpr GIntBig kBlockCacheBytes = GIntBig{16} << 20;
 
 void limitBlockCache() {
     static std::once_flag once;

@@ -11,7 +11,7 @@ namespace {
 
 constexpr int kThreads = 2;
 /// What is kept at least, KiB; more where a large window shows more at once.
-constexpr qsizetype kKeptKiB = 48 * 1024;
+constexpr qsizetype kKeptKiB = 24 * 1024;
 
 int costKiB(const QImage& image) {
     return std::max(1, static_cast<int>(image.sizeInBytes() / 1024));

@@ -187,7 +187,8 @@ private slots:
         click(QStringLiteral("layer.online"));
         QTRY_VERIFY(item(QStringLiteral("onlineMap")) == nullptr);
     }
-    /// Prints what a frame costs while the map is panned, in processor time of all threads, and what of it which layer.
+    /// Prints what a frame costs while the map is panned, in processor time of all threads, and what of it which layer;
+    /// and the memory it takes to have seen all of an image (FURROW_IMAGERY names another).
     void whatPanningCosts() {
         const QTemporaryDir folder;
         QVERIFY(writeMeadow(folder.filePath(QStringLiteral("meadow.tif"))));
@@ -220,7 +221,8 @@ private slots:
         }
         camera()->centreOn(camera()->center(), 18.5, false);
         cost("close, everything");
-        const QString naip = QStringLiteral(FURROW_SHARED_DATA_DIR "/basemap/raster/naip_nd_20140720_5m_4band.tif");
+        const QString naip = qEnvironmentVariable(
+            "FURROW_IMAGERY", QStringLiteral(FURROW_SHARED_DATA_DIR "/basemap/raster/naip_nd_20140720_5m_4band.tif"));
         const bool real = QFile::exists(naip);
         session_->closeField();
         session_->openUrls({QUrl::fromLocalFile(real ? naip : folder.filePath(QStringLiteral("meadow.tif")))});
@@ -232,10 +234,22 @@ private slots:
         layers->setProperty("imagery", false);
         cost("without imagery");
         layers->setProperty("imagery", true);
+        const QGeoRectangle area = session_->imagery()->areaOf(0);
+        for (const double zoom : {15.0, 17.0, 19.0}) {
+            constexpr int kAcross = 12;
+            for (int i = 0; i < kAcross * kAcross; ++i) {
+                const QGeoCoordinate corner = area.bottomLeft();
+                QSignalSpy frame{window_, &QQuickWindow::frameSwapped};
+                camera()->centreOn({corner.latitude() + area.height() * (i / kAcross + 0.5) / kAcross,
+                                    corner.longitude() + area.width() * (i % kAcross + 0.5) / kAcross}, zoom, false);
+                QVERIFY(frame.wait());
+            }
+            QTRY_VERIFY(isDrawn());
+        }
         QFile status{QStringLiteral("/proc/self/status")};
         if (status.open(QIODevice::ReadOnly)) {
             for (const QByteArray& line : status.readAll().split('\n')) {
-                if (line.startsWith("VmRSS") || line.startsWith("VmHWM")) {
+                if (line.startsWith("VmRSS") || line.startsWith("VmHWM") || line.startsWith("Rss")) {
                     qInfo("%s", line.simplified().constData());
                 }
             }
