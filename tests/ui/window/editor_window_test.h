@@ -24,6 +24,7 @@ protected:
                                      session_->plan()->request.machine == session_->machine()->machine() &&
                                      session_->state() == PlanSession::State::Ready, 30000);
     }
+    std::size_t steps() const { return session_->document()->history().steps.size(); }
     QPoint middle() const { return middleOf(*map()); }
     /// 400 by 300 pixels around the middle of the map, at zoom 16.
     void drawField() {

@@ -24,7 +24,6 @@ class TestWalkWindow : public EditorWindowTest {
         begin(size);
         engine_->singletonInstance<QObject*>("Furrow.Controls", "Theme")->setProperty("forced", colours);
     }
-    std::size_t steps() const { return session_->document()->history().steps.size(); }
     void openStep(const QString& name) {
         item(QStringLiteral("stepsPanel"))->setProperty("openStep", name);
         if (!name.isEmpty()) {
