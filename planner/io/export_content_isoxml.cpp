@@ -1,3 +1,4 @@
+#include "planner/geodesy/local_frame.h"
 #include "planner/io/export_content.h"
 #include "planner/io/export_job.h"
 #include "planner/io/file_folder.h"
@@ -7,6 +8,7 @@
 #include <algorithm>
 #include <format>
 #include <limits>
+#include <numbers>
 #include <set>
 #include <utility>
 
@@ -40,7 +42,7 @@ public:
         std::size_t number = 0;
         for (const pugi::xml_node field : root.children("PFD")) {
             fields.names.emplace_back(field.attribute("C").value());
-            addField(field);
+            addField(field, number);
             ++number;
         }
         found_.names.push_back(std::move(fields));
@@ -196,7 +198,7 @@ private:
         }
     }
 
-    void addField(pugi::xml_node field) {
+    void addField(pugi::xml_node field, std::size_t number) {
         FoundNames areas = list();
         FoundNames lines = list();
         FoundNames patterns = list();
@@ -205,7 +207,7 @@ private:
             areas.names.emplace_back(polygon.attribute("B").value());
             addArea(polygon);
         }
-        checkArea(field, before);
+        checkArea(field, before, number);
         for (const pugi::xml_node point : field.children("PNT")) {
             found_.points.push_back({degrees(point.attribute("D").value()), degrees(point.attribute("C").value())});
         }
@@ -227,10 +229,33 @@ private:
         }
     }
 
+    /// What is left free round the obstacles of a field, at most: they stand in the file without it.
+    double buffersM2(std::size_t field) const {
+        double sum = 0.0;
+        if (field >= job_.fields.size()) {
+            return sum;
+        }
+        for (const Obstacle& obstacle : job_.fields[field].field.obstacles) {
+            const double bufferM = obstacle.buffer.si();
+            const auto frame = LocalFrame::centredOn(obstacle.outline.outer.front());
+            if (bufferM <= 0.0 || !frame) {
+                continue;
+            }
+            Point before = frame->toLocal(obstacle.outline.outer.back());
+            for (const GeoPoint& corner : obstacle.outline.outer) {
+                const Point here = frame->toLocal(corner);
+                sum += distance(before, here) * bufferM;
+                before = here;
+            }
+            sum += std::numbers::pi * bufferM * bufferM;
+        }
+        return sum;
+    }
+
     /// The field's area is that of its parts, or less by what lies in them.
-    void checkArea(pugi::xml_node field, std::size_t firstArea) {
+    void checkArea(pugi::xml_node field, std::size_t firstArea, std::size_t number) {
         double most = 0.0;
-        double inside = 0.0;
+        double inside = buffersM2(number);
         for (std::size_t i = firstArea; i < found_.areas.size(); ++i) {
             const FoundArea& area = found_.areas[i];
             const bool isHeadland = area.kind == FoundArea::Kind::Other && area.name.starts_with("Headland");

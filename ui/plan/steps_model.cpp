@@ -51,7 +51,7 @@ QString resultOf(std::string_view stage, const Plan& plan) {
     if (stage == "headland") {
         return plan.headland.width.si() <= 0.0
                    ? StepsModel::tr("mainland %1").arg(percentText(plan.headland.mainlandRatio))
-                   : QStringList{metresText(narrowestWidth(plan.headland), plan.headland.width, 1),
+                   : QStringList{metresText(narrowestWidth(plan.headland), plan.headland.width),
                                  StepsModel::tr("%n pass(es)", nullptr, plan.headland.passes),
                                  StepsModel::tr("mainland %1").arg(percentText(plan.headland.mainlandRatio))}
                          .join(kSeparator);

@@ -83,10 +83,15 @@ QString metresText(Length length, int decimals) {
     return imperial() ? feetText(length.si() / kFootM, decimals) : Text::tr("%1 m").arg(numberText(length.si(), decimals));
 }
 
-QString metresText(Length least, Length most, int decimals) {
-    const QString all = metresText(most, decimals);
-    const QString first = numberText(least.si() / (imperial() ? kFootM : 1.0), decimals);
-    return all == metresText(least, decimals) ? all : QStringLiteral("%1 – %2").arg(first, all);
+QString metresText(Length least, Length most) {
+    const double perUnit = imperial() ? kFootM : 1.0;
+    const QString first = shortNumberText(least.si() / perUnit, 1);
+    const QString last = shortNumberText(most.si() / perUnit, 1);
+    if (first == last) {
+        return metresText(most, 1);
+    }
+    const QString both = QStringLiteral("%1 – %2").arg(first, last);
+    return imperial() ? Text::tr("%1 ft").arg(both) : Text::tr("%1 m").arg(both);
 }
 
 QString shortLengthText(Length length) {

@@ -14,8 +14,8 @@ QString areaText(Area area);
 QString lengthText(Length length);
 /// With this many decimals, always in metres or feet.
 QString metresText(Length length, int decimals);
-/// "20.0 – 30.0 m"; one figure where both read the same.
-QString metresText(Length least, Length most, int decimals);
+/// "20 – 32.5 m"; "20.0 m" where both read the same.
+QString metresText(Length least, Length most);
 /// In metres or feet, without decimals that are zero.
 QString shortLengthText(Length length);
 /// Always in square metres or square feet, or in hectares or acres.

@@ -30,6 +30,16 @@ const Plan& plan() {
     return *made;
 }
 
+/// The same without much of what lies round the obstacle.
+const Plan& widelyBufferedPlan() {
+    static const std::shared_ptr<const Plan> made = [] {
+        FieldSource source = plan().field().source();
+        source.obstacles.front().buffer = metres(12.0);
+        return planOf(source, "power-harrow-drill");
+    }();
+    return *made;
+}
+
 /// A plan that drives forwards only.
 const Plan& forwardPlan() {
     static const std::shared_ptr<const Plan> made = [] {
@@ -266,19 +276,21 @@ private slots:
 
     void findsNothingInPlans_data() {
         QTest::addColumn<QString>("format");
-        QTest::addColumn<bool>("forward");
+        QTest::addColumn<const Plan*>("made");
         for (const FormatInfo& format : formats()) {
             if (format.writes()) {
-                QTest::addRow("%s", format.id.data()) << QString::fromUtf8(format.id.data()) << false;
-                QTest::addRow("%s, forwards only", format.id.data()) << QString::fromUtf8(format.id.data()) << true;
+                const QString id = QString::fromUtf8(format.id.data());
+                QTest::addRow("%s", format.id.data()) << id << &plan();
+                QTest::addRow("%s, forwards only", format.id.data()) << id << &forwardPlan();
+                QTest::addRow("%s, a wide buffer", format.id.data()) << id << &widelyBufferedPlan();
             }
         }
     }
     void findsNothingInPlans() {
         QFETCH(QString, format);
-        QFETCH(bool, forward);
-        const Export made = exported(format.toStdString(), forward ? &forwardPlan() : &plan());
-        const ExportChecks checks = checkExport(format.toStdString(), made.job(), made.files);
+        QFETCH(const Plan*, made);
+        const Export files = exported(format.toStdString(), made);
+        const ExportChecks checks = checkExport(format.toStdString(), files.job(), files.files);
         QVERIFY2(checks.problems.empty(), checks.problems.empty() ? "" : checks.problems.front().c_str());
         QVERIFY(checks.made.size() >= 5);
     }
