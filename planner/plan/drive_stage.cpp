@@ -1,10 +1,11 @@
 #include "planner/plan/drive_stage.h"
 
-#include "planner/geometry/boundary_distance.h"
 #include "planner/geometry/geos_bridge.h"
 #include "planner/headland/finishing_passes.h"
 #include "planner/headland/headland_passes.h"
 #include "planner/path/drivable_check.h"
+#include "planner/path/driven_parts.h"
+#include "planner/path/fitting_ways.h"
 #include "planner/path/gate_ways.h"
 #include "planner/path/headland_order.h"
 #include "planner/path/path_builder.h"
@@ -22,6 +23,7 @@
 #include <atomic>
 #include <chrono>
 #include <iterator>
+#include <memory>
 #include <optional>
 #include <span>
 
@@ -35,8 +37,6 @@ using Clock = std::chrono::steady_clock;
 constexpr double kMayStayShare = 0.009;
 constexpr Area kMayStayInOnePiece = squareMetres(95.0);
 constexpr int kFinishingRounds = 3;
-// Farther than any place is from the edge of a field.
-constexpr Length kWholeField = metres(1e5);
 
 /// "The way from swath 3 to swath 4", "Headland pass 1".
 Message nameOfWay(const Path& path, std::size_t segment) {
@@ -49,40 +49,18 @@ Message nameOfWay(const Path& path, std::size_t segment) {
                        after == nullptr ? Message{"the end"} : nameOf(*after));
 }
 
-/// The parts of the field that the tractor can drive about in, as far as its wheels decide.
-class DrivenParts {
-public:
-    static Result<DrivenParts> of(const MultiPolygon& drivable, const Machine& machine, const JobContext& job) {
-        return eroded(drivable, 0.5 * machine.spec().tractor.width, kArcTolerance, job).transform([](const MultiPolygon& rooms) {
-            DrivenParts parts;
-            for (const Polygon& room : rooms) {
-                parts.edges_.emplace_back(MultiPolygon{room}, kWholeField);
-            }
-            return parts;
-        });
-    }
-
-    /// Whether a way leaves one of them for another.
-    bool separate(const Path& path, std::size_t segment) const {
-        const PathSegment* const before = path.workBefore(segment);
-        const PathSegment* const after = path.workAfter(segment);
-        return !path.segments[segment].implementDown && before != nullptr && after != nullptr &&
-               partAt(before->samples.back().position) != partAt(after->samples.front().position);
-    }
-
-private:
-    std::size_t partAt(Point place) const {
-        const auto insideM = [&](const BoundaryDistance& edges) { return edges.insideM(place).value_or(-kWholeField.si()); };
-        return static_cast<std::size_t>(std::ranges::max_element(edges_, {}, insideM) - edges_.begin());
-    }
-
-    std::vector<BoundaryDistance> edges_;
-};
+/// Whether a way leaves one part of the field for another.
+bool leadsBetweenParts(const DrivenParts& parts, const Path& path, std::size_t segment) {
+    const PathSegment* const before = path.workBefore(segment);
+    const PathSegment* const after = path.workAfter(segment);
+    return !path.segments[segment].implementDown && before != nullptr && after != nullptr &&
+           parts.separate(before->samples.back().position, after->samples.front().position);
+}
 
 Finding blockedFinding(const Path& path, const BlockedConnection& blocked, const Headland& headland,
                        const Machine& machine, const DrivenParts& parts) {
     const Message way = nameOfWay(path, blocked.segment);
-    if (parts.separate(path, blocked.segment)) {
+    if (leadsBetweenParts(parts, path, blocked.segment)) {
         return {.severity = Severity::Blocking,
                 .kind = blocked.obstacle ? "obstacle" : "outside",
                 .place = blocked.place,
@@ -199,7 +177,7 @@ Result<void> checkWays(Plan& plan, const MultiPolygon& drivable, const JobContex
     if (blocked->empty()) {
         return {};
     }
-    const auto parts = DrivenParts::of(drivable, plan.request.machine, job);
+    const auto parts = DrivenParts::of(drivable, plan.request.machine, {}, job);
     if (!parts) {
         return std::unexpected(parts.error());
     }
@@ -364,13 +342,12 @@ Result<void> driveStage(Plan& plan, const MultiPolygon& drivable, const JobConte
     if (!travel) {
         return std::unexpected(travel.error());
     }
-    const auto rig = std::make_shared<Rig>(*open, machine);
-    RememberedWays ways{[rig, travel = *travel](const Pose& leaving, const Pose& arriving, const JobContext& part,
-                                                     SearchEffort effort) {
-        return fittingConnection(*rig, leaving, arriving, travel, part, effort);
+    const auto fitting = std::make_shared<FittingWays>(*open, machine, *travel);
+    RememberedWays ways{[fitting](const Pose& leaving, const Pose& arriving, const JobContext& part, SearchEffort effort) {
+        return fitting->between(leaving, arriving, part, effort);
     }};
     std::vector<Leg> legs = layOut(plan, drivable);
-    const std::vector<Finding> gateFindings = addGateWays(legs, places, field, *rig);
+    const std::vector<Finding> gateFindings = addGateWays(legs, places, field, fitting->rig());
     if (auto driven = drive(plan, legs, ways, *open, job.part(0.0, 0.8)); !driven) {
         return std::unexpected(driven.error());
     }

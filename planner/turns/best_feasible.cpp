@@ -106,6 +106,9 @@ std::optional<Turn> fittingConnection(const Rig& rig, const Pose& leaving, const
     if (found && (!travel || costS(fits->turn, machine, travel) < kDearWay * fits->time.si())) {
         return std::move(fits->turn);
     }
+    if (effort == SearchEffort::None) {
+        return found ? std::optional{std::move(fits->turn)} : std::nullopt;
+    }
     auto way = searched(rig, leaving, arriving, travel, job, effort);
     const bool better = found && (!way || costS(fits->turn, machine, travel) <= costS(*way, machine, travel));
     return better ? std::optional{std::move(fits->turn)} : way;

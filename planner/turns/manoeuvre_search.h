@@ -15,8 +15,9 @@ inline constexpr std::string_view kCombinedTurn = "combined";
 /// How much dearer than elsewhere a metre is at a place; at least 1.
 using TravelCost = std::function<double(Point)>;
 
-/// How long is looked for a way that may not exist: most are found within a few hundred moves.
-enum class SearchEffort { Thorough, Quick };
+/// How long is looked for a way that may not exist: most are found within a few hundred moves. None: where no single
+/// curve fits there is none.
+enum class SearchEffort { Thorough, Quick, None };
 
 /// A drivable way between two poses where no single turn fits: round obstacles and corners, in several moves.
 ///

@@ -219,6 +219,7 @@ private slots:
         click(QStringLiteral("export.write"));
         QTRY_COMPARE(session_->exporter()->state(), ExportModel::State::Done);
         QVERIFY(QFile::exists(folder.filePath(QStringLiteral("out/plan.geojson"))));
+        QCOMPARE(session_->exporter()->problems(), QStringList{});
         step("exported");
         key(Qt::Key_Escape);
         furrow::Display::instance().force(QStringLiteral("en"), furrow::Display::Metric);

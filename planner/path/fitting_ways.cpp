@@ -1,0 +1,33 @@
+#include "planner/path/fitting_ways.h"
+
+#include "planner/turns/best_feasible.h"
+
+#include <utility>
+
+namespace furrow {
+
+namespace {
+
+// Beside the tractor in a neck through which a way is looked for at all where it need not be found.
+constexpr Length kNeckSpare = metres(0.4);
+
+}  // namespace
+
+FittingWays::FittingWays(const MultiPolygon& drivable, const Machine& machine, TravelCost travel)
+    : drivable_{drivable}, rig_{drivable, machine}, travel_{std::move(travel)} {}
+
+std::optional<Turn> FittingWays::between(const Pose& leaving, const Pose& arriving, const JobContext& job, SearchEffort effort) {
+    const auto parts = parts_.load();
+    const bool apart = effort == SearchEffort::Quick && parts && parts->separate(leaving.position, arriving.position);
+    auto way = fittingConnection(rig_, leaving, arriving, travel_, job, apart ? SearchEffort::None : effort);
+    if (!way && !job.stopRequested()) {
+        std::call_once(once_, [this] {
+            if (auto found = DrivenParts::of(drivable_, rig_.machine(), kNeckSpare, {})) {
+                parts_ = std::make_shared<const DrivenParts>(std::move(*found));
+            }
+        });
+    }
+    return way;
+}
+
+}  // namespace furrow

@@ -1,0 +1,65 @@
+#include "planner/path/fitting_ways.h"
+#include "tests/support/field_generator.h"
+#include "tests/support/stages.h"
+
+#include <QTest>
+
+using namespace furrow;
+
+namespace {
+
+/// Two rooms of 60 by 40 m, joined by a neck 20 m long.
+MultiPolygon dumbbell(double neckM) {
+    const double low = 20.0 - 0.5 * neckM;
+    const double high = 20.0 + 0.5 * neckM;
+    return {{.outer = {{0, 0}, {60, 0}, {60, low}, {80, low}, {80, 0}, {140, 0}, {140, 40}, {80, 40}, {80, high}, {60, high}, {60, 40}, {0, 40}},
+             .holes = {}}};
+}
+
+Pose pose(double x, double y, double headingDeg) {
+    return {.position = {x, y}, .heading = degrees(headingDeg)};
+}
+
+}  // namespace
+
+// The robot is 2.5 m wide.
+class FittingWaysTest : public QObject {
+    Q_OBJECT
+
+private slots:
+    void partsByTheNeck_data() {
+        QTest::addColumn<double>("neckM");
+        QTest::addColumn<double>("spareM");
+        QTest::addColumn<bool>("separate");
+        QTest::newRow("too narrow") << 2.4 << 0.0 << true;
+        QTest::newRow("wide enough") << 2.6 << 0.0 << false;
+        QTest::newRow("not with room to spare") << 3.2 << 0.4 << true;
+        QTest::newRow("with room to spare") << 3.4 << 0.4 << false;
+    }
+    void partsByTheNeck() {
+        QFETCH(double, neckM);
+        QFETCH(double, spareM);
+        QFETCH(bool, separate);
+        const auto parts = DrivenParts::of(dumbbell(neckM), test::agbot(), metres(spareM), {});
+        QVERIFY(parts.has_value());
+        QCOMPARE(parts->separate({30.0, 20.0}, {110.0, 20.0}), separate);
+        QVERIFY(!parts->separate({30.0, 20.0}, {5.0, 5.0}));
+        // Beside an edge the nearest part counts.
+        QCOMPARE(parts->separate({0.5, 0.5}, {139.5, 39.5}), separate);
+    }
+
+    // A way through the neck needs a search; one that stays in a room is found all the same, as is a straight one through
+    // the neck.
+    void narrowNecksAreNotSearchedAgain() {
+        FittingWays ways{dumbbell(3.0), test::agbot(), {}};
+        const Pose here = pose(5.0, 5.0, 180.0);
+        // Where it does not fit: nothing is found, and from then on it is known what is joined by necks.
+        QVERIFY(!ways.between(here, pose(70.0, 20.0, 90.0), {}, SearchEffort::Quick));
+        QVERIFY(!ways.between(here, pose(130.0, 35.0, 90.0), {}, SearchEffort::Quick));
+        QVERIFY(ways.between(pose(30.0, 20.0, 0.0), pose(110.0, 20.0, 0.0), {}, SearchEffort::Quick));
+        QVERIFY(ways.between(here, pose(50.0, 30.0, 0.0), {}, SearchEffort::Quick));
+    }
+};
+
+QTEST_APPLESS_MAIN(FittingWaysTest)
+#include "tst_fitting_ways.moc"
