@@ -47,7 +47,7 @@ constexpr double kLookCloselyM = 0.01;
 // Points of a ring that can be moved lie no farther apart.
 constexpr double kDenseM = 1.0;
 // Points of a moved ring that make less difference are left out.
-constexpr Length kSimplified = metres(2e-3);
+constexpr Length kSimplified = metres(5e-4);
 // How far the line may move where corners are merged to be driven; what that takes outside is found and mended.
 constexpr Length kMergeTolerance = metres(0.25);
 // How fine an arc around an inward corner is drawn.

@@ -40,13 +40,20 @@ constexpr double kGreedAfar = 2.0;
 // Every so many moves the goal is tried from afar; from near each time.
 constexpr std::size_t kShotEvery = 8;
 constexpr double kNearRadii = 8.0;
-// Far ways are guided by a coarser grid.
-constexpr double kMostCellsAcross = 200.0;
-constexpr double kFartherReach = 4.0;
 // Within so many radii of both ends a machine may stand where its implement has no room in passing.
 constexpr double kNearEndsRadii = 2.0;
-// Larger regions are not searched.
-constexpr std::size_t kMostCells = 200'000;
+/// How far is looked, and how closely. Far ways are guided by a coarser grid.
+struct Scope {
+    double reach = 1.0;           ///< times as far as usual
+    double cellsAcross = 200.0;   ///< of the grid, at most, on the straight line to the goal
+    std::size_t mostCells = 200'000;  ///< larger regions are not searched
+    bool clear = false;           ///< not where only the tractor gets through
+};
+
+constexpr Scope kNear{};
+constexpr Scope kAfar{.reach = 4.0, .cellsAcross = 50.0, .clear = true};
+// Out of one corner round all of a large field into another.
+constexpr Scope kAllRound{.reach = 4.0, .cellsAcross = 1000.0, .mostCells = 2'000'000, .clear = true};
 constexpr double kInfinite = std::numeric_limits<double>::infinity();
 
 using Cell = std::uint64_t;
@@ -61,8 +68,8 @@ public:
     /// @param towards  places near here are going to be asked: worked out in this direction first (Silver 2005,
     ///                 Cooperative Pathfinding: reverse resumable A*)
     /// @param clearance  of the tractor's middle from the edges, but for places near both ends
-    GridDistance(const Rig& rig, const TravelCost& travel, Point goal, Point towards, double cellM, Length clearance)
-        : rig_{rig}, travel_{travel}, origin_{goal}, towards_{towards}, cellM_{cellM}, clearance_{clearance} {
+    GridDistance(const Rig& rig, const TravelCost& travel, Point goal, Point towards, double cellM, Length clearance, std::size_t mostCells)
+        : rig_{rig}, travel_{travel}, origin_{goal}, towards_{towards}, cellM_{cellM}, clearance_{clearance}, mostCells_{mostCells} {
         open_.push({norm(towards - goal), 0, 0});
         reached_[packed(0, 0)] = {.distance = 0.0, .travel = 1.0};
     }
@@ -76,7 +83,7 @@ public:
             if (const auto found = reached_.find(cell); found != reached_.end() && found->second.settled) {
                 return found->second.distance;
             }
-            if (open_.empty() || open_.top().atLeast > most || settled_ == kMostCells) {
+            if (open_.empty() || open_.top().atLeast > most || settled_ == mostCells_) {
                 return kInfinite;
             }
             settleNearest();
@@ -137,6 +144,7 @@ private:
     Point towards_;
     double cellM_;
     Length clearance_;
+    std::size_t mostCells_;
     std::size_t settled_ = 0;
     std::unordered_map<Cell, Place> reached_;
     std::priority_queue<Entry> open_;
@@ -174,8 +182,7 @@ struct Node {
 
 class Search {
 public:
-    /// @param afar  a way may lead farther than usual, and not where only the tractor gets through
-    Search(const Rig& rig, const Pose& from, const Pose& to, const TravelCost& travel, const JobContext& job, bool afar)
+    Search(const Rig& rig, const Pose& from, const Pose& to, const TravelCost& travel, const JobContext& job, const Scope& scope)
         : rig_{rig},
           machine_{rig.machine()},
           to_{to},
@@ -186,14 +193,15 @@ public:
           forwardMps_{machine_.turningSpeed().si()},
           reverseMps_{machine_.spec().tractor.reverseSpeed.si()},
           gearChangeS_{gearChangeDuration(machine_).si()},
-          reach_{afar ? kFartherReach : 1.0},
+          reach_{scope.reach},
           grid_{rig,
                 travel_,
                 to.position,
                 from.position,
                 std::max(std::clamp(0.4 * radiusM_, 0.6, 4.0),
-                         reach_ * distance(from.position, to.position) / kMostCellsAcross),
-                afar ? 0.5 * machine_.turningWidth() : Length{}} {
+                         distance(from.position, to.position) / scope.cellsAcross),
+                scope.clear ? 0.5 * machine_.turningWidth() : Length{},
+                scope.mostCells} {
         nodes_.push_back({.state = Rig::inLine(from), .pieces = {}});
         ends_.push_back({.pieces = {}, .end = to});
     }
@@ -479,10 +487,12 @@ private:
 
 std::optional<Turn> searchManoeuvre(const Rig& rig, const Pose& from, const Pose& to, const TravelCost& travel,
                                     const JobContext& job, SearchEffort effort) {
-    auto way = Search{rig, from, to, travel, job, false}.run(effort);
+    auto way = Search{rig, from, to, travel, job, kNear}.run(effort);
     // Round a bay of a large field, or round a neck too narrow for the implement, the next place may be far away.
-    if (!way && effort == SearchEffort::Thorough) {
-        way = Search{rig, from, to, travel, job, true}.run(effort);
+    for (const Scope& scope : {kAfar, kAllRound}) {
+        if (!way && effort == SearchEffort::Thorough && !job.stopRequested()) {
+            way = Search{rig, from, to, travel, job, scope}.run(effort);
+        }
     }
     return way;
 }
