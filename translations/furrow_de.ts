@@ -348,6 +348,10 @@
         <translation>Hilfe Einführung erster Start</translation>
     </message>
     <message>
+        <source>Select the next edge</source>
+        <translation>Nächste Kante auswählen</translation>
+    </message>
+    <message>
         <source>Select the next outline, line or gate</source>
         <translation>Nächsten Umriss, Linie oder Zufahrt</translation>
     </message>

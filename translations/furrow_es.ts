@@ -348,6 +348,10 @@
         <translation>ayuda introducción primer inicio</translation>
     </message>
     <message>
+        <source>Select the next edge</source>
+        <translation>Seleccionar el lado siguiente</translation>
+    </message>
+    <message>
         <source>Select the next outline, line or gate</source>
         <translation>Contorno, línea o entrada siguiente</translation>
     </message>

@@ -348,6 +348,10 @@
         <translation>aide introduction premier démarrage</translation>
     </message>
     <message>
+        <source>Select the next edge</source>
+        <translation>Sélectionner le côté suivant</translation>
+    </message>
+    <message>
         <source>Select the next outline, line or gate</source>
         <translation>Contour, ligne ou entrée suivante</translation>
     </message>

@@ -348,6 +348,10 @@
         <translation>help introductie eerste start</translation>
     </message>
     <message>
+        <source>Select the next edge</source>
+        <translation>Volgende zijde selecteren</translation>
+    </message>
+    <message>
         <source>Select the next outline, line or gate</source>
         <translation>Volgende omtrek, lijn of inrit selecteren</translation>
     </message>

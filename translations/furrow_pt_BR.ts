@@ -348,6 +348,10 @@
         <translation>ajuda introdução primeiro início</translation>
     </message>
     <message>
+        <source>Select the next edge</source>
+        <translation>Selecionar o próximo lado</translation>
+    </message>
+    <message>
         <source>Select the next outline, line or gate</source>
         <translation>Próximo contorno, linha ou entrada</translation>
     </message>

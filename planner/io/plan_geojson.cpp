@@ -9,6 +9,10 @@ namespace furrow {
 
 namespace {
 
+// What is missed is told on a grid of this size, without pieces that are smaller.
+constexpr Length kPlain = metres(5e-3);
+constexpr Area kCrumb = squareMetres(0.01);
+
 class PlanWriter {
 public:
     explicit PlanWriter(const Plan& plan) : plan_{plan}, frame_{plan.field().frame()} {}
@@ -121,8 +125,12 @@ private:
     }
 
     void addMissed() {
-        for (const Polygon& polygon : plan_.audit.missedAreas) {
-            add("missed", {{"area_m2", area(polygon).si()}}, polygonGeometry({frame_.toGeo(polygon)}));
+        // Traced outlines touch themselves and have hairs that rounding turns inside out, which other programs refuse.
+        const auto plain = unionOf(plan_.audit.missedAreas, {}, kPlain);
+        for (const Polygon& polygon : plain ? *plain : plan_.audit.missedAreas) {
+            if (area(polygon) > kCrumb) {
+                add("missed", {{"area_m2", area(polygon).si()}}, polygonGeometry({frame_.toGeo(polygon)}));
+            }
         }
     }
 

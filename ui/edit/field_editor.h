@@ -100,8 +100,10 @@ public:
     void select(const Selection& selection);
     Q_INVOKABLE void selectFinding(int index);
     Q_INVOKABLE void clearSelection() { select({}); }
-    /// Around the outline of what is selected, or the first one: `step` vertices further.
+    /// Around the outline of what is selected, or the first one: `step` vertices further, or edges where one is selected.
     Q_INVOKABLE void selectNext(int step);
+    /// The edge after the vertex that is selected, or after the edge.
+    Q_INVOKABLE void selectEdge();
     /// The next boundary, hole, obstacle, line or gate.
     Q_INVOKABLE void selectNextShape(int step);
     Q_INVOKABLE void deleteSelection();

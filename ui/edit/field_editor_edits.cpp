@@ -277,10 +277,27 @@ void FieldEditor::selectNext(int step) {
         select({.kind = Selection::Kind::Vertex, .outline = shape_->outlines.front().id, .index = 0});
         return;
     }
-    const auto count = static_cast<int>(outline->points.size());
-    const bool isVertex = selection_.kind == Selection::Kind::Vertex;
-    const int next = isVertex ? (static_cast<int>(selection_.index) + step % count + count) % count : static_cast<int>(selection_.index);
-    select({.kind = Selection::Kind::Vertex, .outline = outline->id, .index = static_cast<std::size_t>(next)});
+    const bool isEdge = selection_.kind == Selection::Kind::Edge;
+    const bool goesOn = isEdge || selection_.kind == Selection::Kind::Vertex;
+    const auto count = static_cast<int>(isEdge ? outline->edgeCount() : outline->points.size());
+    const int next = goesOn ? (static_cast<int>(selection_.index) + step % count + count) % count : static_cast<int>(selection_.index);
+    select({.kind = isEdge ? Selection::Kind::Edge : Selection::Kind::Vertex, .outline = outline->id, .index = static_cast<std::size_t>(next)});
+}
+
+void FieldEditor::selectEdge() {
+    if (selectedOutline() == nullptr) {
+        selectNext(1);
+    }
+    const Outline* const outline = selectedOutline();
+    if (outline == nullptr || outline->edgeCount() == 0) {
+        return;
+    }
+    if (selection_.kind == Selection::Kind::Edge) {
+        selectNext(1);
+        return;
+    }
+    const std::size_t after = selection_.kind == Selection::Kind::Vertex ? selection_.index : 0;
+    select({.kind = Selection::Kind::Edge, .outline = outline->id, .index = std::min(after, outline->edgeCount() - 1)});
 }
 
 void FieldEditor::selectNextShape(int step) {

@@ -163,6 +163,14 @@ QtObject {
             onTriggered: root.page.editor.selectNext(1)
         },
         Command {
+            objectName: "command.edge"
+            group: root.editGroup
+            text: qsTr("Select the next edge")
+            shortcut: "E"
+            enabled: root.session.hasField && !root.page.editor.drawing
+            onTriggered: root.page.editor.selectEdge()
+        },
+        Command {
             objectName: "command.nextShape"
             group: root.editGroup
             text: qsTr("Select the next outline, line or gate")

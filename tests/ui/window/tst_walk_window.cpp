@@ -5,6 +5,8 @@
 #include <QTemporaryDir>
 
 #include <cmath>
+#include <utility>
+#include <vector>
 
 using namespace furrow;
 using namespace furrow::test;
@@ -219,10 +221,120 @@ private slots:
         click(QStringLiteral("export.write"));
         QTRY_COMPARE(session_->exporter()->state(), ExportModel::State::Done);
         QVERIFY(QFile::exists(folder.filePath(QStringLiteral("out/plan.geojson"))));
-        QCOMPARE(session_->exporter()->problems(), QStringList{});
+        QCOMPARE(session_->exporter()->problems().join(QLatin1Char{'\n'}), QString{});
         step("exported");
         key(Qt::Key_Escape);
         furrow::Display::instance().force(QStringLiteral("en"), furrow::Display::Metric);
+    }
+    /// The same without a mouse. That Tab reaches every control is tested with these.
+    void byKeysAlone() {
+        const QTemporaryDir folder;
+        session_->keepIn(folder.filePath(QStringLiteral("kept")));
+        camera()->centreOn(QGeoCoordinate{58.2515, 22.5035}, 16.0, false);
+        const auto drawn = [this](Qt::Key tool, const std::vector<std::pair<const char*, const char*>>& ways) {
+            map()->forceActiveFocus();
+            key(tool);
+            QTRY_VERIFY(shows(QStringLiteral("drawingHint")));
+            editor()->leave();
+            key(Qt::Key_Space);
+            QTRY_COMPARE(editor()->draftCount(), 1);
+            for (const auto& [length, bearing] : ways) {
+                const int before = editor()->draftCount();
+                item(QStringLiteral("draft.length"))->forceActiveFocus(Qt::TabFocusReason);
+                key(Qt::Key_A, Qt::ControlModifier);
+                type(QString::fromLatin1(length));
+                key(Qt::Key_Tab);
+                QTRY_VERIFY(item(QStringLiteral("draft.bearing"))->hasActiveFocus());
+                key(Qt::Key_A, Qt::ControlModifier);
+                type(QString::fromLatin1(bearing));
+                key(Qt::Key_Return);
+                QTRY_COMPARE(editor()->draftCount(), before + 1);
+            }
+            map()->forceActiveFocus();
+            key(Qt::Key_Return);
+        };
+        drawn(Qt::Key_B, {{"400", "90"}, {"300", "180"}, {"400", "270"}});
+        QTRY_VERIFY(session_->hasField());
+        ready();
+
+        openStep(QStringLiteral("machine"));
+        item(QStringLiteral("machine.library"))->forceActiveFocus(Qt::TabFocusReason);
+        key(Qt::Key_Space);
+        key(Qt::Key_Down);
+        key(Qt::Key_Down);
+        key(Qt::Key_Return);
+        QTRY_COMPARE(session_->machine()->libraryIndex(), 2);
+        ready();
+
+        // The first edge, the one after it, and back.
+        map()->forceActiveFocus();
+        key(Qt::Key_E);
+        QTRY_COMPARE(editor()->selection().kind, Selection::Kind::Edge);
+        QCOMPARE(editor()->selection().index, std::size_t{0});
+        key(Qt::Key_E);
+        QCOMPARE(editor()->selection().index, std::size_t{1});
+        key(Qt::Key_Comma);
+        QCOMPARE(editor()->selection().kind, Selection::Kind::Edge);
+        QCOMPARE(editor()->selection().index, std::size_t{0});
+        key(Qt::Key_Return);
+        QTRY_VERIFY(item(QStringLiteral("inspector.number.0"))->hasActiveFocus());
+        item(QStringLiteral("inspector.number.2"))->forceActiveFocus(Qt::TabFocusReason);
+        key(Qt::Key_A, Qt::ControlModifier);
+        type(QStringLiteral("30m"));
+        key(Qt::Key_Return);
+        QTRY_COMPARE(source().edgeHeadlands.size(), std::size_t{1});
+        QCOMPARE(source().edgeHeadlands.front().width.si(), 30.0);
+        ready();
+
+        // The view lies where the field begins, its upper left corner: the obstacle goes to the lower right of that.
+        map()->forceActiveFocus();
+        key(Qt::Key_Escape);
+        QTRY_VERIFY(!editor()->hasSelection());
+        const QGeoCoordinate begun = camera()->center();
+        for (const Qt::Key way : {Qt::Key_Right, Qt::Key_Right, Qt::Key_Down, Qt::Key_Down}) {
+            key(way);
+        }
+        QTRY_VERIFY(camera()->center().longitude() > begun.longitude() && camera()->center().latitude() < begun.latitude());
+        drawn(Qt::Key_O, {{"30", "90"}, {"30", "180"}, {"30", "270"}});
+        QTRY_COMPARE(source().obstacles.size(), std::size_t{1});
+        ready();
+        key(Qt::Key_Escape);
+        key(Qt::Key_G);
+        QTRY_COMPARE(editor()->tool(), FieldEditor::Tool::Gate);
+        editor()->leave();
+        key(Qt::Key_Space);
+        QTRY_COMPARE(source().gates.size(), std::size_t{1});
+        ready();
+        step("by-keys");
+
+        const std::size_t all = steps();
+        const auto before = session_->document()->project();
+        for (std::size_t i = 0; i < all; ++i) {
+            key(Qt::Key_Z, Qt::ControlModifier);
+        }
+        QTRY_VERIFY(!session_->hasField());
+        for (std::size_t i = 0; i < all; ++i) {
+            key(Qt::Key_Z, Qt::ControlModifier | Qt::ShiftModifier);
+        }
+        QTRY_VERIFY(*session_->document()->project() == *before);
+        ready();
+
+        session_->files()->saveAs(QUrl::fromLocalFile(folder.filePath(QStringLiteral("Home farm.furrow"))));
+        QTRY_VERIFY(!session_->document()->isModified());
+        key(Qt::Key_E, Qt::ControlModifier);
+        QTRY_VERIFY(shows(QStringLiteral("export.inFolder")));
+        item(QStringLiteral("export.inFolder"))->forceActiveFocus(Qt::TabFocusReason);
+        key(Qt::Key_Space);
+        QTRY_VERIFY(shows(QStringLiteral("export.folder")));
+        item(QStringLiteral("export.folder"))->forceActiveFocus(Qt::TabFocusReason);
+        key(Qt::Key_A, Qt::ControlModifier);
+        type(folder.filePath(QStringLiteral("out")));
+        item(QStringLiteral("export.write"))->forceActiveFocus(Qt::TabFocusReason);
+        key(Qt::Key_Space);
+        QTRY_COMPARE(session_->exporter()->state(), ExportModel::State::Done);
+        QVERIFY(QFile::exists(folder.filePath(QStringLiteral("out/plan.geojson"))));
+        QCOMPARE(session_->exporter()->problems().join(QLatin1Char{'\n'}), QString{});
+        key(Qt::Key_Escape);
     }
 };
 
