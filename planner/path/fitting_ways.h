@@ -12,7 +12,7 @@ namespace furrow {
 
 /// Ways in an area that fit. Once one was not to be had, none is looked for quickly between parts that are joined by
 /// narrow necks at most, but for single curves: a search goes through all the room there is before it fails. May be
-/// asked by several threads at once.
+/// asked by several threads at once; for the same plan each time those that ask quickly come after all that do not.
 class FittingWays {
 public:
     FittingWays(const MultiPolygon& drivable, const Machine& machine, TravelCost travel);

@@ -80,6 +80,9 @@ double costS(const Turn& turn, const Machine& machine, const TravelCost& travel)
 /// With the straight that the implement needs before it is lowered, where that fits.
 std::optional<Turn> searched(const Rig& rig, const Pose& leaving, const Pose& arriving, const TravelCost& travel,
                              const JobContext& job, SearchEffort effort) {
+    if (effort == SearchEffort::None) {
+        return std::nullopt;
+    }
     const Length runIn = rig.machine().runIn();
     const Pose before{.position = arriving.position - runIn.si() * direction(arriving.heading.si()),
                       .heading = arriving.heading};
@@ -105,9 +108,6 @@ std::optional<Turn> fittingConnection(const Rig& rig, const Pose& leaving, const
     const bool found = fits != turns.end();
     if (found && (!travel || costS(fits->turn, machine, travel) < kDearWay * fits->time.si())) {
         return std::move(fits->turn);
-    }
-    if (effort == SearchEffort::None) {
-        return found ? std::optional{std::move(fits->turn)} : std::nullopt;
     }
     auto way = searched(rig, leaving, arriving, travel, job, effort);
     const bool better = found && (!way || costS(fits->turn, machine, travel) <= costS(*way, machine, travel));
