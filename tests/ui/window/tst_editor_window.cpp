@@ -25,21 +25,9 @@ private slots:
         editor()->leave();
         key(Qt::Key_Space);
         QTRY_COMPARE(editor()->draftCount(), 1);
-        const auto typed = [this](const QString& length, const QString& bearing) {
-            item(QStringLiteral("draft.length"))->forceActiveFocus(Qt::TabFocusReason);
-            key(Qt::Key_A, Qt::ControlModifier);
-            type(length);
-            key(Qt::Key_Tab);
-            QTRY_VERIFY(item(QStringLiteral("draft.bearing"))->hasActiveFocus());
-            key(Qt::Key_A, Qt::ControlModifier);
-            type(bearing);
-            key(Qt::Key_Return);
-        };
-        typed(QStringLiteral("300"), QStringLiteral("90"));
-        QTRY_COMPARE(editor()->draftCount(), 2);
-        typed(QStringLiteral("200,5"), QStringLiteral("180"));
-        typed(QStringLiteral("300"), QStringLiteral("270"));
-        QTRY_COMPARE(editor()->draftCount(), 4);
+        enterWay(QStringLiteral("300"), QStringLiteral("90"));
+        enterWay(QStringLiteral("200,5"), QStringLiteral("180"));
+        enterWay(QStringLiteral("300"), QStringLiteral("270"));
         picture(QStringLiteral("keyboard_typed"));
         map()->forceActiveFocus();
         key(Qt::Key_Return);

@@ -79,15 +79,7 @@ private slots:
         camera()->panBy(200.0, 0.0);
         key(Qt::Key_Space);
         QTRY_COMPARE(editor()->draftCount(), 1);
-        item(QStringLiteral("draft.length"))->forceActiveFocus(Qt::TabFocusReason);
-        key(Qt::Key_A, Qt::ControlModifier);
-        type(QStringLiteral("600"));
-        key(Qt::Key_Tab);
-        QTRY_VERIFY(item(QStringLiteral("draft.bearing"))->hasActiveFocus());
-        key(Qt::Key_A, Qt::ControlModifier);
-        type(QStringLiteral("90"));
-        key(Qt::Key_Return);
-        QTRY_COMPARE(editor()->draftCount(), 2);
+        enterWay(QStringLiteral("600"), QStringLiteral("90"));
         map()->forceActiveFocus();
         key(Qt::Key_Return);
         QTRY_COMPARE(splits().size(), std::size_t{1});

@@ -228,6 +228,8 @@ private slots:
     }
     /// The same without a mouse. That Tab reaches every control is tested with these.
     void byKeysAlone() {
+        name_ = QStringLiteral("keys");
+        number_ = 0;
         const QTemporaryDir folder;
         session_->keepIn(folder.filePath(QStringLiteral("kept")));
         camera()->centreOn(QGeoCoordinate{58.2515, 22.5035}, 16.0, false);
@@ -239,16 +241,7 @@ private slots:
             key(Qt::Key_Space);
             QTRY_COMPARE(editor()->draftCount(), 1);
             for (const auto& [length, bearing] : ways) {
-                const int before = editor()->draftCount();
-                item(QStringLiteral("draft.length"))->forceActiveFocus(Qt::TabFocusReason);
-                key(Qt::Key_A, Qt::ControlModifier);
-                type(QString::fromLatin1(length));
-                key(Qt::Key_Tab);
-                QTRY_VERIFY(item(QStringLiteral("draft.bearing"))->hasActiveFocus());
-                key(Qt::Key_A, Qt::ControlModifier);
-                type(QString::fromLatin1(bearing));
-                key(Qt::Key_Return);
-                QTRY_COMPARE(editor()->draftCount(), before + 1);
+                enterWay(QString::fromLatin1(length), QString::fromLatin1(bearing));
             }
             map()->forceActiveFocus();
             key(Qt::Key_Return);
