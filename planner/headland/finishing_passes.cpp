@@ -4,6 +4,7 @@
 #include "planner/geometry/convex_hull.h"
 #include "planner/geometry/geos_bridge.h"
 #include "planner/turns/connection.h"
+#include "planner/turns/curve_parts.h"
 
 #include <algorithm>
 #include <array>
@@ -59,6 +60,10 @@ Turn lineOf(const Candidate& candidate, const Machine& machine) {
     return {.type = {},
             .start = vehicleAt({.position = candidate.from, .heading = radians(std::atan2(way.y, way.x))}, machine),
             .pieces = {{.length = metres(norm(way)), .curvature = {}}}};
+}
+
+Point halfWay(const Turn& line) {
+    return partOf(line, {}, 0.5 * line.length()).end().position;
 }
 
 Area largestOf(const MultiPolygon& pieces) {
@@ -159,16 +164,15 @@ struct Left {
         const Bounds& own = boxes[piece];
         return own.min.x <= box.max.x && own.max.x >= box.min.x && own.min.y <= box.max.y && own.max.y >= box.min.y;
     }
-    /// Without what one more strip works.
-    Result<MultiPolygon> without(const Ring& strip, const JobContext& job) const {
-        const Polygon polygon{.outer = strip, .holes = {}};
-        const Bounds box = bounds({polygon});
+    /// Without what one more pass works.
+    Result<MultiPolygon> without(const MultiPolygon& worked, const JobContext& job) const {
+        const Bounds box = bounds(worked);
         MultiPolygon near;
         MultiPolygon rest;
         for (std::size_t i = 0; i < pieces.size(); ++i) {
             (liesBy(i, box) ? near : rest).push_back(pieces[i]);
         }
-        return difference(near, {polygon}, job).transform([&](MultiPolygon cut) {
+        return difference(near, worked, job).transform([&](MultiPolygon cut) {
             std::ranges::move(cut, std::back_inserter(rest));
             return std::move(rest);
         });
@@ -188,6 +192,14 @@ public:
 
     double widthM() const { return widthM_; }
     double leastGainM2() const { return kLeastGainShare * widthM_ * widthM_; }
+    bool isRefused(const Turn& line) const {
+        const auto isClose = [&](const Pose& a, const Pose& b) {
+            return distance(a.position, b.position) < kSamePassShare * widthM_;
+        };
+        return std::ranges::any_of(task_.refused, [&](const PassStretch& stretch) {
+            return isClose(stretch.line.start, line.start) && isClose(stretch.line.end(), line.end());
+        });
+    }
 
     /// Every stretch beside a piece on which a pass would be worth it.
     std::vector<Lane> lanesBeside(const Polygon& piece) const {
@@ -252,7 +264,8 @@ public:
         }
         candidate.from = lane.on + beginsM * lane.along;
         candidate.to = lane.on + endsM * lane.along;
-        return isRefused(candidate) || !isClear(candidate) ? std::nullopt : std::optional{candidate};
+        const Turn line = lineOf(candidate, task_.lowered.machine());
+        return isRefused(line) || !isClear(line) ? std::nullopt : std::optional{candidate};
     }
 
 private:
@@ -263,21 +276,8 @@ private:
         return ring.size() < 3 ? Ring{} : ring;
     }
 
-    bool isRefused(const Candidate& candidate) const {
-        const Turn line = lineOf(candidate, task_.lowered.machine());
-        const auto isClose = [&](const Pose& a, const Pose& b) {
-            return distance(a.position, b.position) < kSamePassShare * widthM_;
-        };
-        return std::ranges::any_of(task_.refused, [&](const PassStretch& stretch) {
-            return isClose(stretch.line.start, line.start) && isClose(stretch.line.end(), line.end());
-        });
-    }
-
     /// In between the places that were looked at, too.
-    bool isClear(const Candidate& candidate) const {
-        const Turn line = lineOf(candidate, task_.lowered.machine());
-        return task_.lowered.driven(Rig::inLine(line.start), line).has_value();
-    }
+    bool isClear(const Turn& line) const { return task_.lowered.driven(Rig::inLine(line.start), line).has_value(); }
 
     /// Along a line as far as the piece lies beside it, not far beyond the guide.
     void addLanes(const Polygon& piece, Point on, Point along, double lengthM, std::vector<Lane>& lanes) const {
@@ -330,9 +330,9 @@ private:
     double runInM_;
 };
 
-/// What has been chosen, and what that leaves.
+/// What has been chosen, lines of the vehicle's reference point, and what that leaves.
 struct Chosen {
-    std::vector<Candidate> passes;
+    std::vector<Turn> passes;
     Left left;
 };
 
@@ -370,16 +370,56 @@ Result<void> chooseBest(std::vector<Lane> lanes, const Chooser& chooser, const F
             putBack();
             continue;
         }
-        auto rest = chosen.left.without(stripOf(*found, chooser.widthM()), job);
+        auto rest = chosen.left.without({{.outer = stripOf(*found, chooser.widthM()), .holes = {}}}, job);
         if (!rest) {
             return std::unexpected(rest.error());
         }
         // Once enough is worked in all only what makes a large piece smaller is of use.
         if (isTooMuchInAll(task, chosen.left.pieces) || largestOf(*rest) < largestOf(chosen.left.pieces)) {
-            chosen.passes.push_back(*found);
+            chosen.passes.push_back(lineOf(*found, task.lowered.machine()));
             chosen.left = Left{std::move(*rest)};
             putBack();
         }
+    }
+    return {};
+}
+
+/// Round on full lock over what lies at the edges, piece by piece, the largest first.
+Result<void> chooseBends(const Chooser& chooser, const FinishingTask& task, const BoundaryDistance& edges, Chosen& chosen,
+                         const JobContext& job) {
+    const auto isAtEdge = [&](const Polygon& piece) {
+        return std::ranges::any_of(piece.outer, [&](Point place) { return edges.insideM(place).value_or(kNearM) < kNearM; });
+    };
+    const auto isRefused = [&](const Turn& line) { return chooser.isRefused(line); };
+    std::size_t givenUp = 0;
+    while (chosen.passes.size() < kMostPasses && isTooMuch(task, chosen.left.pieces)) {
+        if (job.stopRequested()) {
+            return std::unexpected(cancelled());
+        }
+        if (givenUp >= chosen.left.pieces.size()) {
+            break;
+        }
+        const Polygon& piece = chosen.left.pieces[givenUp];
+        const bool isOfUse = isTooMuchInAll(task, chosen.left.pieces) || area(piece) > task.mayStayInOnePiece;
+        if (area(piece).si() < chooser.leastGainM2() || !isOfUse) {
+            break;
+        }
+        ++givenUp;
+        auto pass = isAtEdge(piece) ? task.bends->over(piece, isRefused, job) : std::nullopt;
+        if (!pass) {
+            continue;
+        }
+        auto rest = chosen.left.without(pass->worked, job);
+        if (!rest) {
+            return std::unexpected(rest.error());
+        }
+        if ((area(chosen.left.pieces) - area(*rest)).si() < chooser.leastGainM2()) {
+            continue;
+        }
+        std::ranges::stable_sort(*rest, std::ranges::greater{}, [](const Polygon& one) { return area(one); });
+        chosen.passes.push_back(std::move(pass->line));
+        chosen.left = Left{std::move(*rest)};
+        --givenUp;
     }
     return {};
 }
@@ -388,7 +428,14 @@ Result<void> chooseBest(std::vector<Lane> lanes, const Chooser& chooser, const F
 
 Result<std::vector<HeadlandPass>> finishingPasses(const FinishingTask& task, const JobContext& job) {
     const Chooser chooser{task};
+    const Machine& machine = task.lowered.machine();
+    const BoundaryDistance edges{task.workable, metres(1e4)};
     Chosen chosen{.passes = {}, .left = Left{task.left}};
+    if (task.bends != nullptr) {
+        if (auto done = chooseBends(chooser, task, edges, chosen, job); !done) {
+            return std::unexpected(done.error());
+        }
+    }
     for (const auto lanesOver : {&Chooser::lanesBeside, &Chooser::lanesAcross}) {
         if (!isTooMuch(task, chosen.left.pieces)) {
             break;
@@ -406,14 +453,13 @@ Result<std::vector<HeadlandPass>> finishingPasses(const FinishingTask& task, con
             return std::unexpected(done.error());
         }
     }
-    const BoundaryDistance edges{task.workable, metres(1e4)};
     std::vector<HeadlandPass> passes;
-    for (const Candidate& pass : chosen.passes) {
-        const double fromEdgeM = edges.insideM(0.5 * (pass.from + pass.to)).value_or(0.0);
+    for (Turn& line : chosen.passes) {
+        const double fromEdgeM = edges.insideM(halfWay(line)).value_or(0.0);
         passes.push_back({.ring = static_cast<int>(fromEdgeM / chooser.widthM()),
-                          .width = task.lowered.machine().operatingWidth(),
+                          .width = machine.operatingWidth(),
                           .closed = false,
-                          .stretches = {{.line = lineOf(pass, task.lowered.machine())}}});
+                          .stretches = {{.line = std::move(line)}}});
     }
     return passes;
 }

@@ -21,7 +21,7 @@ constexpr std::size_t kMostStarts = 400;
 constexpr std::size_t kMostChecked = 150;
 // Legs that meet closer than this are driven in one go.
 constexpr double kSamePlaceM = 1e-6;
-constexpr std::size_t kMostPlacesTried = 3;
+constexpr std::size_t kMostPlacesTried = 5;
 constexpr Length kCheckStep = metres(0.25);
 // Within so many of its own lengths a trailed implement comes into line after a bend.
 constexpr double kLengthsIntoLine = 3.0;
@@ -269,40 +269,49 @@ std::vector<Leg> headlandLegs(const std::vector<HeadlandPass>& passes, const Hea
     return legs;
 }
 
+PassPlace placeFor(const Turn& line, const std::vector<Leg>& legs, RememberedWays& ways, const JobContext& job) {
+    const Pose start = line.start;
+    const Pose end = line.end();
+    std::vector<std::pair<double, std::size_t>> places;  // detour, and the leg it goes before
+    for (std::size_t i = 0; i <= legs.size(); ++i) {
+        const double toM = i > 0 ? distance(legs[i - 1].line.end().position, start.position) : 0.0;
+        const double onM = i < legs.size() ? distance(end.position, legs[i].line.start.position) : 0.0;
+        const double directM =
+            i > 0 && i < legs.size() ? distance(legs[i - 1].line.end().position, legs[i].line.start.position) : 0.0;
+        // What follows on without a way between is one pass.
+        if (i == 0 || i == legs.size() || directM > kSamePlaceM) {
+            places.emplace_back(toM + onM - directM, i);
+        }
+    }
+    std::ranges::sort(places);
+    const auto leads = [&](const Pose& leaving, const Pose& arriving) {
+        return !job.stopRequested() && ways(leaving, arriving, job, SearchEffort::Quick).has_value();
+    };
+    PassPlace found;
+    for (const auto& [detour, i] : places | std::views::take(kMostPlacesTried)) {
+        if (i > 0 && !leads(legs[i - 1].line.end(), start)) {
+            continue;
+        }
+        found = {.access = PassAccess::NoWayOut, .before = i};
+        if (i == legs.size() || leads(end, legs[i].line.start)) {
+            found.access = PassAccess::There;
+            break;
+        }
+    }
+    return found;
+}
+
 FinishedLegs withFinishingPasses(std::vector<Leg> given, const std::vector<HeadlandPass>& passes, RememberedWays& ways,
                                  const JobContext& job) {
     FinishedLegs finished{.legs = std::move(given), .put = {}, .refused = {}};
-    std::vector<Leg>& legs = finished.legs;
-    const auto leads = [&](const Pose& leaving, const Pose& arriving) {
-        return ways(leaving, arriving, job, SearchEffort::Quick).has_value();
-    };
     for (const HeadlandPass& pass : passes) {
         const Leg leg = legOf(pass, pass.stretches.front());
-        const Pose start = leg.line.start;
-        const Pose end = leg.line.end();
-        std::vector<std::pair<double, std::size_t>> places;  // detour, and the leg it goes before
-        for (std::size_t i = 0; i <= legs.size(); ++i) {
-            const double toM = i > 0 ? distance(legs[i - 1].line.end().position, start.position) : 0.0;
-            const double onM = i < legs.size() ? distance(end.position, legs[i].line.start.position) : 0.0;
-            const double directM =
-                i > 0 && i < legs.size() ? distance(legs[i - 1].line.end().position, legs[i].line.start.position) : 0.0;
-            // What follows on without a way between is one pass.
-            if (i == 0 || i == legs.size() || directM > kSamePlaceM) {
-                places.emplace_back(toM + onM - directM, i);
-            }
-        }
-        std::ranges::sort(places);
-        const auto tried = places | std::views::take(kMostPlacesTried);
-        const auto place = std::ranges::find_if(tried, [&](const auto& detourAndLeg) {
-            const std::size_t i = detourAndLeg.second;
-            return !job.stopRequested() && (i == 0 || leads(legs[i - 1].line.end(), start)) &&
-                   (i == legs.size() || leads(end, legs[i].line.start));
-        });
-        if (place == tried.end()) {
+        const PassPlace place = placeFor(leg.line, finished.legs, ways, job);
+        if (place.access != PassAccess::There) {
             finished.refused.push_back(pass);
             continue;
         }
-        legs.insert(legs.begin() + static_cast<std::ptrdiff_t>(place->second), leg);
+        finished.legs.insert(finished.legs.begin() + static_cast<std::ptrdiff_t>(place.before), leg);
         finished.put.push_back(pass);
     }
     return finished;

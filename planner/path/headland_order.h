@@ -1,5 +1,6 @@
 #pragma once
 
+#include "planner/headland/full_lock_passes.h"
 #include "planner/headland/headland.h"
 #include "planner/path/path_builder.h"
 #include "planner/path/remembered_ways.h"
@@ -23,6 +24,13 @@ struct HeadlandDrive {
 /// pass.
 std::vector<Leg> headlandLegs(const std::vector<HeadlandPass>& passes, const HeadlandDrive& drive,
                               const Machine& machine, TurnPlanner* turn);
+
+/// The leg before which a pass is best driven: where the detour is short, and the ways there and on are quickly found.
+struct PassPlace {
+    PassAccess access = PassAccess::NoWayIn;
+    std::size_t before = 0;  ///< where there are ways
+};
+PassPlace placeFor(const Turn& line, const std::vector<Leg>& legs, RememberedWays& ways, const JobContext& job);
 
 struct FinishedLegs {
     std::vector<Leg> legs;

@@ -25,6 +25,7 @@
 #include <iterator>
 #include <memory>
 #include <optional>
+#include <ranges>
 #include <span>
 
 namespace furrow {
@@ -36,7 +37,9 @@ using Clock = std::chrono::steady_clock;
 // Short passes are added until so little is left: below what the audit blocks a plan for.
 constexpr double kMayStayShare = 0.009;
 constexpr Area kMayStayInOnePiece = squareMetres(95.0);
-constexpr int kFinishingRounds = 3;
+constexpr int kFinishingRounds = 6;
+// A segment that begins where a pass does is that pass.
+constexpr double kSamePlaceM = 1e-6;
 
 /// "The way from swath 3 to swath 4", "Headland pass 1".
 Message nameOfWay(const Path& path, std::size_t segment) {
@@ -262,8 +265,33 @@ std::ptrdiff_t blockingCount(const Plan& plan) {
     return std::ranges::count(plan.findings, Severity::Blocking, &Finding::severity);
 }
 
+/// Ways and passes that leave where the machine may be.
+std::ptrdiff_t outsideCount(const Plan& plan) {
+    return std::ranges::count_if(plan.path.segments, [](const PathSegment& segment) { return !segment.drivable; });
+}
+
 bool leavesTooMuch(const Plan& plan) {
     return std::ranges::contains(plan.findings, "missed", &Finding::kind);
+}
+
+/// Of these passes, those that leave where the machine may be, or whose ways in or out do.
+std::vector<HeadlandPass> leadingOutside(const Path& path, const std::vector<HeadlandPass>& passes) {
+    std::vector<HeadlandPass> outside;
+    const auto begins = [](const PathSegment* segment, const HeadlandPass& pass) {
+        return segment != nullptr && distance(segment->samples.front().position, pass.stretches.front().line.start.position) < kSamePlaceM;
+    };
+    for (const HeadlandPass& pass : passes) {
+        const auto isOutside = [&](std::size_t i) {
+            const PathSegment& segment = path.segments[i];
+            return !segment.drivable &&
+                   (begins(&segment, pass) ||
+                    (!segment.implementDown && (begins(path.workBefore(i), pass) || begins(path.workAfter(i), pass))));
+        };
+        if (std::ranges::any_of(std::views::iota(std::size_t{0}, path.segments.size()), isOutside)) {
+            outside.push_back(pass);
+        }
+    }
+    return outside;
 }
 
 /// Where more is left than may stay, short passes over it, if the plan gets better by them. What has no way in is
@@ -276,7 +304,17 @@ Result<void> finish(Plan& plan, std::vector<Leg> legs, RememberedWays& ways, con
     if (!applies || !leavesTooMuch(plan)) {
         return {};
     }
-    const Rig lowered{drivable, plan.request.machine, ImplementAt::Lowered};
+    const Machine& machine = plan.request.machine;
+    const Rig lowered{drivable, machine, ImplementAt::Lowered};
+    std::optional<FullLockPasses> bends;
+    if (!canReverse(machine) && !machine.spec().tractor.canTurnInPlace) {
+        auto made = FullLockPasses::of(
+            drivable, lowered, [&](const Turn& line) { return placeFor(line, legs, ways, job).access; }, job);
+        if (!made) {
+            return std::unexpected(made.error());
+        }
+        bends = std::move(*made);
+    }
     std::vector<PassStretch> refused;
     for (int round = 0; round < kFinishingRounds && leavesTooMuch(plan); ++round) {
         const Clock::time_point begin = Clock::now();
@@ -287,6 +325,7 @@ Result<void> finish(Plan& plan, std::vector<Leg> legs, RememberedWays& ways, con
                                              .mayStay = kMayStayShare * plan.audit.workable - hairs,
                                              .mayStayInOnePiece = kMayStayInOnePiece,
                                              .lowered = lowered,
+                                             .bends = bends ? &*bends : nullptr,
                                              .refused = refused},
                                             part.part(0.0, 0.2));
         if (!passes) {
@@ -295,9 +334,8 @@ Result<void> finish(Plan& plan, std::vector<Leg> legs, RememberedWays& ways, con
         Plan finished = plan;
         FinishedLegs more = withFinishingPasses(legs, *passes, ways, part);
         finished.headland.rings.insert(finished.headland.rings.end(), more.put.begin(), more.put.end());
-        for (const HeadlandPass& pass : more.refused) {
-            refused.push_back(pass.stretches.front());
-        }
+        const auto refuse = [&refused](const HeadlandPass& pass) { refused.push_back(pass.stretches.front()); };
+        std::ranges::for_each(more.refused, refuse);
         finished.timings.path += seconds(std::chrono::duration<double>(Clock::now() - begin).count());
         if (more.put.empty()) {
             if (more.refused.empty()) {
@@ -308,8 +346,13 @@ Result<void> finish(Plan& plan, std::vector<Leg> legs, RememberedWays& ways, con
         if (auto driven = drive(finished, more.legs, ways, drivable, part.part(0.2, 1.0)); !driven) {
             return driven;
         }
-        if (blockingCount(finished) > blockingCount(plan)) {
-            break;
+        if (blockingCount(finished) > blockingCount(plan) || outsideCount(finished) > outsideCount(plan)) {
+            const std::vector<HeadlandPass> outside = leadingOutside(finished.path, more.put);
+            if (outside.empty()) {
+                break;
+            }
+            std::ranges::for_each(outside, refuse);
+            continue;
         }
         plan = std::move(finished);
         legs = std::move(more.legs);

@@ -1,8 +1,12 @@
+#include "planner/machine/machine_library.h"
 #include "planner/plan/method_registry.h"
 #include "planner/plan/plan.h"
 #include "tests/support/field_generator.h"
 #include "tests/support/result_check.h"
 #include "tests/support/stages.h"
+
+#include <QList>
+#include <QPointF>
 
 #include <algorithm>
 #include <atomic>
@@ -363,6 +367,27 @@ private slots:
             QVERIFY(!plan);
             QCOMPARE(plan.error().code, ErrorCode::InputRefused);
         }
+    }
+
+    void tipsOfWhatCannotReverse_data() {
+        QTest::addColumn<QList<QPointF>>("corners");
+        // Between headland pass and tip 136 and 109 m² were left that the boom can reach.
+        QTest::newRow("triangle") << QList<QPointF>{{0, 0}, {300, 0}, {0, 200}};
+        QTest::newRow("house on its side") << QList<QPointF>{{0, 0}, {260, 0}, {420, 90}, {260, 120}, {0, 120}};
+    }
+    void tipsOfWhatCannotReverse() {
+        QFETCH(QList<QPointF>, corners);
+        Ring ring;
+        for (const QPointF& corner : corners) {
+            ring.push_back({corner.x(), corner.y()});
+        }
+        const auto plan = makePlan({.field = fieldOf({{.outer = ring, .holes = {}}}),
+                                    .machine = findMachine("trailed-sprayer").value(),
+                                    .settings = {}});
+        VERIFY_RESULT(plan);
+        QCOMPARE(std::ranges::count((*plan)->findings, Severity::Blocking, &Finding::severity), 0);
+        const AuditReport& audit = (*plan)->audit;
+        QVERIFY(audit.minClearance && *audit.minClearance > metres(-0.01));
     }
 
     // Two yards of 60 by 60 m and a footpath of 1 m between them, on which no tractor drives.

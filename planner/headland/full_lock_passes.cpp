@@ -1,0 +1,380 @@
+#include "planner/headland/full_lock_passes.h"
+
+#include "planner/geometry/boundary_distance.h"
+#include "planner/geometry/geos_bridge.h"
+#include "planner/geometry/segment.h"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <iterator>
+#include <limits>
+#include <numbers>
+#include <utility>
+#include <vector>
+
+namespace furrow {
+
+namespace {
+
+// A piece is looked at in about so many places.
+constexpr int kPlaces = 120;
+// Middles are looked for by so many of them.
+constexpr int kGuides = 6;
+constexpr double kSameMiddleM = 1.0;
+// Until it bends as much as the circle does the outer end gets farther out than that: circles so far from the middle
+// where one just fits.
+constexpr std::array kInwardsM{0.05, 0.2, 0.5, 1.0, 1.8, 3.0};
+constexpr int kBegins = 32;
+constexpr double kMostRounds = 1.25;
+// A bent hitch is in line again after driving straight so many lengths of what trails behind it. Before the bend a
+// little has to do where there is no room for more, or no way to where that begins.
+constexpr std::array kLengthsIn{3.0, 1.0};
+constexpr double kLengthsOut = 2.5;
+// What works this share with more room before it is taken, whatever would be worked with less.
+constexpr double kGoodEnough = 0.6;
+constexpr Length kLook = metres(0.25);
+// What arrives is not quite in line: so much room is kept.
+constexpr double kSpareM = 0.02;
+// What a metre of the way has to work to be worth it, as a share of the width.
+constexpr double kWorthShare = 0.01;
+// What is worth less than this share of the best is not kept for where that has no way in or out.
+constexpr double kWorthAsking = 0.4;
+// So many passes at most may turn out to have no way in or out. Poses closer than this share of the width, their
+// headings by less than a quarter of a right angle (the cosine), are one.
+constexpr std::size_t kMostAsked = 12;
+constexpr double kCloseShare = 0.1;
+constexpr double kSameWay = 0.92;
+// A bend is left after every so many looks.
+constexpr std::size_t kExitSteps = 4;
+// Swept land is put together from pieces so long.
+constexpr double kSweptM = 0.75;
+
+bool isInRing(Point place, const std::array<Point, 4>& ring) {
+    bool inside = false;
+    for (std::size_t i = 0; i < ring.size(); ++i) {
+        const Point a = ring[i];
+        const Point b = ring[(i + 1) % ring.size()];
+        if ((a.y > place.y) != (b.y > place.y) && place.x < a.x + (place.y - a.y) / (b.y - a.y) * (b.x - a.x)) {
+            inside = !inside;
+        }
+    }
+    return inside;
+}
+
+std::vector<Point> placesIn(const Polygon& piece) {
+    const Bounds box = bounds({piece});
+    const double stepM = std::sqrt(area(piece).si() / kPlaces);
+    const BoundaryDistance edges{{piece}, metres(box.width() + box.height() + 1.0)};
+    std::vector<Point> places;
+    for (double y = box.min.y + 0.5 * stepM; y < box.max.y; y += stepM) {
+        for (double x = box.min.x + 0.5 * stepM; x < box.max.x; x += stepM) {
+            if (edges.insideM({x, y}).value_or(-1.0) > 0.0) {
+                places.push_back({x, y});
+            }
+        }
+    }
+    return places;
+}
+
+using WorkingLine = std::pair<Point, Point>;
+
+void addSwept(const WorkingLine& from, const WorkingLine& to, MultiPolygon& swept) {
+    for (Ring ring : {Ring{from.first, to.first, to.second}, Ring{from.first, to.second, from.second}}) {
+        const double twice = signedAreaM2(ring);
+        if (twice < 0.0) {
+            std::swap(ring[1], ring[2]);
+        }
+        if (twice != 0.0) {
+            swept.push_back({.outer = std::move(ring), .holes = {}});
+        }
+    }
+}
+
+}  // namespace
+
+FullLockPasses::FullLockPasses(const Rig& lowered, PassAccessFinder access)
+    : lowered_{&lowered}, access_{std::move(access)}, trailer_{Trailer::of(lowered.machine())}, radiusM_{lowered.machine().minTurningRadius().si()} {}
+
+Result<FullLockPasses> FullLockPasses::of(const MultiPolygon& drivable, const Rig& lowered, PassAccessFinder access,
+                                          const JobContext& job) {
+    FullLockPasses passes{lowered, std::move(access)};
+    double implementM = passes.radiusM_;
+    if (const auto& trailer = passes.trailer_) {
+        passes.straightM_ = trailer->trailingM;
+        const double hitchM = std::hypot(passes.radiusM_, trailer->hitchM);
+        implementM = std::sqrt(std::max(0.0, hitchM * hitchM - trailer->trailingM * trailer->trailingM));
+    }
+    passes.outerM_ = implementM + 0.5 * lowered.machine().workingFootprintWidth().si();
+    return eroded(drivable, metres(passes.outerM_), kArcTolerance, job).transform([&](MultiPolygon middles) {
+        passes.middles_ = std::move(middles);
+        return std::move(passes);
+    });
+}
+
+std::pair<Point, Point> FullLockPasses::workingLine(const RigState& state) const {
+    const Implement& implement = lowered_->machine().spec().implement;
+    const Point ahead = direction(state.implement.si());
+    const Point left{-ahead.y, ahead.x};
+    const Point carried = trailer_ ? trailer_->poseOf(state.tractor, state.implement).position : state.tractor.position;
+    const double behindM = trailer_ ? -trailer_->trailingM : implement.offset.si();
+    const Point middle = carried + behindM * ahead + implement.lateralOffset.si() * left;
+    const Point half = 0.5 * implement.operatingWidth.si() * left;
+    return {middle - half, middle + half};
+}
+
+std::optional<Point> FullLockPasses::nearestMiddle(Point place) const {
+    std::optional<Point> nearest;
+    double nearestM = std::numeric_limits<double>::infinity();
+    forEachEdge(middles_, [&](Point from, Point to) {
+        const Point point = nearestOnSegment(place, from, to);
+        if (const double awayM = distance(place, point); awayM < nearestM) {
+            nearestM = awayM;
+            nearest = point;
+        }
+    });
+    return nearest;
+}
+
+namespace {
+
+/// A line with what it is worth.
+struct Candidate {
+    Turn line;
+    double gainM2 = 0.0;
+    std::size_t worked = 0;  ///< places of the piece
+};
+
+bool isClose(const Pose& a, const Pose& b, double closeM) {
+    return distance(a.position, b.position) < closeM &&
+           dot(direction(a.heading.si()), direction(b.heading.si())) > kSameWay;
+}
+
+/// The best of these that has a way in and one out; asked for few, and not again for poses close to those that had none.
+std::optional<Candidate> bestWithAccess(std::vector<Candidate> candidates, const PassAccessFinder& access, double closeM) {
+    std::ranges::stable_sort(candidates, std::ranges::greater{}, &Candidate::gainM2);
+    std::vector<Pose> notReached;
+    std::vector<Pose> notLeft;
+    std::size_t asked = 0;
+    const auto isAmong = [&](const std::vector<Pose>& poses, const Pose& pose) {
+        return std::ranges::any_of(poses, [&](const Pose& other) { return isClose(pose, other, closeM); });
+    };
+    for (Candidate& candidate : candidates) {
+        if (isAmong(notReached, candidate.line.start) || isAmong(notLeft, candidate.line.end())) {
+            continue;
+        }
+        const PassAccess found = access(candidate.line);
+        if (found == PassAccess::There) {
+            return std::move(candidate);
+        }
+        if (++asked == kMostAsked) {
+            break;
+        }
+        if (found == PassAccess::NoWayIn) {
+            notReached.push_back(candidate.line.start);
+        } else {
+            notLeft.push_back(candidate.line.end());
+        }
+    }
+    return std::nullopt;
+}
+
+}  // namespace
+
+/// Drives bends over one piece.
+class FullLockPasses::Trial {
+public:
+    Trial(const FullLockPasses& passes, const Polygon& piece)
+        : passes_{passes},
+          lowered_{*passes.lowered_},
+          places_{placesIn(piece)},
+          isWorked_(places_.size()),
+          areaEachM2_{area(piece).si() / static_cast<double>(std::max<std::size_t>(1, places_.size()))},
+          widthM_{lowered_.machine().operatingWidth().si()},
+          look_{passes.trailer_ ? std::min(kLook, passes.trailer_->longestStep()) : kLook},
+          swings_{1.0 + (passes.trailer_ ? widthM_ / passes.trailer_->trailingM : widthM_ / passes.radiusM_)} {
+        for (const Point& place : places_) {
+            mean_ = mean_ + (1.0 / static_cast<double>(places_.size())) * place;
+        }
+    }
+
+    bool works(std::size_t worked, double share) const {
+        return static_cast<double>(worked) >= share * static_cast<double>(places_.size());
+    }
+
+    /// Middles of circles that reach the piece.
+    std::vector<Point> middles() const {
+        std::vector<Point> found;
+        const auto add = [&](Point near) {
+            const auto middle = passes_.nearestMiddle(near);
+            if (middle && std::ranges::none_of(found, [&](Point other) { return distance(*middle, other) < kSameMiddleM; })) {
+                found.push_back(*middle);
+            }
+        };
+        if (!places_.empty()) {
+            add(mean_);
+            for (std::size_t i = 0; i < kGuides; ++i) {
+                add(places_[i * (places_.size() - 1) / (kGuides - 1)]);
+            }
+        }
+        return found;
+    }
+
+    /// The bends round a middle and round places farther in, with so much straight before them.
+    void addAround(Point middle, double leadM, std::vector<Candidate>& candidates, const JobContext& job) {
+        const double awayM = distance(middle, mean_);
+        const Point inwards = awayM > 0.0 ? (1.0 / awayM) * (middle - mean_) : Point{};
+        for (const double inwardsM : kInwardsM) {
+            const Point around = middle + inwardsM * inwards;
+            const auto within = std::ranges::count_if(
+                places_, [&](Point place) { return distance(place, around) < passes_.outerM_ + leadM; });
+            const double mostM2 = gainM2(static_cast<std::size_t>(within), leadM + kLengthsOut * passes_.straightM_);
+            for (int i = 0; i < 2 * kBegins && mostM2 > kWorthAsking * bestM2_ && !job.stopRequested(); ++i) {
+                add(around, 2.0 * std::numbers::pi * (i / 2) / kBegins, i % 2 == 0 ? 1.0 : -1.0, leadM, candidates);
+            }
+        }
+    }
+
+private:
+    double gainM2(std::size_t worked, double wayM) const {
+        return areaEachM2_ * static_cast<double>(worked) - kWorthShare * widthM_ * wayM;
+    }
+
+    /// Positive side: to the left, the middle on that hand.
+    void add(Point middle, double begin, double side, double leadM, std::vector<Candidate>& candidates) {
+        const Pose on{.position = middle + passes_.radiusM_ * direction(begin),
+                      .heading = radians(begin + side * 0.5 * std::numbers::pi)};
+        const Pose start{.position = on.position - leadM * direction(on.heading.si()), .heading = on.heading};
+        if (lowered_.roomM(Rig::inLine(on)) < kSpareM || lowered_.roomM(Rig::inLine(start)) < kSpareM) {
+            return;
+        }
+        const TurnPiece lead{.length = metres(leadM), .curvature = {}};
+        const auto in = lowered_.driven(Rig::inLine(start), lead);
+        if (!in) {
+            return;
+        }
+        const TurnPiece arc{.length = metres(kMostRounds * 2.0 * std::numbers::pi * passes_.radiusM_),
+                            .curvature = Curvature::fromSi(side / passes_.radiusM_)};
+        follow(*in, arc);
+        if (worked_ == 0) {
+            return;
+        }
+        // Out as soon as there is room to.
+        const TurnPiece out{.length = metres(kLengthsOut * passes_.straightM_), .curvature = {}};
+        const double stepM = arc.length.si() / std::ceil(arc.length / look_);
+        for (std::size_t end = lastUse_; end < states_.size(); end += kExitSteps) {
+            const double wayM = stepM * static_cast<double>(end);
+            const double gain = gainM2(worked_, leadM + wayM + out.length.si());
+            if (gain <= kWorthAsking * bestM2_) {
+                return;
+            }
+            if (out.length == Length{} || lowered_.driven(states_[end], out)) {
+                bestM2_ = std::max(bestM2_, gain);
+                Turn line{.type = {}, .start = start, .pieces = {}};
+                const TurnPiece bend{.length = metres(wayM), .curvature = arc.curvature};
+                std::ranges::copy_if(std::array{lead, bend, out}, std::back_inserter(line.pieces),
+                                     [](const TurnPiece& part) { return part.length > Length{}; });
+                candidates.push_back({.line = std::move(line), .gainM2 = gain, .worked = worked_});
+                return;
+            }
+        }
+    }
+
+    /// As far as the bend stays inside.
+    void follow(const RigState& from, const TurnPiece& arc) {
+        states_ = {from};
+        worked_ = 0;
+        lastUse_ = 0;
+        std::ranges::fill(isWorked_, 0);
+        WorkingLine last = passes_.workingLine(from);
+        double freeM = 0.0;
+        static_cast<void>(lowered_.follow(from, arc, look_, [&](const RigState& state) {
+            freeM -= look_.si();
+            if (freeM <= 0.0) {
+                const double roomM = lowered_.roomM(state);
+                if (roomM < kSpareM) {
+                    return false;
+                }
+                freeM = (roomM - kSpareM) / swings_;
+            }
+            const WorkingLine line = passes_.workingLine(state);
+            const std::array ring{last.first, line.first, line.second, last.second};
+            const Point middle = 0.5 * (line.first + line.second);
+            const double reachM = 0.5 * widthM_ + 2.0 * look_.si();
+            for (std::size_t i = 0; i < places_.size(); ++i) {
+                if (isWorked_[i] == 0 && distance(places_[i], middle) < reachM && isInRing(places_[i], ring)) {
+                    isWorked_[i] = 1;
+                    ++worked_;
+                    lastUse_ = states_.size();
+                }
+            }
+            states_.push_back(state);
+            last = line;
+            return true;
+        }));
+    }
+
+    const FullLockPasses& passes_;
+    const Rig& lowered_;
+    std::vector<Point> places_;
+    std::vector<char> isWorked_;
+    Point mean_;
+    double areaEachM2_;
+    double widthM_;
+    Length look_;
+    double swings_;  ///< no point moves by more for each metre of the way
+    double bestM2_ = 0.0;
+    // The last bend: where it led, how many places were worked, and the state after which no more were.
+    std::vector<RigState> states_;
+    std::size_t worked_ = 0;
+    std::size_t lastUse_ = 0;
+};
+
+std::optional<BentPass> FullLockPasses::over(const Polygon& piece, const std::function<bool(const Turn&)>& isRefused,
+                                             const JobContext& job) {
+    if (std::ranges::contains(hopeless_, piece)) {
+        return std::nullopt;
+    }
+    const auto access = [&](const Turn& line) { return isRefused(line) ? PassAccess::NoWayIn : access_(line); };
+    const Machine& machine = lowered_->machine();
+    Trial trial{*this, piece};
+    const std::vector<Point> middles = trial.middles();
+    std::optional<Candidate> best;
+    for (const double lengths : kLengthsIn) {
+        const double leadM = std::max(lengths * straightM_, machine.runIn().si());
+        std::vector<Candidate> candidates;
+        for (const Point& middle : middles) {
+            trial.addAround(middle, leadM, candidates, job);
+        }
+        auto found = bestWithAccess(std::move(candidates), access, kCloseShare * machine.operatingWidth().si());
+        if (found && (!best || found->gainM2 > best->gainM2)) {
+            best = std::move(found);
+        }
+        if ((best && trial.works(best->worked, kGoodEnough)) || straightM_ == 0.0) {
+            break;
+        }
+    }
+    if (!best) {
+        hopeless_.push_back(piece);
+        return std::nullopt;
+    }
+    return worked(std::move(best->line), job);
+}
+
+std::optional<BentPass> FullLockPasses::worked(Turn line, const JobContext& job) const {
+    MultiPolygon swept;
+    RigState at = Rig::inLine(line.start);
+    WorkingLine last = workingLine(at);
+    for (const TurnPiece& part : line.pieces) {
+        at = *lowered_->follow(at, part, metres(kSweptM), [&](const RigState& state) {
+            const WorkingLine now = workingLine(state);
+            addSwept(last, now, swept);
+            last = now;
+            return true;
+        });
+    }
+    auto worked = unionOf(swept, job, kSnapGrid);
+    return worked ? std::optional{BentPass{.line = std::move(line), .worked = std::move(*worked)}} : std::nullopt;
+}
+
+}  // namespace furrow
