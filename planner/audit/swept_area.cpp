@@ -37,38 +37,98 @@ Ring counterClockwise(Ring ring) {
     return ring;
 }
 
-/// What a line sweeps on its way from one place to the next: a quadrilateral, or two triangles where it
-/// turns about a point of its own or is folded over.
-void addSweep(const WorkingLine& a, const WorkingLine& b, std::size_t segment,
-              std::vector<SweptPiece>& pieces) {
-    constexpr double kNoAreaM2 = 1e-12;
-    const auto add = [&](Ring ring) {
-        if (std::abs(signedAreaM2(ring)) > kNoAreaM2) {
-            pieces.push_back({counterClockwise(std::move(ring)), segment});
-        }
-    };
+/// The point of its own about which a line turns on its way from one place to the next; nothing where it does not.
+std::optional<Point> pivotOf(const WorkingLine& a, const WorkingLine& b) {
     const Point across = a.left - a.right;
     const Point acrossNext = b.left - b.right;
     const double turn = cross(across, acrossNext);
-    if (turn != 0.0) {
-        const double t = cross(b.right - a.right, acrossNext) / turn;
-        const double u = cross(b.right - a.right, across) / turn;
-        if (t > 0.0 && t < 1.0 && u > 0.0 && u < 1.0) {
-            const Point pivot = a.right + t * across;
-            add({pivot, a.right, b.right});
-            add({pivot, a.left, b.left});
-            return;
-        }
+    if (turn == 0.0) {
+        return std::nullopt;
     }
+    const double t = cross(b.right - a.right, acrossNext) / turn;
+    const double u = cross(b.right - a.right, across) / turn;
+    return t > 0.0 && t < 1.0 && u > 0.0 && u < 1.0 ? std::optional{a.right + t * across} : std::nullopt;
+}
+
+/// What a line sweeps on its way from one place to the next: a quadrilateral, or two triangles where it
+/// turns about a point of its own or is folded over.
+std::vector<Ring> sweptBetween(const WorkingLine& a, const WorkingLine& b, const std::optional<Point>& pivot) {
+    constexpr double kNoAreaM2 = 1e-12;
+    std::vector<Ring> swept;
+    const auto add = [&](Ring ring) {
+        if (std::abs(signedAreaM2(ring)) > kNoAreaM2) {
+            swept.push_back(counterClockwise(std::move(ring)));
+        }
+    };
     const double right = cross(b.right - a.right, b.left - a.right);
     const double left = cross(b.left - a.right, a.left - a.right);
-    if (right * left >= 0.0) {
+    if (pivot) {
+        add({*pivot, a.right, b.right});
+        add({*pivot, a.left, b.left});
+    } else if (right * left >= 0.0) {
         add({a.right, b.right, b.left, a.left});
     } else {
         add({a.right, b.right, b.left});
         add({a.right, b.left, a.left});
     }
+    return swept;
 }
+
+/// The same of many steps in a row, for layers of polygons. While a line turns about points of its own the triangles
+/// on either side lie side by side in fans: what adds up are their outlines, some hundred times fewer long edges.
+class FanOutlines {
+public:
+    FanOutlines(LayeredPolygons& layers, std::size_t layer) : layers_{layers}, layer_{layer} {}
+    ~FanOutlines() { close(); }
+    FanOutlines(const FanOutlines&) = delete;
+    FanOutlines& operator=(const FanOutlines&) = delete;
+
+    void add(const WorkingLine& a, const WorkingLine& b) {
+        const std::optional<Point> pivot = pivotOf(a, b);
+        if (!pivot) {
+            close();
+            for (const Ring& ring : sweptBetween(a, b, pivot)) {
+                layers_.addNext(layer_, ring);
+            }
+            return;
+        }
+        const bool turnsLeft = cross(a.left - a.right, b.left - b.right) > 0.0;
+        if (turnsLeft != turnsLeft_) {
+            close();
+        }
+        turnsLeft_ = turnsLeft;
+        if (pivots_.empty()) {
+            right_ = {a.right};
+            left_ = {a.left};
+        }
+        pivots_.push_back(*pivot);
+        right_.push_back(b.right);
+        left_.push_back(b.left);
+    }
+
+private:
+    // The sum of the triangles (pivot, end, next end): sides on one line that are driven both ways fall away.
+    void close() {
+        if (pivots_.empty()) {
+            return;
+        }
+        for (Ring* ring : {&right_, &left_}) {
+            ring->insert(ring->end(), pivots_.rbegin(), pivots_.rend());
+            if (!turnsLeft_) {
+                std::ranges::reverse(*ring);
+            }
+            layers_.add(layer_, *ring);
+        }
+        pivots_.clear();
+    }
+
+    LayeredPolygons& layers_;
+    std::size_t layer_;
+    bool turnsLeft_ = true;
+    Ring right_;
+    Ring left_;
+    std::vector<Point> pivots_;
+};
 
 /// Chords of a turning line's ends: two thirds of the sagitta, on both sides.
 double chordErrorM2(const SegmentMotion& motion, double widthM) {
@@ -177,7 +237,7 @@ Ring everywhere(const AuditInput& input) {
 
 /// What is swept, with its error bound.
 void addPasses(const AuditInput& input, const MachineShape& shape, const std::vector<SegmentMotion>& motions,
-               SweptArea& result) {
+               LayeredPolygons& layers, SweptArea& result) {
     const double widthM = shape.operatingWidthM;
     double errorM2 = 1e-9 * area(input.workable).si();
     double lengthM = 0.0;
@@ -187,8 +247,14 @@ void addPasses(const AuditInput& input, const MachineShape& shape, const std::ve
         }
         const std::vector<MotionState>& states = motions[i].states;
         errorM2 += chordErrorM2(motions[i], widthM);
+        FanOutlines outlines{layers, input.segments[i].kind == SegmentKind::HeadlandPass ? kHeadlandPass : kSwath};
         for (std::size_t k = 1; k < states.size(); ++k) {
-            addSweep(workingLine(states[k - 1], widthM), workingLine(states[k], widthM), i, result.pieces);
+            const WorkingLine from = workingLine(states[k - 1], widthM);
+            const WorkingLine to = workingLine(states[k], widthM);
+            outlines.add(from, to);
+            for (Ring& ring : sweptBetween(from, to, pivotOf(from, to))) {
+                result.pieces.push_back({std::move(ring), i});
+            }
             lengthM += lengthOf(states[k].implement - states[k - 1].implement);
         }
     }
@@ -260,13 +326,9 @@ Point mainDirection(const std::vector<SegmentMotion>& motions) {
 Result<SweptArea> measureSweptArea(const AuditInput& input, const MachineShape& shape,
                                    const std::vector<SegmentMotion>& motions, const JobContext& job) {
     SweptArea result;
-    addPasses(input, shape, motions, result);
     LayeredPolygons layers;
     layers.add(kWorkable, input.workable);
-    for (const SweptPiece& piece : result.pieces) {
-        const bool headland = input.segments[piece.segment].kind == SegmentKind::HeadlandPass;
-        layers.addNext(headland ? kHeadlandPass : kSwath, piece.ring);
-    }
+    addPasses(input, shape, motions, layers, result);
     if (input.machine) {
         const auto reach = reachable(input, shape, job);
         if (!reach) {
