@@ -27,6 +27,8 @@ constexpr double kSameMiddleM = 1.0;
 constexpr std::array kInwardsM{0.05, 0.2, 0.5, 1.0, 1.8, 3.0};
 constexpr int kBegins = 32;
 constexpr double kMostRounds = 1.25;
+// Not right beside the piece: a bend takes some way to become as sharp as it gets.
+constexpr double kLeastBeforeRad = 0.3;
 // A bent hitch is in line again after driving straight so many lengths of what trails behind it. Before the bend a
 // little has to do where there is no room for more, or no way to where that begins.
 constexpr std::array kLengthsIn{3.0, 1.0};
@@ -196,6 +198,9 @@ public:
         for (const Point& place : places_) {
             mean_ = mean_ + (1.0 / static_cast<double>(places_.size())) * place;
         }
+        for (const Point& place : places_) {
+            farthestM_ = std::max(farthestM_, distance(place, mean_));
+        }
     }
 
     bool works(std::size_t worked, double share) const {
@@ -230,7 +235,12 @@ public:
                 places_, [&](Point place) { return distance(place, around) < passes_.outerM_ + leadM; });
             const double mostM2 = gainM2(static_cast<std::size_t>(within), leadM + kLengthsOut * passes_.straightM_);
             for (int i = 0; i < 2 * kBegins && mostM2 > kWorthAsking * bestM2_ && !job.stopRequested(); ++i) {
-                add(around, 2.0 * std::numbers::pi * (i / 2) / kBegins, i % 2 == 0 ? 1.0 : -1.0, leadM, candidates);
+                const double begin = 2.0 * std::numbers::pi * (i / 2) / kBegins;
+                const double side = i % 2 == 0 ? 1.0 : -1.0;
+                const double aheadRad = std::remainder(side * (std::atan2(-inwards.y, -inwards.x) - begin), 2.0 * std::numbers::pi);
+                if (std::abs(aheadRad) > kLeastBeforeRad) {
+                    add(around, begin, side, leadM, candidates);
+                }
             }
         }
     }
@@ -301,7 +311,8 @@ private:
             const std::array ring{last.first, line.first, line.second, last.second};
             const Point middle = 0.5 * (line.first + line.second);
             const double reachM = 0.5 * widthM_ + 2.0 * look_.si();
-            for (std::size_t i = 0; i < places_.size(); ++i) {
+            const bool isBeside = distance(mean_, middle) < reachM + farthestM_;
+            for (std::size_t i = 0; isBeside && i < places_.size(); ++i) {
                 if (isWorked_[i] == 0 && distance(places_[i], middle) < reachM && isInRing(places_[i], ring)) {
                     isWorked_[i] = 1;
                     ++worked_;
@@ -319,6 +330,7 @@ private:
     std::vector<Point> places_;
     std::vector<char> isWorked_;
     Point mean_;
+    double farthestM_ = 0.0;  ///< of the places from their mean
     double areaEachM2_;
     double widthM_;
     Length look_;

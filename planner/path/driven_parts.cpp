@@ -10,17 +10,23 @@ namespace {
 
 // Farther than any place is from the edge of a field.
 constexpr Length kWholeField = metres(1e5);
+// A machine gets through a neck as broad as itself.
+constexpr Length kTouching = metres(0.02);
 
 }  // namespace
 
-Result<DrivenParts> DrivenParts::of(const MultiPolygon& drivable, const Machine& machine, Length spare, const JobContext& job) {
-    return eroded(drivable, 0.5 * machine.spec().tractor.width + spare, kArcTolerance, job).transform([](const MultiPolygon& rooms) {
+Result<DrivenParts> DrivenParts::of(const MultiPolygon& drivable, Length breadth, const JobContext& job) {
+    return eroded(drivable, 0.5 * breadth, kArcTolerance, job).transform([](const MultiPolygon& rooms) {
         DrivenParts parts;
         for (const Polygon& room : rooms) {
             parts.edges_.emplace_back(MultiPolygon{room}, kWholeField);
         }
         return parts;
     });
+}
+
+Result<DrivenParts> DrivenParts::of(const MultiPolygon& drivable, const Machine& machine, const JobContext& job) {
+    return of(drivable, std::max(machine.spec().tractor.width, machine.turningWidth()) - kTouching, job);
 }
 
 bool DrivenParts::separate(Point from, Point to) const {

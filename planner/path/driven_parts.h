@@ -8,18 +8,19 @@
 
 namespace furrow {
 
-/// The parts of an area that a tractor can drive about in, as far as its wheels decide. Immutable; any thread may ask.
+/// The parts of an area that a machine can drive about in, as far as its width decides. Immutable; any thread may ask.
 class DrivenParts {
 public:
-    /// @param spare  beside the tractor, in a neck that joins two of them
-    static Result<DrivenParts> of(const MultiPolygon& drivable, const Machine& machine, Length spare, const JobContext& job);
+    /// @param breadth  of the narrowest neck that joins two of them
+    static Result<DrivenParts> of(const MultiPolygon& drivable, Length breadth, const JobContext& job);
+    /// Through necks that let the machine through with its implement raised, touching both sides.
+    static Result<DrivenParts> of(const MultiPolygon& drivable, const Machine& machine, const JobContext& job);
 
-    /// Whether two places lie in different ones, or nearest to them. O(edges).
+    /// The one in which a place lies, or to which it is nearest. O(edges).
+    std::size_t partAt(Point place) const;
     bool separate(Point from, Point to) const;
 
 private:
-    std::size_t partAt(Point place) const;
-
     std::vector<BoundaryDistance> edges_;
 };
 

@@ -8,8 +8,8 @@ namespace furrow {
 
 namespace {
 
-// Beside the tractor in a neck through which a way is looked for at all where it need not be found.
-constexpr Length kNeckSpare = metres(0.4);
+// Beside the tractor, in all, in a neck through which a way is looked for at all where it need not be found.
+constexpr Length kNeckSpare = metres(0.8);
 
 }  // namespace
 
@@ -22,7 +22,7 @@ std::optional<Turn> FittingWays::between(const Pose& leaving, const Pose& arrivi
     auto way = fittingConnection(rig_, leaving, arriving, travel_, job, apart ? SearchEffort::None : effort);
     if (!way && !job.stopRequested()) {
         std::call_once(once_, [this] {
-            if (auto found = DrivenParts::of(drivable_, rig_.machine(), kNeckSpare, {})) {
+            if (auto found = DrivenParts::of(drivable_, rig_.machine().spec().tractor.width + kNeckSpare, {})) {
                 parts_ = std::make_shared<const DrivenParts>(std::move(*found));
             }
         });

@@ -29,12 +29,13 @@ bool isSame(const Pose& a, const Pose& b) {
 
 class WayRepair {
 public:
-    WayRepair(std::vector<Leg> legs, RememberedWays& ways, const Rig& lowered, const JobContext& job)
-        : legs_{std::move(legs)}, ways_{ways}, lowered_{lowered}, job_{job} {}
+    WayRepair(std::vector<Leg> legs, RememberedWays& ways, const Rig& lowered, const DrivenParts& parts, const JobContext& job)
+        : legs_{std::move(legs)}, ways_{ways}, lowered_{lowered}, parts_{parts}, job_{job} {}
 
     std::vector<Leg> run() {
         for (std::size_t i = 0; i + 1 < legs_.size() && !job_.stopRequested(); ++i) {
-            if (!leads(legs_[i], legs_[i + 1], SearchEffort::Thorough)) {
+            const bool apart = parts_.separate(legs_[i].line.end().position, legs_[i + 1].line.start.position);
+            if (!apart && !leads(legs_[i], legs_[i + 1], SearchEffort::Thorough)) {
                 static_cast<void>(turnRound(i + 1) || turnRound(i) || turnBothRound(i) || moveAway(i + 1) || moveAway(i));
             }
         }
@@ -139,13 +140,42 @@ private:
     std::vector<Leg> legs_;
     RememberedWays& ways_;
     const Rig& lowered_;
+    const DrivenParts& parts_;
     const JobContext& job_;
 };
 
 }  // namespace
 
-std::vector<Leg> withWaysBetween(std::vector<Leg> legs, RememberedWays& ways, const Rig& lowered, const JobContext& job) {
-    return WayRepair{std::move(legs), ways, lowered, job}.run();
+std::vector<Leg> withWaysBetween(std::vector<Leg> legs, RememberedWays& ways, const Rig& lowered, const DrivenParts& parts,
+                                 const JobContext& job) {
+    return WayRepair{std::move(legs), ways, lowered, parts, job}.run();
+}
+
+std::vector<Leg> partByPart(std::vector<Leg> legs, const DrivenParts& parts) {
+    std::vector<std::size_t> partOfLeg;
+    std::vector<std::size_t> order;
+    for (const Leg& leg : legs) {
+        partOfLeg.push_back(parts.partAt(leg.line.start.position));
+        if (!std::ranges::contains(order, partOfLeg.back())) {
+            order.push_back(partOfLeg.back());
+        }
+    }
+    if (order.size() < 2) {
+        return legs;
+    }
+    if (partOfLeg.back() != order.front()) {
+        const auto last = std::ranges::find(order, partOfLeg.back());
+        std::rotate(last, last + 1, order.end());
+    }
+    std::vector<Leg> sorted;
+    for (const std::size_t part : order) {
+        for (std::size_t i = 0; i < legs.size(); ++i) {
+            if (partOfLeg[i] == part) {
+                sorted.push_back(std::move(legs[i]));
+            }
+        }
+    }
+    return sorted;
 }
 
 }  // namespace furrow

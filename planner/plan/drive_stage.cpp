@@ -180,7 +180,7 @@ Result<void> checkWays(Plan& plan, const MultiPolygon& drivable, const JobContex
     if (blocked->empty()) {
         return {};
     }
-    const auto parts = DrivenParts::of(drivable, plan.request.machine, {}, job);
+    const auto parts = DrivenParts::of(drivable, plan.request.machine, job);
     if (!parts) {
         return std::unexpected(parts.error());
     }
@@ -225,7 +225,11 @@ Result<void> drive(Plan& plan, std::vector<Leg>& legs, RememberedWays& ways, con
     };
     auto path = build(job.part(0.0, 0.3));
     if (path && !isWhole) {
-        legs = withWaysBetween(std::move(legs), ways, Rig{drivable, machine, ImplementAt::Lowered}, job);
+        const auto parts = DrivenParts::of(drivable, machine, job);
+        if (!parts) {
+            return std::unexpected(parts.error());
+        }
+        legs = withWaysBetween(partByPart(std::move(legs), *parts), ways, Rig{drivable, machine, ImplementAt::Lowered}, *parts, job);
         path = build(job.part(0.3, 0.4));
     }
     if (!path) {

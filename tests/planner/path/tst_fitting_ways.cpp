@@ -1,3 +1,4 @@
+#include "planner/machine/machine_library.h"
 #include "planner/path/fitting_ways.h"
 #include "tests/support/field_generator.h"
 #include "tests/support/stages.h"
@@ -40,12 +41,31 @@ private slots:
         QFETCH(double, neckM);
         QFETCH(double, spareM);
         QFETCH(bool, separate);
-        const auto parts = DrivenParts::of(dumbbell(neckM), test::agbot(), metres(spareM), {});
+        const auto parts = DrivenParts::of(dumbbell(neckM), metres(2.5 + 2.0 * spareM), {});
         QVERIFY(parts.has_value());
         QCOMPARE(parts->separate({30.0, 20.0}, {110.0, 20.0}), separate);
         QVERIFY(!parts->separate({30.0, 20.0}, {5.0, 5.0}));
         // Beside an edge the nearest part counts.
         QCOMPARE(parts->separate({0.5, 0.5}, {139.5, 39.5}), separate);
+    }
+
+    // A boom of 24 m does not get through where its tractor would.
+    void partsByTheMachine_data() {
+        QTest::addColumn<QString>("machine");
+        QTest::addColumn<double>("neckM");
+        QTest::addColumn<bool>("separate");
+        QTest::newRow("robot, too narrow") << "agbot" << 2.4 << true;
+        QTest::newRow("robot, as wide as it is") << "agbot" << 2.5 << false;
+        QTest::newRow("sprayer, too narrow") << "trailed-sprayer" << 23.0 << true;
+        QTest::newRow("sprayer, wide enough") << "trailed-sprayer" << 25.0 << false;
+    }
+    void partsByTheMachine() {
+        QFETCH(QString, machine);
+        QFETCH(double, neckM);
+        QFETCH(bool, separate);
+        const auto parts = DrivenParts::of(dumbbell(neckM), findMachine(machine.toStdString()).value(), {});
+        QVERIFY(parts.has_value());
+        QCOMPARE(parts->separate({30.0, 20.0}, {110.0, 20.0}), separate);
     }
 
     // A way through the neck needs a search; one that stays in a room is found all the same, as is a straight one through

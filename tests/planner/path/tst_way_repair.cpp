@@ -43,8 +43,9 @@ std::vector<Leg> repaired(std::vector<Leg> legs, const std::function<bool(const 
     RememberedWays ways{[&](const Pose& leaving, const Pose& arriving, const JobContext&, SearchEffort) {
         return leads(leaving, arriving) ? std::optional<Turn>{Turn{.type = {}, .start = leaving, .pieces = {}}} : std::nullopt;
     }};
-    const Rig lowered{{test::rectangle(200.0, 200.0, {-50.0, -50.0})}, test::agbot(), ImplementAt::Lowered};
-    return withWaysBetween(std::move(legs), ways, lowered, {});
+    const MultiPolygon field{test::rectangle(200.0, 200.0, {-50.0, -50.0})};
+    const Rig lowered{field, test::agbot(), ImplementAt::Lowered};
+    return withWaysBetween(std::move(legs), ways, lowered, DrivenParts::of(field, test::agbot(), {}).value(), {});
 }
 
 std::vector<int> numbersOf(const std::vector<Leg>& legs) {
@@ -65,6 +66,32 @@ class WayRepairTest : public QObject {
     Q_OBJECT
 
 private slots:
+    /// Three yards of 40 m side by side, with 1 m between them.
+    void partByPart_data() {
+        QTest::addColumn<QList<int>>("yards");  // in which the legs lie, in order
+        QTest::addColumn<QList<int>>("order");  // of the legs then
+        QTest::newRow("one yard") << QList<int>{1, 1, 1} << QList<int>{0, 1, 2};
+        QTest::newRow("swaths, then headlands") << QList<int>{0, 0, 1, 0, 1} << QList<int>{0, 1, 3, 2, 4};
+        QTest::newRow("the last leg's yard last") << QList<int>{0, 1, 2, 0, 1} << QList<int>{0, 3, 2, 1, 4};
+        QTest::newRow("begun and ended in one") << QList<int>{0, 1, 2, 1, 0} << QList<int>{0, 4, 1, 3, 2};
+    }
+    void partByPart() {
+        QFETCH(QList<int>, yards);
+        QFETCH(QList<int>, order);
+        MultiPolygon field;
+        for (int yard = 0; yard < 3; ++yard) {
+            field.push_back(test::rectangle(40.0, 40.0, {41.0 * yard, 0.0}));
+        }
+        const DrivenParts parts = DrivenParts::of(field, test::agbot(), {}).value();
+        std::vector<Leg> legs;
+        for (int i = 0; i < yards.size(); ++i) {
+            const double xM = 41.0 * yards[i] + 2.0;
+            legs.push_back(pass(i, {xM, 5.0 + i}, {xM + 36.0, 5.0 + i}));
+        }
+        const std::vector<int> numbers = numbersOf(furrow::partByPart(std::move(legs), parts));
+        QCOMPARE(QList<int>(numbers.begin(), numbers.end()), order);
+    }
+
     void nothingIsChangedWhereAllLead() {
         const std::vector<Leg> legs{pass(1, {0, 0}, {50, 0}), pass(2, {50, 5}, {0, 5}), pass(3, {0, 10}, {50, 10})};
         const auto same = repaired(legs, [](const Pose&, const Pose&) { return true; });
