@@ -121,7 +121,9 @@ private:
         while (motion.states.size() < kMostStates) {
             const double angle = std::abs(wrapped(trailedRad_ - headingRad_));
             const double aside = std::min(angle, 1.0) * trailing;
-            if (aside < 0.5 * kChordErrorM) {
+            // Between two states everything is taken to move on an arc: over a long way little turning is a wide one.
+            const double bulge = 0.125 * (interval.length() - way) * angle;
+            if (std::max(aside, bulge) < 0.5 * kChordErrorM) {
                 return;
             }
             // The middle comes in as exp(-way / trailing) does.

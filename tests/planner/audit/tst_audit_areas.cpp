@@ -299,6 +299,19 @@ private slots:
         QVERIFY(clearance(Mounting::Trailed).maxHitchAngle->si() > 0.5);
         QVERIFY(!clearance(Mounting::Mounted).maxHitchAngle);
     }
+    // Out of a bend to the left and 500 m along an edge on the right, 12.02 m from it: the boom of 24 m comes in from the
+    // left. The little that its hitch is bent after 20 m was taken for an arc over all the rest, 2 cm outside.
+    void straightForLongAfterABend() {
+        MachineSpec spec = plainMachine(24.0, 7.0).spec();
+        spec.implement.mounting = Mounting::Trailed;
+        spec.implement.hitchOffset = metres(-1.0);
+        spec.implement.offset = metres(-6.2);
+        PathDrawer drawer{{10.0, 20.0}};
+        drawer.begin(SegmentKind::HeadlandPass, true).straight(30.0).arc(3.5 * kPi, 1.0 / 7.0, 20).straight(500.0);
+        const AuditReport report = reportOf({rectangle(59.02, 600)}, Machine::create(spec).value(), drawer.segments);
+        COMPARE_WITHIN(report.minClearance->si(), 0.02, 0.01);
+        COMPARE_WITHIN(report.outside->si(), 0.0, 1e-6);
+    }
     // Round a pond on 8 m, 4 m wide: its inner side passes 6 m from the middle, 1 cm from the water. Between two
     // samples, 0.16 rad apart, the straight hull of that side would be 2 cm nearer.
     void roundAPondByACentimetre() {
