@@ -285,15 +285,16 @@ Area leftAt(const std::vector<RoundedCorner>& corners, const Machine& machine) {
     return sum;
 }
 
-/// A ring that is driven into those of its corners that the machine gets out of again; as it was if into none.
-Result<ClosedRing> withCornersDriven(const HeadlandTask& task, Length inset, int ring, ClosedRing rounded,
-                                     const std::vector<RoundedCorner>& wanted, Length beside, const JobContext& job) {
+/// A ring that is driven into those of its corners that the machine gets out of again; nothing if into none.
+Result<std::optional<ClosedRing>> withCornersDriven(const HeadlandTask& task, Length inset, int ring,
+                                                    const std::vector<RoundedCorner>& wanted, Length beside,
+                                                    const JobContext& job) {
     CornerRules corners{.method = CornerMethod::Searched, .driven = {}, .beside = beside, .followsEdges = ring == 0};
     std::ranges::transform(wanted, std::back_inserter(corners.driven), &RoundedCorner::place);
     while (!corners.driven.empty()) {
         auto sharp = closedRing(task, inset, ring, corners, job);
         if (!sharp) {
-            return sharp;
+            return std::unexpected(sharp.error());
         }
         const auto failed = std::erase_if(corners.driven, [&](Point place) {
             return std::ranges::any_of(sharp->rounded,
@@ -303,7 +304,7 @@ Result<ClosedRing> withCornersDriven(const HeadlandTask& task, Length inset, int
             continue;
         }
         if (sharp->outside.empty()) {
-            return sharp;
+            return std::move(*sharp);
         }
         for (const Point place : sharp->outside) {
             if (!corners.driven.empty()) {
@@ -312,36 +313,40 @@ Result<ClosedRing> withCornersDriven(const HeadlandTask& task, Length inset, int
             }
         }
     }
-    return rounded;
+    return std::nullopt;
 }
 
 /// The outermost pass, rounded. Where that leaves too much, a machine that can reverse drives into the corners that
 /// it gets out of again.
 Result<ClosedRing> outermostRing(const HeadlandTask& task, Length inset, const JobContext& job) {
-    auto rounded = closedRing(task, inset, 0, {}, job);
-    if (rounded && !rounded->complete) {
-        rounded = closedRing(task, inset, 0, {.followsEdges = false}, job);
-    }
-    if (!rounded || !rounded->complete) {
-        return rounded;
-    }
+    std::vector<RoundedCorner> arcCorners;
     // Which corners there are, and what their rounding leaves, is seen before the line follows the edges.
     if (!Trailer::of(task.machine)) {
         auto arcs = closedRing(task, inset, 0, {.followsEdges = false, .movesIn = false}, job);
         if (!arcs) {
             return arcs;
         }
-        rounded->rounded = std::move(arcs->rounded);
+        const std::vector<RoundedCorner> outward =
+            outwardCorners(*arcs, task.settings.choice(kHeadlandDirection) == "clockwise");
+        if (canReverse(task.machine) && arcs->complete && leftAt(outward, task.machine) > kMostUncutShare * area(task.workable())) {
+            auto driven = withCornersDriven(task, inset, 0, outward, kBesideEdge, job);
+            if (!driven) {
+                return std::unexpected(driven.error());
+            }
+            if (*driven && (*driven)->complete) {
+                return std::move(**driven);
+            }
+        }
+        arcCorners = std::move(arcs->rounded);
     }
-    if (!canReverse(task.machine)) {
-        return rounded;
+    auto rounded = closedRing(task, inset, 0, {}, job);
+    if (rounded && !rounded->complete) {
+        rounded = closedRing(task, inset, 0, {.followsEdges = false}, job);
     }
-    const std::vector<RoundedCorner> outward =
-        outwardCorners(*rounded, task.settings.choice(kHeadlandDirection) == "clockwise");
-    if (leftAt(outward, task.machine) <= kMostUncutShare * area(task.workable())) {
-        return rounded;
+    if (rounded && rounded->complete && !Trailer::of(task.machine)) {
+        rounded->rounded = std::move(arcCorners);
     }
-    return withCornersDriven(task, inset, 0, std::move(*rounded), outward, kBesideEdge, job);
+    return rounded;
 }
 
 /// An inner pass of what cannot reverse, rounded, but for corners at which that leaves too much between two passes: there
@@ -355,7 +360,14 @@ Result<ClosedRing> innerRing(const HeadlandTask& task, Length inset, int ring, c
     std::erase_if(wide, [&](const RoundedCorner& corner) {
         return uncutCorner(corner, task.machine.operatingWidth()) < kMostUncutInside;
     });
-    return wide.empty() ? rounded : withCornersDriven(task, inset, ring, std::move(*rounded), wide, {}, job);
+    if (wide.empty()) {
+        return rounded;
+    }
+    auto driven = withCornersDriven(task, inset, ring, wide, {}, job);
+    if (!driven) {
+        return std::unexpected(driven.error());
+    }
+    return *driven ? std::move(**driven) : std::move(rounded);
 }
 
 /// The passes of a ring that does not go all round, or not everywhere as far from the edge.

@@ -242,6 +242,13 @@ std::vector<Excess> excessesAlong(const Turn& line, const Rig& rig, double apart
         int looked = 0;
         // In bends the corners of the footprint go several times as far as the axle.
         const double swung = 1.0 + kBendLooks * std::abs(piece.curvature.si()) * apartM;
+        if (how == Look::Closely) {
+            if (const auto inside = rig.driven(state, piece, metres(kTouchingM))) {
+                state = *inside;
+                wayM += piece.length.si();
+                continue;
+            }
+        }
         const bool closely = how == Look::Closely && !rig.driven(state, piece, metres(kDrawingM));
         const double stepM = closely ? kLookCloselyM : kLookShare * apartM / swung;
         const auto next = rig.follow(state, piece, metres(stepM), [&](const RigState& at) {
