@@ -61,6 +61,7 @@ BoundaryDistance::BoundaryDistance(const MultiPolygon& polygons, Length reach) :
     std::ranges::sort(inwardCorners_, {}, &Point::x);
     findMeetings();
     sortIntoCells();
+    findSides();
 }
 
 void BoundaryDistance::findMeetings() {
@@ -112,33 +113,77 @@ void BoundaryDistance::sortIntoCells() {
     corner_ = low - reach;
     columns_ = cellAt(high + reach).first + 1;
     rows_ = cellAt(high + reach).second + 1;
-    const auto forEachCell = [&](const auto& visit) {
-        std::vector<std::uint32_t> visitedBy(columns_ * rows_, static_cast<std::uint32_t>(edges_.size()));
-        for (std::uint32_t e = 0; e < edges_.size(); ++e) {
-            const Edge& edge = edges_[e];
-            const auto pieces = static_cast<int>(std::ceil(norm(edge.way) / cellM_)) + 1;
-            for (int i = 0; i < pieces; ++i) {
-                const Point a = edge.from + (static_cast<double>(i) / pieces) * edge.way;
-                const Point b = edge.from + (static_cast<double>(i + 1) / pieces) * edge.way;
-                const auto [left, below] = cellAt(Point{std::min(a.x, b.x), std::min(a.y, b.y)} - reach);
-                const auto [right, above] = cellAt(Point{std::max(a.x, b.x), std::max(a.y, b.y)} + reach);
-                for (std::size_t y = below; y <= std::min(above, rows_ - 1); ++y) {
-                    for (std::size_t x = left; x <= std::min(right, columns_ - 1); ++x) {
-                        const std::size_t cell = y * columns_ + x;
-                        if (std::exchange(visitedBy[cell], e) != e) {
-                            visit(cell, e);
-                        }
+    firstOf_.assign(columns_ * rows_ + 1, 0);
+    forEachCellNear(reachM_, [this](std::size_t cell, std::uint32_t) { ++firstOf_[cell + 1]; });
+    std::partial_sum(firstOf_.begin(), firstOf_.end(), firstOf_.begin());
+    edgesOf_.resize(firstOf_.back());
+    std::vector<std::uint32_t> next = firstOf_;
+    forEachCellNear(reachM_, [&](std::size_t cell, std::uint32_t e) { edgesOf_[next[cell]++] = e; });
+}
+
+// A cell through which no edge runs lies on one side of all: which one, a line through the middles of its row tells.
+void BoundaryDistance::findSides() {
+    sides_.assign(columns_ * rows_, Side::Outside);
+    std::vector<std::vector<double>> crossings(rows_);
+    for (const Edge& edge : edges_) {
+        const double fromY = (edge.from.y - corner_.y) / cellM_ - 0.5;
+        const double toY = (edge.from.y + edge.way.y - corner_.y) / cellM_ - 0.5;
+        for (double row = std::ceil(std::min(fromY, toY)); row < std::max(fromY, toY); row += 1.0) {
+            const double x = edge.from.x + (row - fromY) / (toY - fromY) * edge.way.x;
+            crossings[static_cast<std::size_t>(row)].push_back((x - corner_.x) / cellM_ - 0.5);
+        }
+    }
+    for (std::size_t row = 0; row < rows_; ++row) {
+        std::vector<double>& across = crossings[row];
+        std::ranges::sort(across);
+        for (std::size_t i = 1; i < across.size(); i += 2) {
+            const auto first = sides_.begin() + static_cast<std::ptrdiff_t>(row * columns_);
+            std::fill(first + static_cast<std::ptrdiff_t>(std::ceil(across[i - 1])),
+                      first + static_cast<std::ptrdiff_t>(std::ceil(across[i])), Side::Inside);
+        }
+    }
+    forEachCellNear(0.0, [this](std::size_t cell, std::uint32_t) { sides_[cell] = Side::Both; });
+}
+
+template <class Visit>
+void BoundaryDistance::forEachCellNear(double reachM, const Visit& visit) const {
+    const Point reach{reachM + kSpareM, reachM + kSpareM};
+    std::vector<std::uint32_t> visitedBy(columns_ * rows_, static_cast<std::uint32_t>(edges_.size()));
+    for (std::uint32_t e = 0; e < edges_.size(); ++e) {
+        const Edge& edge = edges_[e];
+        const auto pieces = static_cast<int>(std::ceil(norm(edge.way) / cellM_)) + 1;
+        for (int i = 0; i < pieces; ++i) {
+            const Point a = edge.from + (static_cast<double>(i) / pieces) * edge.way;
+            const Point b = edge.from + (static_cast<double>(i + 1) / pieces) * edge.way;
+            const auto [left, below] = cellAt(Point{std::min(a.x, b.x), std::min(a.y, b.y)} - reach);
+            const auto [right, above] = cellAt(Point{std::max(a.x, b.x), std::max(a.y, b.y)} + reach);
+            for (std::size_t y = below; y <= std::min(above, rows_ - 1); ++y) {
+                for (std::size_t x = left; x <= std::min(right, columns_ - 1); ++x) {
+                    const std::size_t cell = y * columns_ + x;
+                    if (std::exchange(visitedBy[cell], e) != e) {
+                        visit(cell, e);
                     }
                 }
             }
         }
-    };
-    firstOf_.assign(columns_ * rows_ + 1, 0);
-    forEachCell([this](std::size_t cell, std::uint32_t) { ++firstOf_[cell + 1]; });
-    std::partial_sum(firstOf_.begin(), firstOf_.end(), firstOf_.begin());
-    edgesOf_.resize(firstOf_.back());
-    std::vector<std::uint32_t> next = firstOf_;
-    forEachCell([&](std::size_t cell, std::uint32_t e) { edgesOf_[next[cell]++] = e; });
+    }
+}
+
+bool BoundaryDistance::isInside(Point point) const {
+    const std::optional<std::size_t> cell = cellOf(point);
+    if (!cell || sides_[*cell] != Side::Both) {
+        return cell && sides_[*cell] == Side::Inside;
+    }
+    // Cells of large fields are larger than the reach.
+    bool inside = false;
+    for (const Edge& edge : edges_) {
+        const double toY = edge.from.y + edge.way.y;
+        if ((edge.from.y > point.y) != (toY > point.y) &&
+            point.x < edge.from.x + (point.y - edge.from.y) / edge.way.y * edge.way.x) {
+            inside = !inside;
+        }
+    }
+    return inside;
 }
 
 std::pair<std::size_t, std::size_t> BoundaryDistance::cellAt(Point point) const {
@@ -146,15 +191,20 @@ std::pair<std::size_t, std::size_t> BoundaryDistance::cellAt(Point point) const 
             static_cast<std::size_t>(std::max(0.0, (point.y - corner_.y) / cellM_))};
 }
 
-std::span<const std::uint32_t> BoundaryDistance::edgesNear(Point point) const {
+std::optional<std::size_t> BoundaryDistance::cellOf(Point point) const {
     const double x = (point.x - corner_.x) / cellM_;
     const double y = (point.y - corner_.y) / cellM_;
     // Also false where it is not a number.
     if (!(x >= 0.0 && y >= 0.0 && x < static_cast<double>(columns_) && y < static_cast<double>(rows_))) {
-        return {};
+        return std::nullopt;
     }
-    const std::size_t cell = static_cast<std::size_t>(y) * columns_ + static_cast<std::size_t>(x);
-    return std::span{edgesOf_}.subspan(firstOf_[cell], firstOf_[cell + 1] - firstOf_[cell]);
+    return static_cast<std::size_t>(y) * columns_ + static_cast<std::size_t>(x);
+}
+
+std::span<const std::uint32_t> BoundaryDistance::edgesNear(Point point) const {
+    const std::optional<std::size_t> cell = cellOf(point);
+    return cell ? std::span{edgesOf_}.subspan(firstOf_[*cell], firstOf_[*cell + 1] - firstOf_[*cell])
+                : std::span<const std::uint32_t>{};
 }
 
 std::span<const Point> BoundaryDistance::inwardCorners(double low, double high) const {
@@ -178,7 +228,7 @@ std::optional<double> BoundaryDistance::insideM(Point point) const {
         }
     }
     if (nearest > reachM_ * reachM_) {
-        return std::nullopt;
+        return isInside(point) ? std::nullopt : std::optional{-reachM_};
     }
     const bool isCorner = nearestShare <= 0.0 || nearestShare >= 1.0;
     const Point place = edge->from + nearestShare * edge->way;

@@ -17,8 +17,8 @@ public:
     /// @param reach  distances above it are not told; > 0
     BoundaryDistance(const MultiPolygon& polygons, Length reach);
 
-    /// Metres inside the nearest edge, negative outside; nothing where no edge is within reach.
-    /// Cost: the edges in the cells around the point.
+    /// Metres inside the nearest edge, negative outside, where no edge is within reach by the reach; nothing inside
+    /// where none is. Cost: the edges in the cells around the point.
     std::optional<double> insideM(Point point) const;
     double reachM() const { return reachM_; }
     /// How deep edges lie in a shape, each at the middle of what of it is in there; 0 where none is. Asked around a place that is no farther than the reach from all of the shape. Cost: the edges in its
@@ -39,10 +39,17 @@ private:
     };
     void findMeetings();
     void sortIntoCells();
+    void findSides();
+    template <class Visit>
+    void forEachCellNear(double reachM, const Visit& visit) const;
+    /// Of a point that is farther than the reach from all edges.
+    bool isInside(Point point) const;
     /// Positive inside: of a point that is nearest to a corner at which several rings meet.
     double sideAtMeeting(Point point, Point corner) const;
     /// Its column and its row; the first ones where a point lies before them.
     std::pair<std::size_t, std::size_t> cellAt(Point point) const;
+    /// Nothing of a point beyond all cells.
+    std::optional<std::size_t> cellOf(Point point) const;
     /// Edges near a point; none far from all.
     std::span<const std::uint32_t> edgesNear(Point point) const;
 
@@ -57,6 +64,8 @@ private:
     std::size_t rows_ = 0;
     std::vector<std::uint32_t> firstOf_;
     std::vector<std::uint32_t> edgesOf_;
+    enum class Side : std::uint8_t { Outside, Inside, Both };
+    std::vector<Side> sides_;  ///< of the edges, on which each cell lies
 };
 
 /// How far a point is from the sides of a ring, negative inside.

@@ -308,6 +308,25 @@ private slots:
         }
     }
 
+    // Half of a circle of 15 m lies in the yard, half as much outside. What was farther outside than the machine is long
+    // counted as inside.
+    void aLineIsCutWhereItLeavesForLong() {
+        const Machine& machine = agbot();
+        const Curvature bend = Curvature::fromSi(1.0 / 15.0);
+        const Turn line{.type = {},
+                        .start = {.position = {30.0, 15.0}, .heading = degrees(180.0)},
+                        .pieces = {{.length = metres(30.0 * std::numbers::pi), .curvature = bend, .endCurvature = bend}}};
+        const auto parts = partsInside(line, {test::rectangle(60.0, 40.0)}, machine, {});
+        QCOMPARE(parts.size(), std::size_t{1});
+        const double leftM = parts.front().length().si();
+        QVERIFY2(leftM > 38.0 && leftM < 15.0 * std::numbers::pi, qPrintable(QString::number(leftM)));
+        for (double wayM = 0.0; wayM < leftM; wayM += 0.1) {
+            for (const Point& corner : placed(machine.workingFootprint(), poseAt(parts.front(), wayM))) {
+                QVERIFY(corner.y > -0.01);
+            }
+        }
+    }
+
     // A line round a yard of 60 by 40 m, 2 m from its walls; a pillar stands on it in the middle of the lower side.
     void aLineIsCutWhereItDoesNotFit() {
         const Machine& machine = agbot();
