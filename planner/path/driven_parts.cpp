@@ -25,8 +25,8 @@ Result<DrivenParts> DrivenParts::of(const MultiPolygon& drivable, Length breadth
     });
 }
 
-Result<DrivenParts> DrivenParts::of(const MultiPolygon& drivable, const Machine& machine, const JobContext& job) {
-    return of(drivable, std::max(machine.spec().tractor.width, machine.turningWidth()) - kTouching, job);
+Result<DrivenParts> DrivenParts::of(const MultiPolygon& drivable, const Machine& machine, Length spare, const JobContext& job) {
+    return of(drivable, std::max(machine.spec().tractor.width, machine.turningWidth()) - kTouching + spare, job);
 }
 
 bool DrivenParts::separate(Point from, Point to) const {

@@ -14,7 +14,8 @@ public:
     /// @param breadth  of the narrowest neck that joins two of them
     static Result<DrivenParts> of(const MultiPolygon& drivable, Length breadth, const JobContext& job);
     /// Through necks that let the machine through with its implement raised, touching both sides.
-    static Result<DrivenParts> of(const MultiPolygon& drivable, const Machine& machine, const JobContext& job);
+    /// @param spare  that they have to be broader, in all
+    static Result<DrivenParts> of(const MultiPolygon& drivable, const Machine& machine, Length spare, const JobContext& job);
 
     /// The one in which a place lies, or to which it is nearest. O(edges).
     std::size_t partAt(Point place) const;

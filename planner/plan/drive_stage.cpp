@@ -38,6 +38,8 @@ using Clock = std::chrono::steady_clock;
 constexpr double kMayStayShare = 0.009;
 constexpr Area kMayStayInOnePiece = squareMetres(95.0);
 constexpr int kFinishingRounds = 6;
+// Where no way was found through a neck with no more room beside the machine, it is the neck that is in the way.
+constexpr Length kNeckSpare = metres(0.5);
 // A segment that begins where a pass does is that pass.
 constexpr double kSamePlaceM = 1e-6;
 
@@ -180,7 +182,7 @@ Result<void> checkWays(Plan& plan, const MultiPolygon& drivable, const JobContex
     if (blocked->empty()) {
         return {};
     }
-    const auto parts = DrivenParts::of(drivable, plan.request.machine, job);
+    const auto parts = DrivenParts::of(drivable, plan.request.machine, kNeckSpare, job);
     if (!parts) {
         return std::unexpected(parts.error());
     }
@@ -225,7 +227,7 @@ Result<void> drive(Plan& plan, std::vector<Leg>& legs, RememberedWays& ways, con
     };
     auto path = build(job.part(0.0, 0.3));
     if (path && !isWhole) {
-        const auto parts = DrivenParts::of(drivable, machine, job);
+        const auto parts = DrivenParts::of(drivable, machine, {}, job);
         if (!parts) {
             return std::unexpected(parts.error());
         }

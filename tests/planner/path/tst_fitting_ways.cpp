@@ -53,17 +53,20 @@ private slots:
     void partsByTheMachine_data() {
         QTest::addColumn<QString>("machine");
         QTest::addColumn<double>("neckM");
+        QTest::addColumn<double>("spareM");
         QTest::addColumn<bool>("separate");
-        QTest::newRow("robot, too narrow") << "agbot" << 2.4 << true;
-        QTest::newRow("robot, as wide as it is") << "agbot" << 2.5 << false;
-        QTest::newRow("sprayer, too narrow") << "trailed-sprayer" << 23.0 << true;
-        QTest::newRow("sprayer, wide enough") << "trailed-sprayer" << 25.0 << false;
+        QTest::newRow("robot, too narrow") << "agbot" << 2.4 << 0.0 << true;
+        QTest::newRow("robot, as wide as it is") << "agbot" << 2.5 << 0.0 << false;
+        QTest::newRow("robot, not with room to spare") << "agbot" << 2.9 << 0.5 << true;
+        QTest::newRow("sprayer, too narrow") << "trailed-sprayer" << 23.0 << 0.0 << true;
+        QTest::newRow("sprayer, wide enough") << "trailed-sprayer" << 25.0 << 0.0 << false;
     }
     void partsByTheMachine() {
         QFETCH(QString, machine);
         QFETCH(double, neckM);
+        QFETCH(double, spareM);
         QFETCH(bool, separate);
-        const auto parts = DrivenParts::of(dumbbell(neckM), findMachine(machine.toStdString()).value(), {});
+        const auto parts = DrivenParts::of(dumbbell(neckM), findMachine(machine.toStdString()).value(), metres(spareM), {});
         QVERIFY(parts.has_value());
         QCOMPARE(parts->separate({30.0, 20.0}, {110.0, 20.0}), separate);
     }

@@ -45,7 +45,7 @@ std::vector<Leg> repaired(std::vector<Leg> legs, const std::function<bool(const 
     }};
     const MultiPolygon field{test::rectangle(200.0, 200.0, {-50.0, -50.0})};
     const Rig lowered{field, test::agbot(), ImplementAt::Lowered};
-    return withWaysBetween(std::move(legs), ways, lowered, DrivenParts::of(field, test::agbot(), {}).value(), {});
+    return withWaysBetween(std::move(legs), ways, lowered, DrivenParts::of(field, test::agbot(), {}, {}).value(), {});
 }
 
 std::vector<int> numbersOf(const std::vector<Leg>& legs) {
@@ -82,7 +82,7 @@ private slots:
         for (int yard = 0; yard < 3; ++yard) {
             field.push_back(test::rectangle(40.0, 40.0, {41.0 * yard, 0.0}));
         }
-        const DrivenParts parts = DrivenParts::of(field, test::agbot(), {}).value();
+        const DrivenParts parts = DrivenParts::of(field, test::agbot(), {}, {}).value();
         std::vector<Leg> legs;
         for (int i = 0; i < yards.size(); ++i) {
             const double xM = 41.0 * yards[i] + 2.0;
