@@ -42,6 +42,15 @@ std::vector<PathSegment> weavingPath(int lanes, double length) {
     return drawer.segments;
 }
 
+/// Trails its implement behind a hitch 1 m behind the axle.
+MachineSpec trailing(double widthM, double radiusM, double offsetM) {
+    MachineSpec spec = plainMachine(widthM, radiusM).spec();
+    spec.implement.mounting = Mounting::Trailed;
+    spec.implement.hitchOffset = metres(-1.0);
+    spec.implement.offset = metres(offsetM);
+    return spec;
+}
+
 AuditReport reportOf(const MultiPolygon& area, const Machine& machine, const std::vector<PathSegment>& segments) {
     return audit({.workable = area, .drivable = area, .machine = machine, .segments = segments}).value();
 }
@@ -284,10 +293,7 @@ private slots:
     // 6 m behind the hitch on a circle of 8 m. Rigid, its rear corner is hypot(7.5, 10) m from the centre;
     // trailed, it stays inside the circle of the hitch.
     void trailedImplementIsWhereItsTrackIs() {
-        MachineSpec spec = plainMachine(4.0, 8.0).spec();
-        spec.implement.mounting = Mounting::Trailed;
-        spec.implement.hitchOffset = metres(-1.0);
-        spec.implement.offset = metres(-7.0);
+        MachineSpec spec = trailing(4.0, 8.0, -7.0);
         PathDrawer drawer{{80.0, 20.0}};
         drawer.begin(SegmentKind::Turn, false).straight(20.0).arc(12.0 * kPi, 0.125, 90);
         const auto clearance = [&](Mounting mounting) {
@@ -302,13 +308,9 @@ private slots:
     // Out of a bend to the left and 500 m along an edge on the right, 12.02 m from it: the boom of 24 m comes in from the
     // left. The little that its hitch is bent after 20 m was taken for an arc over all the rest, 2 cm outside.
     void straightForLongAfterABend() {
-        MachineSpec spec = plainMachine(24.0, 7.0).spec();
-        spec.implement.mounting = Mounting::Trailed;
-        spec.implement.hitchOffset = metres(-1.0);
-        spec.implement.offset = metres(-6.2);
         PathDrawer drawer{{10.0, 20.0}};
         drawer.begin(SegmentKind::HeadlandPass, true).straight(30.0).arc(3.5 * kPi, 1.0 / 7.0, 20).straight(500.0);
-        const AuditReport report = reportOf({rectangle(59.02, 600)}, Machine::create(spec).value(), drawer.segments);
+        const AuditReport report = reportOf({rectangle(59.02, 600)}, Machine::create(trailing(24.0, 7.0, -6.2)).value(), drawer.segments);
         COMPARE_WITHIN(report.minClearance->si(), 0.02, 0.01);
         COMPARE_WITHIN(report.outside->si(), 0.0, 1e-6);
     }
