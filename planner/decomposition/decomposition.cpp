@@ -151,7 +151,7 @@ std::vector<Polyline> cutsOf(const MultiPolygon& mainland, bool atEveryCorner) {
 bool isIn(const Polygon& polygon, Point point) {
     bool inside = false;
     forEachEdge({polygon}, [&](Point a, Point b) {
-        if ((a.y > point.y) != (b.y > point.y) && point.x < a.x + (point.y - a.y) / (b.y - a.y) * (b.x - a.x)) {
+        if (meetsRay(point, a, b)) {
             inside = !inside;
         }
     });

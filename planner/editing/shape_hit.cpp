@@ -14,7 +14,7 @@ bool isInside(const std::vector<Point>& ring, Point place) {
     for (std::size_t i = 0, j = ring.size() - 1; i < ring.size(); j = i++) {
         const Point a = ring[i];
         const Point b = ring[j];
-        if ((a.y > place.y) != (b.y > place.y) && place.x < (b.x - a.x) * (place.y - a.y) / (b.y - a.y) + a.x) {
+        if (meetsRay(place, a, b)) {
             inside = !inside;
         }
     }

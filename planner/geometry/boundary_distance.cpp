@@ -177,11 +177,7 @@ bool BoundaryDistance::isInside(Point point) const {
     // Cells of large fields are larger than the reach.
     bool inside = false;
     for (const Edge& edge : edges_) {
-        const double toY = edge.from.y + edge.way.y;
-        if ((edge.from.y > point.y) != (toY > point.y) &&
-            point.x < edge.from.x + (point.y - edge.from.y) / edge.way.y * edge.way.x) {
-            inside = !inside;
-        }
+        inside ^= meetsRay(point, edge.from, edge.from + edge.way);
     }
     return inside;
 }
@@ -280,10 +276,7 @@ double awayFrom(const Ring& shape, Point point) {
     double nearest = std::numeric_limits<double>::infinity();  // squared
     Point a = shape.back();
     for (const Point b : shape) {
-        if ((a.y > point.y) != (b.y > point.y) &&
-            point.x < a.x + (b.x - a.x) * (point.y - a.y) / (b.y - a.y)) {
-            inside = !inside;
-        }
+        inside ^= meetsRay(point, a, b);
         const Point away = point - nearestOnSegment(point, a, b);
         nearest = std::min(nearest, dot(away, away));
         a = b;

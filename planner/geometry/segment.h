@@ -15,6 +15,12 @@ inline Point nearestOnSegment(Point p, Point a, Point b) {
     return a + share * along;
 }
 
+/// Whether the ray from p along x meets the segment from a to b. Of the edges of a ring an odd number does where p is
+/// inside.
+inline bool meetsRay(Point p, Point a, Point b) {
+    return (a.y > p.y) != (b.y > p.y) && p.x < a.x + (b.x - a.x) * (p.y - a.y) / (b.y - a.y);
+}
+
 inline double distanceToSegment(Point p, Point a, Point b) {
     return distance(p, nearestOnSegment(p, a, b));
 }

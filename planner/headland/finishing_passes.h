@@ -17,7 +17,7 @@ struct FinishingTask {
     Area mayStay;                  ///< in all
     Area mayStayInOnePiece;
     const Rig& lowered;            ///< implement down, in the drivable area
-    FullLockPasses* bends = nullptr;            ///< for what cannot reverse
+    FullLockPasses* bends = nullptr;  ///< for what cannot reverse
     std::span<const PassStretch> refused = {};  ///< have no way in or out: not proposed, nor what is nearly one of them
 };
 

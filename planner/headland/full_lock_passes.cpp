@@ -55,11 +55,7 @@ constexpr double kSweptM = 0.75;
 bool isInRing(Point place, const std::array<Point, 4>& ring) {
     bool inside = false;
     for (std::size_t i = 0; i < ring.size(); ++i) {
-        const Point a = ring[i];
-        const Point b = ring[(i + 1) % ring.size()];
-        if ((a.y > place.y) != (b.y > place.y) && place.x < a.x + (place.y - a.y) / (b.y - a.y) * (b.x - a.x)) {
-            inside = !inside;
-        }
+        inside ^= meetsRay(place, ring[i], ring[(i + 1) % ring.size()]);
     }
     return inside;
 }

@@ -1,5 +1,6 @@
 #include "planner/swaths/mainland_edges.h"
 
+#include "planner/geometry/segment.h"
 #include "planner/turns/curve_parts.h"
 #include "planner/turns/turn_sampling.h"
 
@@ -31,7 +32,7 @@ bool MainlandEdges::contains(Point point) const {
     tree_.any([&](const Bounds& box) { return box.min.y <= point.y && box.max.y >= point.y && box.max.x >= point.x; },
               [&](std::size_t i) {
                   const auto [a, b] = edges_[i];
-                  if ((a.y > point.y) != (b.y > point.y) && point.x < a.x + (point.y - a.y) / (b.y - a.y) * (b.x - a.x)) {
+                  if (meetsRay(point, a, b)) {
                       inside = !inside;
                   }
                   return false;
