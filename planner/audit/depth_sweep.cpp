@@ -210,15 +210,21 @@ private:
         std::vector<RegionTracer::Span> spans;
     };
 
-    static void enterOrLeave(Region& region, const Crossed& edge, bool inside) {
+    std::uint32_t lineOf(const Crossed& edge) const { return static_cast<std::uint32_t>(edge.edge - edges_.data()); }
+
+    void enterOrLeave(Region& region, const Crossed& edge, bool inside) const {
         RegionTracer::Span& span = region.begun;
         if (inside) {
             span.leftLow = edge.lowX;
             span.leftHigh = edge.highX;
+            span.leftLine = lineOf(edge);
             return;
         }
+        // Edges that only touch may be in the other order by rounding.
+        const bool isInOrder = edge.lowX >= span.leftLow && edge.highX >= span.leftHigh;
         span.rightLow = std::max(edge.lowX, span.leftLow);
         span.rightHigh = std::max(edge.highX, span.leftHigh);
+        span.rightLine = isInOrder ? lineOf(edge) : RegionTracer::kNoLine;
         region.width += (span.rightLow - span.leftLow) + (span.rightHigh - span.leftHigh);
         if (region.traced) {
             region.spans.push_back(span);

@@ -31,45 +31,98 @@ Ring withoutFlatBends(const Ring& ring) {
     return kept;
 }
 
+bool isBetweenSameLines(const RegionTracer::Span& a, const RegionTracer::Span& b) {
+    return a.leftLine != RegionTracer::kNoLine && a.leftLine == b.leftLine && a.rightLine != RegionTracer::kNoLine &&
+           a.rightLine == b.rightLine;
+}
+
 }  // namespace
 
 void RegionTracer::addRow(double low, double high, const std::vector<Span>& spans) {
-    if (!below_.empty() && low != height_) {
-        std::vector<Open> nothing;
-        join(height_, nothing);
-        below_.clear();
+    if (low != height_) {
+        endAll();
     }
-    std::vector<Open> row;
-    row.reserve(spans.size());
-    for (const Span& span : spans) {
-        const auto piece = static_cast<std::uint32_t>(parents_.size());
-        parents_.push_back(piece);
-        row.push_back({.span = span, .leftNode = kNone, .rightNode = kNone, .piece = piece});
-    }
+    std::vector<Open> row = rowOf(spans);
     join(low, row);
+    for (Open& open : row) {
+        if (open.same == kNone) {
+            continue;
+        }
+        const Open& before = below_[std::exchange(open.same, kNone)];
+        open.leftNode = before.leftNode;
+        open.rightNode = before.rightNode;
+        open.piece = before.piece;
+    }
     below_ = std::move(row);
     height_ = high;
 }
 
-/// Makes the nodes at one height, closes the spans below it and begins those above.
-void RegionTracer::join(double height, std::vector<Open>& above) {
-    struct End {
-        double x;
-        Open* open;
-        bool isAbove;
-        bool isLeft;
+/// Tells what goes on from below.
+std::vector<RegionTracer::Open> RegionTracer::rowOf(const std::vector<Span>& spans) {
+    std::vector<Open> row;
+    row.reserve(spans.size());
+    std::uint32_t next = 0;
+    for (const Span& span : spans) {
+        std::uint32_t from = next;
+        while (from < below_.size() && !isBetweenSameLines(below_[from].span, span)) {
+            ++from;
+        }
+        row.push_back({.span = span, .leftNode = kNone, .rightNode = kNone, .piece = kNone, .same = kNone});
+        if (from < below_.size()) {
+            below_[from].same = static_cast<std::uint32_t>(row.size() - 1);
+            row.back().same = from;
+            next = from + 1;
+        }
+    }
+    // What begins or ends at the side of another needs a node there, which the other then has, too.
+    const auto breakTouched = [](std::vector<Open>& these, std::vector<Open>& others, double Span::*left, double Span::*right) {
+        bool broken = false;
+        for (std::size_t i = 1; i < these.size(); ++i) {
+            Open& a = these[i - 1];
+            Open& b = these[i];
+            if ((a.same == kNone) != (b.same == kNone) && b.span.*left - a.span.*right <= kSameNodeM) {
+                others[std::exchange((a.same == kNone ? b : a).same, kNone)].same = kNone;
+                broken = true;
+            }
+        }
+        return broken;
     };
-    std::vector<End> ends;
-    ends.reserve(2 * (below_.size() + above.size()));
+    bool broken = true;
+    while (broken) {
+        broken = breakTouched(row, below_, &Span::leftLow, &Span::rightLow);
+        broken = breakTouched(below_, row, &Span::leftHigh, &Span::rightHigh) || broken;
+    }
+    for (Open& open : row) {
+        if (open.same == kNone) {
+            open.piece = static_cast<std::uint32_t>(parents_.size());
+            parents_.push_back(open.piece);
+        }
+    }
+    return row;
+}
+
+void RegionTracer::endAll() {
+    std::vector<Open> nothing;
+    join(height_, nothing);
+    below_.clear();
+}
+
+/// Makes the nodes at one height, closes the spans below it that end there and begins those above.
+void RegionTracer::join(double height, std::vector<Open>& above) {
+    ends_.clear();
     for (Open& open : below_) {
-        ends.push_back({open.span.leftHigh, &open, false, true});
-        ends.push_back({open.span.rightHigh, &open, false, false});
+        if (open.same == kNone) {
+            ends_.push_back({open.span.leftHigh, &open, false, true});
+            ends_.push_back({open.span.rightHigh, &open, false, false});
+        }
     }
     for (Open& open : above) {
-        ends.push_back({open.span.leftLow, &open, true, true});
-        ends.push_back({open.span.rightLow, &open, true, false});
+        if (open.same == kNone) {
+            ends_.push_back({open.span.leftLow, &open, true, true});
+            ends_.push_back({open.span.rightLow, &open, true, false});
+        }
     }
-    std::ranges::stable_sort(ends, {}, &End::x);
+    std::ranges::stable_sort(ends_, {}, &End::x);
     // Counted, not only noted: where rounding puts the end of one span behind the start of the next, nodes
     // still have as many edges in as out.
     int under = 0;
@@ -77,9 +130,9 @@ void RegionTracer::join(double height, std::vector<Open>& above) {
     std::uint32_t pieceUnder = 0;
     std::uint32_t pieceOver = 0;
     std::uint32_t node = kNone;
-    for (std::size_t i = 0; i < ends.size();) {
+    for (std::size_t i = 0; i < ends_.size();) {
         const std::uint32_t before = node;
-        node = newNode({ends[i].x, height});
+        node = newNode({ends_[i].x, height});
         if (under > 0 && over > 0) {
             unite(pieceUnder, pieceOver);
         }
@@ -89,9 +142,9 @@ void RegionTracer::join(double height, std::vector<Open>& above) {
         for (int extra = over; extra > under; --extra) {
             addEdge(before, node, pieceOver);
         }
-        const double reach = ends[i].x + kSameNodeM;
-        for (; i < ends.size() && ends[i].x <= reach; ++i) {
-            const End& end = ends[i];
+        const double reach = ends_[i].x + kSameNodeM;
+        for (; i < ends_.size() && ends_[i].x <= reach; ++i) {
+            const End& end = ends_[i];
             if (end.isAbove) {
                 (end.isLeft ? end.open->leftNode : end.open->rightNode) = node;
                 over += end.isLeft ? 1 : -1;
@@ -203,11 +256,7 @@ std::vector<std::pair<std::uint32_t, Ring>> RegionTracer::closeRings() {
 }
 
 MultiPolygon RegionTracer::finish(double leastAreaM2) {
-    if (!below_.empty()) {
-        std::vector<Open> nothing;
-        join(height_, nothing);
-        below_.clear();
-    }
+    endAll();
     auto rings = closeRings();
     // The outer ring of each piece first, then its holes.
     std::ranges::stable_sort(rings, [](const auto& a, const auto& b) {

@@ -14,12 +14,18 @@ namespace furrow {
 /// whatever rounding did to the coordinates.
 class RegionTracer {
 public:
+    /// Of a side that is not known to be part of any line. Between two that are, what goes on from row to row is one
+    /// trapezoid.
+    static constexpr std::uint32_t kNoLine = ~0U;
+
     /// One trapezoid; x at its lower and upper side.
     struct Span {
         double leftLow = 0.0;
         double leftHigh = 0.0;
         double rightLow = 0.0;
         double rightHigh = 0.0;
+        std::uint32_t leftLine = kNoLine;
+        std::uint32_t rightLine = kNoLine;
     };
 
     /// The next row, between two heights; not below what came before.
@@ -40,8 +46,17 @@ private:
         std::uint32_t leftNode;
         std::uint32_t rightNode;
         std::uint32_t piece;
+        std::uint32_t same;  ///< where it goes on in the row at hand, or comes from in the row before
+    };
+    struct End {
+        double x;
+        Open* open;
+        bool isAbove;
+        bool isLeft;
     };
 
+    std::vector<Open> rowOf(const std::vector<Span>& spans);
+    void endAll();
     void join(double height, std::vector<Open>& above);
     std::uint32_t newNode(Point place);
     std::uint32_t pieceOf(std::uint32_t piece);
@@ -51,6 +66,7 @@ private:
 
     double height_ = 0.0;
     std::vector<Open> below_;
+    std::vector<End> ends_;  ///< at the height where rows are joined
     std::vector<Point> nodes_;
     std::vector<Edge> edges_;
     std::vector<std::uint32_t> parents_;  ///< union-find over spans
