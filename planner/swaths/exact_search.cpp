@@ -7,6 +7,7 @@
 #include <algorithm>
 #include <cmath>
 #include <iterator>
+#include <limits>
 #include <vector>
 
 namespace furrow {
@@ -75,17 +76,29 @@ struct Search {
         return bestHeading(scanLine, headings, objective, job);
     }
 
-    /// The same by time: only headings whose bound leaves them a chance are driven in full.
-    Result<BestHeading> quickest(const std::vector<Angle>& headings, const JobContext& job) {
+    /// The same by time: only headings whose bound leaves them a chance are driven in full. What the most promising of
+    /// the first ones takes makes the bounds of all others cheaper.
+    Result<BestHeading> quickest(const std::vector<Angle>& headings, std::size_t first, const JobContext& job) {
         tried += static_cast<int>(headings.size());
-        const auto bounds = parallelMap<Duration>(
-            headings.size(), [&](std::size_t i) { return scanLine.timeBound(headings[i]); }, job.part(0.0, 0.7));
+        const auto boundsOf = [&](std::size_t count, Duration enough, const JobContext& part) {
+            return parallelMap<Duration>(
+                count, [&](std::size_t i) { return scanLine.timeBound(headings[i], enough); }, part);
+        };
+        const auto promising = [&](const std::vector<Duration>& bounds) {
+            return headings[static_cast<std::size_t>(std::ranges::min_element(bounds) - bounds.begin())];
+        };
+        const auto timeOf = [&](Angle heading) { return scanLine.figures(heading, SwathObjective::Time).time; };
+        const auto few = boundsOf(first, seconds(std::numeric_limits<double>::infinity()), job.part(0.0, 0.1));
+        if (!few) {
+            return std::unexpected(few.error());
+        }
+        const Duration reached = timeOf(promising(*few));
+        const auto bounds = boundsOf(headings.size(), reached, job.part(0.1, 0.7));
         if (!bounds) {
             return std::unexpected(bounds.error());
         }
-        const auto promising = static_cast<std::size_t>(std::ranges::min_element(*bounds) - bounds->begin());
-        const Duration known = scanLine.figures(headings[promising], SwathObjective::Time).time;
-        std::vector<Angle> left{headings[promising]};
+        std::vector<Angle> left{promising(*bounds)};
+        const Duration known = std::min(reached, timeOf(left.front()));
         for (std::size_t i = 0; i < headings.size(); ++i) {
             if ((*bounds)[i] <= known) {
                 left.push_back(headings[i]);
@@ -128,10 +141,11 @@ Result<SwathSet> exactSearch(const SwathTask& task, const JobContext& job) {
     Result<BestHeading> best;
     if (search.objective == SwathObjective::Time) {
         std::vector<Angle> headings = edgeHeadings(mainland, hull, task.machine.operatingWidth());
+        const std::size_t edges = headings.size();
         for (int i = 0; i * kGridDeg < 180.0 - 1e-9; ++i) {
             headings.push_back(degrees(i * kGridDeg));
         }
-        best = search.quickest(headings, job.part(0.0, 0.95));
+        best = search.quickest(headings, std::max<std::size_t>(1, edges), job.part(0.0, 0.95));
         if (best) {
             best = search.refined(*best, job);
         }

@@ -527,7 +527,7 @@ Duration ScanLine::missedTime(const HeadingFigures& figures) const {
     return seconds(kPiecemealFactor * missedM / driving_->working.si());
 }
 
-Duration ScanLine::timeBound(Angle heading) const {
+Duration ScanLine::timeBound(Angle heading, Duration enough) const {
     if (vertices_.empty() || !driving_) {
         return {};
     }
@@ -537,7 +537,6 @@ Duration ScanLine::timeBound(Angle heading) const {
     const int layouts = layoutCount(walk);
     for (int layout = 0; layout < layouts; ++layout) {
         lay(layout, walk);
-        const HeadingFigures figures = measure(SwathObjective::Length, walk);
         // Neighbours at the full spacing are known to be at least so far apart; and no turn is shorter than
         // the straight line.
         const auto atLeast = [this](const Pose& from, const Pose& to) {
@@ -546,7 +545,16 @@ Duration ScanLine::timeBound(Angle heading) const {
             const double turning = spaced ? shortestTurn_.si() : std::numbers::pi * driving_->radius.si();
             return std::max(turning, norm(way));
         };
-        least = std::min(least, drivingTime(walk, atLeast) + missedTime(figures));
+        const Duration driven = drivingTime(walk, atLeast);
+        // Swaths cover no more than their length and width: that is known without looking at areas.
+        HeadingFigures figures = measureLines(walk);
+        const double mostM2 = figures.length.si() * spacing_.width.si();
+        figures.coverage = areaM2_ > 0.0 ? std::min(1.0, mostM2 / areaM2_) : 0.0;
+        Duration bound = driven + missedTime(figures);
+        if (bound <= enough) {
+            bound = driven + missedTime(measure(SwathObjective::Length, walk));
+        }
+        least = std::min(least, bound);
     }
     return least;
 }

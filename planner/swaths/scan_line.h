@@ -60,7 +60,8 @@ public:
 
     /// No layout of this heading takes less time than this; several times cheaper than the time itself. 0
     /// without a driving model.
-    Duration timeBound(Angle heading) const;
+    /// @param enough  a bound above it may be less than it could be, and cheaper
+    Duration timeBound(Angle heading, Duration enough) const;
 
     /// The swaths behind these figures, ordered by track, then along the heading.
     SwathSet swaths(Angle heading, SwathObjective objective = SwathObjective::Coverage) const;
