@@ -18,6 +18,8 @@ constexpr double kMostCellsAcross = 500.0;
 // As a share of the reach: smaller ones hold fewer edges that are not near, but there are more of them.
 constexpr double kCellShare = 0.5;
 constexpr double kSamePlaceM = 1e-9;
+// No depth: rounding.
+constexpr double kTouchingM = 1e-6;
 // Against rounding at the sides of cells.
 constexpr double kSpareM = 1e-6;
 
@@ -33,6 +35,22 @@ Point inwardNormal(Point from, Point to) {
 }
 
 }  // namespace
+
+inline std::optional<std::size_t> BoundaryDistance::cellOf(Point point) const {
+    const double x = (point.x - corner_.x) * perCell_;
+    const double y = (point.y - corner_.y) * perCell_;
+    // Also false where it is not a number.
+    if (!(x >= 0.0 && y >= 0.0 && x < static_cast<double>(columns_) && y < static_cast<double>(rows_))) {
+        return std::nullopt;
+    }
+    return static_cast<std::size_t>(y) * columns_ + static_cast<std::size_t>(x);
+}
+
+inline std::span<const std::uint32_t> BoundaryDistance::edgesNear(Point point) const {
+    const std::optional<std::size_t> cell = cellOf(point);
+    return cell ? std::span{edgesOf_}.subspan(firstOf_[*cell], firstOf_[*cell + 1] - firstOf_[*cell])
+                : std::span<const std::uint32_t>{};
+}
 
 BoundaryDistance::BoundaryDistance(const MultiPolygon& polygons, Length reach) : reachM_{reach.si()}, cellM_{kCellShare * reach.si()} {
     const auto add = [this](const Ring& ring) {
@@ -109,6 +127,7 @@ void BoundaryDistance::sortIntoCells() {
         high = {std::max(high.x, edge.from.x), std::max(high.y, edge.from.y)};
     }
     cellM_ = std::max(cellM_, std::max(high.x - low.x, high.y - low.y) / kMostCellsAcross);
+    perCell_ = 1.0 / cellM_;
     const Point reach{reachM_ + kSpareM, reachM_ + kSpareM};
     corner_ = low - reach;
     columns_ = cellAt(high + reach).first + 1;
@@ -183,24 +202,8 @@ bool BoundaryDistance::isInside(Point point) const {
 }
 
 std::pair<std::size_t, std::size_t> BoundaryDistance::cellAt(Point point) const {
-    return {static_cast<std::size_t>(std::max(0.0, (point.x - corner_.x) / cellM_)),
-            static_cast<std::size_t>(std::max(0.0, (point.y - corner_.y) / cellM_))};
-}
-
-std::optional<std::size_t> BoundaryDistance::cellOf(Point point) const {
-    const double x = (point.x - corner_.x) / cellM_;
-    const double y = (point.y - corner_.y) / cellM_;
-    // Also false where it is not a number.
-    if (!(x >= 0.0 && y >= 0.0 && x < static_cast<double>(columns_) && y < static_cast<double>(rows_))) {
-        return std::nullopt;
-    }
-    return static_cast<std::size_t>(y) * columns_ + static_cast<std::size_t>(x);
-}
-
-std::span<const std::uint32_t> BoundaryDistance::edgesNear(Point point) const {
-    const std::optional<std::size_t> cell = cellOf(point);
-    return cell ? std::span{edgesOf_}.subspan(firstOf_[*cell], firstOf_[*cell + 1] - firstOf_[*cell])
-                : std::span<const std::uint32_t>{};
+    return {static_cast<std::size_t>(std::max(0.0, (point.x - corner_.x) * perCell_)),
+            static_cast<std::size_t>(std::max(0.0, (point.y - corner_.y) * perCell_))};
 }
 
 std::span<const Point> BoundaryDistance::inwardCorners(double low, double high) const {
@@ -243,10 +246,21 @@ double BoundaryDistance::crossedM(Point around, const Ring& shape) const {
     for (const Point& corner : shape) {
         farM = std::max(farM, distance(around, corner));
     }
+    // An edge on whose line the shape only lies, as it does where a pass is flush with it, is not in it.
+    const auto onlyTouches = [&](const Edge& edge) {
+        double left = 0.0;
+        double right = 0.0;
+        for (const Point& corner : shape) {
+            const double side = cross(edge.way, corner - edge.from);
+            left = std::max(left, side);
+            right = std::max(right, -side);
+        }
+        return std::min(left, right) * std::sqrt(edge.perSquare) < kTouchingM;
+    };
     std::vector<double> shares;
     for (const std::uint32_t e : edgesNear(around)) {
         const Edge& edge = edges_[e];
-        if (distanceToSegment(around, edge.from, edge.from + edge.way) > farM) {
+        if (onlyTouches(edge) || distanceToSegment(around, edge.from, edge.from + edge.way) > farM) {
             continue;
         }
         shares.assign(1, 0.0);
@@ -269,6 +283,43 @@ double BoundaryDistance::crossedM(Point around, const Ring& shape) const {
         }
     }
     return deepest;
+}
+
+bool BoundaryDistance::reachInto(Point origin, Point along, const Bounds& rectangle, double touchingM) const {
+    const Bounds inner{.min = rectangle.min + Point{touchingM, touchingM}, .max = rectangle.max - Point{touchingM, touchingM}};
+    const auto isIn = [&](const Edge& edge) {
+        const Point from{dot(along, edge.from - origin), cross(along, edge.from - origin)};
+        const Point way{dot(along, edge.way), cross(along, edge.way)};
+        // The stretch of it between both pairs of sides (Liang & Barsky 1984, doi 10.1145/357332.357333).
+        double begins = 0.0;
+        double ends = 1.0;
+        const auto clip = [&](double at, double step, double low, double high) {
+            if (step == 0.0) {
+                ends = at > low && at < high ? ends : -1.0;
+                return;
+            }
+            const double atLow = (low - at) / step;
+            const double atHigh = (high - at) / step;
+            begins = std::max(begins, std::min(atLow, atHigh));
+            ends = std::min(ends, std::max(atLow, atHigh));
+        };
+        clip(from.x, way.x, inner.min.x, inner.max.x);
+        clip(from.y, way.y, inner.min.y, inner.max.y);
+        return begins < ends;
+    };
+    // Places on its middle line from which everything of it is within reach.
+    const double halfM = 0.5 * rectangle.height();
+    const double apartM = 2.0 * std::sqrt(std::max(0.0, reachM_ * reachM_ - halfM * halfM));
+    const auto count = std::max(1, static_cast<int>(std::ceil(rectangle.width() / apartM)));
+    const Point across{-along.y, along.x};
+    for (int i = 0; i < count; ++i) {
+        const double x = rectangle.min.x + (i + 0.5) / count * rectangle.width();
+        const Point place = origin + x * along + (rectangle.min.y + halfM) * across;
+        if (std::ranges::any_of(edgesNear(place), [&](std::uint32_t e) { return isIn(edges_[e]); })) {
+            return true;
+        }
+    }
+    return false;
 }
 
 double awayFrom(const Ring& shape, Point point) {

@@ -25,6 +25,12 @@ public:
     /// cell times the shape's sides.
     double crossedM(Point around, const Ring& shape) const;
 
+    /// Whether an edge gets deeper into a rectangle than by `touchingM`.
+    /// @param origin, along  the frame: where it is and its x axis, a unit vector
+    /// @param rectangle      in that frame, less than twice the reach from side to side
+    /// Cost: the edges near the rectangle.
+    bool reachInto(Point origin, Point along, const Bounds& rectangle, double touchingM) const;
+
     /// Corners that point inwards, where a shape can be poked between its own corners; those with x from low to
     /// high.
     std::span<const Point> inwardCorners(double low, double high) const;
@@ -59,6 +65,7 @@ private:
     std::vector<Point> meetings_;       // corners at which several rings meet
     // Square cells in rows, from the lower left corner on: those of cell i are edgesOf_[firstOf_[i]] and on.
     double cellM_;
+    double perCell_ = 0.0;  ///< 1 / cellM_
     Point corner_;
     std::size_t columns_ = 0;
     std::size_t rows_ = 0;

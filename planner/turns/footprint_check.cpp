@@ -14,22 +14,32 @@ constexpr double kTouchingM = 1e-3;
 
 }  // namespace
 
-FootprintRoom roomAround(const Pose& pose, const Ring& footprint, const BoundaryDistance& edges) {
+FootprintRoom roomAround(const Pose& pose, const Ring& footprint, double radiusM, const BoundaryDistance& edges) {
     const double reachM = edges.reachM();
     FootprintRoom room{reachM, reachM};
-    double radius = 0.0;
     const Point ahead = direction(pose.heading.si());
     const Point left{-ahead.y, ahead.x};
+    // From the corner with most room to those beside it that cannot have less than another one has.
+    Point free;
+    double freeM = -reachM;
     for (const Point& corner : footprint) {
-        const Point at = pose.position + corner.x * ahead + corner.y * left;
-        room.edgesM = std::min(room.edgesM, edges.insideM(at).value_or(reachM));
-        radius = std::max(radius, norm(corner));
+        const double sureM = freeM - room.edgesM;
+        const Point away = corner - free;
+        if (sureM > 0.0 && dot(away, away) <= sureM * sureM) {
+            continue;
+        }
+        const double insideM = edges.insideM(pose.position + corner.x * ahead + corner.y * left).value_or(reachM);
+        room.edgesM = std::min(room.edgesM, insideM);
+        if (insideM > freeM) {
+            free = corner;
+            freeM = insideM;
+        }
     }
-    const double farM = radius + reachM;
+    const double farM = radiusM + reachM;
     for (const Point& corner : edges.inwardCorners(pose.position.x - farM, pose.position.x + farM)) {
         const Point way = corner - pose.position;
         // What lies farther off than the nearest so far and all of the footprint is not looked at.
-        const double mostM = radius + room.cornersM;
+        const double mostM = radiusM + room.cornersM;
         if (dot(way, way) < mostM * mostM) {
             room.cornersM = std::min(room.cornersM, awayFrom(footprint, {dot(ahead, way), cross(ahead, way)}));
         }
@@ -37,8 +47,16 @@ FootprintRoom roomAround(const Pose& pose, const Ring& footprint, const Boundary
     return room;
 }
 
+double radiusOf(const Ring& footprint) {
+    double radiusM = 0.0;
+    for (const Point& corner : footprint) {
+        radiusM = std::max(radiusM, norm(corner));
+    }
+    return radiusM;
+}
+
 double outsideM(const Pose& pose, const Ring& footprint, const BoundaryDistance& edges) {
-    return std::max(0.0, -roomAround(pose, footprint, edges).least());
+    return std::max(0.0, -roomAround(pose, footprint, radiusOf(footprint), edges).least());
 }
 
 bool isInside(const Pose& pose, const Ring& footprint, const BoundaryDistance& edges) {

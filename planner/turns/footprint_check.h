@@ -18,7 +18,10 @@ struct FootprintRoom {
 
     double least() const { return edgesM < cornersM ? edgesM : cornersM; }
 };
-FootprintRoom roomAround(const Pose& pose, const Ring& footprint, const BoundaryDistance& edges);
+/// @param radiusM  of the footprint
+FootprintRoom roomAround(const Pose& pose, const Ring& footprint, double radiusM, const BoundaryDistance& edges);
+/// From the reference point to the farthest corner.
+double radiusOf(const Ring& footprint);
 
 /// How far the footprint at a pose gets across the edges: with one of its corners, or with a side that a corner of
 /// the field pokes into. 0 inside.

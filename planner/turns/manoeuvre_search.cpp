@@ -19,6 +19,8 @@ namespace furrow {
 namespace {
 
 constexpr double kPi = std::numbers::pi;
+// Outside by less is touching.
+constexpr Length kTouching = metres(1e-3);
 // A move turns by this many radians on full lock.
 constexpr double kMoveRad = kPi / 9.0;
 constexpr int kHeadings = 36;
@@ -31,8 +33,8 @@ constexpr std::size_t kMostMoves = 3000;
 constexpr std::size_t kMostMovesTrailed = 800;
 constexpr std::size_t kMostMovesQuick = 200;
 // Moves that are looked at for a quicker way when one was found.
-constexpr std::size_t kMovesAfterFirst = 150;
-constexpr std::size_t kMovesAfterFirstQuick = 40;
+constexpr std::size_t kMovesAfterFirst = 80;
+constexpr std::size_t kMovesAfterFirstQuick = 20;
 // The way to the goal is taken for longer than it is known to be: fewer moves for a slightly longer way. From afar
 // more so: there many ways are as good as each other.
 constexpr double kGreed = 1.15;
@@ -78,16 +80,15 @@ public:
     double from(Point point, double most) {
         const auto column = static_cast<std::int32_t>(std::lround((point.x - origin_.x) / cellM_));
         const auto row = static_cast<std::int32_t>(std::lround((point.y - origin_.y) / cellM_));
-        const Cell cell = packed(column, row);
-        while (true) {
-            if (const auto found = reached_.find(cell); found != reached_.end() && found->second.settled) {
-                return found->second.distance;
-            }
-            if (open_.empty() || open_.top().atLeast > most || settled_ == mostCells_) {
+        Place& place = placeAt(column, row);
+        // Where nobody may stand it would be looked for all over the field.
+        while (!place.settled) {
+            if (place.travel == 0.0 || open_.empty() || open_.top().atLeast > most || settled_ == mostCells_) {
                 return kInfinite;
             }
             settleNearest();
         }
+        return place.distance;
     }
 
 private:
@@ -109,6 +110,17 @@ private:
         return rig_.mayStandAt(point, isFar ? clearance_ : Length{});
     }
 
+    Point middleOf(std::int32_t column, std::int32_t row) const { return origin_ + Point{column * cellM_, row * cellM_}; }
+
+    Place& placeAt(std::int32_t column, std::int32_t row) {
+        auto [found, isNew] = reached_.try_emplace(packed(column, row));
+        if (isNew) {
+            const Point middle = middleOf(column, row);
+            found->second.travel = mayStandAt(middle) ? (travel_ ? travel_(middle) : 1.0) : 0.0;
+        }
+        return found->second;
+    }
+
     void settleNearest() {
         const Entry nearest = open_.top();
         open_.pop();
@@ -123,16 +135,11 @@ private:
             for (std::int32_t dy = -1; dy <= 1; ++dy) {
                 const std::int32_t column = nearest.column + dx;
                 const std::int32_t row = nearest.row + dy;
-                auto [found, isNew] = reached_.try_emplace(packed(column, row));
-                Place& next = found->second;
-                const Point point = origin_ + Point{column * cellM_, row * cellM_};
-                if (isNew) {
-                    next.travel = mayStandAt(point) ? (travel_ ? travel_(point) : 1.0) : 0.0;
-                }
+                Place& next = placeAt(column, row);
                 const double distance = here + cellM_ * std::hypot(dx, dy) * next.travel;
                 if (!next.settled && next.travel > 0.0 && distance < next.distance) {
                     next.distance = distance;
-                    open_.push({distance + norm(towards_ - point), column, row});
+                    open_.push({distance + norm(towards_ - middleOf(column, row)), column, row});
                 }
             }
         }
@@ -245,6 +252,7 @@ public:
             if (nodes_[index].timeS > reached_[keyOf(nodes_[index])] + 1e-9) {
                 continue;
             }
+            room_ = rig_.roomAt(nodes_[index].state);
             const bool isNear = freeWayM(nodes_[index].state.tractor) < kNearRadii * radiusM_;
             if (isNear || moves % kShotEvery == 0) {
                 shoot(index);
@@ -379,7 +387,7 @@ private:
             if (known != reached_.end() && known->second <= next.timeS) {
                 return;
             }
-            const auto state = rig_.driven(node.state, piece);
+            const auto state = rig_.driven(node.state, piece, kTouching, room_);
             if (!state) {
                 return;
             }
@@ -426,7 +434,7 @@ private:
             }
             // The way in along the edge was driven before.
             const Turn open{.type = rest.type, .start = rest.start, .pieces = {rest.pieces.begin(), rest.pieces.begin() + static_cast<std::ptrdiff_t>(checked)}};
-            if (rig_.driven(node.state, open)) {
+            if (rig_.driven(node.state, open, room_)) {
                 bestS_ = timeS;
                 best_ = joined(index, rest);
             }
@@ -477,6 +485,7 @@ private:
     double mostWayM_ = 0.0;
     double greed_ = kGreed;
     std::vector<Node> nodes_;
+    FootprintRoom room_;  ///< at the node at hand
     std::unordered_map<Key, double> reached_;
     std::priority_queue<std::pair<double, std::size_t>, std::vector<std::pair<double, std::size_t>>, std::greater<>> open_;
     std::optional<Turn> best_;

@@ -20,14 +20,10 @@ constexpr double kLookOnStraightM = 0.2;
 constexpr double kLookInBendM = 0.05;
 constexpr double kLookAtCornersM = 0.01;
 constexpr double kRoundingM = 1e-9;
-
-double radiusOf(const Ring& shape) {
-    double radius = 0.0;
-    for (const Point& corner : shape) {
-        radius = std::max(radius, norm(corner));
-    }
-    return radius;
-}
+// A trailed implement that points elsewhere than its tractor by less goes straight on with it.
+constexpr double kInLineRad = 1e-9;
+// Shorter straights are looked at place by place.
+constexpr double kShortM = 0.1;
 
 Ring wholeFootprint(const Machine& machine, ImplementAt implement) {
     return implement == ImplementAt::Lowered ? machine.workingFootprint() : machine.turningFootprint();
@@ -45,7 +41,8 @@ Ring trailedShape(const std::optional<Trailer>& trailer, ImplementAt implement) 
 
 Rig::Part Rig::partOf(Ring shape) {
     const double radiusM = radiusOf(shape);
-    return {std::move(shape), radiusM};
+    const Bounds box = bounds({{.outer = shape, .holes = {}}});
+    return {std::move(shape), radiusM, box};
 }
 
 Rig::Rig(const MultiPolygon& drivable, const Machine& machine, ImplementAt implement)
@@ -60,10 +57,10 @@ FootprintRoom Rig::roomAround(const Part& part, const Pose& pose) const {
     if (inside > part.radiusM) {
         return {inside - part.radiusM, inside - part.radiusM};
     }
-    return furrow::roomAround(pose, part.shape, edges_);
+    return furrow::roomAround(pose, part.shape, part.radiusM, edges_);
 }
 
-FootprintRoom Rig::roomAround(const RigState& state) const {
+FootprintRoom Rig::roomAt(const RigState& state) const {
     const FootprintRoom tractor = roomAround(tractor_, state.tractor);
     if (!trailer_) {
         return tractor;
@@ -85,7 +82,7 @@ double Rig::crossedM(const RigState& state) const {
 }
 
 double Rig::roomM(const RigState& state) const {
-    const double room = roomAround(state).least();
+    const double room = roomAt(state).least();
     if (room < 0.0) {
         return room;
     }
@@ -111,19 +108,48 @@ std::optional<RigState> Rig::follow(const RigState& from, const TurnPiece& piece
     return at;
 }
 
-std::optional<RigState> Rig::driven(const RigState& from, const TurnPiece& piece, Length touching) const {
+bool Rig::isClearAhead(const Part& part, const Pose& pose, double wayM, double touchingM) const {
+    Bounds swept = part.box;
+    swept.min.x = std::min(swept.min.x, 0.0) + std::min(wayM, 0.0);
+    swept.max.x = std::max(swept.max.x, 0.0) + std::max(wayM, 0.0);
+    // What begins inside and crosses no edge stays there.
+    return swept.height() < 2.0 * edges_.reachM() && edges_.insideM(pose.position).value_or(0.0) >= 0.0 &&
+           !edges_.reachInto(pose.position, direction(pose.heading.si()), swept, touchingM);
+}
+
+bool Rig::isClearAhead(const RigState& state, double wayM, double touchingM) const {
+    if (!trailer_) {
+        return isClearAhead(tractor_, state.tractor, wayM, touchingM);
+    }
+    const bool isInLine = std::abs((state.implement - state.tractor.heading).si()) < kInLineRad;
+    return isInLine && isClearAhead(tractor_, state.tractor, wayM, touchingM) &&
+           isClearAhead(trailed_, trailer_->poseOf(state.tractor, state.implement), wayM, touchingM);
+}
+
+std::optional<RigState> Rig::driven(const RigState& from, const TurnPiece& piece, Length touching, FootprintRoom known) const {
+    return drivenOn(from, piece, touching, known);
+}
+
+std::optional<RigState> Rig::drivenOn(const RigState& from, const TurnPiece& piece, Length touching, FootprintRoom& room) const {
     // No point of it moves by more than this for each metre of the way.
     const double bent = std::max(std::abs(piece.curvature.si()), std::abs(piece.endCurvature.si()));
     const double swings = std::max(1.0 + bent * tractor_.radiusM, trailer_ ? 1.0 + trailed_.radiusM / trailer_->trailingM : 0.0);
     const bool isStraight = bent == 0.0;
-    const auto freeWay = [&](const FootprintRoom& room) {
+    const auto freeWay = [&] {
         const double alongEdges = std::max(room.edgesM / swings, isStraight ? kLookOnStraightM : kLookInBendM);
         const double atCorners = std::max(room.cornersM / swings, isStraight ? kLookInBendM : kLookAtCornersM);
         return std::min(alongEdges, atCorners);
     };
     RigState at = from;
     const double lengthM = piece.length.si();
-    double free = 0.0;  // of the way ahead
+    double free = room.least() / swings;  // of the way ahead
+    const double wayM = piece.gear == Gear::Forward ? lengthM : -lengthM;
+    if (isStraight && lengthM > std::max(kShortM, free) && isClearAhead(from, wayM, touching.si())) {
+        room = {};
+        return RigState{advanced(from.tractor, piece, piece.length), from.implement};
+    }
+    double lookedM = 0.0;
+    double surelyToM = free;
     for (double goneM = 0.0; goneM < lengthM;) {
         double stepM = std::min(std::max(free, kLookAtCornersM), lengthM - goneM);
         if (trailer_) {
@@ -134,23 +160,27 @@ std::optional<RigState> Rig::driven(const RigState& from, const TurnPiece& piece
         at.implement = trailer_ ? trailer_->headingAfter(at.implement, at.tractor, pose) : pose.heading;
         at.tractor = pose;
         free -= stepM;
-        if (free <= kRoundingM || goneM == lengthM) {
-            const FootprintRoom room = roomAround(at);
+        if (free <= kRoundingM || (goneM == lengthM && goneM > surelyToM)) {
+            room = roomAt(at);
             // With its own corners along an edge and a corner of the field along its side, an edge may come in between.
             if (room.least() < -touching.si() || (room.least() < kLookAtCornersM && crossedM(at) > touching.si())) {
                 return std::nullopt;
             }
-            free = freeWay(room);
+            free = freeWay();
+            lookedM = goneM;
+            surelyToM = goneM + room.least() / swings;
         }
     }
+    const double movedM = swings * (lengthM - lookedM);
+    room = {room.edgesM - movedM, room.cornersM - movedM};
     return at;
 }
 
-std::optional<RigState> Rig::driven(const RigState& from, const Turn& turn) const {
+std::optional<RigState> Rig::driven(const RigState& from, const Turn& turn, FootprintRoom room) const {
     // A turn on the spot begins with another heading than it was asked for.
     RigState state = trailer_ ? RigState{turn.start, from.implement} : inLine(turn.start);
     for (const TurnPiece& piece : turn.pieces) {
-        const auto next = driven(state, piece);
+        const auto next = drivenOn(state, piece, metres(kTouchingM), room);
         if (!next) {
             return std::nullopt;
         }

@@ -38,12 +38,16 @@ public:
     /// How far every point of both may move at least without getting outside; less than 0 by how far they are.
     double roomM(const RigState& state) const;
 
+    FootprintRoom roomAt(const RigState& state) const;
+
     /// After a piece of a turn; nothing as soon as something is outside. It is looked at as often as the room there is
     /// asks for: what is outside in between is so by a millimetre or two.
     /// @param touching  outside by less is none
-    std::optional<RigState> driven(const RigState& from, const TurnPiece& piece, Length touching = metres(1e-3)) const;
+    /// @param known     the room at `from`, where somebody has asked for it
+    std::optional<RigState> driven(const RigState& from, const TurnPiece& piece, Length touching = metres(1e-3),
+                                   FootprintRoom known = {}) const;
     /// After all of a turn.
-    std::optional<RigState> driven(const RigState& from, const Turn& turn) const;
+    std::optional<RigState> driven(const RigState& from, const Turn& turn, FootprintRoom known = {}) const;
 
     /// Along a piece of a turn, with the state after every `step` and at its end; until `visit` says no, then nothing.
     std::optional<RigState> follow(const RigState& from, const TurnPiece& piece, Length step,
@@ -60,10 +64,15 @@ private:
     struct Part {
         Ring shape;
         double radiusM = 0.0;
+        Bounds box;  ///< around it
     };
     static Part partOf(Ring shape);
     FootprintRoom roomAround(const Part& part, const Pose& pose) const;
-    FootprintRoom roomAround(const RigState& state) const;
+    /// Whether a part is known to stay inside when it goes straight on, or back by a way less than 0.
+    bool isClearAhead(const Part& part, const Pose& pose, double wayM, double touchingM) const;
+    bool isClearAhead(const RigState& state, double wayM, double touchingM) const;
+    /// @param room  at `from`, then at the end, or less than there is
+    std::optional<RigState> drivenOn(const RigState& from, const TurnPiece& piece, Length touching, FootprintRoom& room) const;
     /// How deep edges of the field lie in a part, or in both.
     double crossedM(const Part& part, const Pose& pose) const;
     double crossedM(const RigState& state) const;
