@@ -3,8 +3,11 @@
 #include "planner/geometry/segment.h"
 
 #include <algorithm>
+#include <bit>
 #include <cmath>
+#include <cstdint>
 #include <numbers>
+#include <optional>
 #include <utility>
 #include <vector>
 
@@ -76,6 +79,49 @@ std::vector<Station> stationsOf(const Turn& line, const FollowingRules& rules) {
     return stations;
 }
 
+/// Numbers in order: the few that are in it are found without looking at all that are not.
+class NumberSet {
+public:
+    NumberSet() = default;
+    /// All below `size`.
+    explicit NumberSet(std::size_t size) : words_((size + kBits - 1) / kBits, ~Word{0}) {
+        if (size % kBits != 0) {
+            words_.back() = (Word{1} << size % kBits) - 1;
+        }
+    }
+
+    void add(std::size_t i) { words_[i / kBits] |= Word{1} << i % kBits; }
+    void remove(std::size_t i) { words_[i / kBits] &= ~(Word{1} << i % kBits); }
+
+    /// The least that is not below `i`.
+    std::optional<std::size_t> from(std::size_t i) const {
+        Word mask = ~Word{0} << i % kBits;
+        for (std::size_t w = i / kBits; w < words_.size(); ++w, mask = ~Word{0}) {
+            if (const Word word = words_[w] & mask; word != 0) {
+                return w * kBits + static_cast<std::size_t>(std::countr_zero(word));
+            }
+        }
+        return std::nullopt;
+    }
+    /// The greatest that is below `i`.
+    std::optional<std::size_t> below(std::size_t i) const {
+        Word mask = (Word{1} << i % kBits) - 1;
+        for (std::size_t w = std::min(i / kBits, words_.size()); true; mask = ~Word{0}) {
+            if (const Word word = w < words_.size() ? words_[w] & mask : 0; word != 0) {
+                return w * kBits + kBits - 1 - static_cast<std::size_t>(std::countl_zero(word));
+            }
+            if (w-- == 0) {
+                return std::nullopt;
+            }
+        }
+    }
+
+private:
+    using Word = std::uint64_t;
+    static constexpr std::size_t kBits = 64;
+    std::vector<Word> words_;
+};
+
 /// What tail and nose ask of each other's stations, and its least solution.
 class WayIn {
 public:
@@ -99,7 +145,7 @@ public:
             const bool staysPut = std::abs(bend_[i]) > kBentShare * sharpest_ || stations_[i].isLeftOut;
             inM_.push_back(staysPut ? 0.0 : -edges.reachM());
         }
-        pending_.assign(stations_.size(), 1);
+        pending_ = NumberSet{stations_.size()};
     }
 
     /// The least way in of every station that leaves nothing outside and bends no more than the machine can.
@@ -147,7 +193,9 @@ private:
         const double leastM = std::min(wantedM, mostM_);
         if (leastM > inM_[i] + kSettledM) {
             inM_[i] = leastM;
-            pending_[i] = pending_[next(i)] = pending_[last(i)] = 1;
+            for (const std::size_t touched : {i, next(i), last(i)}) {
+                pending_.add(touched);
+            }
             changed_ = true;
         }
     }
@@ -160,9 +208,7 @@ private:
     }
 
     void ask(std::size_t i) {
-        if (std::exchange(pending_[i], 0) == 0) {
-            return;
-        }
+        pending_.remove(i);
         for (const Feeler& feeler : feelers_) {
             const double x = feeler.at.x;
             const double missingM = feeler.outsideM[i] - inM_[i];
@@ -183,11 +229,11 @@ private:
 
     void settle() {
         for (int round = 0; std::exchange(changed_, false) && round < kMostRounds; ++round) {
-            for (std::size_t i = 0; i < stations_.size(); ++i) {
-                ask(i);
+            for (auto i = pending_.from(0); i; i = pending_.from(*i + 1)) {
+                ask(*i);
             }
-            for (std::size_t i = stations_.size(); i-- > 0;) {
-                ask(i);
+            for (auto i = pending_.below(stations_.size()); i; i = pending_.below(*i)) {
+                ask(*i);
             }
         }
     }
@@ -199,7 +245,7 @@ private:
     std::vector<double> stepM_;   ///< to the next station
     std::vector<double> bend_;    ///< 1/m
     std::vector<double> inM_;
-    std::vector<char> pending_;   ///< stations whose neighbourhood has changed since they asked
+    NumberSet pending_;           ///< stations whose neighbourhood has changed since they asked
     bool changed_ = true;
 };
 
