@@ -66,14 +66,6 @@ Point halfWay(const Turn& line) {
     return partOf(line, {}, 0.5 * line.length()).end().position;
 }
 
-Area largestOf(const MultiPolygon& pieces) {
-    Area largest;
-    for (const Polygon& piece : pieces) {
-        largest = std::max(largest, area(piece));
-    }
-    return largest;
-}
-
 /// What of a ring lies on the left of a line (Sutherland & Hodgman 1974, doi 10.1145/360767.360802). Parts that come
 /// apart stay joined by edges without area between them.
 Ring leftOf(const Ring& ring, Point on, Point along) {
@@ -143,13 +135,14 @@ std::vector<Guide> guidesFor(const Polygon& piece, const MultiPolygon& workable,
     return guides;
 }
 
-/// A stretch of a line on which the machine has room.
+/// A stretch of a line beside something that is left.
 struct Lane {
     Point on;
     Point along;  ///< unit vector
     double fromM = 0.0;
     double toM = 0.0;
     double gainM2 = 0.0;  ///< at most
+    bool isFree = false;  ///< the machine is known to have room on it
 };
 
 /// What is left, with the boxes of its pieces.
@@ -157,6 +150,8 @@ struct Left {
     explicit Left(MultiPolygon all) : pieces{std::move(all)} {
         for (const Polygon& piece : pieces) {
             boxes.push_back(bounds({piece}));
+            inAll += area(piece);
+            largest = std::max(largest, area(piece));
         }
     }
 
@@ -180,6 +175,8 @@ struct Left {
 
     MultiPolygon pieces;
     std::vector<Bounds> boxes;
+    Area inAll;
+    Area largest;
 };
 
 class Chooser {
@@ -201,7 +198,7 @@ public:
         });
     }
 
-    /// Every stretch beside a piece on which a pass would be worth it.
+    /// Every stretch beside a piece on which a pass would be worth it, were there room.
     std::vector<Lane> lanesBeside(const Polygon& piece) const {
         std::vector<Lane> lanes;
         for (const Guide& guide : guidesFor(piece, task_.workable, widthM_)) {
@@ -211,7 +208,7 @@ public:
                 // Rings have the field on their left: beside an edge, and farther in where that bends inwards.
                 for (const double share : kAside) {
                     const double asideM = sign * (flushM_ + share * widthM_);
-                    addLanes(piece, begin + asideM * Point{-along.y, along.x}, along, guide.lengthM, lanes);
+                    addLane(piece, begin + asideM * Point{-along.y, along.x}, along, guide.lengthM, lanes);
                 }
             }
         }
@@ -228,7 +225,7 @@ public:
                 piece.outer | std::views::transform([&](Point point) { return dot(side, point - piece.outer.front()); }));
             for (double asideM = right - 0.5 * widthM_ + kStepShare * widthM_; asideM < left + 0.5 * widthM_;
                  asideM += kStepShare * widthM_) {
-                addLanes(piece, piece.outer.front() + asideM * side, along, 0.0, lanes);
+                addLane(piece, piece.outer.front() + asideM * side, along, 0.0, lanes);
             }
         }
         return lanes;
@@ -268,6 +265,44 @@ public:
         return isRefused(line) || !isClear(line) ? std::nullopt : std::optional{candidate};
     }
 
+    /// The stretches of a lane on which the machine has room.
+    std::vector<Lane> freeLanes(const Lane& lane) const {
+        std::vector<Lane> free;
+        const Angle heading = radians(std::atan2(lane.along.y, lane.along.x));
+        const auto roomM = [&](double m) {
+            const Pose pose = vehicleAt({.position = lane.on + m * lane.along, .heading = heading}, task_.lowered.machine());
+            return task_.lowered.roomM(Rig::inLine(pose));
+        };
+        std::optional<double> begun;
+        bool isFree = false;
+        double knownToM = -std::numeric_limits<double>::infinity();
+        for (double m = lane.fromM;; m += kLookM) {
+            const double here = std::min(m, lane.toM);
+            // What is inside or outside by so much is so for as much of the way.
+            if (here >= knownToM) {
+                const double room = roomM(here);
+                isFree = room >= -kTouchingM;
+                knownToM = here + std::abs(room) - kTouchingM;
+            }
+            if (isFree && !begun) {
+                begun = here;
+            }
+            if (begun && (!isFree || here == lane.toM)) {
+                const double end = isFree ? here : here - kLookM;
+                if (end - *begun > runInM_ + 2.0 * kLookM) {
+                    free.push_back(lane);
+                    free.back().fromM = *begun;
+                    free.back().toM = end;
+                    free.back().isFree = true;
+                }
+                begun.reset();
+            }
+            if (here == lane.toM) {
+                return free;
+            }
+        }
+    }
+
 private:
     static Ring clipped(Ring ring, const Ring& strip) {
         for (std::size_t i = 0; i < strip.size() && !ring.empty(); ++i) {
@@ -279,8 +314,8 @@ private:
     /// In between the places that were looked at, too.
     bool isClear(const Turn& line) const { return task_.lowered.driven(Rig::inLine(line.start), line).has_value(); }
 
-    /// Along a line as far as the piece lies beside it, not far beyond the guide.
-    void addLanes(const Polygon& piece, Point on, Point along, double lengthM, std::vector<Lane>& lanes) const {
+    /// Along a line as far as the piece lies beside it, not far beyond the guide, with the run-in before it.
+    void addLane(const Polygon& piece, Point on, Point along, double lengthM, std::vector<Lane>& lanes) const {
         const Point side = (0.5 * widthM_) * Point{-along.y, along.x};
         const double beyondM = kBeyondWidths * widthM_;
         const Ring strip = {on - beyondM * along - side, on + (lengthM + beyondM) * along - side,
@@ -291,37 +326,11 @@ private:
             return;
         }
         const auto [first, last] = std::ranges::minmax(beside, {}, [&](Point point) { return dot(along, point - on); });
-        const double toM = dot(along, last - on);
-        const Angle heading = radians(std::atan2(along.y, along.x));
-        const auto roomM = [&](double m) {
-            const Pose pose = vehicleAt({.position = on + m * along, .heading = heading}, task_.lowered.machine());
-            return task_.lowered.roomM(Rig::inLine(pose));
-        };
-        std::optional<double> begun;
-        double freeToM = -std::numeric_limits<double>::infinity();
-        // With the run-in before it.
-        for (double m = dot(along, first - on) - runInM_;; m += kLookM) {
-            const double here = std::min(m, toM);
-            bool free = here < freeToM;
-            if (!free) {
-                const double room = roomM(here);
-                free = room >= -kTouchingM;
-                freeToM = here + room;
-            }
-            if (free && !begun) {
-                begun = here;
-            }
-            if (begun && (!free || here == toM)) {
-                const double end = free ? here : here - kLookM;
-                if (end - *begun > runInM_ + 2.0 * kLookM) {
-                    lanes.push_back({.on = on, .along = along, .fromM = *begun, .toM = end, .gainM2 = gainM2});
-                }
-                begun.reset();
-            }
-            if (here == toM) {
-                return;
-            }
-        }
+        lanes.push_back({.on = on,
+                         .along = along,
+                         .fromM = dot(along, first - on) - runInM_,
+                         .toM = dot(along, last - on),
+                         .gainM2 = gainM2});
     }
 
     const FinishingTask& task_;
@@ -336,12 +345,12 @@ struct Chosen {
     Left left;
 };
 
-bool isTooMuchInAll(const FinishingTask& task, const MultiPolygon& left) {
-    return area(left) > task.mayStay;
+bool isTooMuchInAll(const FinishingTask& task, const Left& left) {
+    return left.inAll > task.mayStay;
 }
 
-bool isTooMuch(const FinishingTask& task, const MultiPolygon& left) {
-    return isTooMuchInAll(task, left) || largestOf(left) > task.mayStayInOnePiece;
+bool isTooMuch(const FinishingTask& task, const Left& left) {
+    return isTooMuchInAll(task, left) || left.largest > task.mayStayInOnePiece;
 }
 
 /// The pass that gains most, again and again, while too much is left. The more is worked the less there is to gain
@@ -350,35 +359,41 @@ Result<void> chooseBest(std::vector<Lane> lanes, const Chooser& chooser, const F
                         const JobContext& job) {
     const auto less = [](const Lane& a, const Lane& b) { return a.gainM2 < b.gainM2; };
     std::ranges::make_heap(lanes, less);
-    while (!lanes.empty() && chosen.passes.size() < kMostPasses && isTooMuch(task, chosen.left.pieces)) {
+    while (!lanes.empty() && chosen.passes.size() < kMostPasses && isTooMuch(task, chosen.left)) {
         if (job.stopRequested()) {
             return std::unexpected(cancelled());
         }
         std::ranges::pop_heap(lanes, less);
         Lane lane = lanes.back();
         lanes.pop_back();
+        const auto putBack = [&](const Lane& one) {
+            lanes.push_back(one);
+            std::ranges::push_heap(lanes, less);
+        };
+        // Most are never the best: where there is room on them is not asked before.
+        if (!lane.isFree) {
+            std::ranges::for_each(chooser.freeLanes(lane), putBack);
+            continue;
+        }
         const std::optional<Candidate> found = chooser.passAlong(lane, chosen.left);
         if (!found) {
             continue;
         }
         lane.gainM2 = found->gainM2;
-        const auto putBack = [&] {
-            lanes.push_back(lane);
-            std::ranges::push_heap(lanes, less);
-        };
         if (!lanes.empty() && lane.gainM2 < lanes.front().gainM2) {
-            putBack();
+            putBack(lane);
             continue;
         }
         auto rest = chosen.left.without({{.outer = stripOf(*found, chooser.widthM()), .holes = {}}}, job);
         if (!rest) {
             return std::unexpected(rest.error());
         }
+        Left after{std::move(*rest)};
         // Once enough is worked in all only what makes a large piece smaller is of use.
-        if (isTooMuchInAll(task, chosen.left.pieces) || largestOf(*rest) < largestOf(chosen.left.pieces)) {
+        if (isTooMuchInAll(task, chosen.left) || after.largest < chosen.left.largest) {
             chosen.passes.push_back(lineOf(*found, task.lowered.machine()));
-            chosen.left = Left{std::move(*rest)};
-            putBack();
+            chosen.left = std::move(after);
+            putBack(lane);
         }
     }
     return {};
@@ -392,7 +407,7 @@ Result<void> chooseBends(const Chooser& chooser, const FinishingTask& task, cons
     };
     const auto isRefused = [&](const Turn& line) { return chooser.isRefused(line); };
     std::size_t givenUp = 0;
-    while (chosen.passes.size() < kMostPasses && isTooMuch(task, chosen.left.pieces)) {
+    while (chosen.passes.size() < kMostPasses && isTooMuch(task, chosen.left)) {
         if (job.stopRequested()) {
             return std::unexpected(cancelled());
         }
@@ -400,7 +415,7 @@ Result<void> chooseBends(const Chooser& chooser, const FinishingTask& task, cons
             break;
         }
         const Polygon& piece = chosen.left.pieces[givenUp];
-        const bool isOfUse = isTooMuchInAll(task, chosen.left.pieces) || area(piece) > task.mayStayInOnePiece;
+        const bool isOfUse = isTooMuchInAll(task, chosen.left) || area(piece) > task.mayStayInOnePiece;
         if (area(piece).si() < chooser.leastGainM2() || !isOfUse) {
             break;
         }
@@ -413,7 +428,7 @@ Result<void> chooseBends(const Chooser& chooser, const FinishingTask& task, cons
         if (!rest) {
             return std::unexpected(rest.error());
         }
-        if ((area(chosen.left.pieces) - area(*rest)).si() < chooser.leastGainM2()) {
+        if ((chosen.left.inAll - area(*rest)).si() < chooser.leastGainM2()) {
             continue;
         }
         std::ranges::stable_sort(*rest, std::ranges::greater{}, [](const Polygon& one) { return area(one); });
@@ -437,7 +452,7 @@ Result<std::vector<HeadlandPass>> finishingPasses(const FinishingTask& task, con
         }
     }
     for (const auto lanesOver : {&Chooser::lanesBeside, &Chooser::lanesAcross}) {
-        if (!isTooMuch(task, chosen.left.pieces)) {
+        if (!isTooMuch(task, chosen.left)) {
             break;
         }
         std::vector<Lane> lanes;
