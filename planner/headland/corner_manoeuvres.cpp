@@ -26,6 +26,13 @@ constexpr double kMostWidthsOnward = 2.0;
 // Straights shorter than this between arcs belong to the corner.
 constexpr double kLeastStraightM = 0.5;
 constexpr double kStepM = 0.1;
+// Made again, a ring has its poses where they were but for rounding.
+constexpr double kSamePlaceM = 1e-9;
+constexpr double kSameHeadingRad = 1e-9;
+
+bool isSame(const Pose& a, const Pose& b) {
+    return distance(a.position, b.position) < kSamePlaceM && std::abs((a.heading - b.heading).si()) < kSameHeadingRad;
+}
 
 Pose poseBefore(const Turn& line, std::size_t piece) {
     Pose pose = line.start;
@@ -57,7 +64,7 @@ struct Manoeuvre {
 };
 
 std::optional<Manoeuvre> manoeuvre(const Turn& line, const RoundedCorner& corner, CornerMethod method,
-                                   const BoundaryDistance& edge, const Rig& rig, const JobContext& job) {
+                                   const BoundaryDistance& edge, const Rig& rig, CornerWays& ways, const JobContext& job) {
     const Machine& machine = rig.machine();
     const Pose entry = poseBefore(line, corner.firstPiece);
     const Pose exit = poseBefore(line, corner.lastPiece + 1);
@@ -97,7 +104,7 @@ std::optional<Manoeuvre> manoeuvre(const Turn& line, const RoundedCorner& corner
         const Pose from{.position = entry.position + onward * in, .heading = entry.heading};
         const Pose to{.position = exit.position - back * out, .heading = exit.heading};
         // Of a machine that cannot reverse the last are forward turns as well.
-        const Turn turn = method == CornerMethod::Searched ? feasibleConnection(rig, from, to, {}, job)
+        const Turn turn = method == CornerMethod::Searched ? ways.between(rig, from, to, job)
                           : method == CornerMethod::Loop   ? connection(from, to, machine, kDubinsMethod.run)
                                                            : connection(from, to, machine, kReedsSheppMethod.run);
         if (rig.driven(Rig::inLine(from), turn)) {
@@ -112,6 +119,16 @@ std::optional<Manoeuvre> manoeuvre(const Turn& line, const RoundedCorner& corner
 }
 
 }  // namespace
+
+Turn CornerWays::between(const Rig& rig, const Pose& from, const Pose& to, const JobContext& job) {
+    const auto known = std::ranges::find_if(known_, [&](const Known& one) { return isSame(one.from, from) && isSame(one.to, to); });
+    if (known != known_.end()) {
+        return known->way;
+    }
+    Turn way = feasibleConnection(rig, from, to, {}, job);
+    known_.push_back({from, to, way});
+    return way;
+}
 
 std::vector<RoundedCorner> roundedCorners(const Turn& line, Length radius) {
     std::vector<RoundedCorner> corners;
@@ -155,7 +172,7 @@ Area uncutCorner(const RoundedCorner& corner, Length width) {
 
 std::vector<PassStretch> withCorners(const Turn& closed, CornerMethod method, const MultiPolygon& drivable,
                                      const Machine& machine, const std::function<bool(const RoundedCorner&)>& wanted,
-                                     std::vector<RoundedCorner>& left, const JobContext& job) {
+                                     CornerWays& ways, std::vector<RoundedCorner>& left, const JobContext& job) {
     const Turn line = fromAStraight(closed);
     std::vector<RoundedCorner> corners = roundedCorners(line, machine.minTurningRadius());
     std::vector<PassStretch> stretches{{.line = {.type = {}, .start = line.start, .pieces = {}}}};
@@ -169,7 +186,7 @@ std::vector<PassStretch> withCorners(const Turn& closed, CornerMethod method, co
     std::size_t next = 0;
     const auto work = [&](const TurnPiece& piece) { stretches.back().line.pieces.push_back(piece); };
     for (const RoundedCorner& corner : corners) {
-        const auto found = corner.firstPiece > 0 && wanted(corner) ? manoeuvre(line, corner, method, edge, rig, job) : std::nullopt;
+        const auto found = corner.firstPiece > 0 && wanted(corner) ? manoeuvre(line, corner, method, edge, rig, ways, job) : std::nullopt;
         if (!found) {
             left.push_back(corner);
             continue;

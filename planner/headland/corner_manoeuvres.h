@@ -1,6 +1,7 @@
 #pragma once
 
 #include "planner/headland/headland.h"
+#include "planner/turns/rig.h"
 
 #include <functional>
 #include <vector>
@@ -23,15 +24,31 @@ std::vector<RoundedCorner> roundedCorners(const Turn& line, Length radius);
 /// (1 - pi/4) (R + w/2)².
 Area uncutCorner(const RoundedCorner& corner, Length width);
 
+/// Ways from where a machine has driven into a corner to where it goes on. A ring is often made again with fewer of its
+/// corners driven into: at the others the ways are the same.
+class CornerWays {
+public:
+    Turn between(const Rig& rig, const Pose& from, const Pose& to, const JobContext& job);
+
+private:
+    struct Known {
+        Pose from;
+        Pose to;
+        Turn way;
+    };
+    std::vector<Known> known_;
+};
+
 enum class CornerMethod { Rounded, Loop, Reverse, Searched };
 
 /// A closed pass whose corners are driven into where there is room: straight on as far as the footprint stays
 /// inside, then with the implement up round a loop (forwards), with a change of gear or by whatever way is found
 /// to as far back as it fits on the next side. Corners without room stay rounded.
 /// @param wanted  whether a corner is to be driven into at all
+/// @param ways    those of the same machine and drivable area
 /// @param left    which stayed rounded
 std::vector<PassStretch> withCorners(const Turn& closed, CornerMethod method, const MultiPolygon& drivable,
                                      const Machine& machine, const std::function<bool(const RoundedCorner&)>& wanted,
-                                     std::vector<RoundedCorner>& left, const JobContext& job);
+                                     CornerWays& ways, std::vector<RoundedCorner>& left, const JobContext& job);
 
 }  // namespace furrow

@@ -132,6 +132,7 @@ struct ClosedRing {
     std::vector<Point> outside;          ///< beside corners that are driven into
     Length movedIn;
     bool complete = true;  ///< every line of it could be rounded
+    bool inside = false;   ///< is known to be
 };
 
 /// How a ring gets round its corners.
@@ -153,7 +154,7 @@ bool isAt(const RoundedCorner& corner, Point place, const Machine& machine) {
 }
 
 Result<ClosedRing> closedRing(const HeadlandTask& task, Length inset, int ring, const CornerRules& corners,
-                              const JobContext& job) {
+                              CornerWays& ways, const JobContext& job) {
     const Machine& machine = task.machine;
     const bool clockwise = task.settings.choice(kHeadlandDirection) == "clockwise";
     const auto tracks = passTracks(task.workable(), inset + corners.beside, task.drivable, machine,
@@ -170,14 +171,14 @@ Result<ClosedRing> closedRing(const HeadlandTask& task, Length inset, int ring, 
         return corners.method != CornerMethod::Searched ||
                std::ranges::any_of(corners.driven, [&](Point place) { return isAt(corner, place, machine); });
     };
-    ClosedRing result{.passes = {}, .rounded = {}, .movedIn = tracks->movedIn, .complete = tracks->givenUp == 0};
+    ClosedRing result{.passes = {}, .rounded = {}, .movedIn = tracks->movedIn, .complete = tracks->givenUp == 0, .inside = tracks->inside};
     result.lines = tracks->lines;
     for (const Turn& line : result.lines) {
         result.passes.push_back({.ring = ring,
                                  .width = machine.operatingWidth(),
                                  .closed = true,
                                  .stretches = withCorners(line, corners.method,
-                                                          task.drivable, machine, wanted, result.rounded, job)});
+                                                          task.drivable, machine, wanted, ways, result.rounded, job)});
         for (const PassStretch& stretch : result.passes.back().stretches) {
             if (corners.method == CornerMethod::Searched && stretch.working) {
                 std::ranges::move(placesOutside(stretch.line, task.drivable, machine, job),
@@ -288,11 +289,11 @@ Area leftAt(const std::vector<RoundedCorner>& corners, const Machine& machine) {
 /// A ring that is driven into those of its corners that the machine gets out of again; nothing if into none.
 Result<std::optional<ClosedRing>> withCornersDriven(const HeadlandTask& task, Length inset, int ring,
                                                     const std::vector<RoundedCorner>& wanted, Length beside,
-                                                    const JobContext& job) {
+                                                    CornerWays& ways, const JobContext& job) {
     CornerRules corners{.method = CornerMethod::Searched, .driven = {}, .beside = beside, .followsEdges = ring == 0};
     std::ranges::transform(wanted, std::back_inserter(corners.driven), &RoundedCorner::place);
     while (!corners.driven.empty()) {
-        auto sharp = closedRing(task, inset, ring, corners, job);
+        auto sharp = closedRing(task, inset, ring, corners, ways, job);
         if (!sharp) {
             return std::unexpected(sharp.error());
         }
@@ -318,18 +319,18 @@ Result<std::optional<ClosedRing>> withCornersDriven(const HeadlandTask& task, Le
 
 /// The outermost pass, rounded. Where that leaves too much, a machine that can reverse drives into the corners that
 /// it gets out of again.
-Result<ClosedRing> outermostRing(const HeadlandTask& task, Length inset, const JobContext& job) {
+Result<ClosedRing> outermostRing(const HeadlandTask& task, Length inset, CornerWays& ways, const JobContext& job) {
     std::vector<RoundedCorner> arcCorners;
     // Which corners there are, and what their rounding leaves, is seen before the line follows the edges.
     if (!Trailer::of(task.machine)) {
-        auto arcs = closedRing(task, inset, 0, {.followsEdges = false, .movesIn = false}, job);
+        auto arcs = closedRing(task, inset, 0, {.followsEdges = false, .movesIn = false}, ways, job);
         if (!arcs) {
             return arcs;
         }
         const std::vector<RoundedCorner> outward =
             outwardCorners(*arcs, task.settings.choice(kHeadlandDirection) == "clockwise");
         if (canReverse(task.machine) && arcs->complete && leftAt(outward, task.machine) > kMostUncutShare * area(task.workable())) {
-            auto driven = withCornersDriven(task, inset, 0, outward, kBesideEdge, job);
+            auto driven = withCornersDriven(task, inset, 0, outward, kBesideEdge, ways, job);
             if (!driven) {
                 return std::unexpected(driven.error());
             }
@@ -339,9 +340,9 @@ Result<ClosedRing> outermostRing(const HeadlandTask& task, Length inset, const J
         }
         arcCorners = std::move(arcs->rounded);
     }
-    auto rounded = closedRing(task, inset, 0, {}, job);
+    auto rounded = closedRing(task, inset, 0, {}, ways, job);
     if (rounded && !rounded->complete) {
-        rounded = closedRing(task, inset, 0, {.followsEdges = false}, job);
+        rounded = closedRing(task, inset, 0, {.followsEdges = false}, ways, job);
     }
     if (rounded && rounded->complete && !Trailer::of(task.machine)) {
         rounded->rounded = std::move(arcCorners);
@@ -351,8 +352,8 @@ Result<ClosedRing> outermostRing(const HeadlandTask& task, Length inset, const J
 
 /// An inner pass of what cannot reverse, rounded, but for corners at which that leaves too much between two passes: there
 /// is room to drive on and come back in a loop.
-Result<ClosedRing> innerRing(const HeadlandTask& task, Length inset, int ring, const JobContext& job) {
-    auto rounded = closedRing(task, inset, ring, {.followsEdges = false}, job);
+Result<ClosedRing> innerRing(const HeadlandTask& task, Length inset, int ring, CornerWays& ways, const JobContext& job) {
+    auto rounded = closedRing(task, inset, ring, {.followsEdges = false}, ways, job);
     if (!rounded || !rounded->complete) {
         return rounded;
     }
@@ -363,7 +364,7 @@ Result<ClosedRing> innerRing(const HeadlandTask& task, Length inset, int ring, c
     if (wide.empty()) {
         return rounded;
     }
-    auto driven = withCornersDriven(task, inset, ring, wide, {}, job);
+    auto driven = withCornersDriven(task, inset, ring, wide, {}, ways, job);
     if (!driven) {
         return std::unexpected(driven.error());
     }
@@ -423,6 +424,7 @@ Result<void> addPasses(Headland& headland, const HeadlandTask& task, const JobCo
     // A boom that trails comes to the edge by its own track.
     const Length beside = Trailer::of(machine) ? kBesideEdge : Length{};
     std::vector<Turn> outermost;
+    CornerWays ways;
     for (std::size_t i = 0; i < all.size(); ++i) {
         const int ring = static_cast<int>(i);
         if (!all[i].ofStrip.empty()) {
@@ -444,11 +446,11 @@ Result<void> addPasses(Headland& headland, const HeadlandTask& task, const JobCo
         // What cannot reverse would not get out of a corner again.
         if (ring == 0 || method != CornerMethod::Rounded || !canReverse(machine)) {
             auto closed = ring == 0 && method == CornerMethod::Rounded
-                              ? outermostRing(task, inset + beside, job)
+                              ? outermostRing(task, inset + beside, ways, job)
                           : method == CornerMethod::Rounded
-                              ? innerRing(task, inset + beside, ring, job)
+                              ? innerRing(task, inset + beside, ring, ways, job)
                               : closedRing(task, inset + beside, ring,
-                                           {.method = method, .driven = {}, .beside = {}, .followsEdges = false}, job);
+                                           {.method = method, .driven = {}, .beside = {}, .followsEdges = false}, ways, job);
             if (!closed) {
                 return std::unexpected(closed.error());
             }
@@ -460,7 +462,7 @@ Result<void> addPasses(Headland& headland, const HeadlandTask& task, const JobCo
                         headland.uncutCorners += uncutCorner(corner, machine.operatingWidth());
                     }
                 }
-                keep(cutWhereOutside(std::move(closed->passes), task, job));
+                keep(closed->inside ? std::move(closed->passes) : cutWhereOutside(std::move(closed->passes), task, job));
                 continue;
             }
         }

@@ -40,10 +40,12 @@ constexpr double kCutLookM = 0.25;
 // A trailed implement that points elsewhere than the tractor by less is in line.
 constexpr double kInLineRad = 1e-3;
 // Places that are looked at lie so many of the distances between two moves apart.
-constexpr double kLookShare = 0.1;
+constexpr double kLookShare = 0.2;
 constexpr double kBendLooks = 4.0;
 // And so far where something is known to be outside between them.
 constexpr double kLookCloselyM = 0.01;
+// In pieces so long it is asked whether something is.
+constexpr double kShortPieceM = 3.0;
 // Points of a ring that can be moved lie no farther apart.
 constexpr double kDenseM = 1.0;
 // Points of a moved ring that make less difference are left out.
@@ -210,6 +212,21 @@ Result<MultiPolygon> moved(const MultiPolygon& polygons, const Displacement& dis
 
 enum class Look { NowAndThen, Closely };
 
+/// The same line in pieces of which one that gets outside somewhere is soon looked at all along.
+std::vector<TurnPiece> inShortPieces(const std::vector<TurnPiece>& pieces) {
+    std::vector<TurnPiece> all;
+    for (const TurnPiece& piece : pieces) {
+        const auto count = std::max(1, static_cast<int>(std::ceil(piece.length.si() / kShortPieceM)));
+        for (int i = 0; i < count; ++i) {
+            all.push_back({.length = (1.0 / count) * piece.length,
+                           .curvature = piece.curvatureAt((static_cast<double>(i) / count) * piece.length),
+                           .endCurvature = piece.curvatureAt((static_cast<double>(i + 1) / count) * piece.length),
+                           .gear = piece.gear});
+        }
+    }
+    return all;
+}
+
 /// The worst places along a line, at most one for each `apart`, where `looksAt` says so. Looked at closely, also those
 /// where a corner of the field goes in and out of the footprint between two looks. Ends early where the job is stopped.
 std::vector<Excess> excessesAlong(const Turn& line, const Rig& rig, double apartM, Look how,
@@ -236,7 +253,7 @@ std::vector<Excess> excessesAlong(const Turn& line, const Rig& rig, double apart
             found.back() = {at.tractor.position, moveM, outsideM};
         }
     };
-    for (const TurnPiece& piece : line.pieces) {
+    for (const TurnPiece& piece : how == Look::Closely ? inShortPieces(line.pieces) : line.pieces) {
         Point last = state.tractor.position;
         double goneM = 0.0;
         int looked = 0;
@@ -257,7 +274,7 @@ std::vector<Excess> excessesAlong(const Turn& line, const Rig& rig, double apart
             // In the middle of a straight nothing swings: now and then is often enough.
             const bool inLine = std::abs((at.implement - at.tractor.heading).si()) < kInLineRad;
             const bool nearEnd = std::min(goneM, piece.length.si() - goneM) <= 2.0 * apartM;
-            const bool swings = closely || piece.curvature != Curvature{} || nearEnd || !inLine || looked % 10 == 0;
+            const bool swings = closely || piece.curvature != Curvature{} || nearEnd || !inLine || looked % 5 == 0;
             if (swings && looksAt(at.tractor.position)) {
                 look(at, wayM + goneM);
             }
@@ -460,6 +477,7 @@ Result<PassTracks> passTracks(const MultiPolygon& workable, Length inset, const 
             return std::unexpected(cancelled());
         }
         if (excesses.empty() || round == kMostMoves) {
+            tracks->inside = excesses.empty() && rules.driven.empty();
             break;
         }
         displacement.add(std::move(excesses));

@@ -29,6 +29,7 @@ struct PassTracks {
     std::vector<Turn> lines;
     Length movedIn;  ///< at most, because the footprint would have left the field in a bend
     int givenUp = 0;  ///< rings that could not be rounded
+    bool inside = false;  ///< seen to be: the footprint stays inside all along
 };
 
 /// @param workable  the field less its obstacles

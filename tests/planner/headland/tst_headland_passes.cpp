@@ -658,8 +658,9 @@ private slots:
         for (const CornerMethod method : {CornerMethod::Loop, CornerMethod::Reverse}) {
             for (const Turn& way : {*line, reversedLine(*line)}) {
                 std::vector<RoundedCorner> left;
+                CornerWays ways;
                 const auto stretches = withCorners(
-                    way, method, drivable, agbot(), [](const RoundedCorner&) { return true; }, left, {});
+                    way, method, drivable, agbot(), [](const RoundedCorner&) { return true; }, ways, left, {});
                 QVERIFY(left.empty());
                 QCOMPARE(std::ranges::count(stretches, false, &PassStretch::working), std::ptrdiff_t{4});
                 for (std::size_t i = 0; i < stretches.size(); ++i) {
