@@ -287,6 +287,9 @@ double BoundaryDistance::crossedM(Point around, const Ring& shape) const {
 
 bool BoundaryDistance::reachInto(Point origin, Point along, const Bounds& rectangle, double touchingM) const {
     const Bounds inner{.min = rectangle.min + Point{touchingM, touchingM}, .max = rectangle.max - Point{touchingM, touchingM}};
+    if (inner.width() <= 0.0 || inner.height() <= 0.0) {
+        return false;
+    }
     const auto isIn = [&](const Edge& edge) {
         const Point from{dot(along, edge.from - origin), cross(along, edge.from - origin)};
         const Point way{dot(along, edge.way), cross(along, edge.way)};

@@ -148,6 +148,24 @@ private slots:
         }
     }
 
+    // A square and an arm round its corner: the arm begins in the middle of a side that goes on, and joins the square
+    // above. What they enclose touches the outside there. 100 m2 and, by the shoelace formula, 47.5 m2.
+    void anArmThatBeginsAtASide() {
+        const MultiPolygon square{rectangle(10.0, 10.0)};
+        const MultiPolygon arm{{.outer = {{10.0, 5.0}, {15.0, 8.0}, {15.0, 14.0}, {4.0, 14.0}, {4.0, 10.0}, {8.0, 10.0}, {8.0, 12.0}, {12.0, 12.0}, {12.0, 9.0}},
+                                .holes = {}}};
+        for (const Point along : {Point{1.0, 0.0}, Point{-1.0, 0.0}, Point{0.0, 1.0}, Point{0.0, -1.0}}) {
+            const auto found = measured(square, arm, along);
+            VERIFY_RESULT(found);
+            const MeasuredRegion& once = (*found)[kOnce];
+            COMPARE_WITHIN(once.area.si(), 147.5, 1e-9);
+            COMPARE_WITHIN(area(once.polygons).si(), 147.5, 1e-6);
+            QCOMPARE(once.polygons.size(), std::size_t{1});
+            const auto broken = findInvalidPlace(once.polygons, {});
+            QVERIFY2(broken && !*broken, broken && *broken ? (*broken)->reason.c_str() : "");
+        }
+    }
+
     // Lanes that share their edges but for rounding, along the line and across it.
     void lanesLoseNothing() {
         std::mt19937_64 random{3};

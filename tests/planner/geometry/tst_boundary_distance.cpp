@@ -140,6 +140,74 @@ private slots:
         }
         QVERIFY(near > 100 || reachM < 0.1);
     }
+
+    // A square of 10 m with an obstacle from (4, 4) to (6, 6).
+    void edgesInARectangle_data() {
+        QTest::addColumn<Point>("origin");
+        QTest::addColumn<double>("headingDeg");
+        QTest::addColumn<Bounds>("rectangle");
+        QTest::addColumn<bool>("reaches");
+        const Bounds long2{{0.0, -1.0}, {5.0, 1.0}};
+        QTest::newRow("flush with an edge") << Point{2.0, 1.0} << 0.0 << long2 << false;
+        QTest::newRow("over it by less than touching") << Point{2.0, 0.9995} << 0.0 << long2 << false;
+        QTest::newRow("over it by more") << Point{2.0, 0.998} << 0.0 << long2 << true;
+        QTest::newRow("beside the obstacle") << Point{2.0, 3.0} << 0.0 << long2 << false;
+        QTest::newRow("its corner in the side") << Point{2.0, 3.3} << 0.0 << long2 << true;
+        QTest::newRow("the obstacle all inside") << Point{3.0, 5.0} << 0.0 << Bounds{{0.0, -2.0}, {4.0, 2.0}} << true;
+        QTest::newRow("all inside the obstacle") << Point{5.0, 5.0} << 30.0 << Bounds{{-0.5, -0.5}, {0.5, 0.5}} << false;
+        QTest::newRow("up to the far edge") << Point{1.0, 5.0} << 90.0 << long2 << false;
+        QTest::newRow("across it") << Point{1.0, 5.1} << 90.0 << long2 << true;
+        QTest::newRow("no width") << Point{1.0, 5.0} << 0.0 << Bounds{{0.0, 0.0}, {8.0, 0.0}} << false;
+        QTest::newRow("far away") << Point{100.0, 5.0} << 0.0 << long2 << false;
+    }
+    void edgesInARectangle() {
+        QFETCH(Point, origin);
+        QFETCH(double, headingDeg);
+        QFETCH(Bounds, rectangle);
+        QFETCH(bool, reaches);
+        Polygon field = test::rectangle(10.0, 10.0);
+        field.holes.push_back({{4.0, 4.0}, {4.0, 6.0}, {6.0, 6.0}, {6.0, 4.0}});
+        const BoundaryDistance edges{{field}, metres(3.0)};
+        QCOMPARE(edges.reachInto(origin, direction(degrees(headingDeg).si()), rectangle, 1e-3), reaches);
+    }
+
+    void edgesInARectangleLikeBruteForce() {
+        constexpr double kTouchingM = 1e-3;
+        constexpr double kStepM = 0.02;
+        int in = 0;
+        int out = 0;
+        for (std::uint64_t seed = 1; seed <= 60; ++seed) {
+            std::mt19937_64 random{seed};
+            const MultiPolygon polygons = test::randomPolygons(random, test::kShapes[seed % test::kShapes.size()], 60.0);
+            const BoundaryDistance edges{polygons, metres(3.0)};
+            const Bounds box = bounds(polygons);
+            for (int i = 0; i < 60; ++i) {
+                const Point origin{test::uniform(random, box.min.x - 5.0, box.max.x + 5.0), test::uniform(random, box.min.y - 5.0, box.max.y + 5.0)};
+                const Point along = direction(test::uniform(random, 0.0, 6.3));
+                const Bounds rectangle{{test::uniform(random, -3.0, 0.0), test::uniform(random, -2.0, 0.0)},
+                                       {test::uniform(random, 0.0, 12.0), test::uniform(random, 0.1, 2.0)}};
+                double deepest = -1.0;
+                forEachEdge(polygons, [&](Point a, Point b) {
+                    const auto steps = static_cast<int>(std::ceil(distance(a, b) / kStepM)) + 1;
+                    for (int k = 0; k <= steps; ++k) {
+                        const Point away = a + (static_cast<double>(k) / steps) * (b - a) - origin;
+                        const Point at{dot(along, away), cross(along, away)};
+                        deepest = std::max(deepest, std::min({at.x - rectangle.min.x, rectangle.max.x - at.x, at.y - rectangle.min.y, rectangle.max.y - at.y}));
+                    }
+                });
+                const bool found = edges.reachInto(origin, along, rectangle, kTouchingM);
+                const QByteArray said = QStringLiteral("seed %1, rectangle %2: %3 m").arg(seed).arg(i).arg(deepest).toUtf8();
+                if (deepest > kTouchingM) {
+                    VERIFY_TOLD(found, said);
+                    ++in;
+                } else if (deepest < kTouchingM - kStepM) {
+                    VERIFY_TOLD(!found, said);
+                    ++out;
+                }
+            }
+        }
+        QVERIFY(in > 300 && out > 300);
+    }
 };
 
 QTEST_APPLESS_MAIN(BoundaryDistanceTest)

@@ -15,6 +15,7 @@
 #include <algorithm>
 #include <cmath>
 #include <iterator>
+#include <limits>
 #include <random>
 
 using namespace furrow;
@@ -121,6 +122,29 @@ private slots:
             compareWithATenth(mainland.polygons, objective, mainland.name);
             if (QTest::currentTestFailed()) {
                 return;
+            }
+        }
+    }
+
+    // A bound is never above what a heading takes; where less would do it is only told to be more than that.
+    void noHeadingIsQuickerThanItsBound() {
+        constexpr Duration kAll = seconds(std::numeric_limits<double>::infinity());
+        std::mt19937_64 random{kSeed};
+        for (std::size_t i = 0; i < 25; ++i) {
+            const MultiPolygon mainland = test::randomPolygons(random, test::kShapes[i % 5], 60.0);
+            const auto scanLine = scanLineFor({test::anyField(), mainland, machineLibrary().front(), byObjective("time")});
+            VERIFY_RESULT(scanLine);
+            for (int k = 0; k < 20; ++k) {
+                const Angle heading = degrees(9.0 * k + 0.37);
+                const Duration time = scanLine->figures(heading, SwathObjective::Time).time;
+                const Duration bound = scanLine->timeBound(heading, kAll);
+                QVERIFY(bound > seconds(0.0));
+                QCOMPARE_LE(bound.si(), time.si() + 1e-9);
+                for (const Duration enough : {seconds(0.0), 0.5 * bound, 0.98 * bound, 1.02 * bound}) {
+                    const Duration cheap = scanLine->timeBound(heading, enough);
+                    QCOMPARE_LE(cheap, bound);
+                    QVERIFY(bound <= enough ? cheap == bound : cheap > enough);
+                }
             }
         }
     }

@@ -3,11 +3,13 @@
 #include "planner/machine/machine.h"
 #include "planner/turns/rig.h"
 #include "tests/planner/turns/turn_check.h"
+#include "tests/support/field_generator.h"
 
 #include <QTest>
 
 #include <cmath>
 #include <numbers>
+#include <random>
 
 using namespace furrow;
 
@@ -203,6 +205,55 @@ private slots:
         COMPARE_WITHIN(distance(after->tractor.position, end.position), 0.0, 1e-9);
         COMPARE_WITHIN(test::headingGap(after->tractor, end), 0.0, 1e-12);
         QCOMPARE(after->implement, after->tractor.heading);
+    }
+
+    // However few places are looked at, and whatever is known to begin with, what is driven is what stays inside when
+    // every centimetre is looked at; what is outside by a millimetre or two may go either way.
+    void likeLookingEverywhere_data() {
+        QTest::addColumn<Machine>("machine");
+        QTest::newRow("mounted") << mounted();
+        QTest::newRow("trailed") << trailed(-1.5);
+    }
+    void likeLookingEverywhere() {
+        QFETCH(Machine, machine);
+        constexpr double kSurelyInsideM = 0.5e-3;
+        constexpr double kSurelyOutsideM = 4e-3;
+        int driven = 0;
+        int stopped = 0;
+        for (std::uint64_t seed = 1; seed <= 60; ++seed) {
+            std::mt19937_64 random{seed};
+            const MultiPolygon field = test::randomPolygons(random, test::kShapes[seed % test::kShapes.size()], test::uniform(random, 40.0, 120.0));
+            const Rig rig{field, machine};
+            const Bounds box = bounds(field);
+            for (int i = 0; i < 60; ++i) {
+                const RigState from = Rig::inLine(test::pose(test::uniform(random, box.min.x, box.max.x), test::uniform(random, box.min.y, box.max.y),
+                                                             test::uniform(random, 0.0, 2.0 * kPi)));
+                const double curvature = i % 3 == 0 ? test::uniform(random, -0.25, 0.25) : 0.0;
+                const TurnPiece way = piece(test::uniform(random, 0.05, 25.0), curvature, i % 2 == 0 ? Gear::Forward : Gear::Reverse);
+                if (rig.outsideM(from) > 0.0) {
+                    continue;
+                }
+                double outsideM = 0.0;
+                const RigState end = *rig.follow(from, way, metres(0.01), [&](const RigState& at) {
+                    outsideM = std::max(outsideM, rig.outsideM(at));
+                    return true;
+                });
+                const QByteArray told = QStringLiteral("seed %1, way %2, outside by %3 mm").arg(seed).arg(i).arg(1e3 * outsideM).toUtf8();
+                for (const FootprintRoom& known : {FootprintRoom{}, rig.roomAt(from)}) {
+                    const auto after = rig.driven(from, way, metres(1e-3), known);
+                    if (outsideM < kSurelyInsideM) {
+                        QVERIFY2(after.has_value(), told);
+                        QVERIFY2(distance(after->tractor.position, end.tractor.position) < 1e-9, told);
+                        QVERIFY2(std::abs(wrapped((after->implement - end.implement).si())) < 1e-3, told);
+                        ++driven;
+                    } else if (outsideM > kSurelyOutsideM) {
+                        QVERIFY2(!after.has_value(), told);
+                        ++stopped;
+                    }
+                }
+            }
+        }
+        QVERIFY(driven > 200 && stopped > 200);
     }
 
     // A bend that the tractor takes inside, while the swinging tail of what is mounted does not.
