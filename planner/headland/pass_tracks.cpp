@@ -259,7 +259,9 @@ std::vector<Excess> excessesAlong(const Turn& line, const Rig& rig, double apart
         int looked = 0;
         // In bends the corners of the footprint go several times as far as the axle.
         const double swung = 1.0 + kBendLooks * std::abs(piece.curvature.si()) * apartM;
-        if (how == Look::Closely) {
+        // Straights are cleared as a whole for less than it takes to look now and then.
+        const bool isStraight = piece.curvature == Curvature{} && piece.endCurvature == Curvature{};
+        if (how == Look::Closely || isStraight) {
             if (const auto inside = rig.driven(state, piece, metres(kTouchingM))) {
                 state = *inside;
                 wayM += piece.length.si();
@@ -274,7 +276,7 @@ std::vector<Excess> excessesAlong(const Turn& line, const Rig& rig, double apart
             // In the middle of a straight nothing swings: now and then is often enough.
             const bool inLine = std::abs((at.implement - at.tractor.heading).si()) < kInLineRad;
             const bool nearEnd = std::min(goneM, piece.length.si() - goneM) <= 2.0 * apartM;
-            const bool swings = closely || piece.curvature != Curvature{} || nearEnd || !inLine || looked % 5 == 0;
+            const bool swings = closely || !isStraight || nearEnd || !inLine || looked % 5 == 0;
             if (swings && looksAt(at.tractor.position)) {
                 look(at, wayM + goneM);
             }

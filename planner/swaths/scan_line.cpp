@@ -543,7 +543,8 @@ Duration ScanLine::timeBound(Angle heading, Duration enough) const {
             const Point way = to.position - from.position;
             const bool spaced = std::abs(way.y) >= (spacing_.width - spacing_.overlap).si() - kFitSlack;
             const double turning = spaced ? shortestTurn_.si() : std::numbers::pi * driving_->radius.si();
-            return std::max(turning, norm(way));
+            const double square = dot(way, way);
+            return square > turning * turning ? std::sqrt(square) : turning;
         };
         const Duration driven = drivingTime(walk, atLeast);
         // Swaths cover no more than their length and width: that is known without looking at areas.
