@@ -80,6 +80,9 @@ public:
     /// Whether everything within a distance of a place is inside.
     bool isFree(Point middle, double radius) const { return edges_.containsDisc(middle, radius); }
 
+    /// Whether everything within a distance of a place is outside.
+    bool isBeyond(Point middle, double radius) const { return !edges_.contains(middle) && edges_.distance(middle) > radius; }
+
     /// Lowers `found` to the clearance of this convex piece where that is less and under `limit`. Whether
     /// some of it may lie outside.
     bool measure(const Ring& hull, double limit, SegmentClearance& found) const {
@@ -295,7 +298,8 @@ private:
         if (meter_.isFree(middle, 0.5 * way + part.radius() + limit)) {
             return;
         }
-        if (way > kPieceM && a.nose == b.nose) {
+        // However far a path leads away, what of it is nowhere near the field is one piece.
+        if (way > kPieceM && a.nose == b.nose && !meter_.isBeyond(middle, 0.5 * way + part.radius())) {
             const Placed between{middle, a.nose};
             move(part, a, between);
             move(part, between, b);

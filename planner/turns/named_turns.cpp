@@ -18,6 +18,9 @@ constexpr double kHalfCircle = kPi + kAngleSlack;
 
 constexpr double kTieSlack = 1e-9;
 
+// The cosine of 60 degrees: to the level of what points back by less it is more than twice as far as it lies behind.
+constexpr double kLeastBack = 0.5;
+
 /// The shortest of the manoeuvres that are offered, the first one of those that rounding alone tells apart;
 /// lengths in radii, as in all of this file.
 class Shortest {
@@ -67,14 +70,15 @@ Goal between(const Goal& goal, const RunOuts& run) {
 }
 
 /// The run-outs worth trying: none, and the one that brings both ends to one level across the start's
-/// heading, where the swath that ends earlier is driven on.
+/// heading, where the swath that ends earlier is driven on. Ends that point across rather than back at each other have
+/// no common level: square to the start it would be infinitely far away.
 std::array<RunOuts, 2> levellings(const Goal& goal) {
     const double ahead = goal.position.x;
     const double back = -std::cos(goal.heading);
     RunOuts level;
     if (ahead > 0.0) {
         level.before = ahead;
-    } else if (back > kAngleSlack) {
+    } else if (back > kLeastBack) {
         level.after = -ahead / back;
     }
     return {RunOuts{}, level};

@@ -162,6 +162,30 @@ private slots:
         QVERIFY2(std::ranges::any_of(allowed->findings, [](const AuditFinding& each) { return each.finding.kind == "outside"; }), listed(allowed->findings).c_str());
         QVERIFY(allowed->outside == report->outside && allowed->minClearance == report->minClearance);
     }
+
+    // A path that leads a million kilometres away took all memory there is: it was looked at every 6 m.
+    void farAway_data() {
+        QTest::addColumn<int>("segment");
+        QTest::newRow("with the implement up") << 7;
+        QTest::newRow("with the implement down") << 6;
+    }
+    void farAway() {
+        QFETCH(int, segment);
+        const auto plan = intactPlan();
+        AuditInput input = auditInput(*plan);
+        Segments segments = plan->path.segments;
+        std::vector<PathSample>& samples = segments[static_cast<std::size_t>(segment)].samples;
+        PathSample far = samples.front();
+        far.position = far.position + 1e9 * direction(far.headingRad);
+        samples.insert(samples.begin() + 1, far);
+        input.segments = segments;
+        const auto report = audit(input);
+        VERIFY_RESULT(report);
+        QVERIFY2(hasBlocking(*report, "outside"), listed(report->findings).c_str());
+        // There and back, 2.5 m wide or nearly so.
+        QVERIFY(report->outside->si() > 1e9 && report->outside->si() < 6e9);
+    }
+
     // What the planner has said is not said twice, and what it has not found counts all the same.
     void undrivableConnectionsAreToldOnce() {
         Settings settings;

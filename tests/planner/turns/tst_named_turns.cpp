@@ -184,6 +184,23 @@ private slots:
         }
     }
 
+    // Square to each other but for rounding, or nearly so: the level of the other end lies millions of metres away, and no
+    // turn goes there. One radius at a time, two circles and five times the way between the ends make any of them.
+    void neverFarAway_data() { properties_data(); }
+    void neverFarAway() {
+        QFETCH(const Case*, turn);
+        std::mt19937_64 random{kSeed};
+        for (int i = 0; i < 20'000; ++i) {
+            PosePair pair = randomPair(random);
+            const double across = (i % 2 == 0 ? 0.5 : -0.5) * kPi;
+            const double by = std::pow(10.0, std::uniform_real_distribution<double>{-12.0, 0.0}(random)) * (i % 4 < 2 ? 1.0 : -1.0);
+            pair.to.heading = pair.from.heading + radians(across + by);
+            const Turn found = turn->drive(pair.from, pair.to, metres(pair.radiusM));
+            const double mostM = 5.0 * distance(pair.from.position, pair.to.position) + 16.0 * kPi * pair.radiusM;
+            VERIFY_TOLD(found.length().si() < mostM, told(kSeed, i, pair));
+        }
+    }
+
     void degenerate() {
         for (const Case& turn : kCases) {
             for (const Pose& to :
