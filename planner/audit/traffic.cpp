@@ -13,6 +13,9 @@ namespace {
 
 constexpr double kSquareM = 1.0;
 constexpr double kMostSquares = 1e6;
+constexpr double kMostStrips = 1e6;
+/// A wheel is followed no farther out of its grid than so many squares.
+constexpr double kMostBeyond = 1000.0;
 /// From the tractor's side to the middle of its wheels.
 constexpr double kWheelInsetM = 0.25;
 
@@ -21,10 +24,14 @@ class LaneIndex {
 public:
     LaneIndex(const std::vector<SweptPiece>& pieces, Point along, double stripM)
         : pieces_{pieces}, along_{along}, stripM_{std::max(stripM, 0.1)} {
+        double lastY = -std::numeric_limits<double>::infinity();
         for (const SweptPiece& piece : pieces) {
             boxes_.push_back(boxOf(piece.ring));
             firstY_ = std::min(firstY_, boxes_.back().min.y);
+            lastY = std::max(lastY, boxes_.back().max.y);
         }
+        // However far a lane leads away.
+        stripM_ = std::max(stripM_, (lastY - firstY_) / kMostStrips);
         for (std::size_t i = 0; i < boxes_.size(); ++i) {
             const std::size_t last = stripAt(boxes_[i].max.y);
             strips_.resize(std::max(strips_.size(), last + 1));
@@ -166,8 +173,19 @@ public:
 
     /// A wheel rolls from one point to another; `wayM` is how far the machine has come.
     void roll(Point from, Point to, double wayM) {
-        const Point a = (1.0 / sizeM_) * (from - corner_);
-        const Point b = (1.0 / sizeM_) * (to - corner_);
+        const double lengthM = lengthOf(to - from);
+        Point a = (1.0 / sizeM_) * (from - corner_);
+        Point b = (1.0 / sizeM_) * (to - corner_);
+        if (!isNear(a) || !isNear(b)) {
+            const auto part = partInside(nearby(), {a, b});
+            if (!part) {
+                return;
+            }
+            const Point way = b - a;
+            b = a + part->second * way;
+            a = a + part->first * way;
+            wayM += part->first * lengthM;
+        }
         auto column = static_cast<std::ptrdiff_t>(std::floor(a.x));
         auto row = static_cast<std::ptrdiff_t>(std::floor(a.y));
         const auto lastColumn = static_cast<std::ptrdiff_t>(std::floor(b.x));
@@ -179,11 +197,11 @@ public:
         // Share of the way at which the next column and the next row begin.
         Point next{perCell.x * std::abs(static_cast<double>(column + (stepColumn > 0 ? 1 : 0)) - a.x),
                    perCell.y * std::abs(static_cast<double>(row + (stepRow > 0 ? 1 : 0)) - a.y)};
-        const double lengthM = lengthOf(to - from);
+        const double partM = sizeM_ * lengthOf(b - a);
         std::ptrdiff_t left = std::abs(lastColumn - column) + std::abs(lastRow - row);
         double share = 0.0;
         for (;;) {
-            visit(column, row, wayM + share * lengthM);
+            visit(column, row, wayM + share * partM);
             if (left-- == 0) {
                 return;
             }
@@ -230,6 +248,15 @@ private:
         int passes = 0;
         float wayM = -std::numeric_limits<float>::infinity();  ///< at the last visit
     };
+
+    bool isNear(Point square) const {
+        return square.x > -kMostBeyond && square.y > -kMostBeyond && square.x < static_cast<double>(columns_) + kMostBeyond &&
+               square.y < static_cast<double>(rows_) + kMostBeyond;
+    }
+    Ring nearby() const {
+        const Point high{static_cast<double>(columns_) + kMostBeyond, static_cast<double>(rows_) + kMostBeyond};
+        return {{-kMostBeyond, -kMostBeyond}, {high.x, -kMostBeyond}, high, {-kMostBeyond, high.y}};
+    }
 
     void visit(std::ptrdiff_t column, std::ptrdiff_t row, double wayM) {
         if (column < 0 || row < 0 || column >= columns_ || row >= rows_) {
