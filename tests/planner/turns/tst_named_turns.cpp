@@ -185,7 +185,8 @@ private slots:
     }
 
     // Square to each other but for rounding, or nearly so: the level of the other end lies millions of metres away, and no
-    // turn goes there. One radius at a time, two circles and five times the way between the ends make any of them.
+    // turn goes there. A run-out is at most twice the way between the ends and the straight after it thrice; their arcs
+    // are less than eight circles.
     void neverFarAway_data() { properties_data(); }
     void neverFarAway() {
         QFETCH(const Case*, turn);
