@@ -23,12 +23,16 @@ std::string auditJson(const AuditReport& report, std::span<const Finding> findin
     Json list = Json::array();
     for (const Finding& finding : findings) {
         const GeoPoint place = frame.toGeo(finding.place);
-        list.push_back({{"severity", finding.severity == Severity::Blocking ? "blocking" : "note"},
-                        {"kind", finding.kind},
-                        {"lon_deg", place.lonDeg},
-                        {"lat_deg", place.latDeg},
-                        {"text", finding.text},
-                        {"suggestion", finding.suggestion}});
+        Json said{{"severity", finding.severity == Severity::Blocking ? "blocking" : "note"},
+                  {"kind", finding.kind},
+                  {"lon_deg", place.lonDeg},
+                  {"lat_deg", place.latDeg},
+                  {"text", finding.text},
+                  {"suggestion", finding.suggestion}};
+        if (finding.change) {
+            said["change"] = {{"key", finding.change->key}, {"value", finding.change->value}};
+        }
+        list.push_back(std::move(said));
     }
     const Json all{{"workable_m2", report.workable.si()},
                    {"covered_m2", orNull(report.covered)},
