@@ -90,12 +90,17 @@ Result<void> cutOutGoneRound(Plan& plan, const JobContext& job) {
     }
     MultiPolygon outlines;
     std::ranges::transform(obstacles, std::back_inserter(outlines), outlineOf);
-    for (Cell& cell : plan.cells.cells) {
-        auto left = difference(cell.outline, outlines, job, kSnapGrid);
+    std::vector<MultiPolygon*> cut{&plan.swaths.leftOnPurpose};
+    std::ranges::transform(plan.cells.cells, std::back_inserter(cut), [](Cell& cell) { return &cell.outline; });
+    for (MultiPolygon* const area : cut) {
+        if (area->empty()) {
+            continue;
+        }
+        auto left = difference(*area, outlines, job, kSnapGrid);
         if (!left) {
             return std::unexpected(left.error());
         }
-        cell.outline = std::move(*left);
+        *area = std::move(*left);
     }
     plan.headland.mainland = withHoles(std::move(plan.headland.mainland), obstacles);
     plan.headland.mainlandRatio = area(plan.headland.mainland) / area(plan.field().workable());

@@ -23,7 +23,7 @@ bool eraseOutside(std::vector<Ring>& obstacles, const Plan& plan);
 /// @return whether any was refused. Cancelled.
 Result<bool> roundStage(Plan& plan, std::vector<Ring>& obstacles, const MultiPolygon& drivable, const JobContext& job);
 
-/// Cuts what swaths go round out of the mainland and the cells. Cancelled.
+/// Cuts what swaths go round out of the mainland, the cells and what is left on purpose. Cancelled.
 Result<void> cutOutGoneRound(Plan& plan, const JobContext& job);
 
 /// The obstacles that swaths go round, but for those near which something blocks the plan; all where there is none.

@@ -104,6 +104,19 @@ SwathSet setOf(const LaidSwaths& laid, const MainlandPart& part) {
     return set;
 }
 
+/// Within a cell that gets swaths of its own, what these leave on purpose takes the place of what was left.
+Result<void> leaveInstead(const MultiPolygon& own, const MultiPolygon& cell, MultiPolygon& left, const JobContext& job) {
+    if (!left.empty()) {
+        auto outside = difference(left, cell, job, kSnapGrid);
+        if (!outside) {
+            return std::unexpected(outside.error());
+        }
+        left = std::move(*outside);
+    }
+    std::ranges::copy(own, std::back_inserter(left));
+    return {};
+}
+
 Result<LaidSwaths> laidInParts(const Plan& plan, const SwathSet& common, const JobContext& job) {
     const PlanRequest& request = plan.request;
     const auto pieces = piecesBetweenSplits(plan, job);
@@ -112,6 +125,7 @@ Result<LaidSwaths> laidInParts(const Plan& plan, const SwathSet& common, const J
     }
     const bool ownHeadings = request.settings.choice(kCellHeading) == "per-cell" && !common.isCurved();
     PartCollector collector{common};
+    MultiPolygon leftOnPurpose = common.leftOnPurpose;
     if (pieces->size() == 1 && !ownHeadings) {
         collector.add(plan.headland.mainland, common, {});
         return collector.take();
@@ -143,13 +157,18 @@ Result<LaidSwaths> laidInParts(const Plan& plan, const SwathSet& common, const J
                                              kWorthwhile * estimatedSeconds(shared, cell.outline, request);
             if (isBetter) {
                 const Angle heading = own->heading;
+                if (auto left = leaveInstead(own->leftOnPurpose, cell.outline, leftOnPurpose, job); !left) {
+                    return std::unexpected(left.error());
+                }
                 collector.add(cell.outline, std::move(*own), heading);
             } else {
                 collector.add(cell.outline, std::move(shared), {});
             }
         }
     }
-    return collector.take();
+    LaidSwaths laid = collector.take();
+    laid.swaths.leftOnPurpose = std::move(leftOnPurpose);
+    return laid;
 }
 
 /// Each part by itself where a neighbour has another heading: nothing goes on beyond its edge then.

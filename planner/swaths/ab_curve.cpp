@@ -1,6 +1,7 @@
 #include "planner/swaths/curved_swaths.h"
 #include "planner/swaths/guide_curve.h"
 #include "planner/swaths/heading_search.h"
+#include "planner/swaths/left_on_purpose.h"
 #include "planner/swaths/methods.h"
 
 #include <algorithm>
@@ -111,7 +112,16 @@ Result<SwathSet> abCurve(const SwathTask& task, const JobContext& job) {
     const Length reach = metres(box.width() + box.height());
     return guideCurve(*points, swathRadius(task.machine), reach, isDrawn ? kLine.key : kEdge.key)
         .and_then([&](const GuideLine& guide) { return parallelSwathLines(guide, *spacing, isDrawn, task, job.part(0.0, 0.5)); })
-        .and_then([&](const std::vector<SwathLine>& lines) { return swathsOnLines(lines, task, job.part(0.5, 1.0)); });
+        .and_then([&](const std::vector<SwathLine>& lines) { return swathsOnLines(lines, task, job.part(0.5, 1.0)); })
+        .and_then([&](SwathSet set) -> Result<SwathSet> {
+            if (spacing->lastPass != LastPass::Gap) {
+                return set;
+            }
+            return besideOutermostLanes(set, task.mainland, job).transform([&](MultiPolygon left) {
+                set.leftOnPurpose = std::move(left);
+                return std::move(set);
+            });
+        });
 }
 
 constexpr const Parameter* kParameters[] = {&kLine, &kEdge};

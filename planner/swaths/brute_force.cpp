@@ -21,7 +21,7 @@ Result<SwathSet> bruteForce(const SwathTask& task, const JobContext& job) {
     if (!heading) {
         return std::unexpected(heading.error());
     }
-    auto set = swathsAlong(*scanLine, heading->heading, objectiveOf(task.settings));
+    auto set = swathsAlong(*scanLine, task, heading->heading, objectiveOf(task.settings), job);
     if (set) {
         set->headingsTried = static_cast<int>(headings.size());
     }

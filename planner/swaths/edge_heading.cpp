@@ -26,7 +26,7 @@ Result<SwathSet> longestEdge(const SwathTask& task, const JobContext& job) {
         return std::unexpected(cancelled());
     }
     return scanLineFor(task).and_then([&](const ScanLine& scanLine) {
-        return swathsAlong(scanLine, longestEdgeHeading(task.mainland), SwathObjective::Coverage);
+        return swathsAlong(scanLine, task, longestEdgeHeading(task.mainland), SwathObjective::Coverage, job);
     });
 }
 
@@ -57,7 +57,7 @@ Result<SwathSet> edge(const SwathTask& task, const JobContext& job) {
         return std::unexpected(heading.error());
     }
     return scanLineFor(task).and_then([&](const ScanLine& scanLine) {
-        return swathsAlong(scanLine, *heading, SwathObjective::Coverage);
+        return swathsAlong(scanLine, task, *heading, SwathObjective::Coverage, job);
     });
 }
 

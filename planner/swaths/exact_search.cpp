@@ -177,7 +177,7 @@ Result<SwathSet> exactSearch(const SwathTask& task, const JobContext& job) {
     if (!best) {
         return std::unexpected(best.error());
     }
-    auto set = swathsAlong(*scanLine, best->heading, search.objective);
+    auto set = swathsAlong(*scanLine, task, best->heading, search.objective, job);
     if (set) {
         set->headingsTried = search.tried;
         set->proved = byCount && onePiece && !gap && best->figures.count == fewestTracks;

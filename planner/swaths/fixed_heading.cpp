@@ -10,7 +10,7 @@ Result<SwathSet> fixedHeading(const SwathTask& task, const JobContext& job) {
         return std::unexpected(cancelled());
     }
     return scanLineFor(task).and_then([&](const ScanLine& scanLine) {
-        return swathsAlong(scanLine, *task.settings.angle(kAngle), SwathObjective::Coverage);
+        return swathsAlong(scanLine, task, *task.settings.angle(kAngle), SwathObjective::Coverage, job);
     });
 }
 

@@ -20,9 +20,9 @@ Error lineMissing(std::string_view method, const Message& wanted, std::string_vi
 // A swath that is off its lane by more was moved to the edge, or spread.
 constexpr double kLaneSlackM = 0.01;
 
-Result<SwathSet> along(const SwathTask& task, Angle heading, Point anchor) {
+Result<SwathSet> along(const SwathTask& task, Angle heading, Point anchor, const JobContext& job) {
     auto set = scanLineFor(task, anchor).and_then([&](const ScanLine& scanLine) {
-        return swathsAlong(scanLine, heading, SwathObjective::Coverage);
+        return swathsAlong(scanLine, task, heading, SwathObjective::Coverage, job);
     });
     if (set) {
         const double stepM = (task.machine.operatingWidth() - *task.settings.length(kOverlap)).si();
@@ -54,7 +54,7 @@ Result<SwathSet> abLine(const SwathTask& task, const JobContext& job) {
                                      .remedy = "give two points at least 1 m apart",
                                      .place = line[0]});
     }
-    return along(task, radians(std::atan2(way.y, way.x)), a);
+    return along(task, radians(std::atan2(way.y, way.x)), a, job);
 }
 
 Result<SwathSet> aPlus(const SwathTask& task, const JobContext& job) {
@@ -65,7 +65,7 @@ Result<SwathSet> aPlus(const SwathTask& task, const JobContext& job) {
     if (line.empty()) {
         return std::unexpected(lineMissing("a-plus", "a point", "such as POINT (4.1 52.0)"));
     }
-    return along(task, *task.settings.angle(kAngle), task.field.frame().toLocal(line[0]));
+    return along(task, *task.settings.angle(kAngle), task.field.frame().toLocal(line[0]), job);
 }
 
 constexpr const Parameter* kAbParameters[] = {&kLine};

@@ -1,6 +1,7 @@
 #include "planner/swaths/heading_search.h"
 
 #include "planner/jobs/parallel.h"
+#include "planner/swaths/left_on_purpose.h"
 #include "planner/swaths/methods.h"
 #include "planner/units/angle.h"
 
@@ -104,12 +105,16 @@ Result<BestHeading> bestHeading(const ScanLine& scanLine, std::span<const Angle>
     return BestHeading{left[best], (*figures)[best]};
 }
 
-Result<SwathSet> swathsAlong(const ScanLine& scanLine, Angle heading, SwathObjective objective) {
+Result<SwathSet> swathsAlong(const ScanLine& scanLine, const SwathTask& task, Angle heading, SwathObjective objective,
+                             const JobContext& job) {
     SwathSet set = scanLine.swaths(normalisedSwathHeading(heading), objective);
     if (set.swaths.empty()) {
         return std::unexpected(noSwathFits());
     }
-    return set;
+    return besideLanes(set, task.mainland, job).transform([&](MultiPolygon left) {
+        set.leftOnPurpose = std::move(left);
+        return std::move(set);
+    });
 }
 
 const Parameter kOverlap{.key = "swaths.overlap_m",

@@ -32,7 +32,8 @@ struct BestHeading {
 Result<BestHeading> bestHeading(const ScanLine& scanLine, std::span<const Angle> headings, SwathObjective objective,
                           const JobContext& job);
 
-/// The swaths of one heading as a method's result. InputRefused: not one fits.
-Result<SwathSet> swathsAlong(const ScanLine& scanLine, Angle heading, SwathObjective objective);
+/// The swaths of one heading as a method's result. InputRefused: not one fits. Cancelled.
+Result<SwathSet> swathsAlong(const ScanLine& scanLine, const SwathTask& task, Angle heading, SwathObjective objective,
+                             const JobContext& job);
 
 }  // namespace furrow

@@ -55,7 +55,7 @@ Result<SwathSet> oksanen(const SwathTask& task, const JobContext& job) {
     const auto best = std::ranges::min_element(candidates, [&](const Candidate& a, const Candidate& b) {
         return isBetter(objective, a.figures, b.figures);
     });
-    auto set = swathsAlong(*scanLine, best->heading, objective);
+    auto set = swathsAlong(*scanLine, task, best->heading, objective, job);
     if (set) {
         set->headingsTried = static_cast<int>(tried);
     }

@@ -2,6 +2,7 @@
 #include "planner/swaths/guide_curve.h"
 #include "planner/swaths/guide_data.h"
 #include "planner/swaths/heading_search.h"
+#include "planner/swaths/left_on_purpose.h"
 #include "planner/swaths/methods.h"
 
 #include <algorithm>
@@ -136,7 +137,15 @@ Result<SwathSet> alongRows(const SwathTask& task, const JobContext& job) {
             }
         }
     }
-    return swathsOnLines(lines, task, job);
+    auto set = swathsOnLines(lines, task, job);
+    if (!set) {
+        return set;
+    }
+    // Whoever drives along rows means these alone: alleys, skipped rows and what has no rows stay as they are.
+    return betweenLanes(*set, task.mainland, job).transform([&](MultiPolygon left) {
+        set->leftOnPurpose = std::move(left);
+        return std::move(*set);
+    });
 }
 
 constexpr Choice kPlaces[] = {

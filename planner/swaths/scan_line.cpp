@@ -629,6 +629,10 @@ SwathSet ScanLine::swaths(Angle heading, SwathObjective objective) const {
     set.coverage = figures.coverage;
     set.overlap = figures.overlap;
     set.shift = metres(walk.tracks.front() - walk.lowY) - 0.5 * spacing_.width;
+    if (spacing_.lastPass == LastPass::Gap) {
+        set.restRight = std::max(Length{}, set.shift);
+        set.restLeft = std::max(Length{}, metres(walk.highY - walk.tracks.back()) - 0.5 * spacing_.width);
+    }
     const Point along = direction(heading.si());
     const Point left{-along.y, along.x};
     for (std::size_t k = 0; k < walk.tracks.size(); ++k) {

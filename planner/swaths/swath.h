@@ -57,6 +57,13 @@ struct SwathSet {
     double coverage = 0.0;  ///< A_cov: covered share of the mainland, flat ends
     Area overlap;           ///< area inside the mainland covered at least twice, flat ends
     Length shift;           ///< of the first track from half a width inside the mainland's edge
+    /// How wide the strips beside the outermost straight swaths are, to their right and left, that the last pass
+    /// leaves out (`gap`).
+    Length restRight;
+    Length restLeft;
+    /// What of the mainland the method leaves out on purpose: strips beside the outermost swaths where the last pass is
+    /// `gap`; what lies between and beside rows. Land at the ends of swaths is none of it.
+    MultiPolygon leftOnPurpose;
     int headingsTried = 1;
     /// Worked beyond the mainland's edge where ends were drawn out to the full width.
     Area endOverlap;
