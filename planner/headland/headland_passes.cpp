@@ -7,6 +7,7 @@
 #include "planner/headland/corner_manoeuvres.h"
 #include "planner/headland/edge_strips.h"
 #include "planner/headland/inner_passes.h"
+#include "planner/headland/mirrored.h"
 #include "planner/headland/pass_tracks.h"
 #include "planner/headland/smooth_ring.h"
 #include "planner/turns/trailer.h"
@@ -45,25 +46,6 @@ constexpr double kDrawnShare = 0.02;
 constexpr double kGentleShare = 0.5;
 // Beside an edge a machine gets free only if it has a finger's breadth to begin with.
 constexpr Length kBesideEdge = metres(0.02);
-
-constexpr Choice kOrders[] = {
-    {"outside-in", "From outside in", "The pass along the boundary first."},
-    {"inside-out", "From inside out", "The pass along the mainland first."},
-};
-constexpr Choice kTimes[] = {
-    {"before", "Before the mainland", "The headland is worked first."},
-    {"after", "After the mainland", "The headland is worked last."},
-};
-constexpr Choice kDirections[] = {
-    {"counter-clockwise", "Counter-clockwise", "Seen from above, turning left at corners."},
-    {"clockwise", "Clockwise", "Seen from above, turning right at corners."},
-};
-constexpr Choice kCornerKinds[] = {
-    {"rounded", "Rounded",
-     "The outermost pass goes round with the machine's radius where little is left; others reach into corners."},
-    {"loop", "Loop", "Straight into the corner and on after a loop, where there is room for it."},
-    {"reverse", "Reverse", "Straight into the corner and back into it on the next side."},
-};
 
 CornerMethod cornerMethod(const Settings& settings) {
     const std::string id = settings.choice(kHeadlandCorner);
@@ -153,13 +135,11 @@ bool isAt(const RoundedCorner& corner, Point place, const Machine& machine) {
     return distance(corner.place, place) < cornerReachM(machine);
 }
 
-Result<ClosedRing> closedRing(const HeadlandTask& task, Length inset, int ring, const CornerRules& corners,
+Result<ClosedRing> closedRing(const PassTask& task, Length inset, int ring, const CornerRules& corners,
                               CornerWays& ways, const JobContext& job) {
     const Machine& machine = task.machine;
-    const bool clockwise = task.settings.choice(kHeadlandDirection) == "clockwise";
-    const auto tracks = passTracks(task.workable(), inset + corners.beside, task.drivable, machine,
-                                   {.way = clockwise ? RoundTheField::Clockwise : RoundTheField::CounterClockwise,
-                                    .beside = corners.beside,
+    const auto tracks = passTracks(task.workable, inset + corners.beside, task.drivable, machine,
+                                   {.beside = corners.beside,
                                     .driven = corners.driven,
                                     .followsEdges = corners.followsEdges,
                                     .movesIn = corners.movesIn},
@@ -214,10 +194,9 @@ Result<MultiPolygon> insideOf(const std::vector<Turn>& lines, const JobContext& 
 /// back and forth within less than a turn, as those traced from an image do, would cut them to bits; they then run
 /// beside the outermost one, which has gone round that smoothly.
 /// @param outermost  its lines; none where they were not to be had
-Result<std::vector<HeadlandPass>> innerRingOf(const HeadlandTask& task, const std::vector<Turn>& outermost, Length fromOutermost,
+Result<std::vector<HeadlandPass>> innerRingOf(const PassTask& task, const std::vector<Turn>& outermost, Length fromOutermost,
                                               Length inset, int ring, const JobContext& job) {
-    const bool clockwise = task.settings.choice(kHeadlandDirection) == "clockwise";
-    auto along = innerPasses(task, inset, ring, clockwise, job);
+    auto along = innerPasses(task, inset, ring, job);
     if (!along || outermost.empty() || stretchCount(*along) < kManyStretches) {
         return along;
     }
@@ -236,12 +215,12 @@ Result<std::vector<HeadlandPass>> innerRingOf(const HeadlandTask& task, const st
             plain.back().holes.push_back(simplifiedRing(hole, drawn));
         }
     }
-    std::vector<HeadlandPass> beside = passesOn(plain, task, ring, clockwise, kGentleShare * task.machine.operatingWidth());
+    std::vector<HeadlandPass> beside = passesOn(plain, task, ring, kGentleShare * task.machine.operatingWidth());
     return kTimesFewer * stretchCount(beside) <= stretchCount(*along) ? std::move(beside) : std::move(along);
 }
 
 /// Where a rounded line does not get inside everywhere, it is driven in the parts that do.
-std::vector<HeadlandPass> cutWhereOutside(std::vector<HeadlandPass> passes, const HeadlandTask& task, const JobContext& job) {
+std::vector<HeadlandPass> cutWhereOutside(std::vector<HeadlandPass> passes, const PassTask& task, const JobContext& job) {
     for (HeadlandPass& pass : passes) {
         // Corners that are driven into were looked at with their manoeuvres.
         if (!pass.closed || pass.stretches.size() != 1) {
@@ -262,10 +241,10 @@ std::vector<HeadlandPass> cutWhereOutside(std::vector<HeadlandPass> passes, cons
 }
 
 /// Corners of the field, not those of obstacles and not those that point into it.
-std::vector<RoundedCorner> outwardCorners(const ClosedRing& ring, bool clockwise) {
+std::vector<RoundedCorner> outwardCorners(const ClosedRing& ring) {
     std::vector<RoundedCorner> outward;
     std::ranges::copy_if(ring.rounded, std::back_inserter(outward),
-                         [&](const RoundedCorner& corner) { return (corner.turn > radians(0.0)) != clockwise; });
+                         [](const RoundedCorner& corner) { return corner.turn > radians(0.0); });
     return outward;
 }
 
@@ -287,7 +266,7 @@ Area leftAt(const std::vector<RoundedCorner>& corners, const Machine& machine) {
 }
 
 /// A ring that is driven into those of its corners that the machine gets out of again; nothing if into none.
-Result<std::optional<ClosedRing>> withCornersDriven(const HeadlandTask& task, Length inset, int ring,
+Result<std::optional<ClosedRing>> withCornersDriven(const PassTask& task, Length inset, int ring,
                                                     const std::vector<RoundedCorner>& wanted, Length beside,
                                                     CornerWays& ways, const JobContext& job) {
     CornerRules corners{.method = CornerMethod::Searched, .driven = {}, .beside = beside, .followsEdges = ring == 0};
@@ -319,7 +298,7 @@ Result<std::optional<ClosedRing>> withCornersDriven(const HeadlandTask& task, Le
 
 /// The outermost pass, rounded. Where that leaves too much, a machine that can reverse drives into the corners that
 /// it gets out of again.
-Result<ClosedRing> outermostRing(const HeadlandTask& task, Length inset, CornerWays& ways, const JobContext& job) {
+Result<ClosedRing> outermostRing(const PassTask& task, Length inset, CornerWays& ways, const JobContext& job) {
     std::vector<RoundedCorner> arcCorners;
     // Which corners there are, and what their rounding leaves, is seen before the line follows the edges.
     if (!Trailer::of(task.machine)) {
@@ -327,9 +306,8 @@ Result<ClosedRing> outermostRing(const HeadlandTask& task, Length inset, CornerW
         if (!arcs) {
             return arcs;
         }
-        const std::vector<RoundedCorner> outward =
-            outwardCorners(*arcs, task.settings.choice(kHeadlandDirection) == "clockwise");
-        if (canReverse(task.machine) && arcs->complete && leftAt(outward, task.machine) > kMostUncutShare * area(task.workable())) {
+        const std::vector<RoundedCorner> outward = outwardCorners(*arcs);
+        if (canReverse(task.machine) && arcs->complete && leftAt(outward, task.machine) > kMostUncutShare * area(task.workable)) {
             auto driven = withCornersDriven(task, inset, 0, outward, kBesideEdge, ways, job);
             if (!driven) {
                 return std::unexpected(driven.error());
@@ -352,12 +330,12 @@ Result<ClosedRing> outermostRing(const HeadlandTask& task, Length inset, CornerW
 
 /// An inner pass of what cannot reverse, rounded, but for corners at which that leaves too much between two passes: there
 /// is room to drive on and come back in a loop.
-Result<ClosedRing> innerRing(const HeadlandTask& task, Length inset, int ring, CornerWays& ways, const JobContext& job) {
+Result<ClosedRing> innerRing(const PassTask& task, Length inset, int ring, CornerWays& ways, const JobContext& job) {
     auto rounded = closedRing(task, inset, ring, {.followsEdges = false}, ways, job);
     if (!rounded || !rounded->complete) {
         return rounded;
     }
-    std::vector<RoundedCorner> wide = outwardCorners(*rounded, task.settings.choice(kHeadlandDirection) == "clockwise");
+    std::vector<RoundedCorner> wide = outwardCorners(*rounded);
     std::erase_if(wide, [&](const RoundedCorner& corner) {
         return uncutCorner(corner, task.machine.operatingWidth()) < kMostUncutInside;
     });
@@ -373,8 +351,7 @@ Result<ClosedRing> innerRing(const HeadlandTask& task, Length inset, int ring, C
 
 /// The passes of a ring that does not go all round, or not everywhere as far from the edge.
 Result<std::vector<HeadlandPass>> partsOfRing(const Headland& headland, const EdgeStrips& strips, const RingInsets& insets,
-                                              int ring, const HeadlandTask& task, const JobContext& job) {
-    const bool clockwise = task.settings.choice(kHeadlandDirection) == "clockwise";
+                                              int ring, const PassTask& task, const JobContext& job) {
     const BoundaryDistance mainland{headland.mainland, task.machine.operatingWidth()};
     std::vector<HeadlandPass> passes;
     for (std::size_t k = 0; k < insets.different.size(); ++k) {
@@ -393,7 +370,7 @@ Result<std::vector<HeadlandPass>> partsOfRing(const Headland& headland, const Ed
             const bool hasPasses = isOther && distanceM(place, nearest) < strips.all()[nearest].width.si();
             return !hasPasses && mainland.insideM(place).value_or(-1.0) < 0.0;
         };
-        const auto whole = innerPasses(task, insets.different[k], ring, clockwise, job);
+        const auto whole = innerPasses(task, insets.different[k], ring, job);
         if (!whole) {
             return std::unexpected(whole.error());
         }
@@ -402,19 +379,10 @@ Result<std::vector<HeadlandPass>> partsOfRing(const Headland& headland, const Ed
     return passes;
 }
 
-}  // namespace
-
-Length uncutEdge(const Machine& machine) {
-    return 0.5 * (machine.workingFootprintWidth() - machine.operatingWidth());
-}
-
-Result<void> addPasses(Headland& headland, const HeadlandTask& task, const JobContext& job) {
+/// Adds the passes of all rings, counter-clockwise.
+Result<void> addRings(Headland& headland, const PassTask& task, const JobContext& job) {
     const Machine& machine = task.machine;
-    const Settings& settings = task.settings;
-    if (!settings.flag(kHeadlandDriven) || headland.passes == 0) {
-        return {};
-    }
-    const CornerMethod method = cornerMethod(settings);
+    const CornerMethod method = cornerMethod(task.settings);
     headland.uncutStrip = uncutEdge(machine);
     const std::vector<RingInsets> all = ringsOf(headland, machine, task.margin);
     const std::optional<EdgeStrips> strips = headland.strips.empty() ? std::nullopt : std::optional<EdgeStrips>{headland.strips};
@@ -475,39 +443,47 @@ Result<void> addPasses(Headland& headland, const HeadlandTask& task, const JobCo
     return {};
 }
 
-const Parameter kHeadlandDriven{.key = "headland.driven",
-                                .name = "Work the headland",
-                                .description = "Off: the strip is kept for turning only.",
-                                .kind = ParameterKind::Flag,
-                                .standard = 1.0,
-                                .choices = {}};
+/// The same the other way round: what is counter-clockwise in a mirror.
+Result<void> addRingsClockwise(Headland& headland, const PassTask& task, const JobContext& job) {
+    const MultiPolygon workable = mirrored(task.workable);
+    const MultiPolygon drivable = mirrored(task.drivable);
+    const Machine machine = mirrored(task.machine);
+    Headland seen = headland;
+    seen.mainland = mirrored(headland.mainland);
+    seen.strips = mirrored(headland.strips);
+    auto added = addRings(seen,
+                          {.workable = workable,
+                           .drivable = drivable,
+                           .machine = machine,
+                           .settings = task.settings,
+                           .margin = task.margin},
+                          job);
+    if (added) {
+        headland.rings = mirrored(seen.rings);
+        headland.uncutStrip = seen.uncutStrip;
+        headland.uncutCorners = seen.uncutCorners;
+    }
+    return added;
+}
 
-const Parameter kHeadlandOrder{.key = "headland.order",
-                               .name = "Order",
-                               .description = "In which order the headland passes are driven.",
-                               .kind = ParameterKind::Choice,
-                               .standard = 0.0,
-                               .choices = kOrders};
+}  // namespace
 
-const Parameter kHeadlandWhen{.key = "headland.when",
-                              .name = "When",
-                              .description = "Headland first or last.",
-                              .kind = ParameterKind::Choice,
-                              .standard = 0.0,
-                              .choices = kTimes};
+Length uncutEdge(const Machine& machine) {
+    return 0.5 * (machine.workingFootprintWidth() - machine.operatingWidth());
+}
 
-const Parameter kHeadlandDirection{.key = "headland.direction",
-                                   .name = "Round the field",
-                                   .description = "Which way round the headland passes are driven.",
-                                   .kind = ParameterKind::Choice,
-                                   .standard = 0.0,
-                                   .choices = kDirections};
-
-const Parameter kHeadlandCorner{.key = "headland.corner",
-                                .name = "Corners",
-                                .description = "How headland passes get round corners.",
-                                .kind = ParameterKind::Choice,
-                                .standard = 0.0,
-                                .choices = kCornerKinds};
+Result<void> addPasses(Headland& headland, const HeadlandTask& task, const JobContext& job) {
+    if (!task.settings.flag(kHeadlandDriven) || headland.passes == 0) {
+        return {};
+    }
+    const bool clockwise = task.settings.choice(kHeadlandDirection) == "clockwise";
+    return (clockwise ? addRingsClockwise : addRings)(headland,
+                                                      {.workable = task.workable(),
+                                                       .drivable = task.drivable,
+                                                       .machine = task.machine,
+                                                       .settings = task.settings,
+                                                       .margin = task.margin},
+                                                      job);
+}
 
 }  // namespace furrow

@@ -43,7 +43,7 @@ constexpr double kShortestSideM = 1e-3;
 
 /// The edges that passes may not cross and what they are driven with.
 struct Room {
-    Room(const HeadlandTask& task)
+    Room(const PassTask& task)
         : machine{task.machine},
           working{task.machine.workingFootprint()},
           edge{task.drivable, task.machine.workingFootprintWidth() + task.machine.spec().tractor.length} {}
@@ -99,17 +99,17 @@ double turnBetween(const Turn& before, const Turn& after) {
     return std::abs(std::atan2(cross(in, out), dot(in, out)));
 }
 
-HeadlandPass passOf(std::vector<Turn> lines, bool closed, int ring, bool clockwise, const Room& room) {
+HeadlandPass passOf(std::vector<Turn> lines, bool closed, int ring, const Room& room) {
     HeadlandPass pass{.ring = ring, .width = room.machine.operatingWidth(), .closed = closed, .stretches = {}};
     const double widthM = pass.width.si();
     // The implement works this far behind the vehicle's reference point.
     const double leadM = -room.machine.spec().implement.offset.si();
     const double noseM = (room.machine.spec().tractor.length - room.machine.spec().tractor.rearOverhang).si();
     // Outer rings run counter-clockwise: their corners turn left but for those that point into the field.
-    const auto turnsInward = [clockwise](const std::vector<Turn>& all, std::size_t i) {
+    const auto turnsInward = [](const std::vector<Turn>& all, std::size_t i) {
         const Turn& before = all[(i + all.size() - 1) % all.size()];
         const double turn = cross(direction(before.end().heading.si()), direction(all[i].start.heading.si()));
-        return (turn > 0.0) != clockwise;
+        return turn > 0.0;
     };
     const auto beyondM = [&](const Turn& before, const Turn& after) {
         return std::min(0.5 * widthM * std::tan(0.5 * turnBetween(before, after)), kMostWidthsOnward * widthM);
@@ -269,8 +269,7 @@ Turn lineAlong(const Polygon& part) {
 
 }  // namespace
 
-std::vector<HeadlandPass> passesOn(const MultiPolygon& region, const HeadlandTask& task, int ring, bool clockwise,
-                                   Length gentle) {
+std::vector<HeadlandPass> passesOn(const MultiPolygon& region, const PassTask& task, int ring, Length gentle) {
     const Room room{task};
     const Length width = task.machine.operatingWidth();
     const Area mostUncut = std::min(kMostUncut, squareMetres(kUncutShare * width.si() * width.si()));
@@ -281,12 +280,8 @@ std::vector<HeadlandPass> passesOn(const MultiPolygon& region, const HeadlandTas
                                                         .gentle = gentle,
                                                         .width = width,
                                                         .mostUncut = mostUncut});
-        if (clockwise) {
-            std::ranges::reverse(smooth.lines);
-            std::ranges::transform(smooth.lines, smooth.lines.begin(), reversedLine);
-        }
         if (!smooth.lines.empty()) {
-            HeadlandPass pass = passOf(std::move(smooth.lines), smooth.closed, ring, clockwise, room);
+            HeadlandPass pass = passOf(std::move(smooth.lines), smooth.closed, ring, room);
             if (!pass.stretches.empty()) {
                 passes.push_back(std::move(pass));
             }
@@ -299,15 +294,14 @@ std::vector<HeadlandPass> passesOn(const MultiPolygon& region, const HeadlandTas
     return passes;
 }
 
-Result<std::vector<HeadlandPass>> innerPasses(const HeadlandTask& task, Length inset, int ring, bool clockwise,
-                                              const JobContext& job) {
-    return erodedSharp(task.workable(), inset, job).transform([&](const MultiPolygon& region) {
-        return passesOn(region, task, ring, clockwise, {});
+Result<std::vector<HeadlandPass>> innerPasses(const PassTask& task, Length inset, int ring, const JobContext& job) {
+    return erodedSharp(task.workable, inset, job).transform([&](const MultiPolygon& region) {
+        return passesOn(region, task, ring, {});
     });
 }
 
 std::vector<HeadlandPass> partsOf(const std::vector<HeadlandPass>& passes, const std::function<bool(Point)>& belongs,
-                                  const std::function<bool(Point)>& isLeft, const HeadlandTask& task) {
+                                  const std::function<bool(Point)>& isLeft, const PassTask& task) {
     const Room room{task};
     const double widthM = task.machine.operatingWidth().si();
     const double leadM = -task.machine.spec().implement.offset.si();
@@ -362,11 +356,11 @@ std::vector<HeadlandPass> partsOf(const std::vector<HeadlandPass>& passes, const
     return parts;
 }
 
-Result<std::vector<HeadlandPass>> passesAlongStrips(const HeadlandTask& task, Length inset, int ring,
+Result<std::vector<HeadlandPass>> passesAlongStrips(const PassTask& task, Length inset, int ring,
                                                     const JobContext& job) {
     const Length width = task.machine.operatingWidth();
     const Length half = 0.5 * width;
-    const auto inside = eroded(task.workable(), inset, kArcTolerance, job);
+    const auto inside = eroded(task.workable, inset, kArcTolerance, job);
     if (!inside) {
         return std::unexpected(inside.error());
     }

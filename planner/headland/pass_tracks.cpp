@@ -444,15 +444,9 @@ Result<PassTracks> passTracks(const MultiPolygon& workable, Length inset, const 
         return base.and_then([&](const MultiPolygon& region) { return moved(region, displacement, job); })
             .and_then([&](const MultiPolygon& region) { return linesOf(region, radius, metres(reachM), job); });
     };
-    const auto turnRound = [&](PassTracks& tracks) {
-        if (rules.way == RoundTheField::Clockwise) {
-            std::ranges::transform(tracks.lines, tracks.lines.begin(), reversedLine);
-        }
-    };
     Result<PassTracks> tracks = lines();
     for (int round = 0; tracks && rules.movesIn; ++round) {
         if (rig.hasTrailer()) {
-            turnRound(*tracks);
             std::ranges::transform(tracks->lines, tracks->lines.begin(),
                                    [&rig](const Turn& line) { return swungOut(line, rig); });
         }
@@ -487,10 +481,6 @@ Result<PassTracks> passTracks(const MultiPolygon& workable, Length inset, const 
     }
     if (!tracks) {
         return tracks;
-    }
-    // What does not trail takes the same room both ways round.
-    if (!rig.hasTrailer() || !rules.movesIn) {
-        turnRound(*tracks);
     }
     for (const Polygon& polygon : *base) {
         for (const Point& point : polygon.outer) {

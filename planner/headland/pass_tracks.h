@@ -11,12 +11,8 @@
 
 namespace furrow {
 
-/// Seen from above; obstacles are passed the other way round.
-enum class RoundTheField { CounterClockwise, Clockwise };
-
 /// How the line of a pass comes about.
 struct TrackRules {
-    RoundTheField way = RoundTheField::CounterClockwise;
     Length beside;  ///< of the inset: what the footprint keeps from the edge
     std::span<const Point> driven = {};  ///< corners that are going to be driven into: the line stays as it is there
     /// It is moved as near to the edges as tail and nose let it; otherwise corners keep the arcs of their rounding.
@@ -24,7 +20,8 @@ struct TrackRules {
     bool movesIn = true;  ///< where tail or nose would swing out
 };
 
-/// The lines of one headland pass: one closed line for the boundary and one for each obstacle.
+/// The lines of one headland pass: one closed line for the boundary, counter-clockwise, and one for each obstacle, the
+/// other way round.
 struct PassTracks {
     std::vector<Turn> lines;
     Length movedIn;  ///< at most, because the footprint would have left the field in a bend

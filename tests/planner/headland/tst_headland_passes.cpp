@@ -518,7 +518,8 @@ private slots:
             const HeadlandPass& back = right->rings[i];
             QCOMPARE(there.stretches.size(), back.stretches.size());
             COMPARE_WITHIN(totalTurning(there) + totalTurning(back), 0.0, 1e-9);
-            COMPARE_WITHIN(there.length().si(), back.length().si(), 1e-6);
+            // Each moves in where it begins, which is at another corner.
+            COMPARE_WITHIN(there.length().si(), back.length().si(), 0.01 * there.length().si());
             outer += totalTurning(there) > 0.0 ? 1 : 0;
         }
         QCOMPARE(outer, 2);

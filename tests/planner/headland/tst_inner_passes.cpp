@@ -4,7 +4,6 @@
 #include "planner/geometry/geos_bridge.h"
 #include "planner/headland/inner_passes.h"
 #include "planner/machine/machine_library.h"
-#include "planner/turns/dubins.h"
 #include "tests/support/field_generator.h"
 #include "tests/support/result_check.h"
 #include "tests/support/wkt.h"
@@ -40,13 +39,8 @@ struct Ground {
     MultiPolygon drivable;
     Machine machine;
     Settings settings;
-    HeadlandTask task() const {
-        return {.field = field,
-                .drivable = drivable,
-                .machine = machine,
-                .turn = kDubinsMethod.run,
-                .settings = settings,
-                .margin = {}};
+    PassTask task() const {
+        return {.workable = field.workable(), .drivable = drivable, .machine = machine, .settings = settings};
     }
 };
 
@@ -94,24 +88,19 @@ private slots:
     void stretchesCoverTheirBand_data() {
         QTest::addColumn<QString>("machine");
         QTest::addColumn<int>("ring");
-        QTest::addColumn<bool>("clockwise");
         for (const char* machine : {"agbot", "mounted-drill"}) {
             for (const int ring : {1, 2, 3}) {
-                for (const bool clockwise : {false, true}) {
-                    QTest::addRow("%s, ring %d, %s", machine, ring, clockwise ? "clockwise" : "counter-clockwise")
-                        << machine << ring << clockwise;
-                }
+                QTest::addRow("%s, ring %d", machine, ring) << machine << ring;
             }
         }
     }
     void stretchesCoverTheirBand() {
         QFETCH(QString, machine);
         QFETCH(int, ring);
-        QFETCH(bool, clockwise);
         const Ground ground{{test::centredRectangle(160.0, 110.0)}, findMachine(machine.toStdString()).value()};
         const double widthM = ground.machine.operatingWidth().si();
         const double insetM = 0.5 * ground.machine.workingFootprintWidth().si() + ring * widthM;
-        const auto passes = innerPasses(ground.task(), metres(insetM), ring, clockwise, {});
+        const auto passes = innerPasses(ground.task(), metres(insetM), ring, {});
         VERIFY_RESULT(passes);
         QCOMPARE(passes->size(), std::size_t{1});
         const HeadlandPass& pass = passes->front();
@@ -124,7 +113,7 @@ private slots:
             const Turn& next = pass.stretches[(i + 1) % 4].line;
             QVERIFY(pass.stretches[i].working);
             COMPARE_WITHIN(std::remainder(next.start.heading.si() - line.end().heading.si(), 2.0 * kPi),
-                           clockwise ? -0.5 * kPi : 0.5 * kPi, 1e-6);
+                           0.5 * kPi, 1e-6);
             for (const TurnPiece& piece : line.pieces) {
                 QVERIFY(piece.gear == Gear::Forward && piece.curvature == Curvature{} && piece.endCurvature == Curvature{});
             }
@@ -188,7 +177,7 @@ private slots:
         std::stop_source stop;
         stop.request_stop();
         const Ground ground{{test::centredRectangle(100.0, 60.0)}, agbot()};
-        const auto passes = innerPasses(ground.task(), metres(3.75), 1, false, {.stop = stop.get_token()});
+        const auto passes = innerPasses(ground.task(), metres(3.75), 1, {.stop = stop.get_token()});
         QVERIFY(!passes);
         QCOMPARE(passes.error().code, ErrorCode::Cancelled);
         const auto strips = passesAlongStrips(ground.task(), metres(2.5), 1, {.stop = stop.get_token()});
@@ -198,7 +187,7 @@ private slots:
 
     void nothingOfAFieldThatIsTooSmall() {
         const Ground ground{{test::centredRectangle(30.0, 10.0)}, agbot()};
-        const auto passes = innerPasses(ground.task(), metres(6.25), 2, false, {});
+        const auto passes = innerPasses(ground.task(), metres(6.25), 2, {});
         VERIFY_RESULT(passes);
         QVERIFY(passes->empty());
     }
