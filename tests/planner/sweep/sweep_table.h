@@ -1,0 +1,43 @@
+#pragma once
+
+#include "tests/planner/sweep/sweep_verdict.h"
+
+#include <map>
+#include <string>
+
+namespace furrow::test {
+
+/// What became of all cases, by what was changed.
+class SweepTable {
+public:
+    void add(const SweepCase& each, const SweepOutcome& outcome);
+
+    int failures() const { return failures_; }
+    /// A line for each change, the worst last, and one for all.
+    std::string text() const;
+
+private:
+    struct Row {
+        std::map<SweepVerdict, int> counts;
+        double slowest = 0.0;  ///< time over that with default settings
+        std::string slowestAt;
+        double leastCovered = 0.0;  ///< of the area, against default settings
+        std::string leastCoveredAt;
+    };
+    std::string lineOf(const std::string& name, const Row& row) const;
+    static void merge(Row& row, const std::string& at, const SweepOutcome& outcome);
+
+    std::vector<std::string> order_;
+    std::map<std::string, Row> rows_;
+    Row all_;
+    int failures_ = 0;
+};
+
+/// One line for one case, its parts divided by tabs, without its end.
+std::string recordOf(const SweepCase& each, const SweepOutcome& outcome);
+/// The names of these parts, in a line of its own.
+std::string recordHeader();
+/// Reads such a line; nothing where it is none.
+std::optional<SweepOutcome> outcomeOf(const std::string& record);
+
+}  // namespace furrow::test

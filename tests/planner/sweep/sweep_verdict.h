@@ -1,0 +1,59 @@
+#pragma once
+
+#include "tests/planner/sweep/sweep_cases.h"
+
+#include <optional>
+#include <string>
+#include <vector>
+
+namespace furrow::test {
+
+enum class SweepVerdict {
+    Drivable,
+    Refused,     ///< with the setting, or as it is with default settings
+    Told,        ///< blocked by findings that name the setting
+    DefaultToo,  ///< blocked by findings of kinds that block it with default settings, too
+    Failed,
+    LeftOut,     ///< there is no such value at this site
+};
+
+std::string_view verdictName(SweepVerdict verdict);
+std::optional<SweepVerdict> verdictFrom(std::string_view name);
+
+/// What came of one case.
+struct SweepOutcome {
+    SweepVerdict verdict = SweepVerdict::Failed;
+    std::string reason;      ///< of what failed; of what is refused, the error
+    std::string settings;    ///< "--set a=1 --set b=2"
+    int blocking = 0;        ///< findings
+    int standardBlocking = 0;
+    double coveredShare = 0.0;
+    double moreCovered = 0.0;  ///< than with default settings, of the area to be worked
+    double timeS = 0.0;        ///< of the driven path
+    double timeRatio = 0.0;    ///< to that with default settings; 0 where there is none
+    double planningS = 0.0;
+};
+
+/// One shape with one machine: planned with default settings once, then with any.
+class SweepBench {
+public:
+    /// @param folder   for the files that settings name; there already
+    /// @param planned  called after each plan
+    SweepBench(const std::string& shape, const std::string& machine, std::filesystem::path folder, std::function<void()> planned = {});
+
+    SweepOutcome run(const SweepChange& change) const;
+    const SweepSite& site() const { return site_; }
+
+private:
+    Result<std::shared_ptr<const Plan>> plan(const Settings& settings) const;
+    SweepOutcome judged(const SweepChange& change, const Settings& settings) const;
+    void measure(SweepOutcome& outcome, const Plan& plan) const;
+    /// What is wrong with the advice of its findings; empty where all of it helps.
+    std::string badAdvice(const Plan& plan) const;
+
+    SweepSite site_;
+    std::function<void()> planned_;
+    std::optional<Error> refused_;  ///< with default settings
+};
+
+}  // namespace furrow::test
