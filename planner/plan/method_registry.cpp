@@ -50,6 +50,7 @@ constexpr std::array kDecompositionMethods{
     &kOnePieceMethod,
 };
 constexpr std::array kRouteMethods{
+    &kOptimisedMethod,
     &kBoustrophedonMethod,
     &kSnakeMethod,
     &kSpiralMethod,
@@ -201,6 +202,10 @@ const Parameter kStayInside{.key = "path.stay_inside",
 
 std::span<const StageInfo> stages() {
     return registry().stages;
+}
+
+const Parameter* stageMethod(std::string_view stageId) {
+    return std::ranges::find(registry().stages, stageId, &StageInfo::id)->method;
 }
 
 std::span<const Parameter* const> generalParameters() {

@@ -26,6 +26,9 @@ struct StageInfo {
 /// All stages in the order of the pipeline: the one list that window, command line and benchmarks read.
 std::span<const StageInfo> stages();
 
+/// The setting that chooses the method of a stage; there has to be such a stage.
+const Parameter* stageMethod(std::string_view stageId);
+
 /// Settings that belong to no stage: operation, margin.
 std::span<const Parameter* const> generalParameters();
 

@@ -6,6 +6,8 @@
 #include <algorithm>
 #include <iterator>
 #include <limits>
+#include <numeric>
+#include <ranges>
 #include <utility>
 #include <vector>
 
@@ -16,6 +18,8 @@ namespace {
 constexpr double kInfinite = std::numeric_limits<double>::infinity();
 constexpr std::size_t kMostExact = 8;
 constexpr int kMostRounds = 4;
+// A pattern that saves less is not worth an order that is harder to follow.
+constexpr double kWorthwhile = 0.998;
 
 /// One way to drive one cell.
 struct Variant {
@@ -214,20 +218,58 @@ std::vector<Variant> variantsIn(const std::vector<std::size_t>& cell, const Patt
     return variants;
 }
 
+/// With the work, so that a share of it can be said.
+double quickestS(const std::vector<Variant>& variants, const RouteTask& task) {
+    Length worked;
+    for (const RouteStep& step : variants.front().steps) {
+        worked += task.swaths.swaths[step.swath].length();
+    }
+    return worked.si() / task.machine.spec().tractor.workingSpeed.si() +
+           std::ranges::min_element(variants, {}, &Variant::timeS)->timeS;
+}
+
+/// By the pattern that is quickest in this cell; of those that are about as quick the first.
+std::vector<Variant> quickestVariants(const std::vector<std::size_t>& cell, std::span<const PatternOrder> patterns, const RouteTask& task) {
+    std::vector<Variant> best = variantsIn(cell, patterns.front(), task);
+    double bestS = quickestS(best, task);
+    for (const PatternOrder& pattern : patterns | std::views::drop(1)) {
+        std::vector<Variant> other = variantsIn(cell, pattern, task);
+        if (const double timeS = quickestS(other, task); timeS < kWorthwhile * bestS) {
+            best = std::move(other);
+            bestS = timeS;
+        }
+    }
+    return best;
+}
+
 }  // namespace
 
 Result<Route> routeOverCells(const PatternOrder& order, const RouteTask& task, const JobContext& job) {
+    return routeOverCells(std::span{&order, 1}, task, job);
+}
+
+Result<Route> routeOverCells(std::span<const PatternOrder> patterns, const RouteTask& task, const JobContext& job) {
     std::vector<std::vector<Variant>> cells;
     for (const std::vector<std::size_t>& cell : task.cells) {
         if (job.stopRequested()) {
             return std::unexpected(cancelled());
         }
         if (!cell.empty()) {
-            cells.push_back(variantsIn(cell, order, task));
+            cells.push_back(quickestVariants(cell, patterns, task));
         }
     }
-    if (cells.size() <= 1) {
-        return bestRoute(order(trackCount(task.swaths)), task, job);
+    if (cells.size() <= 1 && patterns.size() == 1) {
+        return bestRoute(patterns.front()(trackCount(task.swaths)), task, job);
+    }
+    if (cells.empty()) {
+        std::vector<std::size_t> all(task.swaths.swaths.size());
+        std::iota(all.begin(), all.end(), std::size_t{0});
+        cells.push_back(quickestVariants(all, patterns, task));
+    }
+    if (cells.size() == 1) {
+        Route route{.steps = std::ranges::min_element(cells.front(), {}, &Variant::timeS)->steps, .lengthInPlace = {}};
+        route.lengthInPlace = lengthInPlace(route.steps, task.swaths);
+        return route;
     }
     const bool fromFirst = cells.front().size() == 1;
     Route route{.steps = CellSequencer{task, std::move(cells)}.best(fromFirst, job), .lengthInPlace = {}};

@@ -11,6 +11,7 @@ extern const Parameter kCluster;
 extern const Parameter kSkip;
 extern const Parameter kOrder;
 
+extern const Method<RoutePlanner> kOptimisedMethod;
 extern const Method<RoutePlanner> kBoustrophedonMethod;
 extern const Method<RoutePlanner> kSnakeMethod;
 extern const Method<RoutePlanner> kSpiralMethod;
