@@ -36,6 +36,7 @@ Result<AuditReport> audit(const AuditInput& input, const JobContext& job) {
     report.coveredShare = report.workable > squareMetres(0.0) ? swept->covered / report.workable : 0.0;
     report.coveredOfReachable = swept->coveredOfReachable;
     report.missed = swept->missedArea;
+    report.leftOnPurpose = swept->leftOnPurpose;
     report.missedAreas = swept->missed;
     report.leftAreas = swept->dropped;
     report.left = swept->droppedArea;

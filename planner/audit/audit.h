@@ -43,6 +43,10 @@ struct AuditInput {
     /// What the plan was to work, where the rest of the workable area is kept for turning and driven over
     /// by nothing: that rest is then one note, not a missed area.
     std::optional<MultiPolygon> mainland;
+    /// Kept from the edge of what may be driven on by everything: land that is given away.
+    Length margin;
+    /// Other land that the plan leaves on purpose: wet spots, alleys, gaps. May overlap.
+    MultiPolygon leftOnPurpose;
     /// The user let connections leave the field: reported as a note.
     bool mayLeaveField = false;
     /// Headings, speeds and times are stated; otherwise only positions are, and only areas, clearance and
@@ -66,7 +70,9 @@ struct AuditReport {
     std::optional<Area> covered;               ///< of it, swept by the implement while down
     std::optional<double> coveredShare;        ///< covered / workable
     std::optional<double> coveredOfReachable;  ///< share of the reachable area that is covered
-    std::optional<Area> missed;                ///< of the workable area, not swept
+    std::optional<Area> missed;                ///< of the workable area, not swept, nor left on purpose
+    /// Of the margin and what else is left on purpose, what is not swept: neither missed nor within reach.
+    std::optional<Area> leftOnPurpose;
     MultiPolygon missedAreas;                  ///< largest first
     /// Of these what is within reach and was to be worked, largest first, hairs left out; and all of it.
     MultiPolygon leftAreas;

@@ -1,6 +1,7 @@
 #include "planner/audit/driven_passes.h"
 
 #include "planner/audit/boundary_index.h"
+#include "planner/geometry/segment.h"
 
 #include <algorithm>
 #include <map>
@@ -26,6 +27,14 @@ std::vector<Point> pointsAlong(const Polyline& line) {
         before += piece;
     }
     return points;
+}
+
+bool isLeftOnPurpose(const AuditInput& input, Point point) {
+    return std::ranges::any_of(input.leftOnPurpose, [point](const Polygon& polygon) {
+        bool inside = false;
+        forEachEdge({polygon}, [&](Point from, Point to) { inside = inside != meetsRay(point, from, to); });
+        return inside;
+    });
 }
 
 /// Where tractor and implement go in one segment.
@@ -79,7 +88,8 @@ std::vector<double> drivenShares(const AuditInput& input, const std::vector<Segm
     for (const PlannedPass& pass : input.passes) {
         const double near = 0.25 * pass.width.si();
         const auto [first, last] = numbered.equal_range(pass.number);
-        const std::vector<Point> points = pointsAlong(pass.line);
+        std::vector<Point> points = pointsAlong(pass.line);
+        std::erase_if(points, [&](Point point) { return isLeftOnPurpose(input, point); });
         const auto seen = std::ranges::count_if(points, [&](Point point) {
             return std::any_of(first, last,
                                [&](const auto& each) { return tracks[each.second].passes(point, near); }) ||

@@ -114,11 +114,11 @@ private:
             if (at.beyondLand) {
                 add(Severity::Blocking, "outside", at.place,
                     message("{} leaves the field by {:.2f} m.", named(i), -at.clearanceM),
-                    "Make the headland wider, or choose tighter turns.", i);
+                    "", i);
             } else {
                 add(Severity::Blocking, "obstacle", at.place,
                     message("{} crosses an obstacle, by {:.2f} m.", named(i), -at.clearanceM),
-                    "Try another direction of the swaths, or plan the sides of the obstacle apart.", i);
+                    "Plan the sides of the obstacle apart.", i);
             }
         }
         if (allowed.count > 0) {
@@ -129,7 +129,7 @@ private:
                     : message("{} swaths and turns leave the field or cross an obstacle, by up to {:.2f} m, as this "
                               "plan allows.",
                               allowed.count, allowed.worst),
-                "Switch \"Stay inside\" on to keep them inside.");
+                "");
         }
     }
 
@@ -140,7 +140,7 @@ private:
                 add(Severity::Blocking, "undrivable", segment.samples[segment.samples.size() / 2].position,
                     message("{} cannot be driven: {}.", named(i),
                                 segment.reason.empty() ? Message{"the plan gives no reason"} : segment.reason),
-                    "Make the headland wider, or choose other turns.", i);
+                    "", i);
             }
         }
     }
@@ -190,7 +190,7 @@ private:
                 message(can ? "The machine turns on the spot in {}, by up to {:.0f} degrees."
                             : "The machine turns on the spot in {}, by up to {:.0f} degrees; it cannot.",
                         placesOf(onTheSpot.count), inDegrees(radians(onTheSpot.worst))),
-                can ? "" : "Choose forward curves, or a machine that can.",
+                can ? "" : "Take a machine that can.",
                 can ? std::nullopt : std::optional{onTheSpot.segment});
         }
     }
@@ -206,7 +206,7 @@ private:
                 message(tractorCan ? "{:.0f} m are driven in reverse; the trailed implement cannot."
                                    : "{:.0f} m are driven in reverse; this machine cannot.",
                         measured_.kinematics.reversedM),
-                "Choose forward curves.");
+                "");
         }
     }
 
@@ -231,6 +231,7 @@ private:
     void reportMissed() {
         const SweptArea& swept = measured_.area;
         noteStrip();
+        noteBeyondReach();
         const bool tooMuch = swept.droppedArea > kMissedShare * area(input_.workable);
         std::size_t told = 0;
         for (const Polygon& piece : swept.dropped) {
@@ -239,16 +240,28 @@ private:
             }
             ++told;
             add(Severity::Blocking, "missed", placeInside(piece),
-                message("{} in one piece are not worked.", areaText(area(piece))),
-                "Try another direction of the swaths, or let the last pass overlap.");
+                message("{} in one piece are not worked.", areaText(area(piece))), "");
         }
         if (told == 0 && tooMuch && !swept.dropped.empty()) {
             add(Severity::Blocking, "missed", placeInside(swept.dropped.front()),
                 message("{} are not worked, {:.1f} % of the field, in {}; this is the largest.",
                         areaText(swept.droppedArea), 100.0 * (swept.droppedArea / area(input_.workable)),
                         counted("{} piece", "{} pieces", swept.dropped.size())),
-                "Try another direction of the swaths, or let the last pass overlap.");
+                "");
         }
+    }
+
+    /// Land that nothing can be done about is told, too.
+    void noteBeyondReach() {
+        const SweptArea& swept = measured_.area;
+        if (swept.beyondReach.empty() || area(swept.beyondReach.front()) <= kMissedPiece) {
+            return;
+        }
+        const Polygon& largest = swept.beyondReach.front();
+        add(Severity::Note, "out-of-reach", placeInside(largest),
+            message("{} are out of this machine's reach; the largest piece, {}, lies here.", areaText(swept.beyondReachArea),
+                    areaText(area(largest))),
+            "");
     }
 
     void noteStrip() {
@@ -278,7 +291,7 @@ private:
         noteTrouble(found.rate, "curvature-rate",
                     message("The steering has to turn faster than this machine can in {}.",
                             placesOf(found.rate.count)),
-                    "Slow down or stop there to steer, or choose turns with continuous curvature.");
+                    "Slow down or stop there to steer.");
         noteTrouble(found.mismatch, "stated-curvature",
                     message("The stated curvature differs from the path in {}, by up to {:.3f} 1/m.",
                             placesOf(found.mismatch.count), found.mismatch.worst),
@@ -308,7 +321,7 @@ private:
                     "With the implement up, {:.0f} m are driven over worked land and {:.0f} m over land "
                     "that is worked later; {} is the longest.",
                     traffic.onWorkedM, traffic.onUnworkedM, segmentName(input_, traffic.longestSegment)),
-                "Drive along the headland where the crop or the seedbed must not be driven on.",
+                "",
                 traffic.longestSegment);
         }
     }
@@ -327,7 +340,7 @@ private:
                         message("The hitch bends by {:.0f} degrees in {}; {:.0f} are allowed.",
                                 inDegrees(radians(angle.worst)), counted("{} turn", "{} turns", angle.count),
                                 inDegrees(radians(limit))),
-                        "Choose wider turns.");
+                        "");
         }
     }
 

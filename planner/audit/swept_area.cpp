@@ -147,7 +147,7 @@ double chordErrorM2(const SegmentMotion& motion, double widthM) {
     return sum;
 }
 
-enum Layer : std::size_t { kWorkable, kReach, kMainland, kLaneEnd, kSwath, kHeadlandPass };
+enum Layer : std::size_t { kWorkable, kReach, kMainland, kLaneEnd, kSwath, kHeadlandPass, kWithinMargin, kOnPurpose };
 
 enum Region : std::size_t {
     kCovered,
@@ -159,6 +159,8 @@ enum Region : std::size_t {
     kDropped,
     kStrip,
     kEnds,
+    kGivenAway,
+    kBeyond,
     kRegionCount
 };
 
@@ -167,21 +169,26 @@ constexpr std::uint32_t bit(Region region) {
 }
 
 std::uint32_t regionsAt(const Depths& depths) {
-    if (depths[kWorkable] <= 0) {
-        return 0;
-    }
     const std::int32_t passes = depths[kSwath] + depths[kHeadlandPass];
-    const bool reach = depths[kReach] > 0;
+    const bool onPurpose = depths[kOnPurpose] > 0;
+    if (depths[kWorkable] <= 0) {
+        return onPurpose && passes == 0 ? bit(kGivenAway) : 0;
+    }
+    const bool givenAway = onPurpose || depths[kWithinMargin] <= 0;
+    const bool reach = depths[kReach] > 0 && !givenAway;
     if (passes > 0) {
         return bit(kCovered) | (passes > 1 ? bit(kTwice) : 0) |
                (depths[kSwath] > 0 && depths[kHeadlandPass] > 0 ? bit(kTwiceHeadland) : 0) |
                (reach ? bit(kReachable) | bit(kCoveredReachable) : 0);
     }
+    if (givenAway) {
+        return bit(kGivenAway);
+    }
     const std::uint32_t missed = bit(kMissed) | (reach ? bit(kReachable) : 0);
     if (depths[kMainland] <= 0) {
         return missed | bit(kStrip);
     }
-    return !reach ? missed : missed | (depths[kLaneEnd] > 0 ? bit(kEnds) : bit(kDropped));
+    return !reach ? missed | bit(kBeyond) : missed | (depths[kLaneEnd] > 0 ? bit(kEnds) : bit(kDropped));
 }
 
 /// Of the disc that has to fit where a machine can work: half as wide as its footprint. What cannot drive back out of
@@ -201,10 +208,17 @@ Length reachRadius(const Machine& machine, const MachineShape& shape) {
     return half + metres(radiusM);
 }
 
-/// Where that disc fits without leaving the drivable area.
-Result<MultiPolygon> reachable(const AuditInput& input, const MachineShape& shape, const JobContext& job) {
+/// What may be driven on, less the margin.
+Result<MultiPolygon> withinMargin(const AuditInput& input, const JobContext& job) {
+    return input.margin > Length{} ? eroded(input.drivable, input.margin, kArcTolerance, job)
+                                   : Result<MultiPolygon>{input.drivable};
+}
+
+/// Where that disc fits without leaving this area.
+Result<MultiPolygon> reachable(const AuditInput& input, const MultiPolygon& area, const MachineShape& shape,
+                               const JobContext& job) {
     const Length radius = reachRadius(*input.machine, shape);
-    const auto middles = eroded(input.drivable, radius, metres(kReachToleranceM), job);
+    const auto middles = eroded(area, radius, metres(kReachToleranceM), job);
     return middles ? dilated(*middles, radius, metres(kReachToleranceM), job) : middles;
 }
 
@@ -288,20 +302,36 @@ Result<MultiPolygon> withoutHairs(MultiPolygon pieces, Length hair, const JobCon
     return kept;
 }
 
+bool liesIn(const Polygon& part, const Polygon& whole) {
+    const Bounds inner = bounds({part});
+    const Bounds outer = bounds({whole});
+    return inner.min.x >= outer.min.x && inner.max.x <= outer.max.x && inner.min.y >= outer.min.y && inner.max.y <= outer.max.y;
+}
+
 /// Leaves of what was dropped only where the machine has room to work, if it is too much otherwise. What trails behind
 /// has more than its straight line to do so, and is judged by its disc alone.
-Result<void> keepWithRoom(const AuditInput& input, const MachineShape& shape, const JobContext& job, SweptArea& swept) {
+Result<void> keepWithRoom(const AuditInput& input, const MultiPolygon& within, const MachineShape& shape,
+                          const JobContext& job, SweptArea& swept) {
     const bool tooMuch = swept.droppedArea > kMissedShare * area(input.workable) ||
                          std::ranges::any_of(swept.dropped, [](const Polygon& piece) { return area(piece) > kMissedPiece; });
     if (!input.machine || shape.trailingM || !tooMuch) {
         return {};
     }
-    auto kept = partsWithRoom(swept.dropped, WorkingRoom{input.drivable, *input.machine, shape},
+    auto kept = partsWithRoom(swept.dropped, WorkingRoom{within, *input.machine, shape},
                               input.machine->operatingWidth(), job);
     if (!kept) {
         return std::unexpected(kept.error());
     }
-    swept.droppedArea = swept.droppedArea - (area(swept.dropped) - area(*kept));
+    const Area noRoom = area(swept.dropped) - area(*kept);
+    swept.droppedArea = swept.droppedArea - noRoom;
+    swept.beyondReachArea += noRoom;
+    // What of a piece was taken out is told at its place.
+    for (const Polygon& piece : swept.dropped) {
+        if (area(piece) > kMissedPiece && std::ranges::none_of(*kept, [&](const Polygon& left) { return liesIn(left, piece); })) {
+            swept.beyondReach.push_back(piece);
+        }
+    }
+    std::ranges::stable_sort(swept.beyondReach, std::ranges::greater{}, [](const Polygon& piece) { return area(piece); });
     swept.dropped = std::move(*kept);
     return {};
 }
@@ -329,8 +359,14 @@ Result<SweptArea> measureSweptArea(const AuditInput& input, const MachineShape& 
     LayeredPolygons layers;
     layers.add(kWorkable, input.workable);
     addPasses(input, shape, motions, layers, result);
+    const auto within = withinMargin(input, job);
+    if (!within) {
+        return std::unexpected(within.error());
+    }
+    layers.add(kWithinMargin, input.margin > Length{} ? *within : MultiPolygon{{.outer = everywhere(input), .holes = {}}});
+    layers.add(kOnPurpose, input.leftOnPurpose);
     if (input.machine) {
-        const auto reach = reachable(input, shape, job);
+        const auto reach = reachable(input, *within, shape, job);
         if (!reach) {
             return std::unexpected(reach.error());
         }
@@ -346,7 +382,7 @@ Result<SweptArea> measureSweptArea(const AuditInput& input, const MachineShape& 
     }
     auto measured = measureRegions(
         layers, mainDirection(motions),
-        {.at = regionsAt, .count = kRegionCount, .traced = bit(kMissed) | bit(kDropped) | bit(kStrip) | bit(kTwice)}, job);
+        {.at = regionsAt, .count = kRegionCount, .traced = bit(kMissed) | bit(kDropped) | bit(kStrip) | bit(kTwice) | bit(kBeyond)}, job);
     if (!measured) {
         return std::unexpected(measured.error());
     }
@@ -361,17 +397,20 @@ Result<SweptArea> measureSweptArea(const AuditInput& input, const MachineShape& 
         result.coveredOfReachable = std::clamp(regions[kCoveredReachable].area / all, 0.0, 1.0);
     }
     result.droppedArea = regions[kDropped].area;
+    result.beyondReachArea = regions[kBeyond].area;
+    result.beyondReach = std::move(regions[kBeyond].polygons);
     auto pieces = withoutHairs(std::move(regions[kDropped].polygons), hairWidth(input), job);
     if (!pieces) {
         return std::unexpected(pieces.error());
     }
     result.dropped = std::move(*pieces);
-    if (auto kept = keepWithRoom(input, shape, job, result); !kept) {
+    if (auto kept = keepWithRoom(input, *within, shape, job, result); !kept) {
         return std::unexpected(kept.error());
     }
     result.stripArea = regions[kStrip].area;
     result.strip = std::move(regions[kStrip].polygons);
     result.laneEnds = regions[kEnds].area;
+    result.leftOnPurpose = regions[kGivenAway].area;
     return result;
 }
 

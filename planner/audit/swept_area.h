@@ -29,8 +29,12 @@ struct SweptArea {
     /// for turning and the ends of the lanes beside it.
     MultiPolygon dropped;
     Area droppedArea;
+    /// Missed and to be worked, but where this machine cannot get with its working line, largest first.
+    MultiPolygon beyondReach;
+    Area beyondReachArea;
     MultiPolygon strip;  ///< kept for turning and not worked, largest first
     Area stripArea;
+    Area leftOnPurpose;  ///< and not swept
     Area laneEnds;  ///< missed at the ends of the lanes, beside that strip
 };
 

@@ -248,6 +248,13 @@ Result<Field> Field::create(const FieldSource& source, const JobContext& job) {
             *land = std::move(*rest);
         }
     }
+    if (std::ranges::any_of(source.obstacles, &Obstacle::passable)) {
+        auto passable = difference(field.drivable_, field.workable_, job);
+        if (!passable) {
+            return std::unexpected(passable.error());
+        }
+        field.passable_ = std::move(*passable);
+    }
     if (field.workable_.empty()) {
         return std::unexpected(
             refused(source, "", "the obstacles leave nothing of the field", "delete some of them"));

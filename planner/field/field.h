@@ -83,8 +83,11 @@ public:
     const MultiPolygon& boundary() const { return boundary_; }
     /// The boundary less every obstacle with its buffer: what is to be worked.
     const MultiPolygon& workable() const { return workable_; }
-    /// The boundary less the obstacles that may not be driven on, with their buffers.
+    /// The boundary less the obstacles that may not be driven on, with their buffers: what headland and swaths are
+    /// laid over.
     const MultiPolygon& drivable() const { return drivable_; }
+    /// What may be driven on and is not worked: obstacles that are passable, with their buffers.
+    const MultiPolygon& passable() const { return passable_; }
     /// Where the headland is as wide as was said for an edge; edges as they were before repairs.
     const std::vector<WideEdge>& edgeHeadlands() const { return edgeHeadlands_; }
     /// Of the boundary on the ellipsoid, holes and obstacles taken out.
@@ -101,6 +104,7 @@ private:
     MultiPolygon boundary_;
     MultiPolygon workable_;
     MultiPolygon drivable_;
+    MultiPolygon passable_;
     std::vector<WideEdge> edgeHeadlands_;
     Area area_;
 };

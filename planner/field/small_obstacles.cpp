@@ -8,22 +8,8 @@ namespace furrow {
 
 namespace {
 
-// Holes of the workable and of the drivable area that are the same are so to this.
-constexpr double kSameM = 1e-3;
-
 Bounds boxOf(const Ring& ring) {
     return bounds({{.outer = ring, .holes = {}}});
-}
-
-bool isSame(const Bounds& a, const Bounds& b) {
-    return distance(a.min, b.min) < kSameM && distance(a.max, b.max) < kSameM;
-}
-
-bool isHoleOf(const MultiPolygon& polygons, const Ring& ring) {
-    const Bounds box = boxOf(ring);
-    return std::ranges::any_of(polygons, [&](const Polygon& polygon) {
-        return std::ranges::any_of(polygon.holes, [&](const Ring& hole) { return isSame(boxOf(hole), box); });
-    });
 }
 
 /// A part of the field inside of a hole, as on an island.
@@ -39,10 +25,9 @@ bool holdsPart(const MultiPolygon& polygons, const Ring& ring) {
 
 std::vector<Ring> smallObstacles(const Field& field, Length upTo) {
     std::vector<Ring> small;
-    for (const Polygon& polygon : field.workable()) {
+    for (const Polygon& polygon : field.drivable()) {
         for (const Ring& hole : polygon.holes) {
-            if (diameter(convexHull(hole)) <= upTo && isHoleOf(field.drivable(), hole) &&
-                !holdsPart(field.workable(), hole)) {
+            if (diameter(convexHull(hole)) <= upTo && !holdsPart(field.drivable(), hole)) {
                 small.push_back(hole);
             }
         }

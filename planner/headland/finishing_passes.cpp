@@ -262,7 +262,7 @@ public:
         candidate.from = lane.on + beginsM * lane.along;
         candidate.to = lane.on + endsM * lane.along;
         const Turn line = lineOf(candidate, task_.lowered.machine());
-        return isRefused(line) || !isClear(line) ? std::nullopt : std::optional{candidate};
+        return isRefused(line) || worksOnPurposeLeft(candidate) || !isClear(line) ? std::nullopt : std::optional{candidate};
     }
 
     /// The stretches of a lane on which the machine has room.
@@ -309,6 +309,18 @@ private:
             ring = leftOf(ring, strip[i], strip[(i + 1) % strip.size()] - strip[i]);
         }
         return ring.size() < 3 ? Ring{} : ring;
+    }
+
+    /// Whether a pass would work land that is left on purpose, by more than rounding.
+    bool worksOnPurposeLeft(const Candidate& candidate) const {
+        const Ring strip = stripOf(candidate, widthM_);
+        return std::ranges::any_of(task_.leftOnPurpose, [&](const Polygon& polygon) {
+            double inStripM2 = signedAreaM2(clipped(polygon.outer, strip));
+            for (const Ring& hole : polygon.holes) {
+                inStripM2 += signedAreaM2(clipped(hole, strip));
+            }
+            return inStripM2 > leastGainM2();
+        });
     }
 
     /// In between the places that were looked at, too.

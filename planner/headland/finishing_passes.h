@@ -12,7 +12,8 @@ extern const Parameter kHeadlandFinish;
 
 /// What other passes leave, and how much of it may stay.
 struct FinishingTask {
-    const MultiPolygon& workable;  ///< the field less its obstacles
+    const MultiPolygon& workable;  ///< the field less its obstacles and the margin
+    const MultiPolygon& leftOnPurpose;  ///< no pass works any of it
     const MultiPolygon& left;      ///< not worked although it is within reach, largest first
     Area mayStay;                  ///< in all
     Area mayStayInOnePiece;

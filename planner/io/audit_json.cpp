@@ -39,6 +39,7 @@ std::string auditJson(const AuditReport& report, std::span<const Finding> findin
                    {"covered", orNull(report.coveredShare)},
                    {"covered_of_reachable", orNull(report.coveredOfReachable)},
                    {"missed_m2", orNull(report.missed)},
+                   {"left_on_purpose_m2", orNull(report.leftOnPurpose)},
                    {"overlap_m2", orNull(report.overlap)},
                    {"overlap_headland_m2", orNull(report.overlapHeadland)},
                    {"outside_m2", orNull(report.outside)},

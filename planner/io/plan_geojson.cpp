@@ -24,6 +24,7 @@ public:
         addHeadlandPasses();
         addSwaths();
         addPath();
+        addLeftOnPurpose();
         addMissed();
         addFindings();
         return geoJsonText(std::move(features_));
@@ -110,6 +111,9 @@ private:
         for (std::size_t order = 0; order < plan_.path.segments.size(); ++order) {
             const PathSegment& segment = plan_.path.segments[order];
             Json properties{{"order", order}, {"segment", segmentKindId(segment.kind)}};
+            if (segment.number > 0) {
+                properties["number"] = segment.number;
+            }
             if (segment.kind == SegmentKind::Turn) {
                 properties["turn_type"] = segment.turnType;
             }
@@ -121,6 +125,12 @@ private:
                 properties["reason"] = segment.reason;
             }
             add("path", std::move(properties), lineGeometry(frame_.toGeo(lineOf(segment))));
+        }
+    }
+
+    void addLeftOnPurpose() {
+        for (const Polygon& polygon : plan_.leftOnPurpose) {
+            add("left_on_purpose", {{"area_m2", area(polygon).si()}}, polygonGeometry({frame_.toGeo(polygon)}));
         }
     }
 

@@ -5,6 +5,7 @@
 #include "planner/io/path_csv.h"
 #include "planner/io/plan_json.h"
 #include "planner/machine/machine_file.h"
+#include "planner/plan/general_parameters.h"
 
 #include <nlohmann/json.hpp>
 
@@ -105,6 +106,8 @@ public:
                     addPass(kind, properties, geometry);
                 } else if (kind == "mainland") {
                     mainland = polygonsOf(geometry, frame_);
+                } else if (kind == "left_on_purpose") {
+                    std::ranges::move(polygonsOf(geometry, frame_), std::back_inserter(leftOnPurpose));
                 } else if (kind == "headland") {
                     hasHeadland = true;
                 }
@@ -125,6 +128,7 @@ public:
     std::vector<OrderedSegment> segments;  ///< in driving order
     std::vector<SwathFeature> swaths;      ///< in driving order, headland passes among them
     MultiPolygon mainland;
+    MultiPolygon leftOnPurpose;
     bool hasHeadland = false;
 
 private:
@@ -132,6 +136,7 @@ private:
         PathSegment segment{.turnType = properties.value("turn_type", "")};
         const auto kind = segmentKindFrom(properties.at("segment").get<std::string>());
         segment.kind = kind.value_or(SegmentKind::Transfer);
+        segment.number = properties.value("number", 0);
         segment.gear = properties.value("gear", 1) < 0 ? Gear::Reverse : Gear::Forward;
         segment.implementDown =
             properties.value("implement_down", segment.kind == SegmentKind::Swath ||
@@ -165,8 +170,12 @@ private:
     std::string origin_;
 };
 
-/// Swaths and headland passes have their numbers in plan.geojson, each kind in the order it is driven.
+/// Plans of before segments had numbers: swaths and headland passes have them in plan.geojson, each kind in the order it
+/// is driven.
 void numberSegments(std::vector<PathSegment>& segments, const FeatureReader& features) {
+    if (std::ranges::any_of(segments, [](const PathSegment& segment) { return segment.number > 0; })) {
+        return;
+    }
     for (const SegmentKind kind : {SegmentKind::Swath, SegmentKind::HeadlandPass}) {
         auto next = features.swaths.begin();
         for (PathSegment& segment : segments) {
@@ -226,6 +235,10 @@ Result<WrittenPlan> readPlan(const fs::path& path, const JobContext& job) {
             const auto stayInside = settings->find("path.stay_inside");
             plan.mayLeaveField =
                 stayInside != settings->end() && stayInside->is_boolean() && !stayInside->get<bool>();
+            const auto margin = settings->find(kMargin.key);
+            if (margin != settings->end() && margin->is_number()) {
+                plan.margin = metres(margin->get<double>());
+            }
         }
     }
     plan.workable = inFrame(field->workable(), field->frame(), plan.frame);
@@ -249,6 +262,7 @@ Result<WrittenPlan> readPlan(const fs::path& path, const JobContext& job) {
             for (std::size_t i = 0; i < plan.segments.size(); ++i) {
                 const PathSegment& drawn = features.segments[i].segment;
                 plan.segments[i].turnType = drawn.turnType;
+                plan.segments[i].number = drawn.number;
                 plan.segments[i].drivable = drawn.drivable;
                 plan.segments[i].reason = drawn.reason;
             }
@@ -273,6 +287,7 @@ Result<WrittenPlan> readPlan(const fs::path& path, const JobContext& job) {
     for (const PathSegment& segment : plan.segments) {
         headlandDriven = headlandDriven || segment.kind == SegmentKind::HeadlandPass;
     }
+    plan.leftOnPurpose = std::move(features.leftOnPurpose);
     if (features.hasHeadland && !features.mainland.empty() && !headlandDriven) {
         plan.mainland = std::move(features.mainland);
     }
@@ -287,6 +302,8 @@ AuditInput auditInput(const WrittenPlan& plan) {
             .segments = plan.segments,
             .passes = plan.passes,
             .mainland = plan.mainland,
+            .margin = plan.margin,
+            .leftOnPurpose = plan.leftOnPurpose,
             .mayLeaveField = plan.mayLeaveField,
             .statedMotion = plan.statedMotion,
             .positionRounding = plan.positionRounding};

@@ -22,6 +22,8 @@ struct WrittenPlan {
     std::vector<PathSegment> segments;
     std::vector<PlannedPass> passes;
     std::optional<MultiPolygon> mainland;  ///< where the strip around it is not driven
+    Length margin;
+    MultiPolygon leftOnPurpose;
     bool mayLeaveField = false;
     bool statedMotion = true;  ///< headings, speeds and times were read, not only lines
     Length positionRounding;

@@ -1,5 +1,6 @@
 #include "planner/io/plan_summary.h"
 
+#include "planner/headland/methods.h"
 #include "planner/io/audit_json.h"
 #include "planner/machine/machine_file.h"
 #include "planner/plan/general_parameters.h"
@@ -32,14 +33,29 @@ Json settingJson(const Parameter& parameter, const Settings& settings) {
     return settingText(value);
 }
 
-/// Every setting with the value that was used; "auto" only where no stage needed a number.
+/// Every setting with the value that was used, also where that was computed.
 Json settingsJson(const Plan& plan) {
     Json all = Json::object();
     for (const Parameter* parameter : allParameters()) {
         all[parameter->key] = settingJson(*parameter, plan.request.settings);
     }
     all[kMargin.key] = plan.margin.si();
+    all[kHeadlandWidth.key] = plan.headland.width.si();
+    all[kHeadlandPasses.key] = plan.headland.passes;
+    all[kRoundUpTo.key] = roundUpTo(plan.request.settings, plan.request.machine).si();
+    for (const SettingChange& change : plan.instead) {
+        all[change.key] = change.value;
+    }
     return all;
+}
+
+/// What was asked for and not taken, since something simpler is quicker.
+Json askedJson(const Plan& plan) {
+    Json asked = Json::object();
+    for (const SettingChange& change : plan.instead) {
+        asked[change.key] = settingJson(**findParameter(change.key), plan.request.settings);
+    }
+    return asked;
 }
 
 /// What the operation set: those of its settings that were not given.
@@ -54,8 +70,7 @@ Json operationSets(const Settings& settings) {
 }
 
 std::string methodOf(std::string_view stageId, const Settings& settings) {
-    const auto stage = std::ranges::find(stages(), stageId, &StageInfo::id);
-    return settings.choice(*stage->method);
+    return settings.choice(*stageMethod(stageId));
 }
 
 /// One for each cell.
@@ -103,6 +118,7 @@ std::string planSummaryJson(const Plan& plan) {
         {"operation_sets", operationSets(settings)},
         {"tank", tankUseId(settings.operation().tank)},
         {"settings", settingsJson(plan)},
+        {"settings_asked", askedJson(plan)},
         {"headland",
          {{"width_m", plan.headland.width.si()},
           {"passes", plan.headland.passes},
@@ -124,11 +140,9 @@ std::string planSummaryJson(const Plan& plan) {
           {"obstacles_gone_round", plan.swaths.goneRound.size()}}},
         {"route",
          {{"method", methodOf("route", settings)},
-          {"objective", nullptr},
           {"length_in_place_m", plan.route.lengthInPlace.si()},
           {"cost", plan.path.duration().si()},
           {"non_working_cost", plan.path.duration().si() - workedS},
-          {"lower_bound", nullptr},
           {"gap", nullptr},
           {"gap_total", nullptr}}},
         {"path",

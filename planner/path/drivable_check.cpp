@@ -23,8 +23,8 @@ constexpr Length kPassStep = metres(0.5);
 constexpr Length kAnyStep = metres(1e6);
 // A trailed implement that points elsewhere than the tractor by less is in line.
 constexpr double kInLineRad = 1e-3;
-// What passes and ways along the edge are outside by less is drawing.
-constexpr Length kDrawing = metres(0.005);
+// What passes and ways along the edge are outside by less is drawing, as in the audit.
+constexpr Length kDrawing = metres(0.01);
 // Taken off the footprint all round, so that touching the edge up to rounding is staying inside.
 constexpr double kTouchingM = 1e-3;
 

@@ -89,9 +89,8 @@ Result<SwathSet> pivot(const SwathTask& task, const JobContext& job) {
     }
     auto set = swathsOnLines(lines, task, job);
     if (set && leftOut > 0) {
-        set->notes.push_back({.text = message("{} circle(s) within {:.1f} m of the centre are tighter than this machine can "
-                                                  "follow and are left out",
-                                                  leftOut, tightestM),
+        set->notes.push_back({.text = message("{} within {:.1f} m of the centre: tighter than this machine can follow, left out",
+                                                  counted("{} circle", "{} circles", leftOut), tightestM),
                               .where = "swaths",
                               .place = given.front()});
     }
