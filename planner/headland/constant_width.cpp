@@ -11,6 +11,9 @@ namespace furrow {
 
 namespace {
 
+// What a width has beyond its passes.
+constexpr Length kWorthTelling = metres(0.05);
+
 int passesForTurns(const HeadlandTask& task) {
     return passesFor(roomForTurns(task.machine, task.turn, task.drawsOutEnds), task.machine);
 }
@@ -19,17 +22,23 @@ Result<Headland> constantWidth(const HeadlandTask& task, const JobContext& job) 
     const Settings& settings = task.settings;
     const auto givenWidth = settings.length(kHeadlandWidth);
     const auto givenPasses = settings.count(kHeadlandPasses);
-    if (givenWidth && givenPasses) {
+    if (givenWidth && givenPasses && passesWithin(*givenWidth, task) != *givenPasses) {
         return std::unexpected(Error{.code = ErrorCode::Usage,
-                                     .what = "both headland.width_m and headland.passes are given",
+                                     .what = "headland.width_m and headland.passes do not agree",
                                      .where = "settings",
-                                     .remedy = "give at most one of the two"});
+                                     .remedy = "give one of the two, or a width that holds just these passes"});
     }
     Headland wanted;
     wanted.passes = givenPasses  ? *givenPasses
                     : givenWidth ? passesWithin(*givenWidth, task)
                                  : passesForTurns(task);
-    wanted.width = givenWidth ? std::max(*givenWidth, task.margin) : widthOfPasses(wanted.passes, task);
+    wanted.width = givenWidth ? heldWidth(*givenWidth, task) : widthOfPasses(wanted.passes, task);
+    if (givenWidth && *givenWidth - wanted.width > kWorthTelling) {
+        wanted.notes.push_back({message("A headland of {:.1f} m holds {}; it is {:.1f} m wide, and the rest is mainland",
+                                        givenWidth->si(), counted("{} pass", "{} passes", wanted.passes), wanted.width.si()),
+                                "headland",
+                                {}});
+    }
     if (!task.field.edgeHeadlands().empty()) {
         wanted.strips = EdgeStrips::along(task.workable(), wanted.width, wanted.passes);
     }

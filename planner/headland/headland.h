@@ -50,6 +50,7 @@ struct Headland {
     Length uncutStrip;           ///< at most, along the boundary outside of the outermost pass
     Area uncutCorners;           ///< where that pass is rounded
     std::vector<Note> notes;     ///< what was given up, and why
+    bool narrowed = false;       ///< the field was too narrow for what was wanted
 };
 
 /// How wide the headland is along the edge that is nearest to a place. Cost: O(edges).

@@ -27,8 +27,8 @@ namespace furrow {
 
 namespace {
 
-// A strip narrower than this between the innermost pass and the mainland is rounding.
-constexpr Length kLeastStrip = metres(0.01);
+// Passes no farther apart than this run along the same line.
+constexpr Length kSameInset = metres(0.01);
 // Merged corners bring a pass nearer to the edge by less than this share of its width.
 constexpr double kMergedShare = 0.1;
 
@@ -53,16 +53,11 @@ CornerMethod cornerMethod(const Settings& settings) {
 }
 
 /// From the edge to the line of every pass, outermost first.
-std::vector<Length> insets(Length width, int passes, const Machine& machine, Length margin) {
+std::vector<Length> insets(int passes, const Machine& machine, Length margin) {
     std::vector<Length> all;
     const Length first = margin + 0.5 * machine.workingFootprintWidth();
     for (int i = 0; i < passes; ++i) {
         all.push_back(first + i * machine.operatingWidth());
-    }
-    // A width that holds no whole number of passes gets one more, flush with the mainland.
-    const Length innermost = width - 0.5 * machine.operatingWidth();
-    if (passes > 0 && innermost - all.back() > kLeastStrip) {
-        all.push_back(innermost);
     }
     return all;
 }
@@ -78,19 +73,19 @@ struct RingInsets {
 std::vector<RingInsets> ringsOf(const Headland& headland, const Machine& machine, Length margin) {
     std::vector<RingInsets> rings;
     if (headland.strips.empty()) {
-        for (const Length inset : insets(headland.width, headland.passes, machine, margin)) {
+        for (const Length inset : insets(headland.passes, machine, margin)) {
             rings.push_back({.different = {inset}, .ofStrip = {}});
         }
         return rings;
     }
     for (std::size_t i = 0; i < headland.strips.size(); ++i) {
-        const std::vector<Length> own = insets(headland.strips[i].width, headland.strips[i].passes, machine, margin);
+        const std::vector<Length> own = insets(headland.strips[i].passes, machine, margin);
         rings.resize(std::max(rings.size(), own.size()));
         for (std::size_t ring = 0; ring < own.size(); ++ring) {
             RingInsets& all = rings[ring];
             all.ofStrip.resize(headland.strips.size());
             const auto known = std::ranges::find_if(
-                all.different, [&](Length inset) { return std::abs((inset - own[ring]).si()) < kLeastStrip.si(); });
+                all.different, [&](Length inset) { return std::abs((inset - own[ring]).si()) < kSameInset.si(); });
             all.ofStrip[i] = static_cast<std::size_t>(known - all.different.begin());
             if (known == all.different.end()) {
                 all.different.push_back(own[ring]);

@@ -37,8 +37,8 @@ void widenEdges(Headland& headland, const HeadlandTask& task) {
         for (const WideEdge& wide : task.field.edgeHeadlands()) {
             if (distanceToSegment(strip.from, wide.from, wide.to) < kSameLineM &&
                 distanceToSegment(strip.to, wide.from, wide.to) < kSameLineM) {
-                strip.width = std::max(wide.width, task.margin);
-                strip.passes = passesWithin(strip.width, task);
+                strip.passes = passesWithin(wide.width, task);
+                strip.width = heldWidth(wide.width, task);
             }
         }
     }
@@ -82,6 +82,11 @@ int passesWithin(Length width, const HeadlandTask& task) {
     return std::max(0, static_cast<int>(std::floor(passes + kPassSlack)));
 }
 
+Length heldWidth(Length given, const HeadlandTask& task) {
+    const int passes = passesWithin(given, task);
+    return task.settings.flag(kHeadlandDriven) && passes > 0 ? widthOfPasses(passes, task) : std::max(given, task.margin);
+}
+
 int passesFor(Length room, const Machine& machine) {
     return std::max(1, static_cast<int>(std::ceil(room / machine.operatingWidth() - kPassSlack)));
 }
@@ -111,6 +116,7 @@ Result<Headland> headlandOf(Headland wanted, const HeadlandTask& task, const Job
         return std::unexpected(nothingLeft(task.margin));
     }
     if (headland.width < widest) {
+        headland.narrowed = true;
         headland.notes.push_back(
             {headland.passes == 0
                  ? message("The field is too narrow for {:.1f} m of headland; there is none", widest.si())

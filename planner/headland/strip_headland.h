@@ -8,6 +8,9 @@ namespace furrow {
 Length widthOfPasses(int passes, const HeadlandTask& task);
 /// How many passes a width holds.
 int passesWithin(Length width, const HeadlandTask& task);
+/// A width as it is laid out: of a headland that is driven, what its passes work, since more would be driven over twice
+/// or left; otherwise as given.
+Length heldWidth(Length given, const HeadlandTask& task);
 /// The fewest that are as wide as this, at least one.
 int passesFor(Length room, const Machine& machine);
 
