@@ -9,6 +9,7 @@
 #include "planner/io/plan_folder.h"
 #include "planner/io/plan_summary.h"
 #include "planner/io/terminals.h"
+#include "planner/plan/advice.h"
 #include "planner/units/angle.h"
 
 #include <algorithm>
@@ -141,7 +142,8 @@ int runPlan(const PlanArguments& arguments) {
                                 .machine = choices->machine,
                                 .settings = choices->settings,
                                 .guides = *guides},
-                               job);
+                               job)
+                          .and_then([&](const auto& made) { return withAdvice(made, job); });
     clearProgress(planning.quiet || planning.json);
     if (!plan) {
         return failWith(plan.error());

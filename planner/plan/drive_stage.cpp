@@ -8,6 +8,7 @@
 #include "planner/path/fitting_ways.h"
 #include "planner/path/gate_ways.h"
 #include "planner/path/headland_order.h"
+#include "planner/path/lifted_legs.h"
 #include "planner/path/path_builder.h"
 #include "planner/path/remembered_ways.h"
 #include "planner/path/travel_rule.h"
@@ -62,8 +63,7 @@ bool leadsBetweenParts(const DrivenParts& parts, const Path& path, std::size_t s
            parts.separate(before->samples.back().position, after->samples.front().position);
 }
 
-Finding blockedFinding(const Path& path, const BlockedConnection& blocked, const Headland& headland,
-                       const Machine& machine, const DrivenParts& parts) {
+Finding blockedFinding(const Path& path, const BlockedConnection& blocked, const Headland& headland, const DrivenParts& parts) {
     const Message way = nameOfWay(path, blocked.segment);
     if (leadsBetweenParts(parts, path, blocked.segment)) {
         return {.severity = Severity::Blocking,
@@ -73,31 +73,18 @@ Finding blockedFinding(const Path& path, const BlockedConnection& blocked, const
                 .suggestion = "Plan the parts of the field apart, or widen the passage between them."};
     }
     if (blocked.obstacle) {
-        return {
-            .severity = Severity::Blocking,
-            .kind = "obstacle",
-            .place = blocked.place,
-            .text = message("{} crosses an obstacle.", way),
-            .suggestion = "Try another direction of the swaths, or plan the sides of the obstacle apart."};
-    }
-    const double needed = (headland.width + blocked.outside).si();
-    // A turn that is a few metres short fits with more headland; one that cuts a corner of the field does
-    // not.
-    const bool widerHeadlandHelps =
-        blocked.outside < 3.0 * machine.minTurningRadius() + machine.operatingWidth();
-    Message suggestion = "The field bends inwards here: try another direction of the swaths.";
-    if (!headland.notes.empty()) {
-        suggestion =
-            "The field is too narrow for this machine to turn in: turn outside, or take a smaller machine.";
-    } else if (widerHeadlandHelps) {
-        suggestion = message("A headland of {:.0f} m may make room ({:.1f} m now).", std::ceil(needed),
-                                 headland.width.si());
+        return {.severity = Severity::Blocking,
+                .kind = "obstacle",
+                .place = blocked.place,
+                .text = message("{} crosses an obstacle.", way),
+                .suggestion = "Plan the sides of the obstacle apart."};
     }
     return {.severity = Severity::Blocking,
             .kind = "outside",
             .place = blocked.place,
-            .text = message("{} leaves the field by {:.1f} m.", way, blocked.outside.si()),
-            .suggestion = std::move(suggestion)};
+            .text = message("{} leaves the field by {:.2f} m.", way, blocked.outside.si()),
+            .suggestion = headland.narrowed ? Message{"The field is too narrow for this machine to turn in: take a smaller machine."}
+                                            : Message{}};
 }
 
 /// Headland passes before or after the swaths.
@@ -200,7 +187,7 @@ Result<void> checkWays(Plan& plan, const MultiPolygon& drivable, const JobContex
             plan.findings.pop_back();
         }
         worst = connection;
-        plan.findings.push_back(blockedFinding(plan.path, connection, plan.headland, plan.request.machine, *parts));
+        plan.findings.push_back(blockedFinding(plan.path, connection, plan.headland, *parts));
     }
     return {};
 }
@@ -321,12 +308,18 @@ Result<void> finish(Plan& plan, std::vector<Leg> legs, RememberedWays& ways, con
         }
         bends = std::move(*made);
     }
+    const auto land = plan.margin > Length{} ? eroded(plan.field().workable(), plan.margin, kArcTolerance, job)
+                                             : Result<MultiPolygon>{plan.field().workable()};
+    if (!land) {
+        return std::unexpected(land.error());
+    }
     std::vector<PassStretch> refused;
     for (int round = 0; round < kFinishingRounds && leavesTooMuch(plan); ++round) {
         const Clock::time_point begin = Clock::now();
         const JobContext part = job.part(static_cast<double>(round) / kFinishingRounds, (round + 1.0) / kFinishingRounds);
         const Area hairs = plan.audit.left - area(plan.audit.leftAreas);
-        const auto passes = finishingPasses({.workable = plan.field().workable(),
+        const auto passes = finishingPasses({.workable = *land,
+                                             .leftOnPurpose = plan.leftOnPurpose,
                                              .left = plan.audit.leftAreas,
                                              .mayStay = kMayStayShare * plan.audit.workable - hairs,
                                              .mayStayInOnePiece = kMayStayInOnePiece,
@@ -395,7 +388,16 @@ Result<void> driveStage(Plan& plan, const MultiPolygon& drivable, const JobConte
     RememberedWays ways{[fitting](const Pose& leaving, const Pose& arriving, const JobContext& part, SearchEffort effort) {
         return fitting->between(leaving, arriving, part, effort);
     }};
-    std::vector<Leg> legs = layOut(plan, drivable);
+    LiftedLegs lifted = liftedOver(layOut(plan, drivable), field.passable(), machine, machine.spec().implement.length);
+    MultiPolygon all = std::move(lifted.passedOver);
+    std::ranges::copy(field.passable(), std::back_inserter(all));
+    std::ranges::copy(plan.swaths.leftOnPurpose, std::back_inserter(all));
+    auto onPurpose = all.empty() ? Result<MultiPolygon>{} : unionOf(all, job);
+    if (!onPurpose) {
+        return std::unexpected(onPurpose.error());
+    }
+    plan.leftOnPurpose = std::move(*onPurpose);
+    std::vector<Leg> legs = std::move(lifted.legs);
     const std::vector<Finding> gateFindings = addGateWays(legs, places, field, fitting->rig());
     if (auto driven = drive(plan, legs, ways, *open, job.part(0.0, 0.8)); !driven) {
         return std::unexpected(driven.error());

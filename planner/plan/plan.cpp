@@ -4,9 +4,11 @@
 #include "planner/field/small_obstacles.h"
 #include "planner/geometry/convex_hull.h"
 #include "planner/geometry/geos_bridge.h"
+#include "planner/plan/as_asked.h"
 #include "planner/plan/drive_stage.h"
 #include "planner/plan/general_parameters.h"
 #include "planner/plan/method_registry.h"
+#include "planner/plan/quicker_choice.h"
 #include "planner/plan/round_stage.h"
 #include "planner/plan/swath_stage.h"
 #include "planner/swaths/methods.h"
@@ -100,7 +102,7 @@ Polyline lineOf(const Turn& turn) {
 void addNotes(Plan& plan) {
     const Field& field = plan.field();
     const Point middle = field.frame().toLocal(middleOf(field.source().parts));
-    for (const auto& notes : {plan.headland.notes, plan.swaths.notes}) {
+    for (const auto& notes : {plan.notes, plan.headland.notes, plan.swaths.notes}) {
         for (const Note& note : notes) {
             plan.findings.push_back({.severity = Severity::Note,
                                      .kind = note.where,
@@ -148,7 +150,7 @@ Result<Headland> headlandAlong(const Plan& plan, const MultiPolygon& workable, c
 Result<LaidSwaths> layOutRound(Plan& plan, std::vector<Ring> obstacles, const MultiPolygon& drivable, const JobContext& job) {
     for (bool again = false;; again = true) {
         const JobContext part = again ? quiet(job) : job;
-        const MultiPolygon workable = filled(plan.field().workable(), obstacles);
+        const MultiPolygon workable = filled(plan.field().drivable(), obstacles);
         auto headland = timed(plan.timings.headland, [&] { return headlandAlong(plan, workable, drivable, part.part(0.0, 0.1)); });
         if (!headland) {
             return std::unexpected(headland.error());
@@ -225,6 +227,8 @@ AuditInput auditInput(const Plan& plan) {
                      .segments = plan.path.segments,
                      .passes = {},
                      .mainland = {},
+                     .margin = plan.margin,
+                     .leftOnPurpose = plan.leftOnPurpose,
                      .mayLeaveField = !plan.request.settings.flag(kStayInside)};
     for (const Gate& gate : field.source().gates) {
         input.gates.push_back({field.frame().toLocal(gate.position), gate.width});
@@ -254,6 +258,17 @@ AuditInput auditInput(const Plan& plan) {
 
 Result<std::shared_ptr<const Plan>> makePlan(const PlanRequest& request, const JobContext& job) {
     const Clock::time_point begin = Clock::now();
+    auto plan = quickestChoice(request, job);
+    if (!plan) {
+        return std::unexpected(plan.error());
+    }
+    addNotes(**plan);
+    (*plan)->timings.total = seconds(std::chrono::duration<double>(Clock::now() - begin).count());
+    job.report(1.0);
+    return std::shared_ptr<const Plan>{std::move(*plan)};
+}
+
+Result<std::shared_ptr<Plan>> planAsAsked(const PlanRequest& request, const JobContext& job) {
     const Field& field = *request.field;
     const Machine& machine = request.machine;
     const Length margin = request.settings.length(kMargin).value_or(field.source().boundaryAccuracy);
@@ -289,11 +304,7 @@ Result<std::shared_ptr<const Plan>> makePlan(const PlanRequest& request, const J
             best = std::move(other);
         }
     }
-    const std::shared_ptr<Plan> plan = std::move(*best);
-    addNotes(*plan);
-    plan->timings.total = seconds(std::chrono::duration<double>(Clock::now() - begin).count());
-    job.report(1.0);
-    return std::shared_ptr<const Plan>{plan};
+    return best;
 }
 
 }  // namespace furrow

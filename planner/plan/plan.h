@@ -46,6 +46,8 @@ struct Plan {
     PlanRequest request;
     Length margin;  ///< as used: the setting, or the boundary's accuracy
     Headland headland;
+    /// Land that may be driven on and is not worked on purpose, the margin apart; may overlap.
+    MultiPolygon leftOnPurpose;
     SwathSet swaths;
     Decomposition cells;
     Route route;
@@ -53,6 +55,9 @@ struct Plan {
     AuditReport audit;
     /// Of the planner and the audit; what both found is told once.
     std::vector<Finding> findings;
+    /// What was planned instead of a choice that promises time and is slower here, each with a note.
+    std::vector<SettingChange> instead;
+    std::vector<Note> notes;
     StageTimings timings;
 
     const Field& field() const { return *request.field; }
@@ -62,7 +67,8 @@ struct Plan {
 /// What the audit reads of a plan. Points into it: the plan must outlive it.
 AuditInput auditInput(const Plan& plan);
 
-/// Plans a field: headland, swaths, route, path, audit, in this order.
+/// Plans a field: headland, swaths, route, path, audit, in this order; choices that promise time are compared with
+/// simpler ones (quickestChoice).
 /// Errors: those of the stages; InputRefused where the machine fits nowhere in the field. Cancelled.
 Result<std::shared_ptr<const Plan>> makePlan(const PlanRequest& request, const JobContext& job = {});
 

@@ -1,0 +1,118 @@
+#include "planner/plan/advice.h"
+
+#include "planner/headland/methods.h"
+#include "planner/plan/method_registry.h"
+#include "planner/settings/operation.h"
+
+#include <algorithm>
+#include <utility>
+#include <vector>
+
+namespace furrow {
+
+namespace {
+
+constexpr std::size_t kMostTried = 4;
+// Findings of one kind in two plans are the same no farther apart than this, or than two operating widths.
+constexpr double kNearM = 10.0;
+constexpr double kNearWidths = 2.0;
+
+struct Change {
+    const Parameter* parameter = nullptr;
+    std::string value;
+};
+
+/// A value as people see it.
+Message shown(const Parameter& parameter, const SettingValue& value) {
+    if (const auto* flag = std::get_if<bool>(&value)) {
+        return *flag ? Message{"on"} : Message{"off"};
+    }
+    if (parameter.kind == ParameterKind::Choice) {
+        const auto found = std::ranges::find(parameter.choices, settingText(value), &Choice::id);
+        return Message{found->name};
+    }
+    if (std::holds_alternative<Auto>(value)) {
+        return "auto";
+    }
+    const auto* number = std::get_if<double>(&value);
+    if (number != nullptr && parameter.kind == ParameterKind::Length) {
+        return message("{:.2f} m", *number);
+    }
+    return Message{settingText(value).empty() ? "nothing" : settingText(value)};
+}
+
+/// What might mend a plan, the likeliest first.
+std::vector<Change> changesFor(const Plan& plan) {
+    const Settings& settings = plan.request.settings;
+    std::vector<Change> changes;
+    for (const Parameter* parameter : allParameters()) {
+        Settings without = settings;
+        without.clear(*parameter);
+        if (settings.isSet(*parameter) && without.value(*parameter) != settings.value(*parameter)) {
+            changes.push_back({parameter, settingText(without.value(*parameter))});
+        }
+    }
+    const bool leaves = std::ranges::any_of(plan.findings, [](const Finding& finding) {
+        return finding.severity == Severity::Blocking && finding.kind == "outside";
+    });
+    const bool canWiden = settings.choice(*stageMethod("headland")) == "constant" && !settings.isSet(kHeadlandWidth);
+    if (leaves && canWiden && !plan.headland.narrowed) {
+        changes.push_back({&kHeadlandPasses, std::to_string(plan.headland.passes + 1)});
+    }
+    if (changes.size() > kMostTried) {
+        changes.resize(kMostTried);
+    }
+    return changes;
+}
+
+bool hasNear(const std::vector<Finding>& findings, const Finding& wanted, double nearM) {
+    return std::ranges::any_of(findings, [&](const Finding& finding) {
+        return finding.severity == Severity::Blocking && finding.kind == wanted.kind &&
+               distance(finding.place, wanted.place) < nearM;
+    });
+}
+
+bool isBlockedAnew(const Plan& changed, const Plan& plan, double nearM) {
+    return std::ranges::any_of(changed.findings, [&](const Finding& finding) {
+        return finding.severity == Severity::Blocking && !hasNear(plan.findings, finding, nearM);
+    });
+}
+
+}  // namespace
+
+Result<std::shared_ptr<const Plan>> withAdvice(const std::shared_ptr<const Plan>& plan, const JobContext& job) {
+    if (plan->drivable() || plan->request.draft) {
+        return plan;
+    }
+    const double nearM = std::max(kNearM, kNearWidths * plan->request.machine.operatingWidth().si());
+    auto advised = std::make_shared<Plan>(*plan);
+    const auto needsAdvice = [](const Finding& finding) {
+        return finding.severity == Severity::Blocking && !finding.change;
+    };
+    for (const Change& change : changesFor(*plan)) {
+        if (std::ranges::none_of(advised->findings, needsAdvice)) {
+            break;
+        }
+        PlanRequest request = plan->request;
+        if (!request.settings.setText(*change.parameter, change.value)) {
+            continue;
+        }
+        const auto changed = makePlan(request, {job.stop, {}, job.threads});
+        if (!changed && changed.error().code == ErrorCode::Cancelled) {
+            return std::unexpected(changed.error());
+        }
+        if (!changed || isBlockedAnew(**changed, *plan, nearM)) {
+            continue;
+        }
+        for (Finding& finding : advised->findings) {
+            if (needsAdvice(finding) && !hasNear((*changed)->findings, finding, nearM)) {
+                finding.change = {.key = std::string{change.parameter->key}, .value = change.value};
+                finding.suggestion = message("Set \"{}\" to \"{}\": with that this is gone.", change.parameter->name,
+                                             shown(*change.parameter, request.settings.value(*change.parameter)));
+            }
+        }
+    }
+    return advised;
+}
+
+}  // namespace furrow

@@ -1,0 +1,100 @@
+#include "planner/plan/quicker_choice.h"
+
+#include "planner/headland/methods.h"
+#include "planner/decomposition/decomposition.h"
+#include "planner/plan/as_asked.h"
+#include "planner/plan/method_registry.h"
+
+#include <algorithm>
+#include <cmath>
+#include <utility>
+
+namespace furrow {
+
+namespace {
+
+/// A setting and the simpler choice for it.
+struct SimplerChoice {
+    std::string_view key;
+    std::string_view chosen;
+    std::string_view simpler;
+};
+
+constexpr SimplerChoice kSimplerChoices[] = {
+    {"headland.method", "per-edge", "constant"},
+    {"decomposition.heading", "per-cell", "common"},
+};
+
+std::string_view choiceName(const Parameter& parameter, std::string_view id) {
+    return std::ranges::find(parameter.choices, id, &Choice::id)->name;
+}
+
+std::ptrdiff_t blockingCount(const Plan& plan) {
+    return std::ranges::count(plan.findings, Severity::Blocking, &Finding::severity);
+}
+
+bool isBetter(const Plan& other, const Plan& plan) {
+    if (blockingCount(other) != blockingCount(plan)) {
+        return blockingCount(other) < blockingCount(plan);
+    }
+    return timeForAll(other) < timeForAll(plan);
+}
+
+/// Without progress: what is compared with takes no part of it.
+JobContext quiet(const JobContext& job) {
+    return {job.stop, {}, job.threads};
+}
+
+Message takenInstead(const Parameter& parameter, const SimplerChoice& choice, Duration saved) {
+    const std::string_view asked = choiceName(parameter, choice.chosen);
+    const std::string_view taken = choiceName(parameter, choice.simpler);
+    return saved > Duration{} ? message("\"{}\": \"{}\" is planned instead of \"{}\", since it is {:.0f} s quicker here",
+                                        parameter.name, taken, asked, saved.si())
+                              : message("\"{}\": \"{}\" is planned instead of \"{}\", which cannot be driven here",
+                                        parameter.name, taken, asked);
+}
+
+}  // namespace
+
+Duration timeForAll(const Plan& plan) {
+    const Machine& machine = plan.request.machine;
+    const double missedM = plan.audit.missed.value_or(Area{}).si() / machine.operatingWidth().si();
+    return plan.path.duration() + seconds(missedM / machine.spec().tractor.workingSpeed.si());
+}
+
+Result<std::shared_ptr<Plan>> quickestChoice(const PlanRequest& request, const JobContext& job) {
+    auto best = planAsAsked(request, job);
+    if (!best || request.draft) {
+        return best;
+    }
+    PlanRequest tried = request;
+    std::vector<SettingChange> instead;
+    std::vector<Note> notes;
+    for (const SimplerChoice& choice : kSimplerChoices) {
+        const Parameter& parameter = **findParameter(choice.key);
+        if (tried.settings.choice(parameter) != choice.chosen) {
+            continue;
+        }
+        PlanRequest simpler = tried;
+        if (auto set = simpler.settings.setText(parameter, choice.simpler); !set) {
+            return std::unexpected(set.error());
+        }
+        auto other = planAsAsked(simpler, quiet(job));
+        if (!other && other.error().code == ErrorCode::Cancelled) {
+            return std::unexpected(other.error());
+        }
+        if (other && isBetter(**other, **best)) {
+            const Duration saved = (*best)->path.duration() - (*other)->path.duration();
+            notes.push_back({takenInstead(parameter, choice, saved), "instead", {}});
+            instead.push_back({std::string{choice.key}, std::string{choice.simpler}});
+            tried = std::move(simpler);
+            best = std::move(other);
+        }
+    }
+    (*best)->request = request;
+    (*best)->instead = std::move(instead);
+    std::ranges::move(notes, std::back_inserter((*best)->notes));
+    return best;
+}
+
+}  // namespace furrow
