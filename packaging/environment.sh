@@ -1,11 +1,15 @@
 # Shared by the scripts of this folder: where the build environment is and how to enter it.
 # Sourced, not run. Debian 13 and Ubuntu 25.04 (and newer) are used as they are. On anything older a
 # Debian 13 root in the user's cache folder takes their place, entered through a private mount
-# namespace, so that nothing is ever left mounted on the host.
+# namespace (namespace.sh), so that nothing is ever left mounted on the host.
 
-project=$(cd "$(dirname "${BASH_SOURCE[0]}")/.." && pwd)
+# Debian leaves these out for ordinary users; debootstrap, chroot and pivot_root are there.
+PATH=$PATH:/usr/local/sbin:/usr/sbin:/sbin
+
+project=$(cd "$(dirname "${BASH_SOURCE[0]}")/.." && pwd -P)
 cache=${XDG_CACHE_HOME:-$HOME/.cache}/furrow
 root=$cache/debian13
+# shellcheck disable=SC2034  # for setup
 log=$cache/setup.log
 
 say() { printf 'furrow: %s\n' "$*" >&2; }
@@ -33,9 +37,17 @@ as_root() {
     elif command -v sudo >/dev/null; then
         sudo "$@"
     else
-        fail "setting up packages needs the rights of root, and there is no sudo here." \
-             "Run packaging/setup once as root, or install sudo."
+        fail "this needs the rights of root, and there is no sudo here." \
+             "Install it (as root: apt-get install sudo && adduser $(id -un) sudo), log in again and run this again."
     fi
+}
+
+# own FOLDER [EXCEPT]: what lies there as root's, from an earlier run with sudo, becomes the user's. Looks
+# at FOLDER and what is directly in it; EXCEPT stays as it is.
+own() {
+    [ "$(id -u)" != 0 ] && [ -n "$(find "$1" -maxdepth 1 ! -path "${2:-}" -user 0 -print -quit)" ] || return 0
+    say "$1 holds files of root's; they become yours ..."
+    as_root find "$1" -path "${2:-}" -prune -o -user 0 -exec chown -h "$(id -u):$(id -g)" {} +
 }
 
 # FURROW_FORCE_ROOT=1 uses the Debian 13 root on a new host too (a reproducible build environment).
@@ -51,71 +63,101 @@ host_is_new_enough() {
     esac
 }
 
-# What is mounted into the root, in this order: the home folder first, because the root itself may lie
-# in it. Every bind is recursive, so sticks below /media and a project on a disk of its own are there.
-# Arguments: ROOT PROJECT HOME UID GID ENV_FILE CMD...
-enter_script='
-set -e
-root=$1 project=$2 home=$3 uid=$4 gid=$5 env_file=$6 cwd=$7
-shift 7
-bind() { [ -d "$1" ] || return 0; mkdir -p "$root$1"; mount --rbind "$1" "$root$1"; }
-bind "$home"
-bind /tmp
-bind /media
-bind /mnt
-bind "$project"
-shared=$(dirname "$project")/shared
-[ ! -d "$shared" ] || bind "$shared"
-case "$cwd/" in "$home"/*|/tmp/*|/media/*|/mnt/*|"$project"/*|"$shared"/*) ;; *) cwd=$project ;; esac
-bind /dev
-bind /sys
-[ ! -d "/run/user/$uid" ] || bind "/run/user/$uid"
-mount --rbind /proc "$root/proc"
-for file in /etc/passwd /etc/group /etc/hosts /etc/resolv.conf /etc/localtime /etc/machine-id \
-            /etc/ssl/certs/ca-certificates.crt; do
-    [ -f "$file" ] || continue
-    [ -e "$root$file" ] || : > "$root$file" 2>/dev/null || continue
-    mount --bind "$(readlink -f "$file")" "$(readlink -f "$root$file" || echo "$root$file")" 2>/dev/null || true
-done
-if [ "$(id -u)" = "$uid" ]; then user=; else user=--userspec=$uid:$gid; fi
-exec chroot $user "$root" /bin/bash -c "
-    . \"\$1\"; rm -f \"\$1\"; cd \"\$2\"; shift 2
-    exec \"\$@\"
-" bash "$env_file" "$cwd" "$@"
-'
+# The folders of the host that are in the Debian 13 root, too, at the same paths. Those that do not exist
+# are left out.
+shared_folders() {
+    printf '%s\n' "$HOME" /tmp "${TMPDIR:-/tmp}" /media /mnt "$project" "$(dirname "$project")/shared" "$cache" \
+        /dev /sys /proc "/run/user/$(id -u)"
+}
+
+# The host's time zone, where the Debian 13 root knows it.
+time_zone() {
+    local zone
+    zone=$(readlink -f /etc/localtime)
+    zone=${zone##*/zoneinfo/}
+    [ ! -f "$root/usr/share/zoneinfo/$zone" ] || printf '%s\n' "$zone"
+}
+
+# The caller's environment as a script, but for what only makes sense on the host's own file system.
+# shellcheck disable=SC2030,SC2031  # nothing of it is to last
+environment() (
+    export PATH=/usr/lib/qt6/bin:/usr/local/sbin:/usr/local/bin:/usr/sbin:/usr/bin:/sbin:/bin
+    export LANG=C.UTF-8
+    export debian_chroot=furrow
+    local zone
+    zone=${TZ:-$(time_zone)}
+    [ -z "$zone" ] || export TZ="$zone"
+    unset LD_LIBRARY_PATH LD_PRELOAD LC_ALL LANGUAGE
+    unset PERL5LIB PYTHONPATH PYTHONHOME GI_TYPELIB_PATH QT_PLUGIN_PATH QML_IMPORT_PATH QML2_IMPORT_PATH
+    export -p
+    printf 'umask %s\n' "$(umask)"
+)
+
+# No privilege is needed where the kernel lets users have namespaces of their own and mount in them.
+user_namespaces_work() {
+    unshare --user --map-current-user --keep-caps --mount mount -t tmpfs furrow /tmp 2>/dev/null
+}
+
+# through_sudo STATE CMD...: sudo is a process of root's, which the user may not end. Signals go to what
+# runs below it instead, which is the user's own and says its number in STATE/pid; before that, there is
+# nothing to end, and without STATE nothing begins. Those of the keyboard are passed on by sudo itself.
+through_sudo() {
+    local state=$1 signals=(HUP TERM) signal child status interrupted=1
+    shift
+    trap 'rm -rf "$state"' EXIT
+    command -v sudo >/dev/null ||
+        fail "this system lets only root mount file systems, and there is no sudo here." \
+             "Allow user namespaces (sysctl user.max_user_namespaces), or install sudo."
+    { : </dev/tty; } 2>/dev/null || signals+=(INT QUIT)
+    trap 'interrupted=1' INT QUIT
+    for signal in "${signals[@]}"; do
+        # shellcheck disable=SC2064  # each its own
+        trap "pass_on $signal; interrupted=1" "$signal"
+    done
+    : >"$state/pid"
+    (trap - INT QUIT HUP TERM EXIT; exec sudo "$@") <&0 &
+    child=$!
+    while [ -n "$interrupted" ]; do
+        interrupted=
+        status=0
+        wait "$child" || status=$?
+    done
+    exit "$status"
+}
+
+# pass_on SIGNAL: part of through_sudo.
+pass_on() {
+    [ -s "$state/pid" ] || exit $((128 + $(kill -l "$1")))
+    kill -s "$1" "$(cat "$state/pid")" 2>/dev/null || true
+}
 
 # enter CMD...: runs CMD in the build environment, in the caller's folder and as the caller.
 enter() {
-    export PATH_OF_ENVIRONMENT=/usr/lib/qt6/bin:/usr/local/sbin:/usr/local/bin:/usr/sbin:/usr/bin:/sbin:/bin
     export CCACHE_DIR=${CCACHE_DIR:-$cache/ccache}
     # Clones in other folders share what was compiled.
     export CCACHE_BASEDIR=${CCACHE_BASEDIR:-$project} CCACHE_NOHASHDIR=1
-    export FURROW_NODE_MODULES=$(validators)/node_modules
+    FURROW_NODE_MODULES=$(validators)/node_modules
+    export FURROW_NODE_MODULES
     if host_is_new_enough; then
+        # shellcheck disable=SC2031
         export PATH=/usr/lib/qt6/bin:$PATH
-        unset PATH_OF_ENVIRONMENT
         exec "$@"
     fi
-    local env_file
-    env_file=$(mktemp /tmp/furrow-env.XXXXXX)
-    # The caller's environment, but for what only makes sense on the host's own file system.
-    (
-        export PATH=$PATH_OF_ENVIRONMENT
-        export LANG=C.UTF-8
-        export debian_chroot=furrow
-        unset PATH_OF_ENVIRONMENT LD_LIBRARY_PATH LD_PRELOAD LC_ALL LANGUAGE
-        unset PERL5LIB PYTHONPATH PYTHONHOME GI_TYPELIB_PATH QT_PLUGIN_PATH QML_IMPORT_PATH QML2_IMPORT_PATH
-        export -p
-    ) >"$env_file"
-    local arguments=(bash -c "$enter_script" bash "$root" "$project" "$HOME" "$(id -u)" "$(id -g)"
-                     "$env_file" "$PWD" "$@")
-    local namespace=(unshare --mount --propagation private)
+    # What the host mounts and unmounts later, a stick for one, is followed.
+    local state folders identity mounting=(unshare --mount --propagation slave)
+    # CMD is the caller's: rights that were needed for mounting are given up.
+    identity="setpriv --reuid=$(id -u) --regid=$(id -g) --groups=$(id -G | tr ' ' ,)"
+    mapfile -t folders < <(shared_folders)
+    state=$(mktemp -d /tmp/furrow-enter.XXXXXX)
+    environment >"$state/environment"
+    local script=(bash -c "$(cat "$project/packaging/namespace.sh")" furrow "$root" "$state" "$project" "$PWD")
+    local arguments=("${folders[@]}" -- "$@")
     if [ "$(id -u)" = 0 ]; then
-        exec "${namespace[@]}" "${arguments[@]}"
-    elif unshare --user --map-current-user --keep-caps --mount true 2>/dev/null; then
-        # No privilege is needed where the kernel lets users have namespaces of their own.
-        exec unshare --user --map-current-user --keep-caps --mount --propagation private "${arguments[@]}"
+        exec "${mounting[@]}" "${script[@]}" '' "${arguments[@]}"
+    elif user_namespaces_work; then
+        exec "${mounting[@]}" --user --map-current-user --keep-caps \
+            "${script[@]}" "setpriv --inh-caps=-all --ambient-caps=-all" "${arguments[@]}"
     else
-        exec sudo "${namespace[@]}" "${arguments[@]}"
+        through_sudo "$state" "${mounting[@]}" "${script[@]}" "$identity" "${arguments[@]}"
     fi
 }
