@@ -1,5 +1,6 @@
 # Sourced by run and test, after environment.sh. build TARGET...: configures and builds the release preset,
 # quietly unless something fails.
+# shellcheck disable=SC2016,SC2154  # a script of its own; environment.sh says where the project is
 
 # A build folder that was made elsewhere (moved, or by another system's CMake) is of no use here.
 configured_here() {
@@ -10,6 +11,7 @@ configured_here() {
 build() {
     local log="$project/build/build.log" begin=$SECONDS
     mkdir -p "$project/build"
+    own "$project/build"
     configured_here || rm -rf "$project/build/release"
     say "building ..."
     if ! "$project/packaging/shell" bash -c '
