@@ -83,14 +83,15 @@ for file in /etc/passwd /etc/group /etc/hosts /etc/resolv.conf /etc/machine-id /
         mount --bind "$(readlink -f "$file")" "$tree$file"
     fi
 done
+mkdir "$tree/.host"
 # Files written beside the folders would be lost at the end: refused instead.
 for folder in "${in_memory[@]}"; do mount -o remount,bind,ro "$tree$folder"; done
 
 is_bound "$cwd" || cwd=$project
 cd "$tree"
 # The host's own tree is left behind for good, where it can be (not below a chroot).
-if pivot_root . . 2>/dev/null; then
-    umount --lazy --no-canonicalize .
+if pivot_root . .host 2>/dev/null; then
+    umount --lazy /.host
     change=
 else
     change="chroot ."
