@@ -3472,6 +3472,10 @@
         <translation>den Schlag mit seiner Feldgrenze exportieren; furrow-cli compare liest, was eine Maschine aufgezeichnet hat</translation>
     </message>
     <message>
+        <source>export the fields again in one coordinate system</source>
+        <translation>exportieren Sie die Schläge noch einmal in einem einzigen Koordinatensystem</translation>
+    </message>
+    <message>
         <source>feature %1</source>
         <translation>Objekt %1</translation>
     </message>
@@ -3724,6 +3728,10 @@
         <translation>sie hat %1: %2</translation>
     </message>
     <message>
+        <source>it has another coordinate system than the file</source>
+        <translation>es hat ein anderes Koordinatensystem als die Datei</translation>
+    </message>
+    <message>
         <source>it has more than %1 parts</source>
         <translation>es hat mehr als %1 Teile</translation>
     </message>
@@ -3792,8 +3800,16 @@
         <translation>das Koordinatensystem „%1“ lässt sich nicht in WGS84 umrechnen</translation>
     </message>
     <message>
+        <source>its coordinate system &apos;%1&apos; is not known</source>
+        <translation>das Koordinatensystem &apos;%1&apos; ist nicht bekannt</translation>
+    </message>
+    <message>
         <source>its coordinate system cannot be turned into WGS84</source>
         <translation>das Koordinatensystem lässt sich nicht in WGS84 umrechnen</translation>
+    </message>
+    <message>
+        <source>its coordinate system would have to be fetched from &apos;%1&apos;</source>
+        <translation>ihr Koordinatensystem müsste von &apos;%1&apos; geholt werden</translation>
     </message>
     <message>
         <source>its file is missing</source>
@@ -4082,6 +4098,10 @@
     <message>
         <source>the boundary is that of the guidance group; the field itself has none</source>
         <translation>die Feldgrenze ist die der Leitliniengruppe; der Schlag selbst hat keine</translation>
+    </message>
+    <message>
+        <source>the coordinate system that it names is not known</source>
+        <translation>das Koordinatensystem, das sie nennt, ist nicht bekannt</translation>
     </message>
     <message>
         <source>the coordinates lie outside longitude -180 to 180 and latitude -90 to 90</source>

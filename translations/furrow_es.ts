@@ -3472,6 +3472,10 @@
         <translation>exporte la parcela con su límite; furrow-cli compare lee lo que grabó una máquina</translation>
     </message>
     <message>
+        <source>export the fields again in one coordinate system</source>
+        <translation>exporte las parcelas de nuevo en un solo sistema de coordenadas</translation>
+    </message>
+    <message>
         <source>feature %1</source>
         <translation>objeto %1</translation>
     </message>
@@ -3724,6 +3728,10 @@
         <translation>tiene %1: %2</translation>
     </message>
     <message>
+        <source>it has another coordinate system than the file</source>
+        <translation>tiene otro sistema de coordenadas que el archivo</translation>
+    </message>
+    <message>
         <source>it has more than %1 parts</source>
         <translation>tiene más de %1 partes</translation>
     </message>
@@ -3792,8 +3800,16 @@
         <translation>su sistema de coordenadas «%1» no se puede pasar a WGS84</translation>
     </message>
     <message>
+        <source>its coordinate system &apos;%1&apos; is not known</source>
+        <translation>su sistema de coordenadas &apos;%1&apos; no se conoce</translation>
+    </message>
+    <message>
         <source>its coordinate system cannot be turned into WGS84</source>
         <translation>su sistema de coordenadas no se puede pasar a WGS84</translation>
+    </message>
+    <message>
+        <source>its coordinate system would have to be fetched from &apos;%1&apos;</source>
+        <translation>su sistema de coordenadas tendría que descargarse de &apos;%1&apos;</translation>
     </message>
     <message>
         <source>its file is missing</source>
@@ -4082,6 +4098,10 @@
     <message>
         <source>the boundary is that of the guidance group; the field itself has none</source>
         <translation>el límite es el del grupo de guiado; la parcela misma no tiene</translation>
+    </message>
+    <message>
+        <source>the coordinate system that it names is not known</source>
+        <translation>el sistema de coordenadas que nombra no se conoce</translation>
     </message>
     <message>
         <source>the coordinates lie outside longitude -180 to 180 and latitude -90 to 90</source>

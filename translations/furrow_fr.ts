@@ -3472,6 +3472,10 @@
         <translation>exporter la parcelle avec sa limite ; furrow-cli compare lit ce qu&apos;une machine a enregistré</translation>
     </message>
     <message>
+        <source>export the fields again in one coordinate system</source>
+        <translation>exportez de nouveau les parcelles dans un seul système de coordonnées</translation>
+    </message>
+    <message>
         <source>feature %1</source>
         <translation>objet %1</translation>
     </message>
@@ -3724,6 +3728,10 @@
         <translation>il a %1 : %2</translation>
     </message>
     <message>
+        <source>it has another coordinate system than the file</source>
+        <translation>il a un autre système de coordonnées que le fichier</translation>
+    </message>
+    <message>
         <source>it has more than %1 parts</source>
         <translation>il a plus de %1 parties</translation>
     </message>
@@ -3792,8 +3800,16 @@
         <translation>son système de coordonnées « %1 » ne peut être converti en WGS84</translation>
     </message>
     <message>
+        <source>its coordinate system &apos;%1&apos; is not known</source>
+        <translation>son système de coordonnées &apos;%1&apos; n&apos;est pas connu</translation>
+    </message>
+    <message>
         <source>its coordinate system cannot be turned into WGS84</source>
         <translation>son système de coordonnées ne peut être converti en WGS84</translation>
+    </message>
+    <message>
+        <source>its coordinate system would have to be fetched from &apos;%1&apos;</source>
+        <translation>son système de coordonnées devrait être téléchargé depuis &apos;%1&apos;</translation>
     </message>
     <message>
         <source>its file is missing</source>
@@ -4082,6 +4098,10 @@
     <message>
         <source>the boundary is that of the guidance group; the field itself has none</source>
         <translation>la limite est celle du groupe de guidage ; la parcelle elle-même n&apos;en a pas</translation>
+    </message>
+    <message>
+        <source>the coordinate system that it names is not known</source>
+        <translation>le système de coordonnées qu&apos;il nomme n&apos;est pas connu</translation>
     </message>
     <message>
         <source>the coordinates lie outside longitude -180 to 180 and latitude -90 to 90</source>

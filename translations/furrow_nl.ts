@@ -3472,6 +3472,10 @@
         <translation>exporteer het perceel met de perceelsgrens; furrow-cli compare leest wat een machine heeft opgenomen</translation>
     </message>
     <message>
+        <source>export the fields again in one coordinate system</source>
+        <translation>exporteer de percelen opnieuw in één coördinatenstelsel</translation>
+    </message>
+    <message>
         <source>feature %1</source>
         <translation>object %1</translation>
     </message>
@@ -3724,6 +3728,10 @@
         <translation>het heeft %1: %2</translation>
     </message>
     <message>
+        <source>it has another coordinate system than the file</source>
+        <translation>het heeft een ander coördinatenstelsel dan het bestand</translation>
+    </message>
+    <message>
         <source>it has more than %1 parts</source>
         <translation>het heeft meer dan %1 delen</translation>
     </message>
@@ -3792,8 +3800,16 @@
         <translation>het coördinatenstelsel ‘%1’ kan niet naar WGS84 omgerekend worden</translation>
     </message>
     <message>
+        <source>its coordinate system &apos;%1&apos; is not known</source>
+        <translation>het coördinatenstelsel &apos;%1&apos; is niet bekend</translation>
+    </message>
+    <message>
         <source>its coordinate system cannot be turned into WGS84</source>
         <translation>het coördinatenstelsel kan niet naar WGS84 omgerekend worden</translation>
+    </message>
+    <message>
+        <source>its coordinate system would have to be fetched from &apos;%1&apos;</source>
+        <translation>het coördinatenstelsel zou van &apos;%1&apos; gehaald moeten worden</translation>
     </message>
     <message>
         <source>its file is missing</source>
@@ -4082,6 +4098,10 @@
     <message>
         <source>the boundary is that of the guidance group; the field itself has none</source>
         <translation>de perceelsgrens is die van de stuurlijngroep; het perceel zelf heeft er geen</translation>
+    </message>
+    <message>
+        <source>the coordinate system that it names is not known</source>
+        <translation>het coördinatenstelsel dat het noemt is niet bekend</translation>
     </message>
     <message>
         <source>the coordinates lie outside longitude -180 to 180 and latitude -90 to 90</source>

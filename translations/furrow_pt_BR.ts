@@ -3472,6 +3472,10 @@
         <translation>exporte o talhão com seu limite; furrow-cli compare lê o que uma máquina gravou</translation>
     </message>
     <message>
+        <source>export the fields again in one coordinate system</source>
+        <translation>exporte os talhões de novo em um único sistema de coordenadas</translation>
+    </message>
+    <message>
         <source>feature %1</source>
         <translation>objeto %1</translation>
     </message>
@@ -3724,6 +3728,10 @@
         <translation>ele tem %1: %2</translation>
     </message>
     <message>
+        <source>it has another coordinate system than the file</source>
+        <translation>tem outro sistema de coordenadas que o arquivo</translation>
+    </message>
+    <message>
         <source>it has more than %1 parts</source>
         <translation>tem mais de %1 partes</translation>
     </message>
@@ -3792,8 +3800,16 @@
         <translation>o sistema de coordenadas “%1” não pode ser convertido para WGS84</translation>
     </message>
     <message>
+        <source>its coordinate system &apos;%1&apos; is not known</source>
+        <translation>seu sistema de coordenadas &apos;%1&apos; não é conhecido</translation>
+    </message>
+    <message>
         <source>its coordinate system cannot be turned into WGS84</source>
         <translation>o sistema de coordenadas não pode ser convertido para WGS84</translation>
+    </message>
+    <message>
+        <source>its coordinate system would have to be fetched from &apos;%1&apos;</source>
+        <translation>seu sistema de coordenadas teria de ser baixado de &apos;%1&apos;</translation>
     </message>
     <message>
         <source>its file is missing</source>
@@ -4082,6 +4098,10 @@
     <message>
         <source>the boundary is that of the guidance group; the field itself has none</source>
         <translation>o limite é o do grupo de orientação; o próprio talhão não tem</translation>
+    </message>
+    <message>
+        <source>the coordinate system that it names is not known</source>
+        <translation>o sistema de coordenadas que ele indica não é conhecido</translation>
     </message>
     <message>
         <source>the coordinates lie outside longitude -180 to 180 and latitude -90 to 90</source>

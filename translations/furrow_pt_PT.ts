@@ -422,6 +422,10 @@
         <translation>desenhe um ou abra um ficheiro que o tenha</translation>
     </message>
     <message>
+        <source>export the fields again in one coordinate system</source>
+        <translation>exporte as talhões de novo num único sistema de coordenadas</translation>
+    </message>
+    <message>
         <source>free some space on the stick</source>
         <translation>libere espaço na pen USB</translation>
     </message>
@@ -462,12 +466,24 @@
         <translation>deslocamentos da alfaia</translation>
     </message>
     <message>
+        <source>it has another coordinate system than the file</source>
+        <translation>tem outro sistema de coordenadas que o ficheiro</translation>
+    </message>
+    <message>
         <source>it holds more than %1 files</source>
         <translation>contém mais de %1 ficheiros</translation>
     </message>
     <message>
         <source>it would grow more than a thousandfold when it is unpacked</source>
         <translation>cresceria mais de mil vezes ao descomprimir</translation>
+    </message>
+    <message>
+        <source>its coordinate system &apos;%1&apos; is not known</source>
+        <translation>o seu sistema de coordenadas &apos;%1&apos; não é conhecido</translation>
+    </message>
+    <message>
+        <source>its coordinate system would have to be fetched from &apos;%1&apos;</source>
+        <translation>o seu sistema de coordenadas teria de ser descarregado de &apos;%1&apos;</translation>
     </message>
     <message>
         <source>its file is missing</source>
@@ -540,6 +556,10 @@
     <message>
         <source>the .shx file that belongs to it is missing</source>
         <translation>falta o ficheiro .shx correspondente</translation>
+    </message>
+    <message>
+        <source>the coordinate system that it names is not known</source>
+        <translation>o sistema de coordenadas que indica não é conhecido</translation>
     </message>
     <message>
         <source>the file cannot be read</source>

@@ -5,6 +5,7 @@
 #include "planner/imagery/warped_tile.h"
 #include "planner/io/file_error.h"
 #include "planner/io/file_folder.h"
+#include "planner/io/gdal_drivers.h"
 #include "planner/io/gdal_messages.h"
 
 #include <algorithm>

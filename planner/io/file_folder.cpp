@@ -1,6 +1,7 @@
 #include "planner/io/file_folder.h"
 
 #include "planner/io/file_error.h"
+#include "planner/io/gdal_drivers.h"
 
 #include <cpl_error.h>
 #include <cpl_string.h>
@@ -41,6 +42,7 @@ struct FileCloser {
 
 Result<std::string> systemFileStart(const std::string& systemPath, const std::string& where,
                                     std::size_t wanted) {
+    registerGdalDrivers();
     const Quiet quiet;
     const std::unique_ptr<VSILFILE, FileCloser> file{VSIFOpenL(systemPath.c_str(), "rb")};
     if (!file) {
@@ -95,6 +97,7 @@ Result<void> checkOrdinary(const fs::path& path) {
 /// @param packedBytes  of a zip, the size of its file
 Result<std::vector<FileFolder::Entry>> entriesUnder(const std::string& root, const std::string& where, int depth,
                                                     std::optional<std::uintmax_t> packedBytes) {
+    registerGdalDrivers();
     const Quiet quiet;
     std::vector<FileFolder::Entry> entries;
     VSIDIR* listing = VSIOpenDir(root.c_str(), depth, nullptr);

@@ -5,7 +5,9 @@
 #include "planner/io/coordinate_check.h"
 #include "planner/io/file_error.h"
 #include "planner/io/file_folder.h"
+#include "planner/io/gdal_drivers.h"
 #include "planner/io/gdal_messages.h"
+#include "planner/io/geojson_crs.h"
 
 #include <cpl_conv.h>
 #include <cpl_string.h>
@@ -21,7 +23,6 @@
 #include <cmath>
 #include <limits>
 #include <memory>
-#include <mutex>
 #include <sstream>
 #include <utility>
 
@@ -64,7 +65,6 @@ private:
     static constexpr std::pair<const char*, const char*> kOptions[] = {
         {"SHAPE_RESTORE_SHX", "NO"},        // would write beside the user's file
         {"GML_SKIP_RESOLVE_ELEMS", "ALL"},  // would follow links
-        {"GDAL_HTTP_MAX_RETRY", "0"},
     };
 };
 
@@ -264,9 +264,35 @@ struct Reading {
     VectorFile& file;
 };
 
-Result<void> checkPositions(const BoundarySource& source, bool opened) {
+/// Of a text that GDAL could not open.
+Result<void> checkUnopened(const BoundarySource& source) {
     const auto text = systemFileBytes(source.path, source.name);
-    return text ? checkGeoJson(*text, source.name, opened) : Result<void>{};
+    return text ? checkGeoJson(*text, source.name, false) : Result<void>{};
+}
+
+/// What GDAL leaves out, or makes up, in an opened GeoJSON file. Nothing is assumed in the place of a coordinate
+/// system that it makes nothing of.
+Result<void> checkOpened(const BoundarySource& source, GDALDataset& dataset) {
+    const std::string driver = dataset.GetDriverName();
+    if (driver != "GeoJSON" && driver != "GeoJSONSeq" && driver != "JSONFG") {
+        return {};
+    }
+    const auto text = systemFileBytes(source.path, source.name);
+    if (!text) {
+        return std::unexpected(text.error());
+    }
+    const auto checked = driver == "GeoJSON" ? checkGeoJson(*text, source.name, true) : Result<void>{};
+    const auto isNull = checked.and_then([&] { return checkCrs(*text, driver == "GeoJSONSeq", source.name); });
+    if (!isNull) {
+        return std::unexpected(isNull.error());
+    }
+    for (OGRLayer* layer : dataset.GetLayers()) {
+        if (layer->GetSpatialRef() == nullptr && layer->GetGeomType() != wkbNone && !*isNull) {
+            return std::unexpected(inputRefused(source.name, "the coordinate system that it names is not known",
+                                                "export the field again in WGS84 (longitude and latitude)"));
+        }
+    }
+    return {};
 }
 
 Dataset openWith(const std::string& path, const char* const* drivers) {
@@ -504,7 +530,7 @@ Result<void> readSource(const BoundarySource& source, const Reading& reading) {
     const Dataset dataset = openDataset(source.path, messages);
     if (!dataset) {
         if (withoutBlanks(withoutByteOrderMark(start)).starts_with('{')) {
-            if (auto checked = checkPositions(source, false); !checked) {
+            if (auto checked = checkUnopened(source); !checked) {
                 return checked;
             }
         }
@@ -535,10 +561,8 @@ Result<void> readSource(const BoundarySource& source, const Reading& reading) {
             reading.file.columns.emplace_back(definition.GetFieldDefn(i)->GetNameRef());
         }
     }
-    if (driver == "GeoJSON") {
-        if (auto checked = checkPositions(source, true); !checked) {
-            return checked;
-        }
+    if (auto checked = checkOpened(source, *dataset); !checked) {
+        return checked;
     }
     // What was said while one driver after the other was tried does not matter once one has opened it.
     messages.forget();
@@ -554,14 +578,6 @@ Result<void> readSource(const BoundarySource& source, const Reading& reading) {
 }
 
 }  // namespace
-
-void registerGdalDrivers() {
-    static std::once_flag once;
-    std::call_once(once, [] {
-        GDALAllRegister();
-        OSRSetPROJEnableNetwork(0);
-    });
-}
 
 Result<VectorFile> readVectorFile(const std::filesystem::path& path,
                                   std::span<const std::string_view> attributes, const JobContext& job) {

@@ -6,9 +6,6 @@
 
 namespace furrow {
 
-/// All of GDAL's drivers, once; PROJ fetches nothing.
-void registerGdalDrivers();
-
 /// Keeps what GDAL would print; the first failure is the one that explains the others.
 class GdalMessages {
 public:

@@ -1,5 +1,6 @@
 #include "planner/io/gdal_writer.h"
 
+#include "planner/io/gdal_drivers.h"
 #include "planner/io/gdal_messages.h"
 
 #include <cpl_conv.h>

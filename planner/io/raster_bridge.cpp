@@ -1,5 +1,7 @@
 #include "planner/io/raster_bridge.h"
 
+#include "planner/io/gdal_drivers.h"
+
 #include <gdal_priv.h>
 #include <gdal_utils.h>
 #include <ogr_spatialref.h>
@@ -10,7 +12,6 @@
 #include <format>
 #include <limits>
 #include <memory>
-#include <mutex>
 
 namespace furrow {
 
@@ -53,8 +54,7 @@ double cellOf(GDALDataset& raster) {
 
 Result<ElevationGrid> readElevation(const std::filesystem::path& path, const LocalFrame& frame, const Bounds& box,
                                     const JobContext& job) {
-    static std::once_flag once;
-    std::call_once(once, [] { GDALAllRegister(); });
+    registerGdalDrivers();
     std::error_code ignored;
     if (!std::filesystem::is_regular_file(path, ignored)) {
         return std::unexpected(readFailed(path, "there is no such file"));

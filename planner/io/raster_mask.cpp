@@ -3,6 +3,7 @@
 #include "planner/geodesy/local_frame.h"
 #include "planner/geometry/simplify.h"
 #include "planner/io/file_error.h"
+#include "planner/io/gdal_drivers.h"
 #include "planner/io/gdal_messages.h"
 
 #include <gdal_alg.h>

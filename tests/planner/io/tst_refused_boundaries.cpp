@@ -25,6 +25,10 @@ private slots:
     void passesNotFiniteOn();
     void refuses_data();
     void refuses();
+    void refusesSystems_data();
+    void refusesSystems();
+    void takesSystems_data();
+    void takesSystems();
     void refusesPlaces_data();
     void refusesPlaces();
     void truncatedFilesAreErrors_data();
@@ -133,6 +137,76 @@ void TestRefusedBoundaries::refuses() {
     QVERIFY2((read.error().code == ErrorCode::ReadFailed) == unreadable, read.error().line().c_str());
     QVERIFY2((read.error().code == ErrorCode::InputRefused) == !unreadable, read.error().line().c_str());
     QVERIFY2(!read.error().remedy.empty(), read.error().line().c_str());
+}
+
+namespace {
+
+constexpr const char* kCollection = R"({"type":"FeatureCollection",%1"features":[)"
+                                    R"({"type":"Feature","properties":{},"geometry":{"type":"Polygon","coordinates":[[[9,52],[9.1,52],[9,52.1],[9,52]]]}},)"
+                                    R"({"type":"Feature",%2"properties":{},"geometry":{"type":"Polygon",%3"coordinates":[[[9,53],[9.1,53],[9,53.1],[9,53]]]}}]})";
+
+Result<std::vector<FieldSource>> readCollection(const QString& ofFile, const QString& ofFeature, const QString& ofGeometry) {
+    const auto member = [](const QString& crs) { return crs.isEmpty() ? crs : QStringLiteral("\"crs\":%1,").arg(crs); };
+    const Scratch scratch;
+    return readBoundaries(scratch.write("f.geojson", QString::fromUtf8(kCollection)
+                                                         .arg(member(ofFile), member(ofFeature), member(ofGeometry))
+                                                         .toStdString()));
+}
+
+}  // namespace
+
+void TestRefusedBoundaries::refusesSystems_data() {
+    QTest::addColumn<QString>("ofFile");
+    QTest::addColumn<QString>("ofFeature");
+    QTest::addColumn<QString>("ofGeometry");
+    QTest::addColumn<QString>("message");
+    const QString link = R"({"type":"link","properties":{"href":"http://example.org/25832"}})";
+    const QString fetched = "its coordinate system would have to be fetched from 'http://example.org/25832'";
+    QTest::newRow("link") << link << "" << "" << "f.geojson: " + fetched;
+    QTest::newRow("link, of 2008's draft") << R"({"type":"URL","properties":{"url":"http://example.org/25832"}})" << "" << ""
+                                           << "f.geojson: " + fetched;
+    QTest::newRow("link of a feature") << "" << link << "" << "f.geojson, feature 2: " + fetched;
+    QTest::newRow("link of a geometry") << "" << "" << link << "f.geojson, feature 2: " + fetched;
+    QTest::newRow("unknown name") << R"({"type":"name","properties":{"name":"Gauss"}})" << "" << ""
+                                  << "f.geojson: its coordinate system 'Gauss' is not known";
+    QTest::newRow("name that is a file") << R"({"type":"name","properties":{"name":"/etc/hostname"}})" << "" << ""
+                                         << "'/etc/hostname' is not known";
+    QTest::newRow("another one in a feature") << "" << R"({"type":"name","properties":{"name":"EPSG:3857"}})" << ""
+                                              << "f.geojson, feature 2: it has another coordinate system than the file";
+}
+
+void TestRefusedBoundaries::refusesSystems() {
+    QFETCH(QString, ofFile);
+    QFETCH(QString, ofFeature);
+    QFETCH(QString, ofGeometry);
+    QFETCH(QString, message);
+    const auto read = readCollection(ofFile, ofFeature, ofGeometry);
+    QVERIFY(!read);
+    QVERIFY2(read.error().line().contains(message.toStdString()), read.error().line().c_str());
+    QVERIFY2(read.error().code == ErrorCode::InputRefused, read.error().line().c_str());
+    QVERIFY2(!read.error().remedy.empty(), read.error().line().c_str());
+}
+
+void TestRefusedBoundaries::takesSystems_data() {
+    QTest::addColumn<QString>("ofFile");
+    QTest::addColumn<QString>("ofFeature");
+    QTest::newRow("none") << "" << "";
+    QTest::newRow("null") << "null" << "";
+    QTest::newRow("OGC's name") << R"({"type":"name","properties":{"name":"urn:ogc:def:crs:OGC:1.3:CRS84"}})" << "";
+    QTest::newRow("OGC's address, which is a name")
+        << R"({"type":"name","properties":{"name":"http://www.opengis.net/def/crs/OGC/1.3/CRS84"}})" << "";
+    QTest::newRow("code") << R"({"type":"EPSG","properties":{"code":4326}})" << "";
+    QTest::newRow("the file's own in a feature") << R"({"type":"name","properties":{"name":"EPSG:4326"}})"
+                                                 << R"({"type":"name","properties":{"name":"urn:ogc:def:crs:OGC:1.3:CRS84"}})";
+}
+
+void TestRefusedBoundaries::takesSystems() {
+    QFETCH(QString, ofFile);
+    QFETCH(QString, ofFeature);
+    const auto read = readCollection(ofFile, ofFeature, {});
+    VERIFY_RESULT(read);
+    QCOMPARE(read->size(), 2U);
+    QCOMPARE(read->front().parts.front().outer.front().lonDeg, 9.0);
 }
 
 void TestRefusedBoundaries::refusesPlaces_data() {
