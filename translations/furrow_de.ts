@@ -1463,6 +1463,24 @@
         <source>%1: the setting %2 is not used: %3</source>
         <translation>%1: die Einstellung %2 wird nicht verwendet: %3</translation>
     </message>
+    <message>
+        <source>%1; what it belongs to was left out</source>
+        <translation>%1; wozu es gehört, wurde ausgelassen</translation>
+    </message>
+    <message numerus="yes">
+        <source>%n areas are neither field, hole nor obstacle by their layer or kind and were not used</source>
+        <translation>
+            <numerusform>%n Fläche ist nach Ebene oder Art weder Schlag, Aussparung noch Hindernis und wurde nicht verwendet</numerusform>
+            <numerusform>%n Flächen sind nach Ebene oder Art weder Schlag, Aussparung noch Hindernis und wurden nicht verwendet</numerusform>
+        </translation>
+    </message>
+    <message numerus="yes">
+        <source>%n areas in the file are neither field nor obstacle and were not used</source>
+        <translation>
+            <numerusform>%n Fläche in der Datei ist weder Schlag noch Hindernis und wurde nicht verwendet</numerusform>
+            <numerusform>%n Flächen in der Datei sind weder Schlag noch Hindernis und wurden nicht verwendet</numerusform>
+        </translation>
+    </message>
     <message numerus="yes">
         <source>%n entries without a shape</source>
         <translation>
@@ -1572,8 +1590,8 @@
         <translation>„%1“ ist kein Well-known text</translation>
     </message>
     <message>
-        <source>&apos;%1&apos;, &apos;%2&apos; is no latitude and longitude; what it belongs to was left out</source>
-        <translation>„%1“, „%2“ ist keine Breite und Länge; was dazu gehört, wurde weggelassen</translation>
+        <source>&apos;%1&apos;, &apos;%2&apos; is no latitude and longitude</source>
+        <translation>&apos;%1&apos;, &apos;%2&apos; ist keine Breite und Länge</translation>
     </message>
     <message>
         <source>&apos;%1&apos;, &apos;%2&apos; is no longitude and latitude</source>
@@ -3296,6 +3314,10 @@
         <translation>ein Hindernis</translation>
     </message>
     <message>
+        <source>an obstacle has no shape</source>
+        <translation>ein Hindernis hat keine Form</translation>
+    </message>
+    <message>
         <source>an offset is not a finite number</source>
         <translation>ein Versatz ist keine endliche Zahl</translation>
     </message>
@@ -3384,6 +3406,10 @@
         <translation>den ganzen Ordner kopieren</translation>
     </message>
     <message>
+        <source>correct it, or remove the hole or obstacle from the file</source>
+        <translation>berichtigen Sie es, oder entfernen Sie die Aussparung oder das Hindernis aus der Datei</translation>
+    </message>
+    <message>
         <source>correct or delete this point in the file</source>
         <translation>diesen Punkt in der Datei berichtigen oder löschen</translation>
     </message>
@@ -3434,6 +3460,14 @@
     <message>
         <source>draw it again with at least 3 corners</source>
         <translation>mit mindestens 3 Ecken neu zeichnen</translation>
+    </message>
+    <message>
+        <source>draw it as an area, or remove it from the file</source>
+        <translation>zeichnen Sie es als Fläche, oder entfernen Sie es aus der Datei</translation>
+    </message>
+    <message>
+        <source>draw it, or remove it from the file</source>
+        <translation>zeichnen Sie es, oder entfernen Sie es aus der Datei</translation>
     </message>
     <message>
         <source>draw one or open a file that has one</source>
@@ -3624,6 +3658,10 @@
         <translation>Höhen angeben, die den Schlag abdecken</translation>
     </message>
     <message>
+        <source>give it a kind, or remove it from the file</source>
+        <translation>geben Sie ihm eine Art, oder entfernen Sie es aus der Datei</translation>
+    </message>
+    <message>
         <source>give it as WKT in WGS84, %1</source>
         <translation>als WKT in WGS84 angeben, %1</translation>
     </message>
@@ -3634,6 +3672,10 @@
     <message>
         <source>give it as WKT in WGS84, such as POINT (4.1 52.0)</source>
         <translation>als WKT in WGS84 angeben, wie POINT (4.1 52.0)</translation>
+    </message>
+    <message>
+        <source>give it the field that it lies in, or remove it from the file</source>
+        <translation>geben Sie ihm den Schlag, in dem es liegt, oder entfernen Sie es aus der Datei</translation>
     </message>
     <message>
         <source>give less than the operating width</source>
@@ -3720,6 +3762,14 @@
         <translation>es sagt nicht, in welchem Koordinatensystem es ist</translation>
     </message>
     <message>
+        <source>it does not say what it is</source>
+        <translation>es sagt nicht, was es ist</translation>
+    </message>
+    <message>
+        <source>it does not say which field it belongs to</source>
+        <translation>es sagt nicht, zu welchem Schlag es gehört</translation>
+    </message>
+    <message>
         <source>it has %1 by %2 pixels</source>
         <translation>es hat %1 mal %2 Pixel</translation>
     </message>
@@ -3740,8 +3790,24 @@
         <translation>es hat keine Höhen, wo der Schlag liegt</translation>
     </message>
     <message>
+        <source>it has no shape</source>
+        <translation>es hat keine Form</translation>
+    </message>
+    <message>
         <source>it holds more than %1 files</source>
         <translation>es enthält mehr als %1 Dateien</translation>
+    </message>
+    <message>
+        <source>it is a line at %1, %2 without a width</source>
+        <translation>es ist eine Linie bei %1, %2 ohne Breite</translation>
+    </message>
+    <message>
+        <source>it is a point at %1, %2 without a size</source>
+        <translation>es ist ein Punkt bei %1, %2 ohne Größe</translation>
+    </message>
+    <message>
+        <source>it is no closed line</source>
+        <translation>es ist keine geschlossene Linie</translation>
     </message>
     <message>
         <source>it is no raster of heights</source>
@@ -3822,6 +3888,10 @@
     <message>
         <source>its holes leave nothing of it</source>
         <translation>die Aussparungen lassen nichts davon übrig</translation>
+    </message>
+    <message>
+        <source>its kind &apos;%1&apos; is not known</source>
+        <translation>seine Art &apos;%1&apos; ist nicht bekannt</translation>
     </message>
     <message>
         <source>its points enclose no area</source>
@@ -4042,6 +4112,10 @@
     <message>
         <source>save the project, and free some space</source>
         <translation>das Projekt speichern und Platz schaffen</translation>
+    </message>
+    <message>
+        <source>say how far to keep from it (buffer_m), or draw its outline</source>
+        <translation>geben Sie an, wie weit davon Abstand zu halten ist (buffer_m), oder zeichnen Sie seinen Umriss</translation>
     </message>
     <message>
         <source>several fields are called &apos;%1&apos;</source>
@@ -4366,6 +4440,10 @@
     <message>
         <source>there is no field &apos;%1&apos; in the file</source>
         <translation>in der Datei gibt es keinen Schlag „%1“</translation>
+    </message>
+    <message>
+        <source>there is no field &apos;%1&apos; in the project</source>
+        <translation>es gibt keinen Schlag &apos;%1&apos; im Projekt</translation>
     </message>
     <message>
         <source>there is no field boundary in it</source>

@@ -1463,6 +1463,24 @@
         <source>%1: the setting %2 is not used: %3</source>
         <translation>%1: el ajuste %2 no se usa: %3</translation>
     </message>
+    <message>
+        <source>%1; what it belongs to was left out</source>
+        <translation>%1; aquello a lo que pertenece se omitió</translation>
+    </message>
+    <message numerus="yes">
+        <source>%n areas are neither field, hole nor obstacle by their layer or kind and were not used</source>
+        <translation>
+            <numerusform>%n superficie no es, por su capa o clase, ni parcela ni hueco ni obstáculo y no se usó</numerusform>
+            <numerusform>%n superficies no son, por su capa o clase, ni parcela ni hueco ni obstáculo y no se usaron</numerusform>
+        </translation>
+    </message>
+    <message numerus="yes">
+        <source>%n areas in the file are neither field nor obstacle and were not used</source>
+        <translation>
+            <numerusform>%n superficie del archivo no es ni parcela ni obstáculo y no se usó</numerusform>
+            <numerusform>%n superficies del archivo no son ni parcela ni obstáculo y no se usaron</numerusform>
+        </translation>
+    </message>
     <message numerus="yes">
         <source>%n entries without a shape</source>
         <translation>
@@ -1572,8 +1590,8 @@
         <translation>«%1» no es well-known text</translation>
     </message>
     <message>
-        <source>&apos;%1&apos;, &apos;%2&apos; is no latitude and longitude; what it belongs to was left out</source>
-        <translation>«%1», «%2» no es latitud y longitud; se ha omitido lo que le pertenece</translation>
+        <source>&apos;%1&apos;, &apos;%2&apos; is no latitude and longitude</source>
+        <translation>&apos;%1&apos;, &apos;%2&apos; no es una latitud y una longitud</translation>
     </message>
     <message>
         <source>&apos;%1&apos;, &apos;%2&apos; is no longitude and latitude</source>
@@ -3296,6 +3314,10 @@
         <translation>un obstáculo</translation>
     </message>
     <message>
+        <source>an obstacle has no shape</source>
+        <translation>un obstáculo no tiene forma</translation>
+    </message>
+    <message>
         <source>an offset is not a finite number</source>
         <translation>un desplazamiento no es un número finito</translation>
     </message>
@@ -3384,6 +3406,10 @@
         <translation>copie la carpeta entera</translation>
     </message>
     <message>
+        <source>correct it, or remove the hole or obstacle from the file</source>
+        <translation>corríjalo, o quite el hueco u obstáculo del archivo</translation>
+    </message>
+    <message>
         <source>correct or delete this point in the file</source>
         <translation>corrija o elimine este punto en el archivo</translation>
     </message>
@@ -3434,6 +3460,14 @@
     <message>
         <source>draw it again with at least 3 corners</source>
         <translation>dibújelo de nuevo con al menos 3 esquinas</translation>
+    </message>
+    <message>
+        <source>draw it as an area, or remove it from the file</source>
+        <translation>dibújelo como superficie, o quítelo del archivo</translation>
+    </message>
+    <message>
+        <source>draw it, or remove it from the file</source>
+        <translation>dibújelo, o quítelo del archivo</translation>
     </message>
     <message>
         <source>draw one or open a file that has one</source>
@@ -3624,6 +3658,10 @@
         <translation>indique alturas que cubran la parcela</translation>
     </message>
     <message>
+        <source>give it a kind, or remove it from the file</source>
+        <translation>dele una clase, o quítelo del archivo</translation>
+    </message>
+    <message>
         <source>give it as WKT in WGS84, %1</source>
         <translation>indíquela como WKT en WGS84, %1</translation>
     </message>
@@ -3634,6 +3672,10 @@
     <message>
         <source>give it as WKT in WGS84, such as POINT (4.1 52.0)</source>
         <translation>indíquelo como WKT en WGS84, como POINT (4.1 52.0)</translation>
+    </message>
+    <message>
+        <source>give it the field that it lies in, or remove it from the file</source>
+        <translation>indique la parcela en la que está, o quítelo del archivo</translation>
     </message>
     <message>
         <source>give less than the operating width</source>
@@ -3720,6 +3762,14 @@
         <translation>no dice en qué sistema de coordenadas está</translation>
     </message>
     <message>
+        <source>it does not say what it is</source>
+        <translation>no dice qué es</translation>
+    </message>
+    <message>
+        <source>it does not say which field it belongs to</source>
+        <translation>no dice a qué parcela pertenece</translation>
+    </message>
+    <message>
         <source>it has %1 by %2 pixels</source>
         <translation>tiene %1 por %2 píxeles</translation>
     </message>
@@ -3740,8 +3790,24 @@
         <translation>no tiene alturas donde está la parcela</translation>
     </message>
     <message>
+        <source>it has no shape</source>
+        <translation>no tiene forma</translation>
+    </message>
+    <message>
         <source>it holds more than %1 files</source>
         <translation>contiene más de %1 archivos</translation>
+    </message>
+    <message>
+        <source>it is a line at %1, %2 without a width</source>
+        <translation>es una línea en %1, %2 sin anchura</translation>
+    </message>
+    <message>
+        <source>it is a point at %1, %2 without a size</source>
+        <translation>es un punto en %1, %2 sin tamaño</translation>
+    </message>
+    <message>
+        <source>it is no closed line</source>
+        <translation>no es una línea cerrada</translation>
     </message>
     <message>
         <source>it is no raster of heights</source>
@@ -3822,6 +3888,10 @@
     <message>
         <source>its holes leave nothing of it</source>
         <translation>los huecos no dejan nada</translation>
+    </message>
+    <message>
+        <source>its kind &apos;%1&apos; is not known</source>
+        <translation>su clase &apos;%1&apos; no se conoce</translation>
     </message>
     <message>
         <source>its points enclose no area</source>
@@ -4042,6 +4112,10 @@
     <message>
         <source>save the project, and free some space</source>
         <translation>guarde el proyecto y libere espacio</translation>
+    </message>
+    <message>
+        <source>say how far to keep from it (buffer_m), or draw its outline</source>
+        <translation>indique a qué distancia hay que mantenerse (buffer_m), o dibuje su contorno</translation>
     </message>
     <message>
         <source>several fields are called &apos;%1&apos;</source>
@@ -4366,6 +4440,10 @@
     <message>
         <source>there is no field &apos;%1&apos; in the file</source>
         <translation>no hay ninguna parcela «%1» en el archivo</translation>
+    </message>
+    <message>
+        <source>there is no field &apos;%1&apos; in the project</source>
+        <translation>no hay ninguna parcela &apos;%1&apos; en el proyecto</translation>
     </message>
     <message>
         <source>there is no field boundary in it</source>

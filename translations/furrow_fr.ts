@@ -1463,6 +1463,24 @@
         <source>%1: the setting %2 is not used: %3</source>
         <translation>%1 : le réglage %2 n&apos;est pas utilisé : %3</translation>
     </message>
+    <message>
+        <source>%1; what it belongs to was left out</source>
+        <translation>%1 ; ce dont cela fait partie a été laissé de côté</translation>
+    </message>
+    <message numerus="yes">
+        <source>%n areas are neither field, hole nor obstacle by their layer or kind and were not used</source>
+        <translation>
+            <numerusform>%n surface n&apos;est, d&apos;après son calque ou son genre, ni parcelle, ni enclave, ni obstacle et n&apos;a pas été utilisée</numerusform>
+            <numerusform>%n surfaces ne sont, d&apos;après leur calque ou leur genre, ni parcelle, ni enclave, ni obstacle et n&apos;ont pas été utilisées</numerusform>
+        </translation>
+    </message>
+    <message numerus="yes">
+        <source>%n areas in the file are neither field nor obstacle and were not used</source>
+        <translation>
+            <numerusform>%n surface du fichier n&apos;est ni parcelle ni obstacle et n&apos;a pas été utilisée</numerusform>
+            <numerusform>%n surfaces du fichier ne sont ni parcelle ni obstacle et n&apos;ont pas été utilisées</numerusform>
+        </translation>
+    </message>
     <message numerus="yes">
         <source>%n entries without a shape</source>
         <translation>
@@ -1572,8 +1590,8 @@
         <translation>« %1 » n&apos;est pas du well-known text</translation>
     </message>
     <message>
-        <source>&apos;%1&apos;, &apos;%2&apos; is no latitude and longitude; what it belongs to was left out</source>
-        <translation>« %1 », « %2 » n&apos;est pas une latitude et une longitude ; ce qui en dépend a été laissé de côté</translation>
+        <source>&apos;%1&apos;, &apos;%2&apos; is no latitude and longitude</source>
+        <translation>&apos;%1&apos;, &apos;%2&apos; n&apos;est pas une latitude et une longitude</translation>
     </message>
     <message>
         <source>&apos;%1&apos;, &apos;%2&apos; is no longitude and latitude</source>
@@ -3296,6 +3314,10 @@
         <translation>un obstacle</translation>
     </message>
     <message>
+        <source>an obstacle has no shape</source>
+        <translation>un obstacle n&apos;a pas de forme</translation>
+    </message>
+    <message>
         <source>an offset is not a finite number</source>
         <translation>un déport n&apos;est pas un nombre fini</translation>
     </message>
@@ -3384,6 +3406,10 @@
         <translation>copier tout le dossier</translation>
     </message>
     <message>
+        <source>correct it, or remove the hole or obstacle from the file</source>
+        <translation>corrigez-le, ou retirez l&apos;enclave ou l&apos;obstacle du fichier</translation>
+    </message>
+    <message>
         <source>correct or delete this point in the file</source>
         <translation>corriger ou supprimer ce point dans le fichier</translation>
     </message>
@@ -3434,6 +3460,14 @@
     <message>
         <source>draw it again with at least 3 corners</source>
         <translation>redessiner avec au moins 3 angles</translation>
+    </message>
+    <message>
+        <source>draw it as an area, or remove it from the file</source>
+        <translation>dessinez-le comme une surface, ou retirez-le du fichier</translation>
+    </message>
+    <message>
+        <source>draw it, or remove it from the file</source>
+        <translation>dessinez-le, ou retirez-le du fichier</translation>
     </message>
     <message>
         <source>draw one or open a file that has one</source>
@@ -3624,6 +3658,10 @@
         <translation>donner des altitudes qui couvrent la parcelle</translation>
     </message>
     <message>
+        <source>give it a kind, or remove it from the file</source>
+        <translation>donnez-lui un genre, ou retirez-le du fichier</translation>
+    </message>
+    <message>
         <source>give it as WKT in WGS84, %1</source>
         <translation>la donner en WKT en WGS84, %1</translation>
     </message>
@@ -3634,6 +3672,10 @@
     <message>
         <source>give it as WKT in WGS84, such as POINT (4.1 52.0)</source>
         <translation>le donner en WKT en WGS84, comme POINT (4.1 52.0)</translation>
+    </message>
+    <message>
+        <source>give it the field that it lies in, or remove it from the file</source>
+        <translation>indiquez la parcelle où il se trouve, ou retirez-le du fichier</translation>
     </message>
     <message>
         <source>give less than the operating width</source>
@@ -3720,6 +3762,14 @@
         <translation>il ne dit pas dans quel système de coordonnées il est</translation>
     </message>
     <message>
+        <source>it does not say what it is</source>
+        <translation>il n&apos;est pas dit ce que c&apos;est</translation>
+    </message>
+    <message>
+        <source>it does not say which field it belongs to</source>
+        <translation>il n&apos;est pas dit à quelle parcelle il appartient</translation>
+    </message>
+    <message>
         <source>it has %1 by %2 pixels</source>
         <translation>elle a %1 pixels sur %2</translation>
     </message>
@@ -3740,8 +3790,24 @@
         <translation>il n&apos;a pas d&apos;altitudes là où est la parcelle</translation>
     </message>
     <message>
+        <source>it has no shape</source>
+        <translation>il n&apos;a pas de forme</translation>
+    </message>
+    <message>
         <source>it holds more than %1 files</source>
         <translation>il contient plus de %1 fichiers</translation>
+    </message>
+    <message>
+        <source>it is a line at %1, %2 without a width</source>
+        <translation>c&apos;est une ligne à %1, %2 sans largeur</translation>
+    </message>
+    <message>
+        <source>it is a point at %1, %2 without a size</source>
+        <translation>c&apos;est un point à %1, %2 sans étendue</translation>
+    </message>
+    <message>
+        <source>it is no closed line</source>
+        <translation>ce n&apos;est pas une ligne fermée</translation>
     </message>
     <message>
         <source>it is no raster of heights</source>
@@ -3822,6 +3888,10 @@
     <message>
         <source>its holes leave nothing of it</source>
         <translation>les enclaves n&apos;en laissent rien</translation>
+    </message>
+    <message>
+        <source>its kind &apos;%1&apos; is not known</source>
+        <translation>son genre &apos;%1&apos; n&apos;est pas connu</translation>
     </message>
     <message>
         <source>its points enclose no area</source>
@@ -4042,6 +4112,10 @@
     <message>
         <source>save the project, and free some space</source>
         <translation>enregistrer le projet et libérer de la place</translation>
+    </message>
+    <message>
+        <source>say how far to keep from it (buffer_m), or draw its outline</source>
+        <translation>indiquez la distance à garder (buffer_m), ou dessinez son contour</translation>
     </message>
     <message>
         <source>several fields are called &apos;%1&apos;</source>
@@ -4366,6 +4440,10 @@
     <message>
         <source>there is no field &apos;%1&apos; in the file</source>
         <translation>il n&apos;y a pas de parcelle « %1 » dans le fichier</translation>
+    </message>
+    <message>
+        <source>there is no field &apos;%1&apos; in the project</source>
+        <translation>il n&apos;y a pas de parcelle &apos;%1&apos; dans le projet</translation>
     </message>
     <message>
         <source>there is no field boundary in it</source>

@@ -1463,6 +1463,24 @@
         <source>%1: the setting %2 is not used: %3</source>
         <translation>%1: de instelling %2 wordt niet gebruikt: %3</translation>
     </message>
+    <message>
+        <source>%1; what it belongs to was left out</source>
+        <translation>%1; waar het bij hoort is weggelaten</translation>
+    </message>
+    <message numerus="yes">
+        <source>%n areas are neither field, hole nor obstacle by their layer or kind and were not used</source>
+        <translation>
+            <numerusform>%n vlak is volgens laag of soort geen perceel, gat of obstakel en is niet gebruikt</numerusform>
+            <numerusform>%n vlakken zijn volgens laag of soort geen perceel, gat of obstakel en zijn niet gebruikt</numerusform>
+        </translation>
+    </message>
+    <message numerus="yes">
+        <source>%n areas in the file are neither field nor obstacle and were not used</source>
+        <translation>
+            <numerusform>%n vlak in het bestand is geen perceel en geen obstakel en is niet gebruikt</numerusform>
+            <numerusform>%n vlakken in het bestand zijn geen perceel en geen obstakel en zijn niet gebruikt</numerusform>
+        </translation>
+    </message>
     <message numerus="yes">
         <source>%n entries without a shape</source>
         <translation>
@@ -1572,8 +1590,8 @@
         <translation>‘%1’ is geen well-known text</translation>
     </message>
     <message>
-        <source>&apos;%1&apos;, &apos;%2&apos; is no latitude and longitude; what it belongs to was left out</source>
-        <translation>‘%1’, ‘%2’ is geen breedte en lengte; wat erbij hoort is weggelaten</translation>
+        <source>&apos;%1&apos;, &apos;%2&apos; is no latitude and longitude</source>
+        <translation>&apos;%1&apos;, &apos;%2&apos; is geen breedte- en lengtegraad</translation>
     </message>
     <message>
         <source>&apos;%1&apos;, &apos;%2&apos; is no longitude and latitude</source>
@@ -3296,6 +3314,10 @@
         <translation>een obstakel</translation>
     </message>
     <message>
+        <source>an obstacle has no shape</source>
+        <translation>een obstakel heeft geen vorm</translation>
+    </message>
+    <message>
         <source>an offset is not a finite number</source>
         <translation>een verzet is geen eindig getal</translation>
     </message>
@@ -3384,6 +3406,10 @@
         <translation>kopieer de hele map</translation>
     </message>
     <message>
+        <source>correct it, or remove the hole or obstacle from the file</source>
+        <translation>verbeter het, of verwijder het gat of obstakel uit het bestand</translation>
+    </message>
+    <message>
         <source>correct or delete this point in the file</source>
         <translation>verbeter of verwijder dit punt in het bestand</translation>
     </message>
@@ -3434,6 +3460,14 @@
     <message>
         <source>draw it again with at least 3 corners</source>
         <translation>teken het opnieuw met minstens 3 hoeken</translation>
+    </message>
+    <message>
+        <source>draw it as an area, or remove it from the file</source>
+        <translation>teken het als vlak, of verwijder het uit het bestand</translation>
+    </message>
+    <message>
+        <source>draw it, or remove it from the file</source>
+        <translation>teken het, of verwijder het uit het bestand</translation>
     </message>
     <message>
         <source>draw one or open a file that has one</source>
@@ -3624,6 +3658,10 @@
         <translation>geef hoogten die het perceel dekken</translation>
     </message>
     <message>
+        <source>give it a kind, or remove it from the file</source>
+        <translation>geef het een soort, of verwijder het uit het bestand</translation>
+    </message>
+    <message>
         <source>give it as WKT in WGS84, %1</source>
         <translation>geef het als WKT in WGS84, %1</translation>
     </message>
@@ -3634,6 +3672,10 @@
     <message>
         <source>give it as WKT in WGS84, such as POINT (4.1 52.0)</source>
         <translation>geef het als WKT in WGS84, zoals POINT (4.1 52.0)</translation>
+    </message>
+    <message>
+        <source>give it the field that it lies in, or remove it from the file</source>
+        <translation>geef het perceel op waarin het ligt, of verwijder het uit het bestand</translation>
     </message>
     <message>
         <source>give less than the operating width</source>
@@ -3720,6 +3762,14 @@
         <translation>het zegt niet in welk coördinatenstelsel het is</translation>
     </message>
     <message>
+        <source>it does not say what it is</source>
+        <translation>het zegt niet wat het is</translation>
+    </message>
+    <message>
+        <source>it does not say which field it belongs to</source>
+        <translation>het zegt niet bij welk perceel het hoort</translation>
+    </message>
+    <message>
         <source>it has %1 by %2 pixels</source>
         <translation>het heeft %1 bij %2 pixels</translation>
     </message>
@@ -3740,8 +3790,24 @@
         <translation>het heeft geen hoogten waar het perceel ligt</translation>
     </message>
     <message>
+        <source>it has no shape</source>
+        <translation>het heeft geen vorm</translation>
+    </message>
+    <message>
         <source>it holds more than %1 files</source>
         <translation>er zitten meer dan %1 bestanden in</translation>
+    </message>
+    <message>
+        <source>it is a line at %1, %2 without a width</source>
+        <translation>het is een lijn bij %1, %2 zonder breedte</translation>
+    </message>
+    <message>
+        <source>it is a point at %1, %2 without a size</source>
+        <translation>het is een punt bij %1, %2 zonder omvang</translation>
+    </message>
+    <message>
+        <source>it is no closed line</source>
+        <translation>het is geen gesloten lijn</translation>
     </message>
     <message>
         <source>it is no raster of heights</source>
@@ -3822,6 +3888,10 @@
     <message>
         <source>its holes leave nothing of it</source>
         <translation>de gaten laten er niets van over</translation>
+    </message>
+    <message>
+        <source>its kind &apos;%1&apos; is not known</source>
+        <translation>de soort &apos;%1&apos; is niet bekend</translation>
     </message>
     <message>
         <source>its points enclose no area</source>
@@ -4042,6 +4112,10 @@
     <message>
         <source>save the project, and free some space</source>
         <translation>sla het project op en maak ruimte vrij</translation>
+    </message>
+    <message>
+        <source>say how far to keep from it (buffer_m), or draw its outline</source>
+        <translation>geef aan hoeveel afstand ervan te houden is (buffer_m), of teken de omtrek</translation>
     </message>
     <message>
         <source>several fields are called &apos;%1&apos;</source>
@@ -4366,6 +4440,10 @@
     <message>
         <source>there is no field &apos;%1&apos; in the file</source>
         <translation>er is geen perceel ‘%1’ in het bestand</translation>
+    </message>
+    <message>
+        <source>there is no field &apos;%1&apos; in the project</source>
+        <translation>er is geen perceel &apos;%1&apos; in het project</translation>
     </message>
     <message>
         <source>there is no field boundary in it</source>

@@ -1463,6 +1463,24 @@
         <source>%1: the setting %2 is not used: %3</source>
         <translation>%1: a configuração %2 não é usada: %3</translation>
     </message>
+    <message>
+        <source>%1; what it belongs to was left out</source>
+        <translation>%1; aquilo a que pertence foi deixado de fora</translation>
+    </message>
+    <message numerus="yes">
+        <source>%n areas are neither field, hole nor obstacle by their layer or kind and were not used</source>
+        <translation>
+            <numerusform>%n área não é, pela camada ou pelo tipo, nem talhão, nem vazio, nem obstáculo e não foi usada</numerusform>
+            <numerusform>%n áreas não são, pela camada ou pelo tipo, nem talhão, nem vazio, nem obstáculo e não foram usadas</numerusform>
+        </translation>
+    </message>
+    <message numerus="yes">
+        <source>%n areas in the file are neither field nor obstacle and were not used</source>
+        <translation>
+            <numerusform>%n área no arquivo não é talhão nem obstáculo e não foi usada</numerusform>
+            <numerusform>%n áreas no arquivo não são talhão nem obstáculo e não foram usadas</numerusform>
+        </translation>
+    </message>
     <message numerus="yes">
         <source>%n entries without a shape</source>
         <translation>
@@ -1572,8 +1590,8 @@
         <translation>“%1” não é well-known text</translation>
     </message>
     <message>
-        <source>&apos;%1&apos;, &apos;%2&apos; is no latitude and longitude; what it belongs to was left out</source>
-        <translation>“%1”, “%2” não é latitude e longitude; o que pertence a ele ficou de fora</translation>
+        <source>&apos;%1&apos;, &apos;%2&apos; is no latitude and longitude</source>
+        <translation>&apos;%1&apos;, &apos;%2&apos; não é latitude e longitude</translation>
     </message>
     <message>
         <source>&apos;%1&apos;, &apos;%2&apos; is no longitude and latitude</source>
@@ -3296,6 +3314,10 @@
         <translation>um obstáculo</translation>
     </message>
     <message>
+        <source>an obstacle has no shape</source>
+        <translation>um obstáculo não tem forma</translation>
+    </message>
+    <message>
         <source>an offset is not a finite number</source>
         <translation>um deslocamento não é um número finito</translation>
     </message>
@@ -3384,6 +3406,10 @@
         <translation>copie a pasta inteira</translation>
     </message>
     <message>
+        <source>correct it, or remove the hole or obstacle from the file</source>
+        <translation>corrija-o, ou remova o vazio ou obstáculo do arquivo</translation>
+    </message>
+    <message>
         <source>correct or delete this point in the file</source>
         <translation>corrija ou exclua este ponto no arquivo</translation>
     </message>
@@ -3434,6 +3460,14 @@
     <message>
         <source>draw it again with at least 3 corners</source>
         <translation>desenhe de novo com pelo menos 3 cantos</translation>
+    </message>
+    <message>
+        <source>draw it as an area, or remove it from the file</source>
+        <translation>desenhe-o como área, ou remova-o do arquivo</translation>
+    </message>
+    <message>
+        <source>draw it, or remove it from the file</source>
+        <translation>desenhe-o, ou remova-o do arquivo</translation>
     </message>
     <message>
         <source>draw one or open a file that has one</source>
@@ -3624,6 +3658,10 @@
         <translation>dê altitudes que cubram o talhão</translation>
     </message>
     <message>
+        <source>give it a kind, or remove it from the file</source>
+        <translation>dê-lhe um tipo, ou remova-o do arquivo</translation>
+    </message>
+    <message>
         <source>give it as WKT in WGS84, %1</source>
         <translation>dê como WKT em WGS84, %1</translation>
     </message>
@@ -3634,6 +3672,10 @@
     <message>
         <source>give it as WKT in WGS84, such as POINT (4.1 52.0)</source>
         <translation>dê como WKT em WGS84, como POINT (4.1 52.0)</translation>
+    </message>
+    <message>
+        <source>give it the field that it lies in, or remove it from the file</source>
+        <translation>indique o talhão em que está, ou remova-o do arquivo</translation>
     </message>
     <message>
         <source>give less than the operating width</source>
@@ -3720,6 +3762,14 @@
         <translation>não diz em qual sistema de coordenadas está</translation>
     </message>
     <message>
+        <source>it does not say what it is</source>
+        <translation>não diz o que é</translation>
+    </message>
+    <message>
+        <source>it does not say which field it belongs to</source>
+        <translation>não diz a que talhão pertence</translation>
+    </message>
+    <message>
         <source>it has %1 by %2 pixels</source>
         <translation>tem %1 por %2 pixels</translation>
     </message>
@@ -3740,8 +3790,24 @@
         <translation>não tem altitudes onde fica o talhão</translation>
     </message>
     <message>
+        <source>it has no shape</source>
+        <translation>não tem forma</translation>
+    </message>
+    <message>
         <source>it holds more than %1 files</source>
         <translation>contém mais de %1 arquivos</translation>
+    </message>
+    <message>
+        <source>it is a line at %1, %2 without a width</source>
+        <translation>é uma linha em %1, %2 sem largura</translation>
+    </message>
+    <message>
+        <source>it is a point at %1, %2 without a size</source>
+        <translation>é um ponto em %1, %2 sem tamanho</translation>
+    </message>
+    <message>
+        <source>it is no closed line</source>
+        <translation>não é uma linha fechada</translation>
     </message>
     <message>
         <source>it is no raster of heights</source>
@@ -3822,6 +3888,10 @@
     <message>
         <source>its holes leave nothing of it</source>
         <translation>os vazios não deixam nada</translation>
+    </message>
+    <message>
+        <source>its kind &apos;%1&apos; is not known</source>
+        <translation>seu tipo &apos;%1&apos; não é conhecido</translation>
     </message>
     <message>
         <source>its points enclose no area</source>
@@ -4042,6 +4112,10 @@
     <message>
         <source>save the project, and free some space</source>
         <translation>salve o projeto e libere espaço</translation>
+    </message>
+    <message>
+        <source>say how far to keep from it (buffer_m), or draw its outline</source>
+        <translation>indique a distância a manter (buffer_m), ou desenhe o contorno</translation>
     </message>
     <message>
         <source>several fields are called &apos;%1&apos;</source>
@@ -4366,6 +4440,10 @@
     <message>
         <source>there is no field &apos;%1&apos; in the file</source>
         <translation>não há talhão “%1” no arquivo</translation>
+    </message>
+    <message>
+        <source>there is no field &apos;%1&apos; in the project</source>
+        <translation>não há talhão &apos;%1&apos; no projeto</translation>
     </message>
     <message>
         <source>there is no field boundary in it</source>

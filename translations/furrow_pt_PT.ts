@@ -177,6 +177,13 @@
         <source>%1: the setting %2 is not used: %3</source>
         <translation>%1: a definição %2 não é usada: %3</translation>
     </message>
+    <message numerus="yes">
+        <source>%n areas in the file are neither field nor obstacle and were not used</source>
+        <translation>
+            <numerusform>%n área no ficheiro não é talhão nem obstáculo e não foi usada</numerusform>
+            <numerusform>%n áreas no ficheiro não são talhão nem obstáculo e não foram usadas</numerusform>
+        </translation>
+    </message>
     <message>
         <source>A file of lines: planted rows, or the tramlines of a plan.</source>
         <translation>Um ficheiro de linhas: fileiras plantadas ou os rastros de pulverização de um plano.</translation>
@@ -398,6 +405,10 @@
         <translation>escolha um pelo número no ficheiro: %1</translation>
     </message>
     <message>
+        <source>correct it, or remove the hole or obstacle from the file</source>
+        <translation>corrija-o, ou remova o vazio ou obstáculo do ficheiro</translation>
+    </message>
+    <message>
         <source>correct or delete this point in the file</source>
         <translation>corrija ou elimine este ponto no ficheiro</translation>
     </message>
@@ -416,6 +427,14 @@
     <message>
         <source>download the file and give its path</source>
         <translation>transfira o ficheiro e dê o caminho</translation>
+    </message>
+    <message>
+        <source>draw it as an area, or remove it from the file</source>
+        <translation>desenhe-o como área, ou remova-o do ficheiro</translation>
+    </message>
+    <message>
+        <source>draw it, or remove it from the file</source>
+        <translation>desenhe-o, ou remova-o do ficheiro</translation>
     </message>
     <message>
         <source>draw one or open a file that has one</source>
@@ -448,6 +467,14 @@
     <message>
         <source>give a machine file (JSON)</source>
         <translation>dê um ficheiro de máquina (JSON)</translation>
+    </message>
+    <message>
+        <source>give it a kind, or remove it from the file</source>
+        <translation>dê-lhe um tipo, ou remova-o do ficheiro</translation>
+    </message>
+    <message>
+        <source>give it the field that it lies in, or remove it from the file</source>
+        <translation>indique o talhão em que está, ou remova-o do ficheiro</translation>
     </message>
     <message>
         <source>give one of the files in it</source>
@@ -488,6 +515,10 @@
     <message>
         <source>its file is missing</source>
         <translation>falta o ficheiro</translation>
+    </message>
+    <message>
+        <source>its kind &apos;%1&apos; is not known</source>
+        <translation>o seu tipo &apos;%1&apos; não é conhecido</translation>
     </message>
     <message>
         <source>move or delete it</source>

@@ -12,10 +12,10 @@ namespace {
 
 // Points nearer than this are one point: a tenth of what the best receivers resolve.
 constexpr double kSamePointM = 1e-3;
-// An enclosed area below this is a drawing accident, not land.
+// An enclosed area of land below this is a drawing accident.
 constexpr double kSliverM2 = 1.0;
 constexpr double kSliverShare = 1e-4;
-// No field, obstacle or hole is smaller.
+// No field is smaller.
 constexpr double kNoAreaM2 = 1e-2;
 
 /// A ring in both coordinate systems, point by point.
@@ -40,14 +40,36 @@ bool isSpike(Point before, Point tip, Point after) {
     return std::abs(cross(in, out)) <= kSamePointM * longer;
 }
 
+/// Narrower everywhere than two points that are one. A pole is small, but no line.
+bool isLine(const Ring& ring) {
+    double perimeterM = 0.0;
+    for (std::size_t i = 0, j = ring.size() - 1; i < ring.size(); j = i++) {
+        perimeterM += distance(ring[j], ring[i]);
+    }
+    return std::abs(signedAreaM2(ring)) <= 0.5 * kSamePointM * perimeterM;
+}
+
+/// Three different points.
+bool hasCorners(const GeoRing& ring) {
+    const auto first = std::ranges::find_if(ring, [&ring](GeoPoint point) { return point != ring.front(); });
+    return std::ranges::any_of(ring, [&](GeoPoint point) { return point != ring.front() && point != *first; });
+}
+
+/// Land may lose slivers; of what is in the way nothing is left out.
+enum class RepairOf { Land, Obstacle };
+
 class Repair {
 public:
-    Repair(const LocalFrame& frame, Message what, const JobContext& job)
-        : frame_{frame}, what_{std::move(what)}, job_{job} {}
+    Repair(const LocalFrame& frame, Message what, RepairOf kind, const JobContext& job)
+        : frame_{frame}, what_{std::move(what)}, kind_{kind}, job_{job} {}
 
     Result<RepairedBoundary> run(const std::vector<GeoPolygon>& parts) {
         std::vector<TwinPolygon> cleaned;
+        const std::vector<bool> slivers = sliverParts(parts);
         for (std::size_t i = 0; i < parts.size(); ++i) {
+            if (slivers[i]) {
+                continue;
+            }
             auto polygon = cleanedPolygon(parts[i], i, parts.size());
             if (!polygon) {
                 return std::unexpected(polygon.error());
@@ -101,6 +123,42 @@ private:
 
     void note(Message text, GeoPoint place) { repairs_.push_back({std::move(text), what_, place}); }
 
+    /// Parts of land that are drawing accidents beside the rest of it, with a note for each.
+    std::vector<bool> sliverParts(const std::vector<GeoPolygon>& parts) {
+        std::vector<bool> slivers(parts.size(), false);
+        if (kind_ == RepairOf::Obstacle || parts.size() < 2) {
+            return slivers;
+        }
+        std::vector<double> enclosedM2;
+        double wholeM2 = 0.0;
+        for (const GeoPolygon& part : parts) {
+            enclosedM2.push_back(enclosedBy(frame_.toLocal(part.outer)));
+            wholeM2 += enclosedM2.back();
+        }
+        for (std::size_t i = 0; i < parts.size(); ++i) {
+            slivers[i] = hasCorners(parts[i].outer) && enclosedM2[i] < std::min(kSliverM2, kSliverShare * wholeM2);
+            if (slivers[i]) {
+                note(message("a sliver of {:.2f} m² was left out", enclosedM2[i]), parts[i].outer.front());
+            }
+        }
+        return slivers;
+    }
+
+    /// Of a ring that may be anything; wings of a bow-tie count.
+    double enclosedBy(const Ring& ring) const {
+        const double signedM2 = ring.size() < 3 ? 0.0 : std::abs(signedAreaM2(ring));
+        if (ring.size() < 3 || signedM2 >= kSliverM2) {
+            return signedM2;
+        }
+        const auto valid = madeValid({Polygon{.outer = ring, .holes = {}}}, job_);
+        return valid ? area(*valid).si() : signedM2;
+    }
+
+    bool enclosesNothing(const Ring& ring, bool isLand) const {
+        const bool nothing = isLand ? std::abs(signedAreaM2(ring)) < kNoAreaM2 : isLine(ring);
+        return nothing && !crossesItself(ring);
+    }
+
     Result<TwinPolygon> cleanedPolygon(const GeoPolygon& polygon, std::size_t index, std::size_t count) {
         const Message part = count > 1 ? message("part {}", index + 1) : Message{};
         TwinPolygon cleaned{.outer = cleanedRing(polygon.outer, true), .holes = {}};
@@ -109,12 +167,12 @@ private:
             return std::unexpected(refused("fewer than 3 different points enclose nothing",
                                            "draw it again with at least 3 corners", place, part));
         }
-        if (std::abs(signedAreaM2(cleaned.outer.local)) < kNoAreaM2 && !crossesItself(cleaned.outer.local)) {
+        if (enclosesNothing(cleaned.outer.local, kind_ == RepairOf::Land)) {
             return std::unexpected(refused("its points enclose no area", "draw it again", place, part));
         }
         for (std::size_t i = 0; i < polygon.holes.size(); ++i) {
             TwinRing hole = cleanedRing(polygon.holes[i], false);
-            if (hole.local.size() < 3 || std::abs(signedAreaM2(hole.local)) < kNoAreaM2) {
+            if (hole.local.size() < 3 || enclosesNothing(hole.local, false)) {
                 note(message("hole {} encloses no area and was left out", i + 1),
                      polygon.holes[i].empty() ? polygon.outer.front() : polygon.holes[i].front());
                 continue;
@@ -208,7 +266,7 @@ private:
         MultiPolygon shells;
         MultiPolygon holes;
         for (const Polygon& polygon : tangled) {
-            if (auto shell = untangledRing(polygon.outer); !shell) {
+            if (auto shell = untangledRing(polygon.outer, kind_); !shell) {
                 return shell;
             } else {
                 std::ranges::move(*shell, std::back_inserter(shells));
@@ -216,7 +274,7 @@ private:
             for (const Ring& hole : polygon.holes) {
                 Ring outline = hole;
                 std::ranges::reverse(outline);
-                auto untangled = untangledRing(outline);
+                auto untangled = untangledRing(outline, RepairOf::Obstacle);
                 if (!untangled) {
                     return untangled;
                 }
@@ -245,7 +303,9 @@ private:
             // Each ring was sound by itself.
             note("rings that overlap each other were joined", frame_.toGeo(problem.place));
         }
-        dropSlivers(*result);
+        if (kind_ == RepairOf::Land) {
+            dropSlivers(*result);
+        }
         if (result->empty()) {
             return std::unexpected(refused("its holes leave nothing of it", "delete the hole that covers it",
                                            frame_.toGeo(problem.place), ""));
@@ -253,7 +313,7 @@ private:
         return result;
     }
 
-    Result<MultiPolygon> untangledRing(const Ring& ring) {
+    Result<MultiPolygon> untangledRing(const Ring& ring, RepairOf kind) {
         const MultiPolygon alone{Polygon{.outer = ring, .holes = {}}};
         const auto problem = findInvalidPlace(alone, job_);
         if (!problem) {
@@ -278,7 +338,9 @@ private:
                         "move one of the points there, so that it is clear which side is field", place, ""));
         }
         note("the line touches or crosses itself by a sliver; taken apart there", place);
-        dropSlivers(*untangled);
+        if (kind == RepairOf::Land) {
+            dropSlivers(*untangled);
+        }
         return untangled;
     }
 
@@ -299,6 +361,7 @@ private:
 
     const LocalFrame& frame_;
     Message what_;
+    RepairOf kind_;
     const JobContext& job_;
     std::vector<Note> repairs_;
     int reversed_ = 0;
@@ -308,7 +371,12 @@ private:
 
 Result<RepairedBoundary> repairBoundary(const std::vector<GeoPolygon>& parts, const LocalFrame& frame,
                                         const std::string& what, const JobContext& job) {
-    return Repair{frame, what, job}.run(parts);
+    return Repair{frame, what, RepairOf::Land, job}.run(parts);
+}
+
+Result<RepairedBoundary> repairObstacle(const GeoPolygon& outline, const LocalFrame& frame, const std::string& what,
+                                        const JobContext& job) {
+    return Repair{frame, what, RepairOf::Obstacle, job}.run({outline});
 }
 
 }  // namespace furrow

@@ -17,11 +17,16 @@ struct RepairedBoundary {
     std::vector<Note> repairs;
 };
 
-/// Repairs what has one obvious repair and refuses the rest; see Field::create for the list.
+/// Repairs what has one obvious repair and refuses the rest; see Field::create for the list. Parts that are slivers
+/// beside the rest of the land are left out.
 ///
 /// @param parts  finite points inside WGS84
 /// @param what   what messages call it: "the boundary", "obstacle 'pond'"
 Result<RepairedBoundary> repairBoundary(const std::vector<GeoPolygon>& parts, const LocalFrame& frame,
                                         const std::string& what, const JobContext& job);
+
+/// The same of what is in the way: nothing of it is left out, however small.
+Result<RepairedBoundary> repairObstacle(const GeoPolygon& outline, const LocalFrame& frame, const std::string& what,
+                                        const JobContext& job);
 
 }  // namespace furrow

@@ -223,7 +223,7 @@ Result<Field> Field::create(const FieldSource& source, const JobContext& job) {
         const Obstacle& obstacle = source.obstacles[i];
         const Message name = obstacle.name.empty() ? message("obstacle {}", i + 1)
                                                        : message("obstacle '{}'", obstacle.name);
-        auto outline = repairBoundary({obstacle.outline}, *frame, name, job);
+        auto outline = repairObstacle(obstacle.outline, *frame, name, job);
         if (!outline) {
             return withOrigin(outline.error());
         }

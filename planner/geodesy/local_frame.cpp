@@ -28,6 +28,8 @@ struct TransformDeleter {
 // PROJ objects must not be used by two threads at a time, and making one costs far more than using it,
 // so each thread keeps the one it used last.
 struct ThreadTransform {
+    ThreadTransform() { proj_context_set_enable_network(context.get(), 0); }
+
     std::unique_ptr<PJ_CONTEXT, ContextDeleter> context{proj_context_create()};
     std::unique_ptr<PJ, TransformDeleter> transform;
     GeoPoint centre;

@@ -189,6 +189,9 @@ private:
                 return std::unexpected(damaged("Boundary.txt", lines));
             }
             if (points->size() < 3) {
+                if (!points->empty()) {
+                    tell("Boundary.txt", message("left out: {} {}", 1, Message{"rings with fewer than three corners"}));
+                }
                 continue;
             }
             if (isOuter) {

@@ -15,6 +15,9 @@ double lonNear(double lonDeg, double anchorDeg);
 /// Whether a point lies inside a ring, straight edges in longitude and latitude.
 bool contains(std::span<const GeoPoint> ring, GeoPoint point);
 
+/// Whether two rings have land in common, or touch.
+bool meet(std::span<const GeoPoint> a, std::span<const GeoPoint> b);
+
 /// In metres on a sphere: good enough to tell which of two things is nearer.
 double roughDistanceM(GeoPoint a, GeoPoint b);
 

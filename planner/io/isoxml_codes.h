@@ -8,6 +8,7 @@ namespace furrow::isoxml {
 inline constexpr const char* kFieldBoundary = "1";
 inline constexpr const char* kWater = "3";
 inline constexpr const char* kBuilding = "4";
+inline constexpr const char* kRoad = "5";
 inline constexpr const char* kObstacleArea = "6";
 inline constexpr const char* kOtherArea = "8";
 inline constexpr const char* kMainField = "9";
@@ -18,11 +19,13 @@ inline constexpr const char* kWindbreak = "12";
 inline constexpr const char* kOuterRing = "1";
 inline constexpr const char* kInnerRing = "2";
 inline constexpr const char* kGuidanceLine = "5";
+inline constexpr const char* kObstacleLine = "9";
 
 // PNT A, kinds of points; 3 and above only in version 4
 inline constexpr const char* kFlag = "1";
 inline constexpr const char* kOtherPoint = "2";
 inline constexpr const char* kFieldAccess = "3";
+inline constexpr const char* kObstaclePoint = "5";
 inline constexpr const char* kReferenceA = "6";
 inline constexpr const char* kReferenceB = "7";
 inline constexpr const char* kCentre = "8";

@@ -6,13 +6,14 @@
 #include "planner/io/geo_ring.h"
 #include "planner/io/isoxml_codes.h"
 #include "planner/io/isoxml_links.h"
+#include "planner/io/isoxml_values.h"
+#include "planner/io/obstacle_shapes.h"
 #include "planner/units/angle.h"
 
 #include <pugixml.hpp>
 
 #include <algorithm>
 #include <array>
-#include <charconv>
 #include <cmath>
 #include <format>
 #include <map>
@@ -31,20 +32,12 @@ constexpr int kMostParts = 64;
 // A headland polygon whose outer ring has this share of the boundary's area is the strip, not what it encloses.
 constexpr double kStripShare = 0.98;
 
+constexpr const char* kCorrectIt = "correct it, or remove the hole or obstacle from the file";
+
 // Two rings that begin within this are the same hole, told twice for different readers.
 constexpr double kSamePlaceM = 0.01;
-
-std::string_view attribute(pugi::xml_node node, const char* name) {
-    return node.attribute(name).value();
-}
-
-/// A plain decimal; no exponent, no comma.
-std::optional<double> decimal(std::string_view text) {
-    double number = 0.0;
-    const auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), number, std::chars_format::fixed);
-    const bool whole = error == std::errc{} && end == text.data() + text.size() && std::isfinite(number);
-    return whole ? std::optional{number} : std::nullopt;
-}
+// And the hole takes no less than this of what the obstacle does.
+constexpr double kSameArea = 0.999;
 
 class FieldReader {
 public:
@@ -59,16 +52,23 @@ public:
         where_ = std::format("{}, field '{}'", where, field_.field.name);
     }
 
-    FieldContent read(std::vector<Note>& notes) {
+    /// InputRefused: something in the way that cannot be read; it is never left out.
+    Result<FieldContent> read(std::vector<Note>& notes, const JobContext& job) {
         readBoundary();
         for (const pugi::xml_node polygon : node_.children("PLN")) {
             readOtherPolygon(polygon);
         }
         for (const pugi::xml_node point : node_.children("PNT")) {
-            readPoint(point);
+            readPoint(point, job);
         }
         for (const pugi::xml_node line : node_.children("LSG")) {
-            attribute(line, "A") == kGuidanceLine ? readLine(line) : skip("lines that guide nothing");
+            const std::string_view kind = attribute(line, "A");
+            kind == kGuidanceLine   ? readLine(line)
+            : kind == kObstacleLine ? readObstacleLine(line, job)
+                                    : skip("lines that guide nothing");
+        }
+        if (refusal_) {
+            return std::unexpected(*refusal_);
         }
         // Groups are GGP; files exist that call them otherwise.
         for (const pugi::xml_node group : node_.children()) {
@@ -88,12 +88,16 @@ private:
     void skip(const char* what) { ++skipped_[what]; }
     void tell(Message text) { notes_.push_back({std::move(text), where_}); }
 
+    void refuse(Message what, Message remedy) {
+        refusal_ = refusal_ ? refusal_ : std::optional{inputRefused(where_, std::move(what), std::move(remedy))};
+    }
+
     std::optional<GeoPoint> pointOf(pugi::xml_node node) {
         const auto lat = decimal(attribute(node, "C"));
         const auto lon = decimal(attribute(node, "D"));
         if (!lat || !lon || std::abs(*lat) > 90.0 || std::abs(*lon) > 180.0) {
-            tell(message("'{}', '{}' is no latitude and longitude; what it belongs to was left out",
-                             attribute(node, "C"), attribute(node, "D")));
+            badPlace_ = message("'{}', '{}' is no latitude and longitude", attribute(node, "C"), attribute(node, "D"));
+            tell(message("{}; what it belongs to was left out", badPlace_));
             return std::nullopt;
         }
         return GeoPoint{*lon, *lat};
@@ -124,37 +128,59 @@ private:
         return ring;
     }
 
-    /// A part for each outer ring; holes in the part that they begin in.
-    std::vector<GeoPolygon> polygonsOf(pugi::xml_node node) {
+    /// Outer rings as parts without holes, and inner ones.
+    struct Rings {
         std::vector<GeoPolygon> polygons;
         std::vector<GeoRing> holes;
+    };
+
+    void addRings(pugi::xml_node node, bool isInTheWay, Rings& rings) {
         for (const pugi::xml_node line : node.children("LSG")) {
+            const bool isHole = attribute(line, "A") == kInnerRing;
+            badPlace_ = {};
             GeoRing ring = ringOf(line);
+            if (!badPlace_.empty() && (isHole || isInTheWay)) {
+                refuse(badPlace_, kCorrectIt);
+            }
             if (ring.size() < 3) {
                 skip("rings with fewer than three corners");
-            } else if (attribute(line, "A") == kInnerRing) {
-                holes.push_back(std::move(ring));
+            } else if (isHole) {
+                rings.holes.push_back(std::move(ring));
             } else {
-                polygons.push_back({.outer = std::move(ring), .holes = {}});
+                rings.polygons.push_back({.outer = std::move(ring), .holes = {}});
             }
         }
-        for (GeoRing& hole : holes) {
-            const auto around = std::ranges::find_if(
-                polygons, [&hole](const GeoPolygon& polygon) { return contains(polygon.outer, hole.front()); });
-            if (around != polygons.end()) {
-                around->holes.push_back(std::move(hole));
-            } else if (!polygons.empty()) {
-                polygons.front().holes.push_back(std::move(hole));  // where the check of the field says what is wrong
-            }
-        }
-        return polygons;
     }
 
+    /// A part for each outer ring; holes in the part that they begin in.
+    static std::vector<GeoPolygon> joined(Rings rings) {
+        for (GeoRing& hole : rings.holes) {
+            const auto around = std::ranges::find_if(
+                rings.polygons, [&hole](const GeoPolygon& polygon) { return contains(polygon.outer, hole.front()); });
+            if (around != rings.polygons.end()) {
+                around->holes.push_back(std::move(hole));
+            } else if (!rings.polygons.empty()) {
+                rings.polygons.front().holes.push_back(std::move(hole));  // where the check of the field says what is wrong
+            }
+        }
+        return std::move(rings.polygons);
+    }
+
+    std::vector<GeoPolygon> polygonsOf(pugi::xml_node node, bool isInTheWay) {
+        Rings rings;
+        addRings(node, isInTheWay, rings);
+        return joined(std::move(rings));
+    }
+
+    /// Machines write holes into polygons of their own, beside the one with the outer ring.
     void addBoundaries(pugi::xml_node parent, std::string_view kind) {
         for (const pugi::xml_node polygon : parent.children("PLN")) {
             if (attribute(polygon, "A") == kind) {
-                std::ranges::move(polygonsOf(polygon), std::back_inserter(field_.field.parts));
+                addRings(polygon, false, boundary_);
             }
+        }
+        if (!boundary_.polygons.empty()) {
+            field_.field.parts = joined(std::exchange(boundary_, {}));
         }
     }
 
@@ -186,15 +212,15 @@ private:
             return;
         }
         if (kind == kHeadlandArea) {
-            addMainland(polygonsOf(node));
+            addMainland(polygonsOf(node, false));
             return;
         }
         const bool blocks = std::ranges::any_of(kInTheWay, [kind](const char* other) { return kind == other; });
-        if (!blocks && kind != kOtherArea) {
+        if (!blocks && kind != kOtherArea && kind != kRoad) {
             skip("polygons of a kind that is not used");
             return;
         }
-        for (GeoPolygon& outline : polygonsOf(node)) {
+        for (GeoPolygon& outline : polygonsOf(node, true)) {
             field_.field.obstacles.push_back(
                 {.name = std::string{attribute(node, "B")}, .outline = std::move(outline), .passable = !blocks, .buffer = {}});
         }
@@ -218,17 +244,41 @@ private:
         }
     }
 
-    void readPoint(pugi::xml_node node) {
-        if (attribute(node, "A") != kFieldAccess) {
+    void addAround(std::span<const GeoPoint> points, std::span<const GeoRing> lines, Length buffer, pugi::xml_node node,
+                   const JobContext& job) {
+        const std::string name{attribute(node, "B")};
+        auto outlines = outlinesAround(points, lines, buffer, message("{}, obstacle {}", where_, name), job);
+        if (!outlines) {
+            refusal_ = refusal_ ? refusal_ : std::optional{outlines.error()};
+            return;
+        }
+        for (GeoPolygon& outline : *outlines) {
+            field_.field.obstacles.push_back({.name = name, .outline = std::move(outline)});
+        }
+    }
+
+    /// As wide as the line string says.
+    void readObstacleLine(pugi::xml_node node, const JobContext& job) {
+        const GeoRing points = pointsOf(node);
+        if (points.empty()) {
+            refuse(badPlace_.empty() ? Message{"an obstacle has no shape"} : badPlace_, kCorrectIt);
+        } else {
+            addAround({}, {&points, 1}, 0.5 * millimetres(attribute(node, "C")).value_or(Length{}), node, job);
+        }
+    }
+
+    void readPoint(pugi::xml_node node, const JobContext& job) {
+        if (attribute(node, "A") == kObstaclePoint) {
+            if (const auto place = pointOf(node)) {
+                addAround({&*place, 1}, {}, {}, node, job);
+            } else {
+                refuse(badPlace_, kCorrectIt);
+            }
+        } else if (attribute(node, "A") != kFieldAccess) {
             skip("points that are no gates");
         } else if (const auto place = pointOf(node)) {
             field_.field.gates.push_back({.name = std::string{attribute(node, "B")}, .position = *place, .width = {}});
         }
-    }
-
-    static std::optional<Length> millimetres(std::string_view text) {
-        const auto number = decimal(text);
-        return number && *number > 0.0 ? std::optional{metres(*number / 1000.0)} : std::nullopt;
     }
 
     /// Version 3: two points are straight.
@@ -307,16 +357,17 @@ private:
         const auto& parts = field_.field.parts;
         std::erase_if(field_.field.obstacles, [&](const Obstacle& obstacle) {
             const GeoPoint begin = obstacle.outline.outer.front();
-            const bool twin = std::ranges::any_of(parts, [begin](const GeoPolygon& part) {
-                return std::ranges::any_of(part.holes, [begin](const GeoRing& hole) {
-                    return std::ranges::any_of(
-                        hole, [begin](GeoPoint corner) { return roughDistanceM(corner, begin) < kSamePlaceM; });
+            const Area size = geodesicArea({.outer = obstacle.outline.outer, .holes = {}});
+            const bool twin = std::ranges::any_of(parts, [begin, size](const GeoPolygon& part) {
+                return std::ranges::any_of(part.holes, [begin, size](const GeoRing& hole) {
+                    const double ratio = geodesicArea({.outer = hole, .holes = {}}) / size;
+                    return ratio > kSameArea && std::ranges::any_of(hole, [begin](GeoPoint corner) {
+                               return roughDistanceM(corner, begin) < kSamePlaceM;
+                           });
                 });
             });
-            const bool outside = std::ranges::none_of(parts, [&obstacle](const GeoPolygon& part) {
-                return std::ranges::any_of(obstacle.outline.outer,
-                                           [&part](GeoPoint corner) { return contains(part.outer, corner); });
-            });
+            const bool outside = std::ranges::none_of(
+                parts, [&obstacle](const GeoPolygon& part) { return meet(part.outer, obstacle.outline.outer); });
             if (twin) {
                 skip("obstacles that are holes already");
             } else if (outside && !parts.empty()) {
@@ -329,6 +380,9 @@ private:
     pugi::xml_node node_;
     std::string where_;
     FieldContent field_;
+    Rings boundary_;  ///< not in the field yet
+    std::optional<Error> refusal_;
+    Message badPlace_;  ///< the last one that was none
     int openRings_ = 0;
     std::map<std::string, int> skipped_;
     std::vector<Note> notes_;
@@ -390,13 +444,16 @@ Result<ImportedFields> readIsoxml(std::string_view xml, const std::string& where
                 return std::unexpected(cancelled());
             }
             FieldReader reader{node, where};
-            FieldContent content = reader.read(imported.notes);
-            if (!content.field.parts.empty()) {
-                imported.fields.push_back(std::move(content));
+            auto content = reader.read(imported.notes, job);
+            if (!content) {
+                return std::unexpected(content.error());
+            }
+            if (!content->field.parts.empty()) {
+                imported.fields.push_back(*std::move(content));
                 continue;
             }
-            imported.notes.push_back({message("the field '{}' has no boundary", content.field.name), where});
-            std::ranges::move(content.lines, std::back_inserter(imported.looseLines));
+            imported.notes.push_back({message("the field '{}' has no boundary", content->field.name), where});
+            std::ranges::move(content->lines, std::back_inserter(imported.looseLines));
         }
     }
     if (imported.fields.empty() && imported.looseLines.empty()) {

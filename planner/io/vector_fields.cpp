@@ -3,6 +3,7 @@
 #include "planner/io/file_error.h"
 #include "planner/io/gdal_bridge.h"
 #include "planner/io/geo_ring.h"
+#include "planner/io/obstacle_shapes.h"
 #include "planner/io/table_fields.h"
 #include "planner/io/vector_attributes.h"
 
@@ -46,10 +47,7 @@ Result<Length> lengthIn(const VectorFeature& feature, std::string_view name, con
 }
 
 bool touches(const FieldSource& field, const GeoPolygon& outline) {
-    return std::ranges::any_of(field.parts, [&outline](const GeoPolygon& part) {
-        return std::ranges::any_of(outline.outer, [&part](GeoPoint p) { return contains(part.outer, p); }) ||
-               std::ranges::any_of(part.outer, [&outline](GeoPoint p) { return contains(outline.outer, p); });
-    });
+    return std::ranges::any_of(field.parts, [&outline](const GeoPolygon& part) { return meet(part.outer, outline.outer); });
 }
 
 /// In degrees of latitude: good enough to tell which of two fields a gate belongs to.
@@ -89,18 +87,26 @@ std::optional<Note> noteOfOpenRings(const VectorFeature& feature, Message where)
                 .place = feature.openRings.front()};
 }
 
+/// One is never left out: what cannot be read is refused.
 Result<void> addObstacle(const VectorFeature& feature, std::vector<FieldContent>& fields,
-                         const std::string& file) {
+                         const std::string& file, const JobContext& job) {
     const std::string name = nameOf(feature);
     const Message where = message("{}, obstacle {}", file, name);
     const Result<Length> buffer = lengthIn(feature, "buffer_m", where);
     if (!buffer) {
         return std::unexpected(buffer.error());
     }
+    if (!feature.hasGeometry()) {
+        return std::unexpected(inputRefused(where, "it has no shape", "draw it, or remove it from the file"));
+    }
+    const auto around = outlinesAround(feature.points, feature.openLines, *buffer, where, job);
+    if (!around) {
+        return std::unexpected(around.error());
+    }
     const std::string& passable = attribute(feature, "passable");
     std::optional<Note> note =
         noteOfOpenRings(feature, name.empty() ? Message{"an obstacle"} : message("obstacle '{}'", name));
-    for (const GeoPolygon& outline : feature.polygons) {
+    const auto add = [&](const GeoPolygon& outline, Length outlineBuffer) -> Result<void> {
         auto owner =
             std::ranges::find_if(fields, [&](const FieldContent& content) { return touches(content.field, outline); });
         if (owner == fields.end() && fields.size() > 1) {
@@ -114,12 +120,20 @@ Result<void> addObstacle(const VectorFeature& feature, std::vector<FieldContent>
         owner->field.obstacles.push_back({.name = name,
                                     .outline = outline,
                                     .passable = passable == "1" || passable == "true" || passable == "yes",
-                                    .buffer = *buffer});
+                                    .buffer = outlineBuffer});
         if (note) {
             owner->field.repairs.push_back(*std::exchange(note, std::nullopt));
         }
+        return {};
+    };
+    Result<void> added;
+    for (std::size_t i = 0; added && i < feature.polygons.size(); ++i) {
+        added = add(feature.polygons[i], *buffer);
     }
-    return {};
+    for (std::size_t i = 0; added && i < around->size(); ++i) {
+        added = add((*around)[i], metres(0.0));
+    }
+    return added;
 }
 
 Result<void> addGate(const VectorFeature& feature, std::vector<FieldContent>& fields,
@@ -229,19 +243,23 @@ std::vector<GuidanceLine> guidanceIn(VectorFile& file) {
     return lines;
 }
 
-void addHole(VectorFeature& feature, std::vector<FieldContent>& fields) {
+Result<void> addHole(VectorFeature& feature, std::vector<FieldContent>& fields, const std::string& file) {
+    if (!feature.openLines.empty() || !feature.points.empty() || !feature.hasGeometry()) {
+        return std::unexpected(inputRefused(message("{}, hole {}", file, nameOf(feature)), "it is no closed line",
+                                            "draw it as an area, or remove it from the file"));
+    }
     const auto add = [&fields](GeoRing& ring) {
-        for (GeoPolygon& part : ownerOf(fields, ring.front()).field.parts) {
-            if (contains(part.outer, ring.front())) {
-                part.holes.push_back(std::move(ring));
-                return;
-            }
-        }
+        std::vector<GeoPolygon>& parts = ownerOf(fields, ring.front()).field.parts;
+        const auto around =
+            std::ranges::find_if(parts, [&ring](const GeoPolygon& part) { return meet(part.outer, ring); });
+        // In none of them the check of the field says what is wrong with it.
+        (around == parts.end() ? parts.front() : *around).holes.push_back(std::move(ring));
     };
     std::ranges::for_each(feature.closedLines, add);
     for (GeoPolygon& polygon : feature.polygons) {
         add(polygon.outer);
     }
+    return {};
 }
 
 /// Closed lines count as areas in drawings and where nothing better is there.
@@ -301,17 +319,18 @@ void nameFields(std::vector<FieldContent>& fields, const std::string& name) {
 }
 
 Result<void> addBelongings(VectorFeature& feature, const std::string& kind, ImportedFields& imported,
-                           const std::string& name) {
+                           const std::string& name, const JobContext& job) {
     if (kind == "obstacle") {
         closeLines(feature);
-        return addObstacle(feature, imported.fields, name);
+        return addObstacle(feature, imported.fields, name, job);
     }
     if (kind == "gate") {
         return addGate(feature, imported.fields, name);
     }
     if (kind == "hole") {
-        addHole(feature, imported.fields);
-    } else if (kind == "mainland") {
+        return addHole(feature, imported.fields, name);
+    }
+    if (kind == "mainland") {
         closeLines(feature);
         for (GeoPolygon& polygon : feature.polygons) {
             ownerOf(imported.fields, polygon.outer.front()).mainland.push_back(std::move(polygon));
@@ -323,6 +342,40 @@ Result<void> addBelongings(VectorFeature& feature, const std::string& kind, Impo
                 ownerOf(imported.fields, middle).lines.push_back(guidanceOf(feature, std::move(line)));
             }
         }
+    }
+    return {};
+}
+
+/// An area that is neither field nor anything else that is known may be in the way: where a file says of each thing
+/// what it is, that is refused. A project keeps what others put into it; a drawing holds much else.
+Result<void> checkAreasAreKnown(std::span<const VectorFeature> features, std::span<const std::string> kinds, bool isPlan,
+                                const std::filesystem::path& path, std::vector<Note>& notes) {
+    const std::string name = path.filename().string();
+    const bool isProject = path.extension() == ".furrow";
+    std::size_t unknown = 0;
+    std::optional<GeoPoint> first;
+    for (std::size_t i = 0; i < features.size(); ++i) {
+        const VectorFeature& feature = features[i];
+        const bool isArea = !feature.polygons.empty() || (!isPlan && !feature.closedLines.empty());
+        if (!isArea || std::ranges::contains(kKinds, kinds[i])) {
+            continue;
+        }
+        const GeoRing& ring = feature.polygons.empty() ? feature.closedLines.front() : feature.polygons.front().outer;
+        if (isPlan && !isProject) {
+            Error error = inputRefused(message("{}, {}", name, message("feature {}", i + 1)),
+                                       kinds[i].empty() ? Message{"it does not say what it is"}
+                                                        : message("its kind '{}' is not known", kinds[i]),
+                                       "give it a kind, or remove it from the file");
+            error.place = ring.front();
+            return std::unexpected(std::move(error));
+        }
+        first = unknown++ == 0 ? std::optional{ring.front()} : first;
+    }
+    if (unknown > 0) {
+        notes.push_back({counted("{} area is neither field, hole nor obstacle by its layer or kind and was not used",
+                                 "{} areas are neither field, hole nor obstacle by their layer or kind and were not used",
+                                 unknown),
+                         name, first});
     }
     return {};
 }
@@ -351,6 +404,11 @@ Result<ImportedFields> vectorFields(const std::filesystem::path& path, const Job
         return kinds[i] == "field" || (kinds[i].empty() && !isPlan && !isDrawing);
     };
     ImportedFields imported;
+    if (isPlan || isDrawing) {
+        if (auto known = checkAreasAreKnown(file->features, kinds, isPlan, path, imported.notes); !known) {
+            return std::unexpected(known.error());
+        }
+    }
     // A guidance line may be closed, too: lines count only where nothing better is in the file.
     bool hasPolygon = false;
     bool hasClosedLine = false;
@@ -391,7 +449,7 @@ Result<ImportedFields> vectorFields(const std::filesystem::path& path, const Job
     }
     nameFields(imported.fields, name);
     for (const std::size_t i : others) {
-        if (auto added = addBelongings(file->features[i], kinds[i], imported, name); !added) {
+        if (auto added = addBelongings(file->features[i], kinds[i], imported, name, job); !added) {
             return std::unexpected(added.error());
         }
     }

@@ -35,9 +35,24 @@ struct FieldParts {
     OrderedJson plans = OrderedJson::array();
 };
 
+/// Which obstacle stands nowhere; they are never left out.
+Error withoutField(const OrderedJson& obstacle, const std::string& origin) {
+    const std::string field = textProperty(obstacle, "field");
+    return inputRefused(message("{}, obstacle {}", origin, textProperty(obstacle, "name")),
+                        field.empty() ? Message{"it does not say which field it belongs to"}
+                                      : message("there is no field '{}' in the project", field),
+                        "give it the field that it lies in, or remove it from the file");
+}
+
+bool isArea(const OrderedJson& feature) {
+    const auto geometry = feature.find("geometry");
+    return geometry != feature.end() && geometry->is_object() && geometry->value("type", "").ends_with("Polygon");
+}
+
 /// Sorts features into fields; those that are no part of any go to the project.
-std::vector<FieldParts> sorted(const OrderedJson& document, Project& project) {
+Result<std::vector<FieldParts>> sorted(const OrderedJson& document, OpenedProject& opened, const std::string& origin) {
     std::vector<FieldParts> fields;
+    std::size_t unused = 0;
     const auto find = [&fields](const std::string& id) { return std::ranges::find(fields, id, &FieldParts::id); };
     for (OrderedJson feature : document.at("features")) {
         if (textProperty(feature, "kind") != "field") {
@@ -57,9 +72,16 @@ std::vector<FieldParts> sorted(const OrderedJson& document, Project& project) {
         const auto owner = find(textProperty(feature, "field"));
         if ((kind == "obstacle" || kind == "gate") && owner != fields.end()) {
             owner->features.push_back(feature);
+        } else if (kind == "obstacle") {
+            return std::unexpected(withoutField(feature, origin));
         } else if (kind != "field") {
-            project.otherFeatures.push_back(textOf(feature));
+            opened.project.otherFeatures.push_back(textOf(feature));
+            unused += isArea(feature) ? 1 : 0;
         }
+    }
+    if (unused > 0) {
+        opened.notes.push_back(counted("{} area in the file is neither field nor obstacle and was not used",
+                                       "{} areas in the file are neither field nor obstacle and were not used", unused));
     }
     if (const OrderedJson& head = document.at(kMember); head.contains("plans")) {
         for (const OrderedJson& plan : head.at("plans")) {
@@ -71,12 +93,15 @@ std::vector<FieldParts> sorted(const OrderedJson& document, Project& project) {
     return fields;
 }
 
-Result<OpenedProject> projectFrom(const OrderedJson& document) {
+Result<OpenedProject> projectFrom(const OrderedJson& document, const std::string& origin) {
     OpenedProject opened{.project = Project::empty(), .fingerprint = {}, .notes = {}};
     Project& project = opened.project;
-    const std::vector<FieldParts> fields = sorted(document, project);
+    const auto fields = sorted(document, opened, origin);
+    if (!fields) {
+        return std::unexpected(fields.error());
+    }
     readHead(document.at(kMember), project, opened.notes);
-    for (const FieldParts& parts : fields) {
+    for (const FieldParts& parts : *fields) {
         project.fields.push_back(std::make_shared<const ProjectField>(
             fieldOf(parts.features, parts.plans, project.standard, freePlanId(project), opened.notes)));
     }
@@ -150,7 +175,7 @@ Result<OpenedProject> parseProject(std::string_view text, const std::string& ori
         if (!current) {
             return std::unexpected(current.error());
         }
-        auto opened = projectFrom(*current);
+        auto opened = projectFrom(*current, origin);
         if (opened) {
             opened->fingerprint = fingerprint(text);
         }

@@ -137,6 +137,13 @@ private slots:
         QTest::newRow("hole that crosses itself")
             << "POLYGON((0 0, 100 0, 100 100, 0 100, 0 0), (20 20, 60 80, 60 20, 20 60, 20 20))" << "crosses itself"
             << boundary << kNan << kNan;
+        // Its wings cancel out in the signed area.
+        QTest::newRow("hole that is an even bow-tie")
+            << "POLYGON((0 0, 100 0, 100 100, 0 100, 0 0), (20 20, 60 60, 60 20, 20 60, 20 20))" << "crosses itself"
+            << boundary << 40.0 << 40.0;
+        // Half a millimetre broad.
+        QTest::newRow("nothing but slivers")
+            << "MULTIPOLYGON(((0 0, 10 0, 10 0.0005, 0 0)), ((20 0, 30 0, 30 0.0005, 20 0)))" << "" << "the boundary" << 0.0 << 0.0;
     }
     void refuses() {
         QFETCH(QString, wkt);
@@ -237,6 +244,30 @@ private slots:
         source.gates = {{.name = "north", .position = source.parts.front().outer.front(), .width = metres(lengthM)}};
         const auto gate = Field::create(source);
         QVERIFY(!gate && gate.error().code == ErrorCode::InputRefused);
+    }
+
+    void keepsWhatIsInTheWay_data() {
+        QTest::addColumn<QString>("wkt");
+        QTest::addColumn<double>("m2");
+        QTest::newRow("a pole") << "POLYGON((0 0, 100 0, 100 100, 0 100, 0 0), (50 50, 50 50.08, 50.08 50.08, 50.08 50, 50 50))"
+                                << 0.0064;
+        // Wings of 0.12 and 0.03 m² that meet at 50.4, 50.2: less than what makes land a sliver.
+        QTest::newRow("a stone drawn as a bow-tie")
+            << "POLYGON((0 0, 100 0, 100 100, 0 100, 0 0), (50 50, 50.6 50.3, 50.6 50, 50 50.6, 50 50))" << 0.15;
+    }
+    void keepsWhatIsInTheWay() {
+        QFETCH(QString, wkt);
+        QFETCH(double, m2);
+        const auto field = Field::create(sourceFromWkt(wkt));
+        VERIFY_RESULT(field);
+        const double takenM2 = 100.0 * 100.0 - furrow::area(field->workable()).si();
+        QVERIFY2(std::abs(takenM2 - m2) < 0.02 * m2, qPrintable(QString::number(takenM2)));
+        FieldSource source = sourceFromWkt("POLYGON((0 0, 100 0, 100 100, 0 100, 0 0))");
+        GeoRing outline = sourceFromWkt(wkt).parts.front().holes.front();
+        source.obstacles = {{.name = "pole", .outline = {.outer = std::move(outline), .holes = {}}}};
+        const auto withObstacle = Field::create(source);
+        VERIFY_RESULT(withObstacle);
+        COMPARE_WITHIN(100.0 * 100.0 - furrow::area(withObstacle->workable()).si(), takenM2, 1e-3 * m2);
     }
 
     void refusesNothingAtAll() {
@@ -359,6 +390,13 @@ private slots:
         QTest::newRow("parts that overlap")
             << "MULTIPOLYGON(((0 0, 100 0, 100 100, 0 100, 0 0)), ((80 10, 180 10, 180 90, 80 90, 80 10)))" << "joined" << kNan
             << kNan << "POLYGON((0 0, 100 0, 100 10, 180 10, 180 90, 100 90, 100 100, 0 100, 0 0))";
+        // 0.0075 m², as in a register beside 6.54 ha.
+        QTest::newRow("sliver beside the field")
+            << "MULTIPOLYGON(((0 0, 100 0, 100 100, 0 100, 0 0)), ((200 0, 203 0, 203 0.005, 200 0)))"
+            << "a sliver of 0.01 m² was left out" << 200.0 << 0.0 << square;
+        QTest::newRow("sliver that crosses itself")
+            << "MULTIPOLYGON(((0 0, 100 0, 100 100, 0 100, 0 0)), ((200 0, 200.2 0.2, 200.2 0, 200 0.2, 200 0)))"
+            << "a sliver of 0.02 m² was left out" << 200.0 << 0.0 << square;
         QTest::newRow("hole without area")
             << "POLYGON((0 0, 100 0, 100 100, 0 100, 0 0), (20 20, 40 40, 20 20))" << "hole 1 encloses no area" << 20.0
             << 20.0 << square;
