@@ -205,6 +205,7 @@ public:
         const std::string text = table_.text();
         std::printf("%s", text.c_str());
         std::ofstream{outFolder() / ("table" + suffix() + ".txt")} << text;
+        std::ofstream{outFolder() / ("failures" + suffix() + ".txt")} << table_.failuresText();
         return table_.failures() == 0 ? 0 : 1;
     }
 
@@ -216,10 +217,11 @@ private:
     }
 
     void tell(const Group& group, const SweepCase& each, const SweepOutcome& outcome) {
-        table_.add(each, outcome);
+        const std::string command = commandOf(group, outcome);
+        table_.add(each, outcome, command);
         records_ << recordOf(each, outcome) << std::endl;
         if (outcome.verdict == SweepVerdict::Failed) {
-            std::printf("FAILED  %s\n        %s\n        %s\n", each.name().c_str(), outcome.reason.c_str(), commandOf(group, outcome).c_str());
+            std::printf("FAILED  %s\n        %s\n        %s\n", each.name().c_str(), outcome.reason.c_str(), command.c_str());
             std::fflush(stdout);
         }
     }

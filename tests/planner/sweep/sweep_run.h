@@ -10,9 +10,9 @@ namespace furrow::test {
 ///     FURROW_SWEEP_SHAPE    only these, divided by commas
 ///     FURROW_SWEEP_MACHINE  likewise
 ///     FURROW_SWEEP_SHARD    I/N: every N-th group of cases of one shape and machine, from the I-th on
-///     FURROW_SWEEP_OUT      a folder for cases.tsv (a line for each case, written at once), table.txt, and fields and
-///                           files that furrow-cli can plan failing cases with; furrow_sweep among the temporary
-///                           files by default
+///     FURROW_SWEEP_OUT      a folder for cases.tsv (a line for each case, written at once), table.txt, failures.txt
+///                           (by setting), and fields and files that furrow-cli can plan them with; furrow_sweep
+///                           among the temporary files by default
 ///     FURROW_SWEEP_SECONDS  how long a plan may take, 120 by default
 bool sweepIsWanted();
 

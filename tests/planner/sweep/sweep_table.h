@@ -7,14 +7,17 @@
 
 namespace furrow::test {
 
-/// What became of all cases, by what was changed.
+/// What became of all cases, by what was changed; of pairs each setting has its row.
 class SweepTable {
 public:
-    void add(const SweepCase& each, const SweepOutcome& outcome);
+    /// @param command  with which a person plans the case again
+    void add(const SweepCase& each, const SweepOutcome& outcome, const std::string& command);
 
     int failures() const { return failures_; }
-    /// A line for each change, the worst last, and one for all.
+    /// A line for each change and one for all.
     std::string text() const;
+    /// What failed, by change: how often, and of the first case the reason and the command that plans it again.
+    std::string failuresText() const;
 
 private:
     struct Row {
@@ -23,12 +26,20 @@ private:
         std::string slowestAt;
         double leastCovered = 0.0;  ///< of the area, against default settings
         std::string leastCoveredAt;
+        int blockedMore = 0;     ///< of those that are blocked by default, too: by more findings than that
+        int changesNothing = 0;  ///< of those that are planned
+    };
+    struct Failures {
+        int count = 0;
+        int of = 0;
+        std::string first;
     };
     std::string lineOf(const std::string& name, const Row& row) const;
     static void merge(Row& row, const std::string& at, const SweepOutcome& outcome);
 
     std::vector<std::string> order_;
     std::map<std::string, Row> rows_;
+    std::map<std::string, Failures> failed_;  ///< by the whole change
     Row all_;
     int failures_ = 0;
 };

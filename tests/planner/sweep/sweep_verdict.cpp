@@ -89,11 +89,6 @@ bool namesChange(const SweepChange& change, const Message& text, const Message& 
     return false;
 }
 
-bool tells(const Finding& finding, const SweepChange& change) {
-    const auto isMeant = [&](const SweepSetting* setting) { return dependsOn(finding.change->key, setting->key); };
-    return (finding.change && std::ranges::any_of(allOf(change), isMeant)) || namesChange(change, finding.text, finding.suggestion);
-}
-
 std::map<std::string, int> blockingKinds(const Plan* plan) {
     std::map<std::string, int> kinds;
     if (plan != nullptr) {
@@ -127,6 +122,11 @@ std::string_view verdictName(SweepVerdict verdict) {
 std::optional<SweepVerdict> verdictFrom(std::string_view name) {
     const auto found = std::ranges::find(kNames, name, [](const auto& each) { return each.second; });
     return found == kNames.end() ? std::nullopt : std::optional{found->first};
+}
+
+bool tells(const Finding& finding, const SweepChange& change) {
+    const auto isMeant = [&](const SweepSetting* setting) { return dependsOn(finding.change->key, setting->key); };
+    return (finding.change && std::ranges::any_of(allOf(change), isMeant)) || namesChange(change, finding.text, finding.suggestion);
 }
 
 SweepBench::SweepBench(const std::string& shape, const std::string& machine, std::filesystem::path folder,
@@ -220,6 +220,7 @@ void SweepBench::measure(SweepOutcome& outcome, const Plan& plan) const {
     if (site_.standard) {
         outcome.moreCovered = outcome.coveredShare - site_.standard->audit.coveredShare.value_or(0.0);
         outcome.timeRatio = outcome.timeS / site_.standard->path.duration().si();
+        outcome.changesNothing = plan.path == site_.standard->path;
     }
 }
 

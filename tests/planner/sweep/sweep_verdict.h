@@ -32,7 +32,12 @@ struct SweepOutcome {
     double timeS = 0.0;        ///< of the driven path
     double timeRatio = 0.0;    ///< to that with default settings; 0 where there is none
     double planningS = 0.0;
+    bool changesNothing = false;  ///< the path is that with default settings
 };
+
+/// Whether a finding says that it comes of this change: it carries the change of one of its settings, or names one by
+/// key, by name or by what was chosen.
+bool tells(const Finding& finding, const SweepChange& change);
 
 /// One shape with one machine: planned with default settings once, then with any.
 class SweepBench {
