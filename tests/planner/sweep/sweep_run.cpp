@@ -159,6 +159,7 @@ public:
     std::optional<std::string> line(int withinMs, std::string& why) {
         while (!process_.canReadLine()) {
             if (!process_.waitForReadyRead(withinMs)) {
+                hasPlanned_ = hasPlanned_ || process_.bytesAvailable() > 0;
                 const bool ended = process_.state() == QProcess::NotRunning;
                 why = ended ? "the program crashed" : std::format("no plan within {} s", withinMs / 1000);
                 return std::nullopt;
@@ -168,12 +169,17 @@ public:
         while (line.startsWith(kAtWork)) {
             line.remove(0, 1);
         }
+        hasPlanned_ = true;
         line.chop(line.endsWith('\n') ? 1 : 0);
         return line.toStdString();
     }
 
+    /// Whether it got as far as a plan with default settings.
+    bool hasPlanned() const { return hasPlanned_; }
+
 private:
     QProcess process_;
+    bool hasPlanned_ = false;
 };
 
 class Sweep {
@@ -191,13 +197,18 @@ public:
             std::string why;
             while (next < group.size()) {
                 const auto line = worker.line(withinMs_, why);
-                const auto outcome = line ? outcomeOf(*line) : std::nullopt;
-                tell(group, group[next], outcome.value_or(SweepOutcome{.reason = line ? "unreadable: " + *line : why}));
-                ++next;
                 if (!line) {
                     break;
                 }
+                tell(group, group[next], outcomeOf(*line).value_or(SweepOutcome{.reason = "unreadable: " + *line}));
+                ++next;
             }
+            // Where it is the plan with default settings that ends it, the other cases would fare no better.
+            const std::size_t lost = next == group.size() ? 0 : worker.hasPlanned() ? 1 : group.size() - next;
+            for (const SweepCase& each : std::span{group}.subspan(next, lost)) {
+                tell(group, each, {.reason = why, .settings = "(" + each.change.name() + ")"});
+            }
+            next += lost;
         }
     }
 
