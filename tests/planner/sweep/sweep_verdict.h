@@ -47,14 +47,15 @@ public:
     SweepBench(const std::string& shape, const std::string& machine, std::filesystem::path folder, std::function<void()> planned = {});
 
     SweepOutcome run(const SweepChange& change) const;
+    Result<std::shared_ptr<const Plan>> plan(const Settings& settings) const;
+    /// Plans once more with each change that a finding carries, and says what is wrong with the first that is refused, or
+    /// after which that finding is still near its place or more findings of some kind block; empty where all help.
+    std::string badAdvice(const Plan& plan) const;
     const SweepSite& site() const { return site_; }
 
 private:
-    Result<std::shared_ptr<const Plan>> plan(const Settings& settings) const;
     SweepOutcome judged(const SweepChange& change, const Settings& settings) const;
     void measure(SweepOutcome& outcome, const Plan& plan) const;
-    /// What is wrong with the advice of its findings; empty where all of it helps.
-    std::string badAdvice(const Plan& plan) const;
 
     SweepSite site_;
     std::function<void()> planned_;

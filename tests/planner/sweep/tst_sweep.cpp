@@ -21,6 +21,8 @@ private slots:
     void everySettingIsTried();
     void aFindingTellsOfItsSetting_data();
     void aFindingTellsOfItsSetting();
+    void adviceIsTried_data();
+    void adviceIsTried();
     void pairsAreDrawnAgain();
     void everyday_data();
     void everyday();
@@ -179,6 +181,36 @@ void TestSweep::aFindingTellsOfItsSetting() {
         finding.change = SettingChange{key.toStdString(), "1"};
     }
     QCOMPARE(test::tells(finding, changed), tells);
+}
+
+void TestSweep::adviceIsTried_data() {
+    QTest::addColumn<QString>("key");
+    QTest::addColumn<QString>("value");
+    QTest::addColumn<QString>("said");
+    QTest::newRow("helps") << "headland.passes" << "auto" << "";
+    QTest::newRow("changes nothing") << "route.corner" << "first" << "still there";
+    QTest::newRow("does harm") << "headland.passes" << "0" << "still there";
+    QTest::newRow("is refused") << "headland.width_m" << "18" << "at most one";
+    QTest::newRow("is no setting") << "headland.breadth" << "18" << "no setting";
+}
+
+/// On a headland of one pass the cultivator leaves the field in its turns.
+void TestSweep::adviceIsTried() {
+    QFETCH(QString, key);
+    QFETCH(QString, value);
+    QFETCH(QString, said);
+    const test::SweepBench& bench = benchOf("small-rectangle", "cultivator");
+    Settings settings;
+    QVERIFY(applySetting(settings, "headland.passes", "1").has_value());
+    Plan plan = *bench.plan(settings).value();
+    QVERIFY(!plan.drivable());
+    for (Finding& finding : plan.findings) {
+        finding.change = std::nullopt;
+    }
+    QCOMPARE(bench.badAdvice(plan), std::string{});
+    plan.findings.front().change = SettingChange{key.toStdString(), value.toStdString()};
+    const std::string bad = bench.badAdvice(plan);
+    QVERIFY2(said.isEmpty() ? bad.empty() : bad.contains(said.toStdString()), bad.c_str());
 }
 
 void TestSweep::pairsAreDrawnAgain() {
