@@ -133,9 +133,11 @@ std::string rowFile(const SweepSite& site, double widthsApart) {
         }
         const GeoPoint a = site.field->frame().toGeo(from + low * along + m * across);
         const GeoPoint b = site.field->frame().toGeo(from + high * along + m * across);
-        rows += std::format("{}{{\"type\":\"Feature\",\"properties\":{{}},\"geometry\":{{\"type\":\"LineString\",\"coordinates\":"
-                            "[[{:.9f},{:.9f}],[{:.9f},{:.9f}]]}}}}",
-                            rows.empty() ? "" : ",\n", a.lonDeg, a.latDeg, b.lonDeg, b.latDeg);
+        rows += std::format(
+            "{}{{\"type\":\"Feature\",\"properties\":{{}},\"geometry\":{{\"type\":\"LineString\","
+            "\"coordinates\":"
+            "[[{:.9f},{:.9f}],[{:.9f},{:.9f}]]}}}}",
+            rows.empty() ? "" : ",\n", a.lonDeg, a.latDeg, b.lonDeg, b.latDeg);
     }
     const std::filesystem::path path = site.folder / std::format("rows_{}_widths.geojson", widthsApart);
     std::ofstream{path} << R"({"type":"FeatureCollection","features":[)" << rows << "]}\n";
@@ -154,11 +156,13 @@ std::string heightFile(const SweepSite& site, bool hill) {
     const double sizeM = std::hypot(box.width(), box.height());
     const std::filesystem::path path = site.folder / (hill ? "hill.asc" : "slope.asc");
     std::ofstream file{path};
-    file << std::format("ncols {}\nnrows {}\nxllcorner {:.9f}\nyllcorner {:.9f}\ncellsize {}\nNODATA_value -9999\n", columns,
-                        rows, low.lonDeg, low.latDeg, kCellDeg);
+    file << std::format(
+        "ncols {}\nnrows {}\nxllcorner {:.9f}\nyllcorner {:.9f}\ncellsize {}\nNODATA_value -9999\n", columns,
+        rows, low.lonDeg, low.latDeg, kCellDeg);
     for (int row = rows - 1; row >= 0; --row) {
         for (int column = 0; column < columns; ++column) {
-            const Point at = frame.toLocal(GeoPoint{low.lonDeg + (column + 0.5) * kCellDeg, low.latDeg + (row + 0.5) * kCellDeg});
+            const Point at = frame.toLocal(
+                GeoPoint{low.lonDeg + (column + 0.5) * kCellDeg, low.latDeg + (row + 0.5) * kCellDeg});
             const double height = hill ? 100.0 - 12.0 * (at.x * at.x + 0.5 * at.y * at.y) / (sizeM * sizeM)
                                        : 100.0 + 0.04 * at.y + 3.0 * std::sin(2.0 * at.x / sizeM);
             file << std::format("{:.4f} ", height);

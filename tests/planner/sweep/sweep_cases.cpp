@@ -34,7 +34,8 @@ std::vector<Reader> readersOf(const Parameter& parameter) {
 
 bool needsValue(const Parameter& parameter) {
     // Rows that are left out may be none; swaths in an order of one's own are all.
-    return parameter.kind == ParameterKind::Line || parameter.kind == ParameterKind::File || parameter.key == "route.order";
+    return parameter.kind == ParameterKind::Line || parameter.kind == ParameterKind::File ||
+           parameter.key == "route.order";
 }
 
 /// The method and what it cannot do without, unless that is what is changed.
@@ -67,15 +68,17 @@ void addCompanions(SweepChange& change) {
 void addMethods(std::vector<SweepChange>& changes, const StageInfo& stage) {
     for (std::size_t i = 1; i < stage.methods.size(); ++i) {
         const Reader reader{&stage, stage.methods[i].id};
-        changes.push_back({.changed = {{std::string{stage.method->key}, fixedValue(std::string{reader.method})}},
-                           .partners = partnersOf(reader, *stage.method)});
+        changes.push_back(
+            {.changed = {{std::string{stage.method->key}, fixedValue(std::string{reader.method})}},
+             .partners = partnersOf(reader, *stage.method)});
     }
 }
 
 void addValues(std::vector<SweepChange>& changes, const Parameter& parameter) {
     for (const Reader& reader : readersOf(parameter)) {
         for (const SweepValue& value : sweepValues(parameter, reader.method)) {
-            changes.push_back({.changed = {{std::string{parameter.key}, value}}, .partners = partnersOf(reader, parameter)});
+            changes.push_back({.changed = {{std::string{parameter.key}, value}},
+                               .partners = partnersOf(reader, parameter)});
             addCompanions(changes.back());
         }
     }
@@ -94,13 +97,15 @@ std::optional<SweepChange> together(const SweepChange& a, const SweepChange& b) 
     SweepChange both = a;
     const auto find = [&both](const SweepSetting& setting) -> const SweepSetting* {
         for (const auto* settings : {&both.changed, &both.partners}) {
-            if (const auto found = std::ranges::find(*settings, setting.key, &SweepSetting::key); found != settings->end()) {
+            if (const auto found = std::ranges::find(*settings, setting.key, &SweepSetting::key);
+                found != settings->end()) {
                 return &*found;
             }
         }
         return nullptr;
     };
-    for (const auto& [from, to] : {std::pair{&b.changed, &both.changed}, std::pair{&b.partners, &both.partners}}) {
+    for (const auto& [from, to] :
+         {std::pair{&b.changed, &both.changed}, std::pair{&b.partners, &both.partners}}) {
         for (const SweepSetting& setting : *from) {
             const SweepSetting* const other = find(setting);
             if (other == nullptr) {
@@ -139,7 +144,8 @@ std::vector<SweepChange> everyChange() {
     return changes;
 }
 
-std::vector<SweepChange> drawnPairs(const std::vector<SweepChange>& changes, std::size_t count, std::uint64_t seed) {
+std::vector<SweepChange> drawnPairs(const std::vector<SweepChange>& changes, std::size_t count,
+                                    std::uint64_t seed) {
     std::mt19937_64 random{seed};
     std::set<std::string> drawn;
     std::vector<SweepChange> pairs;
@@ -156,14 +162,16 @@ std::vector<SweepChange> drawnPairs(const std::vector<SweepChange>& changes, std
     return pairs;
 }
 
-std::vector<SweepCase> drawnCases(const std::vector<SweepCase>& all, std::uint64_t oneIn, std::uint64_t seed) {
+std::vector<SweepCase> drawnCases(const std::vector<SweepCase>& all, std::uint64_t oneIn,
+                                  std::uint64_t seed) {
     std::vector<SweepCase> drawn;
     std::ranges::copy_if(all, std::back_inserter(drawn),
                          [&](const SweepCase& each) { return hashOf(each.name(), seed) % oneIn == 0; });
     return drawn;
 }
 
-std::vector<SweepCase> casesOf(const std::vector<SweepChange>& changes, const std::vector<std::string>& shapes,
+std::vector<SweepCase> casesOf(const std::vector<SweepChange>& changes,
+                               const std::vector<std::string>& shapes,
                                const std::vector<std::string>& machines) {
     std::vector<SweepCase> cases;
     for (const std::string& shape : shapes) {

@@ -17,7 +17,8 @@ struct SweepSetting {
     std::string told() const { return key + "=" + value.label; }
 };
 
-/// What is changed, and what else has to be set for that to be read: the method that reads a setting, its line.
+/// What is changed, and what else has to be set for that to be read: the method that reads a setting, its
+/// line.
 struct SweepChange {
     std::vector<SweepSetting> changed;
     std::vector<SweepSetting> partners;
@@ -39,14 +40,16 @@ struct SweepCase {
 std::vector<SweepChange> everyChange();
 
 /// `count` times two settings at once, drawn from `changes`, each pair once. The same seed draws the same.
-std::vector<SweepChange> drawnPairs(const std::vector<SweepChange>& changes, std::size_t count, std::uint64_t seed);
+std::vector<SweepChange> drawnPairs(const std::vector<SweepChange>& changes, std::size_t count,
+                                    std::uint64_t seed);
 
-/// Of every change on every shape with every machine those whose name falls into the share `oneIn`. A new setting
-/// changes nothing in which of the others are drawn.
+/// Of every change on every shape with every machine those whose name falls into the share `oneIn`. A new
+/// setting changes nothing in which of the others are drawn.
 std::vector<SweepCase> drawnCases(const std::vector<SweepCase>& all, std::uint64_t oneIn, std::uint64_t seed);
 
 /// All combinations, those of one shape and machine behind each other.
-std::vector<SweepCase> casesOf(const std::vector<SweepChange>& changes, const std::vector<std::string>& shapes,
+std::vector<SweepCase> casesOf(const std::vector<SweepChange>& changes,
+                               const std::vector<std::string>& shapes,
                                const std::vector<std::string>& machines);
 
 }  // namespace furrow::test

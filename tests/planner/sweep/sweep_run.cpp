@@ -57,7 +57,8 @@ std::vector<SweepChange> changesWanted(std::vector<SweepChange> changes) {
 }
 
 /// Each pair on one shape with one machine.
-std::vector<SweepCase> pairCases(std::size_t count, std::uint64_t seed, const std::vector<std::string>& shapes,
+std::vector<SweepCase> pairCases(std::size_t count, std::uint64_t seed,
+                                 const std::vector<std::string>& shapes,
                                  const std::vector<std::string>& machines) {
     std::mt19937_64 random{seed};
     std::vector<SweepCase> cases;
@@ -65,7 +66,8 @@ std::vector<SweepCase> pairCases(std::size_t count, std::uint64_t seed, const st
         const std::string& shape = shapes[random() % shapes.size()];
         cases.push_back({shape, machines[random() % machines.size()], pair});
     }
-    std::ranges::stable_sort(cases, {}, [](const SweepCase& each) { return std::pair{each.shape, each.machine}; });
+    std::ranges::stable_sort(cases, {},
+                             [](const SweepCase& each) { return std::pair{each.shape, each.machine}; });
     return cases;
 }
 
@@ -75,7 +77,8 @@ using Group = std::vector<SweepCase>;
 std::vector<Group> grouped(std::vector<SweepCase> cases) {
     std::vector<Group> groups;
     for (SweepCase& each : cases) {
-        if (groups.empty() || groups.back().front().shape != each.shape || groups.back().front().machine != each.machine) {
+        if (groups.empty() || groups.back().front().shape != each.shape ||
+            groups.back().front().machine != each.machine) {
             groups.emplace_back();
         }
         groups.back().push_back(std::move(each));
@@ -85,12 +88,10 @@ std::vector<Group> grouped(std::vector<SweepCase> cases) {
 
 /// What the environment asks for; the same in every process.
 std::vector<Group> groupsWanted() {
-    std::vector<std::string> shapes;
-    for (const auto names : {sweepShapes(), smallSweepShapes()}) {
-        // The small ones only where they are named.
-        if (names.data() == sweepShapes().data() || !environment("FURROW_SWEEP_SHAPE").empty()) {
-            shapes.insert(shapes.end(), names.begin(), names.end());
-        }
+    std::vector<std::string> shapes = sweepShapes();
+    // The small ones only where they are named.
+    if (!environment("FURROW_SWEEP_SHAPE").empty()) {
+        std::ranges::copy(smallSweepShapes(), std::back_inserter(shapes));
     }
     std::vector<std::string> machines;
     for (const Machine& machine : machineLibrary()) {
@@ -113,7 +114,8 @@ std::vector<Group> groupsWanted() {
         }
     }
     std::vector<Group> groups = grouped(std::move(cases));
-    if (const std::vector<std::string> shard = divided(environment("FURROW_SWEEP_SHARD"), '/'); shard.size() == 2) {
+    if (const std::vector<std::string> shard = divided(environment("FURROW_SWEEP_SHARD"), '/');
+        shard.size() == 2) {
         const std::size_t number = std::stoull(shard[0]);
         const std::size_t of = std::stoull(shard[1]);
         std::vector<Group> mine;
@@ -127,7 +129,8 @@ std::vector<Group> groupsWanted() {
 
 std::filesystem::path outFolder() {
     const std::string given = environment("FURROW_SWEEP_OUT");
-    return given.empty() ? std::filesystem::temp_directory_path() / "furrow_sweep" : std::filesystem::absolute(given);
+    return given.empty() ? std::filesystem::temp_directory_path() / "furrow_sweep"
+                         : std::filesystem::absolute(given);
 }
 
 /// Where a group's field and files are.
@@ -137,7 +140,8 @@ std::filesystem::path folderOf(const Group& group) {
 
 /// The line with which a person plans a case again.
 std::string commandOf(const Group& group, const SweepOutcome& outcome) {
-    return std::format("furrow-cli plan {} --machine {} {}", (folderOf(group) / "field.geojson").string(), group.front().machine, outcome.settings);
+    return std::format("furrow-cli plan {} --machine {} {}", (folderOf(group) / "field.geojson").string(),
+                       group.front().machine, outcome.settings);
 }
 
 /// One process that plans a group's cases from one on, and says a line for each.
@@ -200,7 +204,8 @@ public:
                 if (!line) {
                     break;
                 }
-                tell(group, group[next], outcomeOf(*line).value_or(SweepOutcome{.reason = "unreadable: " + *line}));
+                tell(group, group[next],
+                     outcomeOf(*line).value_or(SweepOutcome{.reason = "unreadable: " + *line}));
                 ++next;
             }
             // Where it is the plan with default settings that ends it, the other cases would fare no better.
@@ -232,7 +237,8 @@ private:
         table_.add(each, outcome, command);
         records_ << recordOf(each, outcome) << std::endl;
         if (outcome.verdict == SweepVerdict::Failed) {
-            std::printf("FAILED  %s\n        %s\n        %s\n", each.name().c_str(), outcome.reason.c_str(), command.c_str());
+            std::printf("FAILED  %s\n        %s\n        %s\n", each.name().c_str(), outcome.reason.c_str(),
+                        command.c_str());
             std::fflush(stdout);
         }
     }

@@ -7,6 +7,7 @@
 #include <cmath>
 #include <format>
 #include <numbers>
+#include <span>
 #include <vector>
 
 namespace furrow::test {
@@ -14,12 +15,6 @@ namespace furrow::test {
 namespace {
 
 constexpr GeoPoint kCentre{9.5, 51.5};
-
-constexpr std::string_view kNames[] = {
-    "rectangle", "slanted",  "l-shape",   "comb",    "triangle", "circle",     "strip",
-    "pond",      "headland-pond", "wet-spot", "two-parts", "slalom",   "five-ha", "fifty-ha",
-};
-constexpr std::string_view kSmallNames[] = {"small-rectangle", "small-pond", "small-l"};
 
 Ring ellipse(Point middle, double halfWidthM, double halfHeightM, int corners, bool clockwise) {
     Ring ring;
@@ -67,10 +62,15 @@ FieldSource fromLocal(const MultiPolygon& polygons) {
     return fieldSourceFromLocal(polygons, kCentre);
 }
 
+Polygon parallelogram() {
+    return {.outer = {{0.0, 0.0}, {320.0, 0.0}, {390.0, 190.0}, {70.0, 190.0}}, .holes = {}};
+}
+
 FieldSource wetSpot() {
     FieldSource source = fromLocal({rectangle(300.0, 200.0)});
     const MultiPolygon spot{{.outer = ellipse({140.0, 110.0}, 20.0, 12.0, 12, false), .holes = {}}};
-    source.obstacles.push_back({.name = "Wet spot", .outline = fromLocal(spot).parts.front(), .passable = true, .buffer = {}});
+    source.obstacles.push_back(
+        {.name = "Wet spot", .outline = fromLocal(spot).parts.front(), .passable = true, .buffer = {}});
     return source;
 }
 
@@ -78,12 +78,60 @@ FieldSource wetSpot() {
 FieldSource gatedL() {
     FieldSource source = fromLocal({lShape(280.0)});
     const Ring mark{{280.0, 60.0}, {281.0, 60.0}, {281.0, 61.0}};
-    source.gates.push_back({.name = "Lane", .position = fromLocal({{.outer = mark, .holes = {}}}).parts[0].outer[0], .width = metres(9.0)});
+    source.gates.push_back({.name = "Lane",
+                            .position = fromLocal({{.outer = mark, .holes = {}}}).parts[0].outer[0],
+                            .width = metres(9.0)});
     return source;
 }
 
 FieldSource shipped(const char* file) {
-    return readBoundaries(std::string{FURROW_SOURCE_DIR "/resources/sample_fields/"} + file + ".geojson").value().front();
+    return readBoundaries(std::string{FURROW_SOURCE_DIR "/resources/sample_fields/"} + file + ".geojson")
+        .value()
+        .front();
+}
+
+/// A name and the field of that name, for a machine so broad.
+struct NamedField {
+    std::string_view name;
+    FieldSource (*made)(double widthM);
+};
+
+constexpr Angle kTurned = degrees(27.0);
+
+constexpr NamedField kFields[] = {
+    {"rectangle", [](double) { return fromLocal({rectangle(400.0, 250.0)}); }},
+    {"slanted", [](double) { return fromLocal(moved({parallelogram()}, kTurned, {})); }},
+    {"l-shape", [](double) { return gatedL(); }},
+    {"comb", [](double) { return fromLocal({comb()}); }},
+    {"triangle",
+     [](double) { return fromLocal({{.outer = {{0.0, 0.0}, {360.0, 0.0}, {130.0, 280.0}}, .holes = {}}}); }},
+    {"circle",
+     [](double) { return fromLocal({{.outer = ellipse({}, 130.0, 130.0, 72, false), .holes = {}}}); }},
+    {"strip", [](double widthM) { return fromLocal(moved({rectangle(350.0, 3.0 * widthM)}, kTurned, {})); }},
+    {"pond",
+     [](double) { return fromLocal({withPond(rectangle(340.0, 240.0), {180.0, 130.0}, 30.0, 22.0)}); }},
+    {"headland-pond",
+     [](double) { return fromLocal({withPond(rectangle(320.0, 220.0), {140.0, 20.0}, 11.0, 8.0)}); }},
+    {"wet-spot", [](double) { return wetSpot(); }},
+    {"two-parts",
+     [](double) { return fromLocal({rectangle(180.0, 130.0), rectangle(110.0, 190.0, {215.0, 10.0})}); }},
+    {"slalom", [](double) { return fromLocal({slalom()}); }},
+    {"five-ha", [](double) { return shipped("home_field"); }},
+    {"fifty-ha", [](double) { return shipped("great_field"); }},
+};
+constexpr NamedField kSmallFields[] = {
+    {"small-rectangle", [](double) { return fromLocal({rectangle(100.0, 62.0)}); }},
+    {"small-pond",
+     [](double) { return fromLocal({withPond(rectangle(110.0, 80.0), {50.0, 42.0}, 8.0, 6.0)}); }},
+    {"small-l", [](double) { return fromLocal({lShape(100.0)}); }},
+};
+
+std::vector<std::string> namesOf(std::span<const NamedField> fields) {
+    std::vector<std::string> names;
+    for (const NamedField& field : fields) {
+        names.emplace_back(field.name);
+    }
+    return names;
 }
 
 std::string ringText(const GeoRing& ring) {
@@ -105,43 +153,30 @@ std::string polygonText(const GeoPolygon& polygon) {
 
 }  // namespace
 
-std::span<const std::string_view> sweepShapes() {
-    return kNames;
+std::vector<std::string> sweepShapes() {
+    return namesOf(kFields);
 }
 
-std::span<const std::string_view> smallSweepShapes() {
-    return kSmallNames;
+std::vector<std::string> smallSweepShapes() {
+    return namesOf(kSmallFields);
 }
 
 FieldSource sweepField(std::string_view shape, const Machine& machine) {
-    const double widthM = machine.operatingWidth().si();
-    const Angle turned = degrees(27.0);
-    if (shape == "rectangle") return fromLocal({rectangle(400.0, 250.0)});
-    if (shape == "slanted") {
-        return fromLocal(moved({{.outer = {{0.0, 0.0}, {320.0, 0.0}, {390.0, 190.0}, {70.0, 190.0}}, .holes = {}}}, turned, {}));
+    for (const std::span<const NamedField> fields :
+         {std::span<const NamedField>{kFields}, std::span<const NamedField>{kSmallFields}}) {
+        if (const auto found = std::ranges::find(fields, shape, &NamedField::name); found != fields.end()) {
+            return found->made(machine.operatingWidth().si());
+        }
     }
-    if (shape == "l-shape") return gatedL();
-    if (shape == "comb") return fromLocal({comb()});
-    if (shape == "triangle") return fromLocal({{.outer = {{0.0, 0.0}, {360.0, 0.0}, {130.0, 280.0}}, .holes = {}}});
-    if (shape == "circle") return fromLocal({{.outer = ellipse({}, 130.0, 130.0, 72, false), .holes = {}}});
-    if (shape == "strip") return fromLocal(moved({rectangle(350.0, 3.0 * widthM)}, turned, {}));
-    if (shape == "pond") return fromLocal({withPond(rectangle(340.0, 240.0), {180.0, 130.0}, 30.0, 22.0)});
-    if (shape == "headland-pond") return fromLocal({withPond(rectangle(320.0, 220.0), {140.0, 20.0}, 11.0, 8.0)});
-    if (shape == "wet-spot") return wetSpot();
-    if (shape == "two-parts") return fromLocal({rectangle(180.0, 130.0), rectangle(110.0, 190.0, {215.0, 10.0})});
-    if (shape == "slalom") return fromLocal({slalom()});
-    if (shape == "five-ha") return shipped("home_field");
-    if (shape == "fifty-ha") return shipped("great_field");
-    if (shape == "small-rectangle") return fromLocal({rectangle(100.0, 62.0)});
-    if (shape == "small-pond") return fromLocal({withPond(rectangle(110.0, 80.0), {50.0, 42.0}, 8.0, 6.0)});
-    if (shape == "small-l") return fromLocal({lShape(100.0)});
     return {};
 }
 
 std::string geoJsonOf(const FieldSource& source) {
-    const auto feature = [](std::string_view kind, std::string_view more, std::string_view type, std::string_view coordinates) {
-        return std::format(R"({{"type":"Feature","properties":{{"kind":"{}"{}}},"geometry":{{"type":"{}","coordinates":{}}}}})",
-                           kind, more, type, coordinates);
+    const auto feature = [](std::string_view kind, std::string_view more, std::string_view type,
+                            std::string_view coordinates) {
+        return std::format(
+            R"({{"type":"Feature","properties":{{"kind":"{}"{}}},"geometry":{{"type":"{}","coordinates":{}}}}})",
+            kind, more, type, coordinates);
     };
     std::string parts;
     for (const GeoPolygon& part : source.parts) {
@@ -150,13 +185,16 @@ std::string geoJsonOf(const FieldSource& source) {
     std::string text = R"({"type":"FeatureCollection","features":[)";
     text += feature("field", std::format(R"(,"name":"{}")", source.name), "MultiPolygon", "[" + parts + "]");
     for (const Obstacle& obstacle : source.obstacles) {
-        text += ",\n" + feature("obstacle", std::format(R"(,"name":"{}","passable":{},"buffer_m":{})", obstacle.name,
-                                                        obstacle.passable, obstacle.buffer.si()),
+        text += ",\n" + feature("obstacle",
+                                std::format(R"(,"name":"{}","passable":{},"buffer_m":{})", obstacle.name,
+                                            obstacle.passable, obstacle.buffer.si()),
                                 "Polygon", polygonText(obstacle.outline));
     }
     for (const Gate& gate : source.gates) {
-        text += ",\n" + feature("gate", std::format(R"(,"name":"{}","width_m":{})", gate.name, gate.width.si()), "Point",
-                                std::format("[{:.10f},{:.10f}]", gate.position.lonDeg, gate.position.latDeg));
+        text +=
+            ",\n" + feature("gate", std::format(R"(,"name":"{}","width_m":{})", gate.name, gate.width.si()),
+                            "Point",
+                            std::format("[{:.10f},{:.10f}]", gate.position.lonDeg, gate.position.latDeg));
     }
     return text + "]}\n";
 }

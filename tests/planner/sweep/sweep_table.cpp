@@ -9,9 +9,12 @@ namespace furrow::test {
 namespace {
 
 constexpr std::size_t kParts = 14;
+// A path that leaves more of the field is no quicker one.
+constexpr double kAsMuch = 1e-3;
 
 std::string plain(std::string text) {
-    std::ranges::replace_if(text, [](char letter) { return letter == '\t' || letter == '\n' || letter == '\r'; }, ' ');
+    std::ranges::replace_if(
+        text, [](char letter) { return letter == '\t' || letter == '\n' || letter == '\r'; }, ' ');
     return text;
 }
 
@@ -34,11 +37,17 @@ std::vector<std::string> rowsOf(const SweepChange& change) {
 
 void SweepTable::merge(Row& row, const std::string& at, const SweepOutcome& outcome) {
     ++row.counts[outcome.verdict];
-    row.blockedMore += outcome.verdict == SweepVerdict::DefaultToo && outcome.blocking > outcome.standardBlocking ? 1 : 0;
+    row.blockedMore +=
+        outcome.verdict == SweepVerdict::DefaultToo && outcome.blocking > outcome.standardBlocking ? 1 : 0;
     row.changesNothing += outcome.changesNothing ? 1 : 0;
     if (outcome.timeRatio > row.slowest) {
         row.slowest = outcome.timeRatio;
         row.slowestAt = at;
+    }
+    const bool asGood = outcome.verdict == SweepVerdict::Drivable && outcome.moreCovered > -kAsMuch;
+    if (asGood && outcome.timeRatio > 0.0 && outcome.timeRatio < row.quickest) {
+        row.quickest = outcome.timeRatio;
+        row.quickestAt = at;
     }
     if (outcome.timeRatio > 0.0 && outcome.moreCovered < row.leastCovered) {
         row.leastCovered = outcome.moreCovered;
@@ -70,15 +79,19 @@ std::string SweepTable::lineOf(const std::string& name, const Row& row) const {
         const auto found = row.counts.find(verdict);
         return found == row.counts.end() ? 0 : found->second;
     };
-    return std::format("{:<64} {:>8} {:>8} {:>5} {:>8} {:>5} {:>7} {:>5}  {:>6} {:<30} {:>7} {}\n", name, count(SweepVerdict::Drivable),
-                       count(SweepVerdict::Refused), count(SweepVerdict::Told), count(SweepVerdict::DefaultToo),
-                       row.blockedMore, count(SweepVerdict::Failed), row.changesNothing, row.slowest > 0.0 ? std::format("{:+.0f} %", 100.0 * (row.slowest - 1.0)) : "", row.slowestAt,
-                       row.leastCovered < 0.0 ? std::format("{:+.1f} %", 100.0 * row.leastCovered) : "", row.leastCoveredAt);
+    return std::format(
+        "{:<64} {:>8} {:>8} {:>5} {:>8} {:>5} {:>7} {:>5}  {:>6} {:<30} {:>7} {:<30} {:>7} {}\n", name,
+        count(SweepVerdict::Drivable), count(SweepVerdict::Refused), count(SweepVerdict::Told),
+        count(SweepVerdict::DefaultToo), row.blockedMore, count(SweepVerdict::Failed), row.changesNothing,
+        row.slowest > 0.0 ? std::format("{:+.0f} %", 100.0 * (row.slowest - 1.0)) : "", row.slowestAt,
+        row.quickest < 1.0 ? std::format("{:+.1f} %", 100.0 * (row.quickest - 1.0)) : "", row.quickestAt,
+        row.leastCovered < 0.0 ? std::format("{:+.1f} %", 100.0 * row.leastCovered) : "", row.leastCoveredAt);
 }
 
 std::string SweepTable::text() const {
-    std::string text = std::format("{:<64} {:>8} {:>8} {:>5} {:>8} {:>5} {:>7} {:>5}  {:<37} {}\n", "setting", "drivable", "refused", "told",
-                                   "default", "more", "failed", "same", "slowest path", "least covered");
+    std::string text = std::format("{:<64} {:>8} {:>8} {:>5} {:>8} {:>5} {:>7} {:>5}  {:<37} {:<38} {}\n",
+                                   "setting", "drivable", "refused", "told", "default", "more", "failed",
+                                   "same", "slowest path", "quickest path", "least covered");
     for (const std::string& name : order_) {
         text += lineOf(name, rows_.at(name));
     }
@@ -96,15 +109,17 @@ std::string SweepTable::failuresText() const {
 }
 
 std::string recordHeader() {
-    return "verdict\tshape\tmachine\tchange\tblocking\tblocking_by_default\tcovered\tcovered_more\ttime_s\ttime_ratio\tplanning_s\t"
+    return "verdict\tshape\tmachine\tchange\tblocking\tblocking_by_default\tcovered\tcovered_more\ttime_"
+           "s\ttime_ratio\tplanning_s\t"
            "same\tsettings\treason";
 }
 
 std::string recordOf(const SweepCase& each, const SweepOutcome& outcome) {
-    return std::format("{}\t{}\t{}\t{}\t{}\t{}\t{:.6f}\t{:.6f}\t{:.1f}\t{:.4f}\t{:.3f}\t{:d}\t{}\t{}", verdictName(outcome.verdict), each.shape,
-                       each.machine, each.change.name(), outcome.blocking, outcome.standardBlocking, outcome.coveredShare,
-                       outcome.moreCovered, outcome.timeS, outcome.timeRatio, outcome.planningS, outcome.changesNothing, plain(outcome.settings),
-                       plain(outcome.reason));
+    return std::format("{}\t{}\t{}\t{}\t{}\t{}\t{:.6f}\t{:.6f}\t{:.1f}\t{:.4f}\t{:.3f}\t{:d}\t{}\t{}",
+                       verdictName(outcome.verdict), each.shape, each.machine, each.change.name(),
+                       outcome.blocking, outcome.standardBlocking, outcome.coveredShare, outcome.moreCovered,
+                       outcome.timeS, outcome.timeRatio, outcome.planningS, outcome.changesNothing,
+                       plain(outcome.settings), plain(outcome.reason));
 }
 
 std::optional<SweepOutcome> outcomeOf(const std::string& record) {

@@ -16,7 +16,8 @@ public:
     int failures() const { return failures_; }
     /// A line for each change and one for all.
     std::string text() const;
-    /// What failed, by change: how often, and of the first case the reason and the command that plans it again.
+    /// What failed, by change: how often, and of the first case the reason and the command that plans it
+    /// again.
     std::string failuresText() const;
 
 private:
@@ -24,6 +25,8 @@ private:
         std::map<SweepVerdict, int> counts;
         double slowest = 0.0;  ///< time over that with default settings
         std::string slowestAt;
+        double quickest = 1.0;  ///< likewise, of what is drivable and covers as much
+        std::string quickestAt;
         double leastCovered = 0.0;  ///< of the area, against default settings
         std::string leastCoveredAt;
         int blockedMore = 0;     ///< of those that are blocked by default, too: by more findings than that

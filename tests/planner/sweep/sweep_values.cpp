@@ -36,8 +36,9 @@ SweepValue made(std::string label, Maker text, bool mustBeTold = false) {
 
 /// A length that goes with the machine.
 SweepValue widths(double count) {
-    return made(std::format("{} widths", count),
-                [count](const SweepSite& site) { return std::format("{:.2f}", count * site.machine.operatingWidth().si()); });
+    return made(std::format("{} widths", count), [count](const SweepSite& site) {
+        return std::format("{:.2f}", count * site.machine.operatingWidth().si());
+    });
 }
 
 std::vector<SweepValue> numbers(const Parameter& parameter) {
@@ -45,7 +46,8 @@ std::vector<SweepValue> numbers(const Parameter& parameter) {
     if (const auto known = kNumbers.find(parameter.key); known != kNumbers.end()) {
         std::ranges::transform(known->second, std::back_inserter(values), fixedValue);
     } else {
-        for (const double number : {parameter.min, parameter.min + parameter.step, parameter.standard.value_or(parameter.min) + 3.0 * parameter.step}) {
+        for (const double number : {parameter.min, parameter.min + parameter.step,
+                                    parameter.standard.value_or(parameter.min) + 3.0 * parameter.step}) {
             if (number <= parameter.max && number != parameter.standard) {
                 values.push_back(fixedValue(std::format("{}", number)));
             }
@@ -64,40 +66,55 @@ std::vector<SweepValue> numbers(const Parameter& parameter) {
 std::vector<SweepValue> lines(std::string_view method) {
     if (method == "pivot") {
         return {made("the middle", [](const SweepSite& site) { return pointText(site, middleOf(site)); }),
-                made("a corner", [](const SweepSite& site) { return pointText(site, site.field->boundary().front().outer.front()); })};
+                made("a corner", [](const SweepSite& site) {
+                    return pointText(site, site.field->boundary().front().outer.front());
+                })};
     }
     if (method == "a-plus") {
         return {made("the middle", [](const SweepSite& site) { return pointText(site, middleOf(site)); })};
     }
     if (method == "ab-curve") {
-        return {made("a bend along the longest edge", [](const SweepSite& site) { return lineText(site, bendAlongEdge(site)); })};
+        return {made("a bend along the longest edge",
+                     [](const SweepSite& site) { return lineText(site, bendAlongEdge(site)); })};
     }
-    return {made("along the longest edge", [](const SweepSite& site) { return lineText(site, besideLongestEdge(site, 0.5)); }),
-            made("through the middle, 33 degrees off", [](const SweepSite& site) { return lineText(site, throughMiddle(site, 33.0, 40.0)); })};
+    return {made("along the longest edge",
+                 [](const SweepSite& site) { return lineText(site, besideLongestEdge(site, 0.5)); }),
+            made("through the middle, 33 degrees off",
+                 [](const SweepSite& site) { return lineText(site, throughMiddle(site, 33.0, 40.0)); })};
 }
 
 std::vector<SweepValue> splits() {
-    return {made("across the middle", [](const SweepSite& site) { return lineText(site, throughMiddle(site, 90.0, 3000.0)); }),
-            made("two lines", [](const SweepSite& site) {
-                return std::format("MULTILINESTRING ({}, {})", lineText(site, throughMiddle(site, 90.0, 3000.0)).substr(11),
-                                   lineText(site, throughMiddle(site, 10.0, 3000.0)).substr(11));
-            }),
-            made("ends in the field", [](const SweepSite& site) { return lineText(site, throughMiddle(site, 60.0, 8.0)); }, true)};
+    return {made("across the middle",
+                 [](const SweepSite& site) { return lineText(site, throughMiddle(site, 90.0, 3000.0)); }),
+            made("two lines",
+                 [](const SweepSite& site) {
+                     return std::format("MULTILINESTRING ({}, {})",
+                                        lineText(site, throughMiddle(site, 90.0, 3000.0)).substr(11),
+                                        lineText(site, throughMiddle(site, 10.0, 3000.0)).substr(11));
+                 }),
+            made(
+                "ends in the field",
+                [](const SweepSite& site) { return lineText(site, throughMiddle(site, 60.0, 8.0)); }, true)};
 }
 
 std::vector<SweepValue> places() {
-    return {made("beside the longest edge", [](const SweepSite& site) {
-                const Polyline line = besideLongestEdge(site, 0.7);
-                return pointText(site, 0.5 * (line.front() + line.back()));
-            }),
+    return {made("beside the longest edge",
+                 [](const SweepSite& site) {
+                     const Polyline line = besideLongestEdge(site, 0.7);
+                     return pointText(site, 0.5 * (line.front() + line.back()));
+                 }),
             made("the middle", [](const SweepSite& site) { return pointText(site, middleOf(site)); }),
-            made("the gate", [](const SweepSite& site) -> std::optional<std::string> {
-                const auto& gates = site.field->source().gates;
-                return gates.empty() ? std::nullopt : std::optional{gates.back().name};
-            }),
-            made("outside", [](const SweepSite& site) {
-                return pointText(site, bounds(site.field->boundary()).max + Point{20.0, 20.0});
-            }, true)};
+            made("the gate",
+                 [](const SweepSite& site) -> std::optional<std::string> {
+                     const auto& gates = site.field->source().gates;
+                     return gates.empty() ? std::nullopt : std::optional{gates.back().name};
+                 }),
+            made(
+                "outside",
+                [](const SweepSite& site) {
+                    return pointText(site, bounds(site.field->boundary()).max + Point{20.0, 20.0});
+                },
+                true)};
 }
 
 /// The numbers of the swaths of the default plan, which is as good as any for a first try.

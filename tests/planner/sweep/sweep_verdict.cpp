@@ -17,31 +17,35 @@ namespace furrow::test {
 
 namespace {
 
-// A finding that is still there is one of its kind no farther from its place than this, or two operating widths.
+// A finding that is still there is one of its kind no farther from its place than this, or two operating
+// widths.
 constexpr double kNearM = 10.0;
 
-constexpr std::array<std::pair<SweepVerdict, std::string_view>, 6> kNames{{{SweepVerdict::Drivable, "drivable"},
-                                                                          {SweepVerdict::Refused, "refused"},
-                                                                          {SweepVerdict::Told, "told"},
-                                                                          {SweepVerdict::DefaultToo, "default-too"},
-                                                                          {SweepVerdict::Failed, "FAILED"},
-                                                                          {SweepVerdict::LeftOut, "left-out"}}};
+constexpr std::array<std::pair<SweepVerdict, std::string_view>, 6> kNames{
+    {{SweepVerdict::Drivable, "drivable"},
+     {SweepVerdict::Refused, "refused"},
+     {SweepVerdict::Told, "told"},
+     {SweepVerdict::DefaultToo, "default-too"},
+     {SweepVerdict::Failed, "FAILED"},
+     {SweepVerdict::LeftOut, "left-out"}}};
 
 std::string lower(std::string_view text) {
     std::string result{text};
-    std::ranges::transform(result, result.begin(), [](unsigned char letter) { return static_cast<char>(std::tolower(letter)); });
+    std::ranges::transform(result, result.begin(),
+                           [](unsigned char letter) { return static_cast<char>(std::tolower(letter)); });
     return result;
 }
 
-/// Whether a name of several words is in a text, or one in quotation marks: single words mean other things, too.
+/// Whether a name of several words is in a text, or one in quotation marks: single words mean other things,
+/// too.
 bool namesIt(std::string_view text, std::string_view name) {
     const std::string words = lower(text);
     const std::string wanted = lower(name);
     return words.contains("\"" + wanted + "\"") || (wanted.contains(' ') && words.contains(wanted));
 }
 
-/// Whether what is advised for one setting is an answer to a change of another: the same one, the method that reads
-/// it, what a chosen method reads, what an operation sets.
+/// Whether what is advised for one setting is an answer to a change of another: the same one, the method that
+/// reads it, what a chosen method reads, what an operation sets.
 bool dependsOn(std::string_view key, std::string_view changed) {
     if (key == changed || (changed == "operation.kind" && isSetByOperation(key))) {
         return true;
@@ -52,7 +56,8 @@ bool dependsOn(std::string_view key, std::string_view changed) {
         });
     };
     return std::ranges::any_of(stages(), [&](const StageInfo& stage) {
-        return (stage.method->key == changed && readBy(stage, key)) || (stage.method->key == key && readBy(stage, changed));
+        return (stage.method->key == changed && readBy(stage, key)) ||
+               (stage.method->key == key && readBy(stage, changed));
     });
 }
 
@@ -76,7 +81,8 @@ bool namesChange(const SweepChange& change, const Message& text, const Message& 
             return true;
         }
         for (const Choice& choice : parameter.choices) {
-            if (whole.contains(std::format("\"{}\"", choice.name)) || (choice.id == setting->value.label && namesIt(text.text(), choice.name))) {
+            if (whole.contains(std::format("\"{}\"", choice.name)) ||
+                (choice.id == setting->value.label && namesIt(text.text(), choice.name))) {
                 return true;
             }
         }
@@ -125,13 +131,19 @@ std::optional<SweepVerdict> verdictFrom(std::string_view name) {
 }
 
 bool tells(const Finding& finding, const SweepChange& change) {
-    const auto isMeant = [&](const SweepSetting* setting) { return dependsOn(finding.change->key, setting->key); };
-    return (finding.change && std::ranges::any_of(allOf(change), isMeant)) || namesChange(change, finding.text, finding.suggestion);
+    const auto isMeant = [&](const SweepSetting* setting) {
+        return dependsOn(finding.change->key, setting->key);
+    };
+    return (finding.change && std::ranges::any_of(allOf(change), isMeant)) ||
+           namesChange(change, finding.text, finding.suggestion);
 }
 
 SweepBench::SweepBench(const std::string& shape, const std::string& machine, std::filesystem::path folder,
                        std::function<void()> planned)
-    : site_{.field = {}, .machine = findMachine(machine).value(), .standard = {}, .folder = std::move(folder)},
+    : site_{.field = {},
+            .machine = findMachine(machine).value(),
+            .standard = {},
+            .folder = std::move(folder)},
       planned_{std::move(planned)} {
     site_.field = std::make_shared<const Field>(Field::create(sweepField(shape, site_.machine)).value());
     auto standard = plan({});
@@ -144,9 +156,12 @@ SweepBench::SweepBench(const std::string& shape, const std::string& machine, std
 
 Result<std::shared_ptr<const Plan>> SweepBench::plan(const Settings& settings) const {
     const JobContext job{.threads = 1};
-    auto made = readGuides(settings, *site_.field, job).and_then([&](const std::shared_ptr<const GuideData>& guides) {
-        return makePlan({.field = site_.field, .machine = site_.machine, .settings = settings, .guides = guides}, job);
-    });
+    auto made =
+        readGuides(settings, *site_.field, job).and_then([&](const std::shared_ptr<const GuideData>& guides) {
+            return makePlan(
+                {.field = site_.field, .machine = site_.machine, .settings = settings, .guides = guides},
+                job);
+        });
     if (planned_) {
         planned_();
     }
@@ -161,7 +176,8 @@ SweepOutcome SweepBench::run(const SweepChange& change) const {
         if (!text) {
             return {.verdict = SweepVerdict::LeftOut};
         }
-        outcome.settings += std::format("{}--set '{}={}'", outcome.settings.empty() ? "" : " ", setting->key, *text);
+        outcome.settings +=
+            std::format("{}--set '{}={}'", outcome.settings.empty() ? "" : " ", setting->key, *text);
         if (const auto set = applySetting(settings, setting->key, *text); !set) {
             outcome.verdict = SweepVerdict::Refused;
             outcome.reason = set.error().line();
@@ -175,11 +191,15 @@ SweepOutcome SweepBench::run(const SweepChange& change) const {
 
 SweepOutcome SweepBench::judged(const SweepChange& change, const Settings& settings) const {
     SweepOutcome outcome;
-    const auto made = change.changed.empty() && site_.standard ? Result<std::shared_ptr<const Plan>>{site_.standard} : plan(settings);
+    const auto made = change.changed.empty() && site_.standard
+                          ? Result<std::shared_ptr<const Plan>>{site_.standard}
+                          : plan(settings);
     if (!made) {
         const Error& error = made.error();
         const bool isTold = namesChange(change, error.what, error.where.text() + " " + error.remedy.text());
-        outcome.verdict = isTold || (refused_ && refused_->what.key() == error.what.key()) ? SweepVerdict::Refused : SweepVerdict::Failed;
+        outcome.verdict = isTold || (refused_ && refused_->what.key() == error.what.key())
+                              ? SweepVerdict::Refused
+                              : SweepVerdict::Failed;
         outcome.reason = error.line();
         return outcome;
     }
@@ -201,8 +221,10 @@ SweepOutcome SweepBench::judged(const SweepChange& change, const Settings& setti
             outcome.reason = told(finding);
         }
     }
-    const bool mustBeTold = std::ranges::any_of(change.changed, [](const SweepSetting& setting) { return setting.value.mustBeTold; });
-    if (mustBeTold && std::ranges::none_of((*made)->findings, [&](const Finding& finding) { return tells(finding, change); })) {
+    const bool mustBeTold = std::ranges::any_of(
+        change.changed, [](const SweepSetting& setting) { return setting.value.mustBeTold; });
+    if (mustBeTold && std::ranges::none_of((*made)->findings,
+                                           [&](const Finding& finding) { return tells(finding, change); })) {
         outcome.verdict = SweepVerdict::Failed;
         outcome.reason = "nothing is said of a value that cannot be obeyed";
     }
@@ -231,7 +253,8 @@ std::string SweepBench::badAdvice(const Plan& plan) const {
         if (!finding.change || !tried.insert({finding.change->key, finding.change->value}).second) {
             continue;
         }
-        const std::string advice = std::format("bad advice {}={}: ", finding.change->key, finding.change->value);
+        const std::string advice =
+            std::format("bad advice {}={}: ", finding.change->key, finding.change->value);
         Settings settings = plan.request.settings;
         if (const auto set = applySetting(settings, finding.change->key, finding.change->value); !set) {
             return advice + set.error().line();
@@ -242,7 +265,8 @@ std::string SweepBench::badAdvice(const Plan& plan) const {
         }
         for (const Finding& promised : plan.findings) {
             const auto same = std::ranges::find_if((*mended)->findings, [&](const Finding& other) {
-                return other.kind == promised.kind && other.severity == promised.severity && distance(other.place, promised.place) < nearM;
+                return other.kind == promised.kind && other.severity == promised.severity &&
+                       distance(other.place, promised.place) < nearM;
             });
             if (promised.change == finding.change && same != (*mended)->findings.end()) {
                 return advice + "still there: " + told(*same);

@@ -1,5 +1,6 @@
-// Every value of every setting: the plan is drivable, or it is refused or blocked for a reason that names the setting.
-// The everyday part is here; sweep_run.h says how to have all shapes and machines, and pairs of settings.
+// Every value of every setting: the plan is drivable, or it is refused or blocked for a reason that names the
+// setting. The everyday part is here; sweep_run.h says how to have all shapes and machines, and pairs of
+// settings.
 
 #include "planner/plan/method_registry.h"
 #include "tests/planner/sweep/sweep_run.h"
@@ -36,8 +37,8 @@ private:
 
 namespace {
 
-/// What fails as long as it is not mended, by its row in this test. To be emptied: one that passes is a failure of the
-/// test.
+/// What fails as long as it is not mended, by its row in this test. To be emptied: one that passes is a
+/// failure of the test.
 const std::vector<std::string> kKnownFailures{
     "small-pond | agbot | field.margin_m=0.5",
     "small-pond | agbot | field.margin_m=2",
@@ -98,7 +99,8 @@ constexpr OnceBroken kOnceBroken[] = {
     {"pond", "cultivator", "decomposition."},
 };
 
-/// Every value on a small field with a small machine, what once was broken, and a few of all others that are quick.
+/// Every value on a small field with a small machine, what once was broken, and a few of all others that are
+/// quick.
 const std::vector<test::SweepCase>& everydayCases() {
     static const std::vector<test::SweepCase> cases = [] {
         const std::vector<test::SweepChange> changes = test::everyChange();
@@ -116,9 +118,13 @@ const std::vector<test::SweepCase>& everydayCases() {
                 }
             }
         }
-        const std::vector<std::string> shapes{"rectangle", "slanted",       "l-shape",  "comb",      "triangle", "strip",
-                                              "pond",      "headland-pond", "wet-spot", "two-parts", "slalom",   "five-ha"};
-        std::ranges::for_each(test::drawnCases(test::casesOf(changes, shapes, {"cultivator", "mounted-drill", "combine"}), 80, 1), add);
+        const std::vector<std::string> shapes{"rectangle", "slanted",   "l-shape", "comb",
+                                              "triangle",  "strip",     "pond",    "headland-pond",
+                                              "wet-spot",  "two-parts", "slalom",  "five-ha"};
+        std::ranges::for_each(
+            test::drawnCases(test::casesOf(changes, shapes, {"cultivator", "mounted-drill", "combine"}), 80,
+                             1),
+            add);
         return all;
     }();
     return cases;
@@ -155,17 +161,28 @@ void TestSweep::aFindingTellsOfItsSetting_data() {
     QTest::addColumn<QString>("suggestion");
     QTest::addColumn<QString>("key");
     QTest::addColumn<bool>("tells");
-    QTest::newRow("by its key") << "path.stay_inside=false" << "This is so since path.stay_inside is off." << "" << "" << true;
-    QTest::newRow("by its name") << "path.stay_inside=false" << "It leaves the field." << "Switch \"Stay inside\" on." << "" << true;
-    QTest::newRow("by a word of everyday use") << "headland.passes=1" << "The headland passes leave the field." << "" << "" << false;
-    QTest::newRow("by that word, quoted") << "headland.passes=1" << "It leaves the field." << "Set \"Passes\" to 3." << "" << true;
-    QTest::newRow("by what was chosen") << "path.method=straight" << "This machine cannot turn on the spot." << "" << "" << true;
-    QTest::newRow("by another choice") << "path.method=u" << "It leaves the field." << "Choose \"Best that fits\"." << "" << true;
-    QTest::newRow("by its change") << "headland.passes=1" << "It leaves the field." << "" << "headland.passes" << true;
-    QTest::newRow("by the change of another setting") << "headland.passes=1" << "It leaves the field." << "" << "swaths.method" << false;
-    QTest::newRow("by the change of its method") << "headland.passes=1" << "It leaves the field." << "" << "headland.method" << true;
-    QTest::newRow("by what the operation sets") << "operation.kind=sowing" << "It leaves the field." << "" << "route.traversal" << true;
-    QTest::newRow("not at all") << "path.method=u" << "It leaves the field." << "Try another direction of the swaths." << "" << false;
+    QTest::newRow("by its key") << "path.stay_inside=false" << "This is so since path.stay_inside is off."
+                                << "" << "" << true;
+    QTest::newRow("by its name") << "path.stay_inside=false" << "It leaves the field."
+                                 << "Switch \"Stay inside\" on." << "" << true;
+    QTest::newRow("by a word of everyday use")
+        << "headland.passes=1" << "The headland passes leave the field." << "" << "" << false;
+    QTest::newRow("by that word, quoted")
+        << "headland.passes=1" << "It leaves the field." << "Set \"Passes\" to 3." << "" << true;
+    QTest::newRow("by what was chosen")
+        << "path.method=straight" << "This machine cannot turn on the spot." << "" << "" << true;
+    QTest::newRow("by another choice")
+        << "path.method=u" << "It leaves the field." << "Choose \"Best that fits\"." << "" << true;
+    QTest::newRow("by its change") << "headland.passes=1" << "It leaves the field." << "" << "headland.passes"
+                                   << true;
+    QTest::newRow("by the change of another setting")
+        << "headland.passes=1" << "It leaves the field." << "" << "swaths.method" << false;
+    QTest::newRow("by the change of its method")
+        << "headland.passes=1" << "It leaves the field." << "" << "headland.method" << true;
+    QTest::newRow("by what the operation sets")
+        << "operation.kind=sowing" << "It leaves the field." << "" << "route.traversal" << true;
+    QTest::newRow("not at all") << "path.method=u" << "It leaves the field."
+                                << "Try another direction of the swaths." << "" << false;
 }
 
 void TestSweep::aFindingTellsOfItsSetting() {
@@ -176,7 +193,11 @@ void TestSweep::aFindingTellsOfItsSetting() {
     QFETCH(bool, tells);
     const test::SweepChange changed = changeNamed(change);
     QCOMPARE(changed.name(), change.toStdString());
-    Finding finding{.severity = Severity::Blocking, .kind = "outside", .place = {}, .text = text.toStdString(), .suggestion = suggestion.toStdString()};
+    Finding finding{.severity = Severity::Blocking,
+                    .kind = "outside",
+                    .place = {},
+                    .text = text.toStdString(),
+                    .suggestion = suggestion.toStdString()};
     if (!key.isEmpty()) {
         finding.change = SettingChange{key.toStdString(), "1"};
     }
@@ -257,7 +278,8 @@ void TestSweep::everyday() {
     if (std::ranges::contains(kKnownFailures, each.name())) {
         QEXPECT_FAIL("", outcome.reason.c_str(), Continue);
     }
-    QVERIFY2(outcome.verdict != test::SweepVerdict::Failed, (outcome.settings + "\n" + outcome.reason).c_str());
+    QVERIFY2(outcome.verdict != test::SweepVerdict::Failed,
+             (outcome.settings + "\n" + outcome.reason).c_str());
 }
 
 int main(int argc, char** argv) {
