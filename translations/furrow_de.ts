@@ -1758,6 +1758,14 @@
         <translation>Bogen, Gerade, Bogen; für Spuren, die mindestens zwei Wenderadien auseinander liegen.</translation>
     </message>
     <message>
+        <source>Choose the best that fits, or a machine that can.</source>
+        <translation>Die beste passende Wendung wählen oder eine Maschine, die es kann.</translation>
+    </message>
+    <message>
+        <source>Choose the best that fits, which takes the quickest everywhere.</source>
+        <translation>Die beste passende Wendung wählen: sie nimmt überall die schnellste.</translation>
+    </message>
+    <message>
         <source>Joined where that is quicker</source>
         <translation>Verbunden, wo es schneller ist</translation>
     </message>
@@ -2814,6 +2822,10 @@
         <translation>Nur die Feldgrenze als flach gezipptes Shapefile, wie es Operations Center annehmen.</translation>
     </message>
     <message>
+        <source>The chosen one cannot be driven between these swaths.</source>
+        <translation>Die gewählte lässt sich zwischen diesen Spuren nicht fahren.</translation>
+    </message>
+    <message>
         <source>The corner where the route starts.</source>
         <translation>Die Ecke, an der die Fahrroute beginnt.</translation>
     </message>
@@ -3010,8 +3022,16 @@
         <translation>Der Weg %1 → %2</translation>
     </message>
     <message>
-        <source>This machine cannot turn on the spot.</source>
-        <translation>Diese Maschine kann nicht auf der Stelle drehen.</translation>
+        <source>There the chosen one does not fit into the field or cannot be driven between these swaths.</source>
+        <translation>Die gewählte passt dort nicht in den Schlag oder lässt sich zwischen diesen Spuren nicht fahren.</translation>
+    </message>
+    <message>
+        <source>There the chosen one does not fit into the field.</source>
+        <translation>Die gewählte passt dort nicht in den Schlag.</translation>
+    </message>
+    <message>
+        <source>This machine cannot reverse.</source>
+        <translation>Diese Maschine kann nicht rückwärts fahren.</translation>
     </message>
     <message>
         <source>This stick has %1 partitions; terminals see the first one only, if any.</source>
@@ -3090,8 +3110,16 @@
         <translation>Wendungen</translation>
     </message>
     <message>
+        <source>Turns between swaths that are of another kind than chosen (path.method): %1 of %2. %3</source>
+        <translation>Wendungen zwischen Spuren, die anders sind als gewählt (path.method): %1 von %2. %3</translation>
+    </message>
+    <message>
         <source>Turns in place and drives straight to the next swath; only for machines that can.</source>
         <translation>Dreht auf der Stelle und fährt gerade zur nächsten Spur; nur für Maschinen, die das können.</translation>
+    </message>
+    <message>
+        <source>Turns on the spot are chosen (path.method), and this machine cannot turn on the spot.</source>
+        <translation>Gewählt sind Wendungen auf der Stelle (path.method), und diese Maschine kann nicht auf der Stelle wenden.</translation>
     </message>
     <message>
         <source>U turn</source>

@@ -1758,6 +1758,14 @@
         <translation>Arco, recta, arco; para pasadas separadas al menos dos radios de giro.</translation>
     </message>
     <message>
+        <source>Choose the best that fits, or a machine that can.</source>
+        <translation>Elija el mejor giro que quepa, o una máquina que pueda.</translation>
+    </message>
+    <message>
+        <source>Choose the best that fits, which takes the quickest everywhere.</source>
+        <translation>Elija el mejor giro que quepa: toma en todas partes el más rápido.</translation>
+    </message>
+    <message>
         <source>Joined where that is quicker</source>
         <translation>Unidas donde es más rápido</translation>
     </message>
@@ -2814,6 +2822,10 @@
         <translation>Solo el límite como shapefile comprimido plano, como lo aceptan los centros de operaciones.</translation>
     </message>
     <message>
+        <source>The chosen one cannot be driven between these swaths.</source>
+        <translation>El elegido no se puede hacer entre estas pasadas.</translation>
+    </message>
+    <message>
         <source>The corner where the route starts.</source>
         <translation>La esquina donde empieza la ruta.</translation>
     </message>
@@ -3010,8 +3022,16 @@
         <translation>El camino %1 → %2</translation>
     </message>
     <message>
-        <source>This machine cannot turn on the spot.</source>
-        <translation>Esta máquina no puede girar en el sitio.</translation>
+        <source>There the chosen one does not fit into the field or cannot be driven between these swaths.</source>
+        <translation>El elegido no cabe allí en la parcela o no se puede hacer entre estas pasadas.</translation>
+    </message>
+    <message>
+        <source>There the chosen one does not fit into the field.</source>
+        <translation>El elegido no cabe allí en la parcela.</translation>
+    </message>
+    <message>
+        <source>This machine cannot reverse.</source>
+        <translation>Esta máquina no puede dar marcha atrás.</translation>
     </message>
     <message>
         <source>This stick has %1 partitions; terminals see the first one only, if any.</source>
@@ -3090,8 +3110,16 @@
         <translation>Giros</translation>
     </message>
     <message>
+        <source>Turns between swaths that are of another kind than chosen (path.method): %1 of %2. %3</source>
+        <translation>Giros entre pasadas de otro tipo que el elegido (path.method): %1 de %2. %3</translation>
+    </message>
+    <message>
         <source>Turns in place and drives straight to the next swath; only for machines that can.</source>
         <translation>Gira en el sitio y va recto a la pasada siguiente; solo para máquinas que pueden.</translation>
+    </message>
+    <message>
+        <source>Turns on the spot are chosen (path.method), and this machine cannot turn on the spot.</source>
+        <translation>Se han elegido giros en el sitio (path.method) y esta máquina no puede girar en el sitio.</translation>
     </message>
     <message>
         <source>U turn</source>

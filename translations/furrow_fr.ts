@@ -1758,6 +1758,14 @@
         <translation>Arc, droite, arc ; pour des passages distants d&apos;au moins deux rayons de braquage.</translation>
     </message>
     <message>
+        <source>Choose the best that fits, or a machine that can.</source>
+        <translation>Choisir le meilleur demi-tour possible, ou une machine qui le peut.</translation>
+    </message>
+    <message>
+        <source>Choose the best that fits, which takes the quickest everywhere.</source>
+        <translation>Choisir le meilleur demi-tour possible : il prend partout le plus rapide.</translation>
+    </message>
+    <message>
         <source>Joined where that is quicker</source>
         <translation>Réunies là où c&apos;est plus rapide</translation>
     </message>
@@ -2814,6 +2822,10 @@
         <translation>La limite seule en shapefile zippé à plat, comme les centres d&apos;opérations l&apos;acceptent.</translation>
     </message>
     <message>
+        <source>The chosen one cannot be driven between these swaths.</source>
+        <translation>Celui qui est choisi est impossible entre ces passages.</translation>
+    </message>
+    <message>
         <source>The corner where the route starts.</source>
         <translation>Le coin où commence l&apos;ordre des passages.</translation>
     </message>
@@ -3010,8 +3022,16 @@
         <translation>Le trajet %1 → %2</translation>
     </message>
     <message>
-        <source>This machine cannot turn on the spot.</source>
-        <translation>Cette machine ne peut pas tourner sur place.</translation>
+        <source>There the chosen one does not fit into the field or cannot be driven between these swaths.</source>
+        <translation>Celui qui est choisi n’y tient pas dans la parcelle ou est impossible entre ces passages.</translation>
+    </message>
+    <message>
+        <source>There the chosen one does not fit into the field.</source>
+        <translation>Celui qui est choisi n’y tient pas dans la parcelle.</translation>
+    </message>
+    <message>
+        <source>This machine cannot reverse.</source>
+        <translation>Cette machine ne peut pas reculer.</translation>
     </message>
     <message>
         <source>This stick has %1 partitions; terminals see the first one only, if any.</source>
@@ -3090,8 +3110,16 @@
         <translation>Demi-tours</translation>
     </message>
     <message>
+        <source>Turns between swaths that are of another kind than chosen (path.method): %1 of %2. %3</source>
+        <translation>Demi-tours entre passages d’un autre type que celui choisi (path.method) : %1 sur %2. %3</translation>
+    </message>
+    <message>
         <source>Turns in place and drives straight to the next swath; only for machines that can.</source>
         <translation>Tourne sur place et va droit au passage suivant ; seulement pour les machines qui le peuvent.</translation>
+    </message>
+    <message>
+        <source>Turns on the spot are chosen (path.method), and this machine cannot turn on the spot.</source>
+        <translation>Des demi-tours sur place sont choisis (path.method), et cette machine ne peut pas tourner sur place.</translation>
     </message>
     <message>
         <source>U turn</source>

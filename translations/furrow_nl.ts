@@ -1758,6 +1758,14 @@
         <translation>Boog, recht, boog; voor werkgangen minstens twee draaistralen uit elkaar.</translation>
     </message>
     <message>
+        <source>Choose the best that fits, or a machine that can.</source>
+        <translation>Kies de beste die past, of een machine die het kan.</translation>
+    </message>
+    <message>
+        <source>Choose the best that fits, which takes the quickest everywhere.</source>
+        <translation>Kies de beste die past: die neemt overal de snelste.</translation>
+    </message>
+    <message>
         <source>Joined where that is quicker</source>
         <translation>Samengevoegd waar dat sneller is</translation>
     </message>
@@ -2814,6 +2822,10 @@
         <translation>Alleen de perceelsgrens als platte gezipte shapefile, zoals operations centers die aannemen.</translation>
     </message>
     <message>
+        <source>The chosen one cannot be driven between these swaths.</source>
+        <translation>De gekozen draai kan tussen deze werkgangen niet worden gereden.</translation>
+    </message>
+    <message>
         <source>The corner where the route starts.</source>
         <translation>De hoek waar de rijroute begint.</translation>
     </message>
@@ -3010,8 +3022,16 @@
         <translation>De weg %1 → %2</translation>
     </message>
     <message>
-        <source>This machine cannot turn on the spot.</source>
-        <translation>Deze machine kan niet op de plaats draaien.</translation>
+        <source>There the chosen one does not fit into the field or cannot be driven between these swaths.</source>
+        <translation>De gekozen draai past daar niet in het perceel of kan tussen deze werkgangen niet worden gereden.</translation>
+    </message>
+    <message>
+        <source>There the chosen one does not fit into the field.</source>
+        <translation>De gekozen draai past daar niet in het perceel.</translation>
+    </message>
+    <message>
+        <source>This machine cannot reverse.</source>
+        <translation>Deze machine kan niet achteruitrijden.</translation>
     </message>
     <message>
         <source>This stick has %1 partitions; terminals see the first one only, if any.</source>
@@ -3090,8 +3110,16 @@
         <translation>Draaien</translation>
     </message>
     <message>
+        <source>Turns between swaths that are of another kind than chosen (path.method): %1 of %2. %3</source>
+        <translation>Draaien tussen werkgangen die anders zijn dan gekozen (path.method): %1 van %2. %3</translation>
+    </message>
+    <message>
         <source>Turns in place and drives straight to the next swath; only for machines that can.</source>
         <translation>Draait op de plaats en rijdt recht naar de volgende werkgang; alleen voor machines die dat kunnen.</translation>
+    </message>
+    <message>
+        <source>Turns on the spot are chosen (path.method), and this machine cannot turn on the spot.</source>
+        <translation>Er is gekozen voor draaien op de plaats (path.method), en deze machine kan niet op de plaats draaien.</translation>
     </message>
     <message>
         <source>U turn</source>

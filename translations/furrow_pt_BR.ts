@@ -1758,6 +1758,14 @@
         <translation>Arco, reta, arco; para passadas separadas por pelo menos dois raios de giro.</translation>
     </message>
     <message>
+        <source>Choose the best that fits, or a machine that can.</source>
+        <translation>Escolha a melhor que couber, ou uma máquina que consiga.</translation>
+    </message>
+    <message>
+        <source>Choose the best that fits, which takes the quickest everywhere.</source>
+        <translation>Escolha a melhor que couber: ela usa em toda parte a mais rápida.</translation>
+    </message>
+    <message>
         <source>Joined where that is quicker</source>
         <translation>Unidos onde é mais rápido</translation>
     </message>
@@ -2814,6 +2822,10 @@
         <translation>Só o limite como shapefile compactado plano, como aceitam os centros de operações.</translation>
     </message>
     <message>
+        <source>The chosen one cannot be driven between these swaths.</source>
+        <translation>A escolhida não é possível entre estas passadas.</translation>
+    </message>
+    <message>
         <source>The corner where the route starts.</source>
         <translation>O canto onde a rota começa.</translation>
     </message>
@@ -3010,8 +3022,16 @@
         <translation>O caminho %1 → %2</translation>
     </message>
     <message>
-        <source>This machine cannot turn on the spot.</source>
-        <translation>Esta máquina não consegue girar no lugar.</translation>
+        <source>There the chosen one does not fit into the field or cannot be driven between these swaths.</source>
+        <translation>A escolhida não cabe ali no talhão ou não é possível entre estas passadas.</translation>
+    </message>
+    <message>
+        <source>There the chosen one does not fit into the field.</source>
+        <translation>A escolhida não cabe ali no talhão.</translation>
+    </message>
+    <message>
+        <source>This machine cannot reverse.</source>
+        <translation>Esta máquina não consegue andar de ré.</translation>
     </message>
     <message>
         <source>This stick has %1 partitions; terminals see the first one only, if any.</source>
@@ -3090,8 +3110,16 @@
         <translation>Manobras</translation>
     </message>
     <message>
+        <source>Turns between swaths that are of another kind than chosen (path.method): %1 of %2. %3</source>
+        <translation>Manobras entre passadas de outro tipo que o escolhido (path.method): %1 de %2. %3</translation>
+    </message>
+    <message>
         <source>Turns in place and drives straight to the next swath; only for machines that can.</source>
         <translation>Gira no lugar e vai reto à próxima passada; só para máquinas que conseguem.</translation>
+    </message>
+    <message>
+        <source>Turns on the spot are chosen (path.method), and this machine cannot turn on the spot.</source>
+        <translation>Foram escolhidas manobras no lugar (path.method), e esta máquina não consegue girar no lugar.</translation>
     </message>
     <message>
         <source>U turn</source>

@@ -760,6 +760,10 @@
         <source>NMEA or gpsd log</source>
         <translation>Registo NMEA ou gpsd</translation>
     </message>
+    <message>
+        <source>This machine cannot reverse.</source>
+        <translation>Esta máquina não consegue andar em marcha-atrás.</translation>
+    </message>
 </context>
 <context>
     <name>PreferencesDialog</name>

@@ -30,4 +30,8 @@ std::optional<Turn> FittingWays::between(const Pose& leaving, const Pose& arrivi
     return way;
 }
 
+std::optional<Turn> FittingWays::byOne(const Method<TurnPlanner>& kind, const Pose& leaving, const Pose& arriving) const {
+    return fittingTurn(rig_, leaving, arriving, travel_, kind);
+}
+
 }  // namespace furrow

@@ -1,7 +1,9 @@
 #pragma once
 
 #include "planner/path/driven_parts.h"
+#include "planner/settings/method.h"
 #include "planner/turns/manoeuvre_search.h"
+#include "planner/turns/turn_method.h"
 
 #include <atomic>
 #include <memory>
@@ -20,6 +22,8 @@ public:
     const Rig& rig() const { return rig_; }
     /// Cost: as of `fittingConnection`.
     std::optional<Turn> between(const Pose& leaving, const Pose& arriving, const JobContext& job, SearchEffort effort);
+    /// The turn of one kind, where it fits.
+    std::optional<Turn> byOne(const Method<TurnPlanner>& kind, const Pose& leaving, const Pose& arriving) const;
 
 private:
     MultiPolygon drivable_;

@@ -39,8 +39,8 @@ std::vector<Leg> swathLegs(const SwathSet& swaths, const Route& route, const Mac
 }
 
 WayFinder waysBy(TurnPlanner* turn, const Machine& machine) {
-    return [turn, &machine](const Pose& leaving, const Pose& arriving, const JobContext&) {
-        return connection(leaving, arriving, machine, turn);
+    return [turn, &machine](const Leg& leaving, const Leg& arriving, const JobContext&) {
+        return connection(leaving.line.end(), arriving.line.start, machine, turn);
     };
 }
 
@@ -50,12 +50,10 @@ Result<Path> buildPath(std::span<const Leg> legs, const Machine& machine, const 
     auto ways = parallelMap<std::optional<Leg>>(
         gaps,
         [&](std::size_t i) -> std::optional<Leg> {
-            const Pose leaving = legs[i].line.end();
-            const Pose arriving = legs[i + 1].line.start;
-            if (isSamePose(leaving, arriving)) {
+            if (isSamePose(legs[i].line.end(), legs[i + 1].line.start)) {
                 return std::nullopt;
             }
-            Turn turn = way(leaving, arriving, job);
+            Turn turn = way(legs[i], legs[i + 1], job);
             const bool isTransfer = (turn.type == kCombinedTurn && turn.length() > longest) ||
                                     legs[i].kind == SegmentKind::Transfer || legs[i + 1].kind == SegmentKind::Transfer;
             return Leg{.kind = isTransfer ? SegmentKind::Transfer : SegmentKind::Turn,

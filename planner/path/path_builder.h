@@ -22,8 +22,8 @@ struct Leg {
 /// One leg for each step of the route.
 std::vector<Leg> swathLegs(const SwathSet& swaths, const Route& route, const Machine& machine);
 
-/// Finds the way between two legs; asked by several threads at once.
-using WayFinder = std::function<Turn(const Pose& leaving, const Pose& arriving, const JobContext& job)>;
+/// Finds the way from the end of one leg to where the next begins; asked by several threads at once.
+using WayFinder = std::function<Turn(const Leg& leaving, const Leg& arriving, const JobContext& job)>;
 
 /// Turns of one kind in free space.
 WayFinder waysBy(TurnPlanner* turn, const Machine& machine);

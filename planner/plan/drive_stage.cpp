@@ -13,6 +13,7 @@
 #include "planner/path/remembered_ways.h"
 #include "planner/path/travel_rule.h"
 #include "planner/path/way_repair.h"
+#include "planner/plan/chosen_turns.h"
 #include "planner/plan/general_parameters.h"
 #include "planner/plan/method_registry.h"
 #include "planner/turns/best_feasible.h"
@@ -87,6 +88,11 @@ Finding blockedFinding(const Path& path, const BlockedConnection& blocked, const
                                             : Message{}};
 }
 
+/// What ways are that are no turns between swaths: the chosen kind is kept where nothing has to fit.
+TurnPlanner* otherTurns(const Settings& settings) {
+    return settings.flag(kStayInside) ? kBestFeasibleMethod.run : turnMethod(settings);
+}
+
 /// Headland passes before or after the swaths.
 std::vector<Leg> layOut(const Plan& plan, const MultiPolygon& drivable) {
     const Settings& settings = plan.request.settings;
@@ -103,7 +109,7 @@ std::vector<Leg> layOut(const Plan& plan, const MultiPolygon& drivable) {
         } else if (!legs.empty()) {
             drive.before = legs.back().line.end();
         }
-        const std::vector<Leg> passes = headlandLegs(plan.headland.rings, drive, machine, turnMethod(settings));
+        const std::vector<Leg> passes = headlandLegs(plan.headland.rings, drive, machine, otherTurns(settings));
         legs.insert(first ? legs.begin() : legs.end(), passes.begin(), passes.end());
     }
     return legs;
@@ -194,21 +200,25 @@ Result<void> checkWays(Plan& plan, const MultiPolygon& drivable, const JobContex
 
 /// The path over these legs, checked and audited, with what both find. Where no way leads from one to the next they are
 /// put in another order.
-Result<void> drive(Plan& plan, std::vector<Leg>& legs, RememberedWays& ways, const MultiPolygon& drivable,
-                   const JobContext& job) {
+Result<void> drive(Plan& plan, std::vector<Leg>& legs, RememberedWays& ways, const ChosenTurns& chosen,
+                   const MultiPolygon& drivable, const JobContext& job) {
     const Settings& settings = plan.request.settings;
     const Machine& machine = plan.request.machine;
-    TurnPlanner* const turn = turnMethod(settings);
-    const bool fits = turn == kBestFeasibleMethod.run && settings.flag(kStayInside);
+    const bool fits = settings.flag(kStayInside);
     const Clock::time_point begin = Clock::now();
     std::atomic<bool> isWhole{true};
     const auto build = [&](const JobContext& part) {
         return buildPath(
             legs, machine,
-            [&](const Pose& leaving, const Pose& arriving, const JobContext& piece) {
-                auto way = fits ? ways(leaving, arriving, piece) : std::nullopt;
+            [&](const Leg& from, const Leg& to, const JobContext& piece) {
+                const Pose leaving = from.line.end();
+                const Pose arriving = to.line.start;
+                auto way = fits ? chosen.between(from, to) : std::nullopt;
+                if (fits && !way) {
+                    way = ways(leaving, arriving, piece);
+                }
                 isWhole = isWhole && (way || !fits);
-                return way ? std::move(*way) : connection(leaving, arriving, machine, turn);
+                return way ? std::move(*way) : connection(leaving, arriving, machine, otherTurns(settings));
             },
             part);
     };
@@ -230,14 +240,18 @@ Result<void> drive(Plan& plan, std::vector<Leg>& legs, RememberedWays& ways, con
         if (auto checked = checkWays(plan, drivable, job.part(0.4, 0.6)); !checked) {
             return checked;
         }
+        if (auto told = chosen.told(legs)) {
+            plan.findings.push_back(std::move(*told));
+        }
     }
-    if (turn == kStraightMethod.run && !machine.spec().tractor.canTurnInPlace && plan.path.turnCount() > 0) {
+    if (turnMethod(settings) == kStraightMethod.run && !machine.spec().tractor.canTurnInPlace && plan.path.turnCount() > 0) {
         plan.findings.push_back(
             {.severity = Severity::Blocking,
              .kind = "heading-jump",
              .place = std::ranges::find(plan.path.segments, SegmentKind::Turn, &PathSegment::kind)->samples.front().position,
-             .text = "This machine cannot turn on the spot.",
-             .suggestion = "Choose forward curves, or a machine that can."});
+             .text = "Turns on the spot are chosen (path.method), and this machine cannot turn on the spot.",
+             .suggestion = "Choose the best that fits, or a machine that can.",
+             .change = SettingChange{"path.method", std::string{kBestFeasibleMethod.info.id}}});
     }
     const Clock::time_point driven = Clock::now();
     plan.timings.path += seconds(std::chrono::duration<double>(driven - begin).count());
@@ -289,11 +303,10 @@ std::vector<HeadlandPass> leadingOutside(const Path& path, const std::vector<Hea
 
 /// Where more is left than may stay, short passes over it, if the plan gets better by them. What has no way in is
 /// replaced by others in another round.
-Result<void> finish(Plan& plan, std::vector<Leg> legs, RememberedWays& ways, const MultiPolygon& drivable,
-                    const JobContext& job) {
+Result<void> finish(Plan& plan, std::vector<Leg> legs, RememberedWays& ways, const ChosenTurns& chosen,
+                    const MultiPolygon& drivable, const JobContext& job) {
     const Settings& settings = plan.request.settings;
-    const bool applies = !plan.headland.rings.empty() && settings.flag(kHeadlandFinish) && settings.flag(kStayInside) &&
-                         turnMethod(settings) == kBestFeasibleMethod.run;
+    const bool applies = !plan.headland.rings.empty() && settings.flag(kHeadlandFinish) && settings.flag(kStayInside);
     if (!applies || !leavesTooMuch(plan)) {
         return {};
     }
@@ -342,7 +355,7 @@ Result<void> finish(Plan& plan, std::vector<Leg> legs, RememberedWays& ways, con
             }
             continue;
         }
-        if (auto driven = drive(finished, more.legs, ways, drivable, part.part(0.2, 1.0)); !driven) {
+        if (auto driven = drive(finished, more.legs, ways, chosen, drivable, part.part(0.2, 1.0)); !driven) {
             return driven;
         }
         if (blockingCount(finished) > blockingCount(plan) || outsideCount(finished) > outsideCount(plan)) {
@@ -398,11 +411,12 @@ Result<void> driveStage(Plan& plan, const MultiPolygon& drivable, const JobConte
     }
     plan.leftOnPurpose = std::move(*onPurpose);
     std::vector<Leg> legs = std::move(lifted.legs);
+    const ChosenTurns chosen{plan, *fitting};
     const std::vector<Finding> gateFindings = addGateWays(legs, places, field, fitting->rig());
-    if (auto driven = drive(plan, legs, ways, *open, job.part(0.0, 0.8)); !driven) {
+    if (auto driven = drive(plan, legs, ways, chosen, *open, job.part(0.0, 0.8)); !driven) {
         return std::unexpected(driven.error());
     }
-    if (auto finished = finish(plan, legs, ways, *open, job.part(0.8, 1.0)); !finished) {
+    if (auto finished = finish(plan, legs, ways, chosen, *open, job.part(0.8, 1.0)); !finished) {
         return std::unexpected(finished.error());
     }
     plan.findings.insert(plan.findings.end(), gateFindings.begin(), gateFindings.end());

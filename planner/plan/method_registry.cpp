@@ -174,9 +174,14 @@ const Registry& registry() {
 }
 
 template <class Methods>
-auto chosen(const Methods& methods, const StageEntry& stage, const Settings& settings) {
+const auto& chosenMethod(const Methods& methods, const StageEntry& stage, const Settings& settings) {
     const std::string id = settings.choice(stage.method);
-    return (*std::ranges::find(methods, id, [](const auto* method) { return method->info.id; }))->run;
+    return **std::ranges::find(methods, id, [](const auto* method) { return method->info.id; });
+}
+
+template <class Methods>
+auto chosen(const Methods& methods, const StageEntry& stage, const Settings& settings) {
+    return chosenMethod(methods, stage, settings).run;
 }
 
 }  // namespace
@@ -251,6 +256,10 @@ Decomposer* decompositionMethod(const Settings& settings) {
 
 RoutePlanner* routeMethod(const Settings& settings) {
     return chosen(kRouteMethods, registry().route, settings);
+}
+
+const Method<TurnPlanner>& turnKind(const Settings& settings) {
+    return chosenMethod(kTurnMethods, registry().path, settings);
 }
 
 TurnPlanner* turnMethod(const Settings& settings) {

@@ -46,6 +46,7 @@ HeadlandGenerator* headlandMethod(const Settings& settings);
 SwathGenerator* swathMethod(const Settings& settings);
 Decomposer* decompositionMethod(const Settings& settings);
 RoutePlanner* routeMethod(const Settings& settings);
+const Method<TurnPlanner>& turnKind(const Settings& settings);
 TurnPlanner* turnMethod(const Settings& settings);
 
 }  // namespace furrow

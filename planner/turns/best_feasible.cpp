@@ -77,6 +77,11 @@ double costS(const Turn& turn, const Machine& machine, const TravelCost& travel)
     return wayM > 0.0 ? roughDuration(turn, machine).si() * cost / wayM : 0.0;
 }
 
+/// Whether another way is worth looking for.
+bool isDear(const Turn& turn, const Machine& machine, const TravelCost& travel) {
+    return travel && costS(turn, machine, travel) >= kDearWay * roughDuration(turn, machine).si();
+}
+
 /// With the straight that the implement needs before it is lowered, where that fits.
 std::optional<Turn> searched(const Rig& rig, const Pose& leaving, const Pose& arriving, const TravelCost& travel,
                              const JobContext& job, SearchEffort effort) {
@@ -106,12 +111,22 @@ std::optional<Turn> fittingConnection(const Rig& rig, const Pose& leaving, const
         return rig.driven(Rig::inLine(leaving), candidate.turn).has_value();
     });
     const bool found = fits != turns.end();
-    if (found && (!travel || costS(fits->turn, machine, travel) < kDearWay * fits->time.si())) {
+    if (found && !isDear(fits->turn, machine, travel)) {
         return std::move(fits->turn);
     }
     auto way = searched(rig, leaving, arriving, travel, job, effort);
     const bool better = found && (!way || costS(fits->turn, machine, travel) <= costS(*way, machine, travel));
     return better ? std::optional{std::move(fits->turn)} : way;
+}
+
+std::optional<Turn> fittingTurn(const Rig& rig, const Pose& leaving, const Pose& arriving, const TravelCost& travel,
+                                const Method<TurnPlanner>& kind) {
+    const Machine& machine = rig.machine();
+    Turn turn = connection(leaving, arriving, machine, kind.run);
+    if (turn.type != kind.info.id || isDear(turn, machine, travel) || !rig.driven(Rig::inLine(leaving), turn)) {
+        return std::nullopt;
+    }
+    return turn;
 }
 
 Turn feasibleConnection(const Rig& rig, const Pose& leaving, const Pose& arriving, const TravelCost& travel,

@@ -22,4 +22,9 @@ Turn feasibleConnection(const Rig& rig, const Pose& leaving, const Pose& arrivin
 std::optional<Turn> fittingConnection(const Rig& rig, const Pose& leaving, const Pose& arriving, const TravelCost& travel,
                                       const JobContext& job, SearchEffort effort = SearchEffort::Thorough);
 
+/// The turn of one kind, where it stays inside and leads over nothing dear that it could go round. Nothing where it does
+/// not, and where the poses or the machine do not allow this kind.
+std::optional<Turn> fittingTurn(const Rig& rig, const Pose& leaving, const Pose& arriving, const TravelCost& travel,
+                                const Method<TurnPlanner>& kind);
+
 }  // namespace furrow

@@ -1,0 +1,104 @@
+#include "planner/plan/chosen_turns.h"
+
+#include "planner/plan/method_registry.h"
+#include "planner/turns/best_feasible.h"
+#include "planner/turns/connection.h"
+#include "planner/turns/continuous_curvature.h"
+#include "planner/turns/named_turns.h"
+#include "planner/turns/reeds_shepp.h"
+#include "planner/turns/straight_turn.h"
+
+#include <algorithm>
+#include <array>
+
+namespace furrow {
+
+namespace {
+
+constexpr std::array kSmooth{&kContinuousDubinsMethod, &kContinuousReedsSheppMethod};
+constexpr std::array kReversing{&kReedsSheppMethod, &kContinuousReedsSheppMethod, &kFishtailMethod, &kThreePointMethod};
+
+Message whyNot(const Method<TurnPlanner>& kind, const Machine& machine, int outside, int impossible) {
+    if (!canReverse(machine) && std::ranges::contains(kReversing, &kind)) {
+        return "This machine cannot reverse.";
+    }
+    if (impossible == 0) {
+        return "There the chosen one does not fit into the field.";
+    }
+    return outside == 0 ? "The chosen one cannot be driven between these swaths."
+                        : "There the chosen one does not fit into the field or cannot be driven between these swaths.";
+}
+
+}  // namespace
+
+ChosenTurns::ChosenTurns(const Plan& plan, const FittingWays& ways) : kind_{turnKind(plan.request.settings)}, ways_{ways} {
+    for (std::size_t cell = 0; cell < plan.cells.cells.size(); ++cell) {
+        for (const std::size_t swath : plan.cells.cells[cell].swaths) {
+            cellOfSwath_[plan.swaths.swaths[swath].number] = cell;
+        }
+    }
+}
+
+bool ChosenTurns::belongsBetween(const Leg& leaving, const Leg& arriving) const {
+    if (leaving.kind != SegmentKind::Swath || arriving.kind != SegmentKind::Swath) {
+        return false;
+    }
+    const auto from = cellOfSwath_.find(leaving.number);
+    const auto to = cellOfSwath_.find(arriving.number);
+    return from != cellOfSwath_.end() && to != cellOfSwath_.end() && from->second == to->second;
+}
+
+std::optional<Turn> ChosenTurns::fitting(const Method<TurnPlanner>& kind, const Leg& leaving, const Leg& arriving) const {
+    return ways_.byOne(kind, leaving.line.end(), arriving.line.start);
+}
+
+std::optional<Turn> ChosenTurns::between(const Leg& leaving, const Leg& arriving) const {
+    if (&kind_ == &kBestFeasibleMethod) {
+        return std::nullopt;
+    }
+    const bool isSmooth = std::ranges::contains(kSmooth, &kind_);
+    std::optional<Turn> turn;
+    if (isSmooth || belongsBetween(leaving, arriving)) {
+        turn = fitting(kind_, leaving, arriving);
+    }
+    for (auto other = kSmooth.begin(); isSmooth && !turn && other != kSmooth.end(); ++other) {
+        turn = fitting(**other, leaving, arriving);
+    }
+    return turn;
+}
+
+std::optional<Finding> ChosenTurns::told(std::span<const Leg> legs) const {
+    if (&kind_ == &kBestFeasibleMethod) {
+        return std::nullopt;
+    }
+    int all = 0;
+    int outside = 0;
+    int impossible = 0;
+    std::optional<Point> place;
+    for (std::size_t i = 0; i + 1 < legs.size(); ++i) {
+        if (!belongsBetween(legs[i], legs[i + 1])) {
+            continue;
+        }
+        ++all;
+        if (fitting(kind_, legs[i], legs[i + 1])) {
+            continue;
+        }
+        const Pose leaving = legs[i].line.end();
+        const bool isOfKind =
+            connection(leaving, legs[i + 1].line.start, ways_.rig().machine(), kind_.run).type == kind_.info.id;
+        ++(isOfKind ? outside : impossible);
+        place = place.value_or(leaving.position);
+    }
+    if (!place) {
+        return std::nullopt;
+    }
+    return Finding{.severity = Severity::Note,
+                   .kind = "turn-kind",
+                   .place = *place,
+                   .text = message("Turns between swaths that are of another kind than chosen (path.method): {} of {}. {}",
+                                   outside + impossible, all, whyNot(kind_, ways_.rig().machine(), outside, impossible)),
+                   .suggestion = "Choose the best that fits, which takes the quickest everywhere.",
+                   .change = SettingChange{"path.method", std::string{kBestFeasibleMethod.info.id}}};
+}
+
+}  // namespace furrow
