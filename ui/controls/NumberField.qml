@@ -15,9 +15,9 @@ T.TextField {
     property double step: 1
     property int decimals: 1
     property int kind: QuantityText.Number
-    readonly property string unitText: (Display.revision, QuantityText.unit(kind))
+    readonly property string unitText: Display.quantities.unit(kind)
     /// Why the text is refused.
-    readonly property string complaint: text.length > 0 ? (Display.revision, QuantityText.complaint(text, kind, from, to, decimals)) : ""
+    readonly property string complaint: text.length > 0 ? Display.quantities.complaint(text, kind, from, to, decimals) : ""
     /// Shown instead of a number where the planner chooses it; empty where the value counts.
     property string autoText: ""
     readonly property bool wrong: complaint.length > 0
@@ -122,11 +122,11 @@ T.TextField {
     }
 
     function showValue(): void {
-        root.text = root.autoText.length > 0 ? "" : QuantityText.text(root.value, root.kind, root.decimals);
+        root.text = root.autoText.length > 0 ? "" : Display.quantities.text(root.value, root.kind, root.decimals);
     }
     function stepBy(direction: int): void {
-        const shown = QuantityText.isValue(root.text, root.kind) ? QuantityText.value(root.text, root.kind) : root.value;
-        const by = QuantityText.roundStep(root.step, root.kind);
+        const shown = Display.quantities.isValue(root.text, root.kind) ? Display.quantities.value(root.text, root.kind) : root.value;
+        const by = Display.quantities.roundStep(root.step, root.kind);
         const next = Math.round((shown + direction * by) / by) * by;
         root.committed(Math.min(root.to, Math.max(root.from, next)));
     }
@@ -142,8 +142,8 @@ T.TextField {
             return;
         }
         // A value that only looks as before stays as exact as it is.
-        if (root.autoText.length > 0 || root.text !== QuantityText.text(root.value, root.kind, root.decimals))
-            root.committed(Math.min(root.to, Math.max(root.from, QuantityText.value(root.text, root.kind))));
+        if (root.autoText.length > 0 || root.text !== Display.quantities.text(root.value, root.kind, root.decimals))
+            root.committed(Math.min(root.to, Math.max(root.from, Display.quantities.value(root.text, root.kind))));
         root.showValue();
     }
 }

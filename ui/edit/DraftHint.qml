@@ -91,7 +91,7 @@ Rectangle {
     }
 
     function addTyped(): void {
-        if (QuantityText.isValue(length.text, QuantityText.Length) && QuantityText.isValue(bearing.text, QuantityText.Angle))
-            root.editor.addPointBy(QuantityText.value(length.text, QuantityText.Length), QuantityText.value(bearing.text, QuantityText.Angle));
+        if (Display.quantities.isValue(length.text, QuantityText.Length) && Display.quantities.isValue(bearing.text, QuantityText.Angle))
+            root.editor.addPointBy(Display.quantities.value(length.text, QuantityText.Length), Display.quantities.value(bearing.text, QuantityText.Angle));
     }
 }

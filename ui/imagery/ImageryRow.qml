@@ -108,7 +108,7 @@ Column {
         x: 26
         width: parent.width - 26
         visible: root.contourStep > 0
-        text: qsTr("Contour lines every %1").arg((Display.revision, QuantityText.scaleText(root.contourStep)))
+        text: qsTr("Contour lines every %1").arg(Display.quantities.scaleText(root.contourStep))
     }
     CheckRow {
         objectName: "imagery.%1.tms".arg(root.index)

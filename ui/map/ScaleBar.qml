@@ -7,7 +7,7 @@ Rectangle {
     id: root
 
     required property MapCamera camera
-    readonly property real metres: (Display.revision, QuantityText.roundLengthBelow(120 * camera.metresPerPixel))
+    readonly property real metres: Display.quantities.roundLengthBelow(120 * camera.metresPerPixel)
 
     objectName: "scaleBar"
     width: 148
@@ -21,7 +21,7 @@ Rectangle {
         id: label
 
         anchors { horizontalCenter: bar.horizontalCenter; bottom: bar.top; bottomMargin: 1 }
-        text: (Display.revision, QuantityText.scaleText(root.metres))
+        text: Display.quantities.scaleText(root.metres)
         font.pixelSize: Theme.labelSize
     }
     Item {

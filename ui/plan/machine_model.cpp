@@ -51,6 +51,7 @@ MachineModel::MachineModel(QObject* parent) : QAbstractListModel{parent}, machin
     connect(&Display::instance(), &Display::changed, this, [this] {
         emit dataChanged(index(0), index(rowCount() - 1));
         emit machineChanged();
+        emit problemChanged();
     });
 }
 
@@ -130,13 +131,16 @@ void MachineModel::setNumber(int row, double value) {
     MachineSpec spec = machine_.spec();
     key.set(spec, MachineValue{value});
     const Result<Machine> made = Machine::create(spec);
-    const QString problem = made ? QString{} : sentence(made.error().what);
+    setProblem(made ? Message{} : made.error().what);
+    if (made) {
+        emit changeRequested(*made);
+    }
+}
+
+void MachineModel::setProblem(const Message& problem) {
     if (problem != problem_) {
         problem_ = problem;
         emit problemChanged();
-    }
-    if (made) {
-        emit changeRequested(*made);
     }
 }
 
@@ -144,6 +148,8 @@ void MachineModel::show(const Machine& machine) {
     if (machine == machine_) {
         return;
     }
+    // It was about another one.
+    setProblem({});
     machine_ = machine;
     emit dataChanged(index(0), index(rowCount() - 1));
     emit machineChanged();

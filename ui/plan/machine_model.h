@@ -1,6 +1,7 @@
 #pragma once
 
 #include "planner/machine/machine.h"
+#include "ui/text/message_text.h"
 
 #include <QAbstractListModel>
 #include <QStringList>
@@ -48,7 +49,7 @@ public:
     void setLibraryIndex(int index);
     bool isChanged() const;
     QString name() const;
-    QString problem() const { return problem_; }
+    QString problem() const { return sentence(problem_); }
 
     int rowCount(const QModelIndex& parent = {}) const override;
     QVariant data(const QModelIndex& index, int role) const override;
@@ -66,9 +67,11 @@ signals:
     void changeRequested(const furrow::Machine& machine);
 
 private:
+    void setProblem(const Message& problem);
+
     std::vector<const MachineKey*> keys_;
     Machine machine_;
-    QString problem_;
+    Message problem_;
 };
 
 }  // namespace furrow

@@ -108,7 +108,7 @@ Column {
             name: root.name
             from: root.from
             to: root.sliderTo
-            stepSize: (Display.revision, QuantityText.roundStep(root.step, root.quantity))
+            stepSize: Display.quantities.roundStep(root.step, root.quantity)
             value: root.value
             property bool dragged: false
 

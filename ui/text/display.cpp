@@ -1,5 +1,7 @@
 #include "ui/text/display.h"
 
+#include "ui/text/quantity_text.h"
+
 #include <QCoreApplication>
 #include <QLocale>
 #include <QQmlEngine>
@@ -75,7 +77,8 @@ Display* Display::create(QQmlEngine* engine, QJSEngine*) {
     return &display;
 }
 
-Display::Display() {
+Display::Display() : quantities_{std::make_unique<QuantityText>()} {
+    QJSEngine::setObjectOwnership(quantities_.get(), QJSEngine::CppOwnership);
     const QSettings settings;
     language_ = settings.value(kLanguageKey).toString();
     if (!isKnown(language_)) {
@@ -165,7 +168,6 @@ void Display::use(const QString& language) {
 }
 
 void Display::tell() {
-    ++revision_;
     emit changed();
     for (const QPointer<QQmlEngine>& engine : engines_) {
         if (!engine.isNull()) {

@@ -13,7 +13,11 @@ class QJSEngine;
 class QQmlEngine;
 class QTranslator;
 
+Q_MOC_INCLUDE("ui/text/quantity_text.h")
+
 namespace furrow {
+
+class QuantityText;
 
 enum class UnitSystem { Metric, Imperial };
 
@@ -33,8 +37,9 @@ class Display : public QObject {
     Q_PROPERTY(QStringList languages READ languages CONSTANT FINAL)
     Q_PROPERTY(Units units READ units WRITE setUnits NOTIFY changed FINAL)
     Q_PROPERTY(bool imperial READ isImperial NOTIFY changed FINAL)
-    /// Another number at every change, for bindings that call functions.
-    Q_PROPERTY(int revision READ revision NOTIFY changed FINAL)
+    /// Quantities as this user reads and types them. What calls its functions through here is evaluated again at every
+    /// change; a mere mention of another property beside the call is not enough: the compiler leaves it out.
+    Q_PROPERTY(furrow::QuantityText* quantities READ quantities NOTIFY changed FINAL)
 
 public:
     enum Units { UnitsOfSystem, Metric, Imperial };
@@ -56,7 +61,7 @@ public:
     void setUnits(Units units);
     bool isImperial() const { return unitSystem() == UnitSystem::Imperial; }
     UnitSystem unitSystem() const;
-    int revision() const { return revision_; }
+    QuantityText* quantities() const { return quantities_.get(); }
 
     /// For this run only: what a command line asks for. Empty and UnitsOfSystem leave what is remembered.
     void force(const QString& language, Units units);
@@ -73,7 +78,7 @@ private:
     QString language_;
     QString shown_;
     Units units_ = UnitsOfSystem;
-    int revision_ = 0;
+    std::unique_ptr<QuantityText> quantities_;
     bool remembers_ = true;
     std::vector<std::unique_ptr<QTranslator>> translators_;
     std::vector<QPointer<QQmlEngine>> engines_;

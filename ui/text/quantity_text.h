@@ -13,7 +13,7 @@ namespace furrow {
 class QuantityText : public QObject {
     Q_OBJECT
     QML_ELEMENT
-    QML_SINGLETON
+    QML_UNCREATABLE("Display.quantities has them")
 
 public:
     enum Kind { Number, Length, Area, Speed, Angle };
