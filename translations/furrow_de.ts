@@ -525,13 +525,6 @@
         <source>Files in a folder</source>
         <translation>Dateien in einem Ordner</translation>
     </message>
-    <message numerus="yes">
-        <source>%n place(s) in this plan cannot be driven as drawn. The files say so too.</source>
-        <translation>
-            <numerusform>%n Stelle in diesem Plan ist so nicht fahrbar. Das steht auch in den Dateien.</numerusform>
-            <numerusform>%n Stellen in diesem Plan sind so nicht fahrbar. Das steht auch in den Dateien.</numerusform>
-        </translation>
-    </message>
     <message>
         <source>Close</source>
         <translation>Schließen</translation>
@@ -551,6 +544,17 @@
     <message>
         <source>Write files</source>
         <translation>Dateien schreiben</translation>
+    </message>
+    <message>
+        <source>Plan again</source>
+        <translation>Neu planen</translation>
+    </message>
+    <message numerus="yes">
+        <source>%n problem(s) in this plan: it cannot be driven as drawn. The files say so too.</source>
+        <translation>
+            <numerusform>%n Problem in diesem Plan: So ist er nicht fahrbar. Das steht auch in den Dateien.</numerusform>
+            <numerusform>%n Probleme in diesem Plan: So ist er nicht fahrbar. Das steht auch in den Dateien.</numerusform>
+        </translation>
     </message>
 </context>
 <context>
@@ -5003,6 +5007,10 @@
         <source>Open another file…</source>
         <translation>Andere Datei öffnen …</translation>
     </message>
+    <message>
+        <source>Close</source>
+        <translation>Schließen</translation>
+    </message>
 </context>
 <context>
     <name>ProjectDialogs</name>
@@ -5090,6 +5098,14 @@
         <source>Show all %1</source>
         <translation>Alle %1 zeigen</translation>
     </message>
+    <message>
+        <source>Out of date: figures and findings are those of the plan before the change.</source>
+        <translation>Veraltet: Zahlen und Hinweise gehören zum Plan vor der Änderung.</translation>
+    </message>
+    <message>
+        <source>Nothing was found in this plan: all of it can be driven.</source>
+        <translation>In diesem Plan wurde nichts gefunden: Alles ist fahrbar.</translation>
+    </message>
 </context>
 <context>
     <name>ScaleBar</name>
@@ -5118,6 +5134,14 @@
     <message>
         <source>Plan again</source>
         <translation>Neu planen</translation>
+    </message>
+    <message>
+        <source>Show</source>
+        <translation>Zeigen</translation>
+    </message>
+    <message>
+        <source>Show the problems</source>
+        <translation>Die Probleme zeigen</translation>
     </message>
 </context>
 <context>
@@ -5690,14 +5714,6 @@
         <translation>Wird geplant …</translation>
     </message>
     <message>
-        <source>Stopped · this is the plan before the change</source>
-        <translation>Angehalten · Plan von vor der Änderung</translation>
-    </message>
-    <message>
-        <source>Stopped</source>
-        <translation>Angehalten</translation>
-    </message>
-    <message>
         <source>No plan</source>
         <translation>Kein Plan</translation>
     </message>
@@ -5708,13 +5724,6 @@
     <message>
         <source>Plan ready · %1 s</source>
         <translation>Plan fertig · %1 s</translation>
-    </message>
-    <message numerus="yes">
-        <source>%1 · %n turn(s) leave the field</source>
-        <translation>
-            <numerusform>%1 · %n Wendung verlässt den Schlag</numerusform>
-            <numerusform>%1 · %n Wendungen verlassen den Schlag</numerusform>
-        </translation>
     </message>
     <message>
         <source>%1 · %2</source>
@@ -5755,12 +5764,47 @@
         <translation>Entwurf · wird geplant …</translation>
     </message>
     <message>
-        <source>Stopped · this is a draft</source>
-        <translation>Angehalten · dies ist ein Entwurf</translation>
-    </message>
-    <message>
         <source>Draft · the whole plan follows when you let go</source>
         <translation>Entwurf · der ganze Plan folgt beim Loslassen</translation>
+    </message>
+    <message>
+        <source>Out of date · this is a draft</source>
+        <translation>Veraltet · dies ist ein Entwurf</translation>
+    </message>
+    <message>
+        <source>Out of date · this is the plan before the change</source>
+        <translation>Veraltet · Plan von vor der Änderung</translation>
+    </message>
+    <message>
+        <source>Stopped · there is no plan</source>
+        <translation>Angehalten · es gibt keinen Plan</translation>
+    </message>
+    <message numerus="yes">
+        <source>%n problem(s)</source>
+        <translation>
+            <numerusform>%n Problem</numerusform>
+            <numerusform>%n Probleme</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>There is no field yet, and no plan to export.</source>
+        <translation>Es gibt noch keinen Schlag und keinen Plan zum Exportieren.</translation>
+    </message>
+    <message>
+        <source>A field is being opened. Its plan can be exported when it is finished.</source>
+        <translation>Ein Schlag wird geöffnet. Sein Plan lässt sich exportieren, wenn er fertig ist.</translation>
+    </message>
+    <message>
+        <source>The plan is still being made. It can be exported when it is finished.</source>
+        <translation>Der Plan entsteht noch. Er lässt sich exportieren, wenn er fertig ist.</translation>
+    </message>
+    <message>
+        <source>The plan is out of date: the field, the machine or a setting was changed after it was made.</source>
+        <translation>Der Plan ist veraltet: Schlag, Maschine oder eine Einstellung wurde danach geändert.</translation>
+    </message>
+    <message>
+        <source>There is no plan to export. The message on the map says why.</source>
+        <translation>Es gibt keinen Plan zum Exportieren. Die Meldung auf der Karte sagt, warum.</translation>
     </message>
 </context>
 <context>
@@ -5925,13 +5969,6 @@
             <numerusform>%n Wendungen</numerusform>
         </translation>
     </message>
-    <message numerus="yes">
-        <source>%n not drivable</source>
-        <translation>
-            <numerusform>%n nicht fahrbar</numerusform>
-            <numerusform>%n nicht fahrbar</numerusform>
-        </translation>
-    </message>
     <message>
         <source>No usable boundary</source>
         <translation>Keine brauchbare Feldgrenze</translation>
@@ -5985,6 +6022,48 @@
         <source>Machine</source>
         <translation>Maschine</translation>
     </message>
+    <message numerus="yes">
+        <source>%n problem(s)</source>
+        <translation>
+            <numerusform>%n Problem</numerusform>
+            <numerusform>%n Probleme</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>Nothing to check yet</source>
+        <translation>Noch nichts zu prüfen</translation>
+    </message>
+    <message>
+        <source>Planning …</source>
+        <translation>Wird geplant …</translation>
+    </message>
+    <message>
+        <source>No plan</source>
+        <translation>Kein Plan</translation>
+    </message>
+    <message>
+        <source>Out of date</source>
+        <translation>Veraltet</translation>
+    </message>
+    <message>
+        <source>Plan again to check what the panels show</source>
+        <translation>Neu planen, um den jetzigen Stand zu prüfen</translation>
+    </message>
+    <message>
+        <source>No problems</source>
+        <translation>Keine Probleme</translation>
+    </message>
+    <message numerus="yes">
+        <source>%n note(s)</source>
+        <translation>
+            <numerusform>%n Hinweis</numerusform>
+            <numerusform>%n Hinweise</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>Check</source>
+        <translation>Prüfung</translation>
+    </message>
 </context>
 <context>
     <name>furrow::StickExport</name>
@@ -6016,6 +6095,14 @@
         <source>What was there before is kept as %1.</source>
         <translation>Was vorher da war, bleibt als %1 erhalten.</translation>
     </message>
+    <message>
+        <source>Writing was stopped, because the plan was changed meanwhile.</source>
+        <translation>Das Schreiben wurde angehalten, weil der Plan inzwischen geändert wurde.</translation>
+    </message>
+    <message>
+        <source>Write it again when the plan is finished.</source>
+        <translation>Noch einmal schreiben, wenn der Plan fertig ist.</translation>
+    </message>
 </context>
 <context>
     <name>ExportChecks</name>
@@ -6029,6 +6116,21 @@
             <numerusform>Die Dateien wurden auf %n Art von Fehlern durchgesehen, über die Empfänger stolpern; es gibt keinen.</numerusform>
             <numerusform>Die Dateien wurden auf %n Arten von Fehlern durchgesehen, über die Empfänger stolpern; es gibt keinen.</numerusform>
         </translation>
+    </message>
+</context>
+<context>
+    <name>PlanTitle</name>
+    <message>
+        <source>%1 wide</source>
+        <translation>%1 breit</translation>
+    </message>
+    <message>
+        <source>takes %1</source>
+        <translation>dauert %1</translation>
+    </message>
+    <message>
+        <source>planned %1</source>
+        <translation>geplant %1</translation>
     </message>
 </context>
 </TS>

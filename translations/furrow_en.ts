@@ -4,10 +4,10 @@
 <context>
     <name>ExportDialog</name>
     <message numerus="yes">
-        <source>%n place(s) in this plan cannot be driven as drawn. The files say so too.</source>
+        <source>%n problem(s) in this plan: it cannot be driven as drawn. The files say so too.</source>
         <translation>
-            <numerusform>%n place in this plan cannot be driven as drawn. The files say so too.</numerusform>
-            <numerusform>%n places in this plan cannot be driven as drawn. The files say so too.</numerusform>
+            <numerusform>%n problem in this plan: it cannot be driven as drawn. The files say so too.</numerusform>
+            <numerusform>%n problems in this plan: it cannot be driven as drawn. The files say so too.</numerusform>
         </translation>
     </message>
 </context>
@@ -95,10 +95,10 @@
         </translation>
     </message>
     <message numerus="yes">
-        <source>%1 · %n turn(s) leave the field</source>
+        <source>%n problem(s)</source>
         <translation>
-            <numerusform>%1 · %n turn leaves the field</numerusform>
-            <numerusform>%1 · %n turns leave the field</numerusform>
+            <numerusform>%n problem</numerusform>
+            <numerusform>%n problems</numerusform>
         </translation>
     </message>
 </context>
@@ -143,13 +143,6 @@
         </translation>
     </message>
     <message numerus="yes">
-        <source>%n not drivable</source>
-        <translation>
-            <numerusform>%n not drivable</numerusform>
-            <numerusform>%n not drivable</numerusform>
-        </translation>
-    </message>
-    <message numerus="yes">
         <source>%n obstacle(s)</source>
         <translation>
             <numerusform>%n obstacle</numerusform>
@@ -168,6 +161,20 @@
         <translation>
             <numerusform>%n boundary point</numerusform>
             <numerusform>%n boundary points</numerusform>
+        </translation>
+    </message>
+    <message numerus="yes">
+        <source>%n problem(s)</source>
+        <translation>
+            <numerusform>%n problem</numerusform>
+            <numerusform>%n problems</numerusform>
+        </translation>
+    </message>
+    <message numerus="yes">
+        <source>%n note(s)</source>
+        <translation>
+            <numerusform>%n note</numerusform>
+            <numerusform>%n notes</numerusform>
         </translation>
     </message>
 </context>

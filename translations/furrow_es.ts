@@ -525,13 +525,6 @@
         <source>Files in a folder</source>
         <translation>Archivos en una carpeta</translation>
     </message>
-    <message numerus="yes">
-        <source>%n place(s) in this plan cannot be driven as drawn. The files say so too.</source>
-        <translation>
-            <numerusform>%n lugar de este plan no se puede recorrer tal como está. Los archivos también lo dicen.</numerusform>
-            <numerusform>%n lugares de este plan no se pueden recorrer tal como están. Los archivos también lo dicen.</numerusform>
-        </translation>
-    </message>
     <message>
         <source>Close</source>
         <translation>Cerrar</translation>
@@ -551,6 +544,17 @@
     <message>
         <source>Write files</source>
         <translation>Escribir los archivos</translation>
+    </message>
+    <message>
+        <source>Plan again</source>
+        <translation>Planificar de nuevo</translation>
+    </message>
+    <message numerus="yes">
+        <source>%n problem(s) in this plan: it cannot be driven as drawn. The files say so too.</source>
+        <translation>
+            <numerusform>%n problema en este plan: no se puede recorrer tal como está. Los archivos también lo dicen.</numerusform>
+            <numerusform>%n problemas en este plan: no se puede recorrer tal como está. Los archivos también lo dicen.</numerusform>
+        </translation>
     </message>
 </context>
 <context>
@@ -5003,6 +5007,10 @@
         <source>Open another file…</source>
         <translation>Abrir otro archivo…</translation>
     </message>
+    <message>
+        <source>Close</source>
+        <translation>Cerrar</translation>
+    </message>
 </context>
 <context>
     <name>ProjectDialogs</name>
@@ -5090,6 +5098,14 @@
         <source>Show all %1</source>
         <translation>Mostrar los %1</translation>
     </message>
+    <message>
+        <source>Out of date: figures and findings are those of the plan before the change.</source>
+        <translation>Desactualizado: las cifras y los avisos son del plan anterior al cambio.</translation>
+    </message>
+    <message>
+        <source>Nothing was found in this plan: all of it can be driven.</source>
+        <translation>No se encontró nada en este plan: todo se puede recorrer.</translation>
+    </message>
 </context>
 <context>
     <name>ScaleBar</name>
@@ -5118,6 +5134,14 @@
     <message>
         <source>Plan again</source>
         <translation>Planificar de nuevo</translation>
+    </message>
+    <message>
+        <source>Show</source>
+        <translation>Mostrar</translation>
+    </message>
+    <message>
+        <source>Show the problems</source>
+        <translation>Mostrar los problemas</translation>
     </message>
 </context>
 <context>
@@ -5690,14 +5714,6 @@
         <translation>Planificando…</translation>
     </message>
     <message>
-        <source>Stopped · this is the plan before the change</source>
-        <translation>Detenido · este es el plan anterior al cambio</translation>
-    </message>
-    <message>
-        <source>Stopped</source>
-        <translation>Detenido</translation>
-    </message>
-    <message>
         <source>No plan</source>
         <translation>Sin plan</translation>
     </message>
@@ -5708,13 +5724,6 @@
     <message>
         <source>Plan ready · %1 s</source>
         <translation>Plan listo · %1 s</translation>
-    </message>
-    <message numerus="yes">
-        <source>%1 · %n turn(s) leave the field</source>
-        <translation>
-            <numerusform>%1 · %n giro sale de la parcela</numerusform>
-            <numerusform>%1 · %n giros salen de la parcela</numerusform>
-        </translation>
     </message>
     <message>
         <source>%1 · %2</source>
@@ -5755,12 +5764,47 @@
         <translation>Borrador · planificando…</translation>
     </message>
     <message>
-        <source>Stopped · this is a draft</source>
-        <translation>Detenido · esto es un borrador</translation>
-    </message>
-    <message>
         <source>Draft · the whole plan follows when you let go</source>
         <translation>Borrador · el plan completo llega al soltar</translation>
+    </message>
+    <message>
+        <source>Out of date · this is a draft</source>
+        <translation>Desactualizado · esto es un borrador</translation>
+    </message>
+    <message>
+        <source>Out of date · this is the plan before the change</source>
+        <translation>Desactualizado · este es el plan anterior al cambio</translation>
+    </message>
+    <message>
+        <source>Stopped · there is no plan</source>
+        <translation>Detenido · no hay plan</translation>
+    </message>
+    <message numerus="yes">
+        <source>%n problem(s)</source>
+        <translation>
+            <numerusform>%n problema</numerusform>
+            <numerusform>%n problemas</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>There is no field yet, and no plan to export.</source>
+        <translation>Todavía no hay parcela ni plan que exportar.</translation>
+    </message>
+    <message>
+        <source>A field is being opened. Its plan can be exported when it is finished.</source>
+        <translation>Se está abriendo una parcela. Su plan se podrá exportar cuando esté listo.</translation>
+    </message>
+    <message>
+        <source>The plan is still being made. It can be exported when it is finished.</source>
+        <translation>El plan todavía se está calculando. Se podrá exportar cuando esté listo.</translation>
+    </message>
+    <message>
+        <source>The plan is out of date: the field, the machine or a setting was changed after it was made.</source>
+        <translation>El plan está desactualizado: la parcela, la máquina o un ajuste cambió después.</translation>
+    </message>
+    <message>
+        <source>There is no plan to export. The message on the map says why.</source>
+        <translation>No hay plan que exportar. El mensaje en el mapa dice por qué.</translation>
     </message>
 </context>
 <context>
@@ -5925,13 +5969,6 @@
             <numerusform>%n giros</numerusform>
         </translation>
     </message>
-    <message numerus="yes">
-        <source>%n not drivable</source>
-        <translation>
-            <numerusform>%n imposible</numerusform>
-            <numerusform>%n imposibles</numerusform>
-        </translation>
-    </message>
     <message>
         <source>No usable boundary</source>
         <translation>Sin límite utilizable</translation>
@@ -5985,6 +6022,48 @@
         <source>Machine</source>
         <translation>Máquina</translation>
     </message>
+    <message numerus="yes">
+        <source>%n problem(s)</source>
+        <translation>
+            <numerusform>%n problema</numerusform>
+            <numerusform>%n problemas</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>Nothing to check yet</source>
+        <translation>Nada que comprobar todavía</translation>
+    </message>
+    <message>
+        <source>Planning …</source>
+        <translation>Planificando…</translation>
+    </message>
+    <message>
+        <source>No plan</source>
+        <translation>Sin plan</translation>
+    </message>
+    <message>
+        <source>Out of date</source>
+        <translation>Desactualizado</translation>
+    </message>
+    <message>
+        <source>Plan again to check what the panels show</source>
+        <translation>Planificar de nuevo para comprobar esto</translation>
+    </message>
+    <message>
+        <source>No problems</source>
+        <translation>Sin problemas</translation>
+    </message>
+    <message numerus="yes">
+        <source>%n note(s)</source>
+        <translation>
+            <numerusform>%n aviso</numerusform>
+            <numerusform>%n avisos</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>Check</source>
+        <translation>Comprobación</translation>
+    </message>
 </context>
 <context>
     <name>furrow::StickExport</name>
@@ -6016,6 +6095,14 @@
         <source>What was there before is kept as %1.</source>
         <translation>Lo que había antes se conserva como %1.</translation>
     </message>
+    <message>
+        <source>Writing was stopped, because the plan was changed meanwhile.</source>
+        <translation>Se detuvo la escritura porque el plan cambió mientras tanto.</translation>
+    </message>
+    <message>
+        <source>Write it again when the plan is finished.</source>
+        <translation>Escríbalo de nuevo cuando el plan esté listo.</translation>
+    </message>
 </context>
 <context>
     <name>ExportChecks</name>
@@ -6029,6 +6116,21 @@
             <numerusform>Se ha buscado en los archivos %n tipo de error con el que tropiezan los receptores; no hay ninguno.</numerusform>
             <numerusform>Se han buscado en los archivos %n tipos de errores con los que tropiezan los receptores; no hay ninguno.</numerusform>
         </translation>
+    </message>
+</context>
+<context>
+    <name>PlanTitle</name>
+    <message>
+        <source>%1 wide</source>
+        <translation>%1 de ancho</translation>
+    </message>
+    <message>
+        <source>takes %1</source>
+        <translation>dura %1</translation>
+    </message>
+    <message>
+        <source>planned %1</source>
+        <translation>planificado el %1</translation>
     </message>
 </context>
 </TS>

@@ -525,13 +525,6 @@
         <source>Files in a folder</source>
         <translation>Fichiers dans un dossier</translation>
     </message>
-    <message numerus="yes">
-        <source>%n place(s) in this plan cannot be driven as drawn. The files say so too.</source>
-        <translation>
-            <numerusform>%n endroit de ce plan n&apos;est pas praticable tel quel. Les fichiers le disent aussi.</numerusform>
-            <numerusform>%n endroits de ce plan ne sont pas praticables tels quels. Les fichiers le disent aussi.</numerusform>
-        </translation>
-    </message>
     <message>
         <source>Close</source>
         <translation>Fermer</translation>
@@ -551,6 +544,17 @@
     <message>
         <source>Write files</source>
         <translation>Écrire les fichiers</translation>
+    </message>
+    <message>
+        <source>Plan again</source>
+        <translation>Planifier à nouveau</translation>
+    </message>
+    <message numerus="yes">
+        <source>%n problem(s) in this plan: it cannot be driven as drawn. The files say so too.</source>
+        <translation>
+            <numerusform>%n problème dans ce plan : il ne peut pas être parcouru tel quel. Les fichiers le disent aussi.</numerusform>
+            <numerusform>%n problèmes dans ce plan : il ne peut pas être parcouru tel quel. Les fichiers le disent aussi.</numerusform>
+        </translation>
     </message>
 </context>
 <context>
@@ -5003,6 +5007,10 @@
         <source>Open another file…</source>
         <translation>Ouvrir un autre fichier…</translation>
     </message>
+    <message>
+        <source>Close</source>
+        <translation>Fermer</translation>
+    </message>
 </context>
 <context>
     <name>ProjectDialogs</name>
@@ -5090,6 +5098,14 @@
         <source>Show all %1</source>
         <translation>Les montrer toutes (%1)</translation>
     </message>
+    <message>
+        <source>Out of date: figures and findings are those of the plan before the change.</source>
+        <translation>Périmé : les chiffres et les remarques sont ceux du plan d&apos;avant la modification.</translation>
+    </message>
+    <message>
+        <source>Nothing was found in this plan: all of it can be driven.</source>
+        <translation>Rien n&apos;a été trouvé dans ce plan : tout peut être parcouru.</translation>
+    </message>
 </context>
 <context>
     <name>ScaleBar</name>
@@ -5118,6 +5134,14 @@
     <message>
         <source>Plan again</source>
         <translation>Planifier à nouveau</translation>
+    </message>
+    <message>
+        <source>Show</source>
+        <translation>Montrer</translation>
+    </message>
+    <message>
+        <source>Show the problems</source>
+        <translation>Montrer les problèmes</translation>
     </message>
 </context>
 <context>
@@ -5690,14 +5714,6 @@
         <translation>Planification…</translation>
     </message>
     <message>
-        <source>Stopped · this is the plan before the change</source>
-        <translation>Arrêté · plan d&apos;avant la modification</translation>
-    </message>
-    <message>
-        <source>Stopped</source>
-        <translation>Arrêté</translation>
-    </message>
-    <message>
         <source>No plan</source>
         <translation>Pas de plan</translation>
     </message>
@@ -5708,13 +5724,6 @@
     <message>
         <source>Plan ready · %1 s</source>
         <translation>Plan prêt · %1 s</translation>
-    </message>
-    <message numerus="yes">
-        <source>%1 · %n turn(s) leave the field</source>
-        <translation>
-            <numerusform>%1 · %n demi-tour sort de la parcelle</numerusform>
-            <numerusform>%1 · %n demi-tours sortent de la parcelle</numerusform>
-        </translation>
     </message>
     <message>
         <source>%1 · %2</source>
@@ -5755,12 +5764,47 @@
         <translation>Ébauche · planification…</translation>
     </message>
     <message>
-        <source>Stopped · this is a draft</source>
-        <translation>Arrêté · ceci est une ébauche</translation>
-    </message>
-    <message>
         <source>Draft · the whole plan follows when you let go</source>
         <translation>Ébauche · le plan complet suit au relâchement</translation>
+    </message>
+    <message>
+        <source>Out of date · this is a draft</source>
+        <translation>Périmé · ceci est une ébauche</translation>
+    </message>
+    <message>
+        <source>Out of date · this is the plan before the change</source>
+        <translation>Périmé · plan d&apos;avant la modification</translation>
+    </message>
+    <message>
+        <source>Stopped · there is no plan</source>
+        <translation>Arrêté · il n&apos;y a pas de plan</translation>
+    </message>
+    <message numerus="yes">
+        <source>%n problem(s)</source>
+        <translation>
+            <numerusform>%n problème</numerusform>
+            <numerusform>%n problèmes</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>There is no field yet, and no plan to export.</source>
+        <translation>Il n&apos;y a pas encore de parcelle, ni de plan à exporter.</translation>
+    </message>
+    <message>
+        <source>A field is being opened. Its plan can be exported when it is finished.</source>
+        <translation>Une parcelle est en cours d&apos;ouverture. Son plan pourra être exporté quand il sera prêt.</translation>
+    </message>
+    <message>
+        <source>The plan is still being made. It can be exported when it is finished.</source>
+        <translation>Le plan est encore en cours de calcul. Il pourra être exporté quand il sera prêt.</translation>
+    </message>
+    <message>
+        <source>The plan is out of date: the field, the machine or a setting was changed after it was made.</source>
+        <translation>Le plan est périmé : la parcelle, la machine ou un réglage a été modifié depuis.</translation>
+    </message>
+    <message>
+        <source>There is no plan to export. The message on the map says why.</source>
+        <translation>Il n&apos;y a pas de plan à exporter. Le message sur la carte dit pourquoi.</translation>
     </message>
 </context>
 <context>
@@ -5925,13 +5969,6 @@
             <numerusform>%n demi-tours</numerusform>
         </translation>
     </message>
-    <message numerus="yes">
-        <source>%n not drivable</source>
-        <translation>
-            <numerusform>%n impraticable</numerusform>
-            <numerusform>%n impraticables</numerusform>
-        </translation>
-    </message>
     <message>
         <source>No usable boundary</source>
         <translation>Pas de limite utilisable</translation>
@@ -5985,6 +6022,48 @@
         <source>Machine</source>
         <translation>Machine</translation>
     </message>
+    <message numerus="yes">
+        <source>%n problem(s)</source>
+        <translation>
+            <numerusform>%n problème</numerusform>
+            <numerusform>%n problèmes</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>Nothing to check yet</source>
+        <translation>Rien à vérifier pour l&apos;instant</translation>
+    </message>
+    <message>
+        <source>Planning …</source>
+        <translation>Planification…</translation>
+    </message>
+    <message>
+        <source>No plan</source>
+        <translation>Pas de plan</translation>
+    </message>
+    <message>
+        <source>Out of date</source>
+        <translation>Périmé</translation>
+    </message>
+    <message>
+        <source>Plan again to check what the panels show</source>
+        <translation>Planifier à nouveau pour vérifier l&apos;état actuel</translation>
+    </message>
+    <message>
+        <source>No problems</source>
+        <translation>Aucun problème</translation>
+    </message>
+    <message numerus="yes">
+        <source>%n note(s)</source>
+        <translation>
+            <numerusform>%n remarque</numerusform>
+            <numerusform>%n remarques</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>Check</source>
+        <translation>Contrôle</translation>
+    </message>
 </context>
 <context>
     <name>furrow::StickExport</name>
@@ -6016,6 +6095,14 @@
         <source>What was there before is kept as %1.</source>
         <translation>Ce qui s&apos;y trouvait est gardé sous le nom %1.</translation>
     </message>
+    <message>
+        <source>Writing was stopped, because the plan was changed meanwhile.</source>
+        <translation>L&apos;écriture a été arrêtée, car le plan a été modifié entre-temps.</translation>
+    </message>
+    <message>
+        <source>Write it again when the plan is finished.</source>
+        <translation>Écrivez-le à nouveau quand le plan sera prêt.</translation>
+    </message>
 </context>
 <context>
     <name>ExportChecks</name>
@@ -6029,6 +6116,21 @@
             <numerusform>Les fichiers ont été examinés pour %n type d’erreur sur laquelle butent les récepteurs ; il n’y en a pas.</numerusform>
             <numerusform>Les fichiers ont été examinés pour %n types d’erreurs sur lesquelles butent les récepteurs ; il n’y en a pas.</numerusform>
         </translation>
+    </message>
+</context>
+<context>
+    <name>PlanTitle</name>
+    <message>
+        <source>%1 wide</source>
+        <translation>%1 de large</translation>
+    </message>
+    <message>
+        <source>takes %1</source>
+        <translation>durée %1</translation>
+    </message>
+    <message>
+        <source>planned %1</source>
+        <translation>planifié le %1</translation>
     </message>
 </context>
 </TS>

@@ -525,13 +525,6 @@
         <source>Files in a folder</source>
         <translation>Bestanden in een map</translation>
     </message>
-    <message numerus="yes">
-        <source>%n place(s) in this plan cannot be driven as drawn. The files say so too.</source>
-        <translation>
-            <numerusform>%n plek in dit plan is zo niet te rijden. Dat staat ook in de bestanden.</numerusform>
-            <numerusform>%n plekken in dit plan zijn zo niet te rijden. Dat staat ook in de bestanden.</numerusform>
-        </translation>
-    </message>
     <message>
         <source>Close</source>
         <translation>Sluiten</translation>
@@ -551,6 +544,17 @@
     <message>
         <source>Write files</source>
         <translation>Bestanden schrijven</translation>
+    </message>
+    <message>
+        <source>Plan again</source>
+        <translation>Opnieuw plannen</translation>
+    </message>
+    <message numerus="yes">
+        <source>%n problem(s) in this plan: it cannot be driven as drawn. The files say so too.</source>
+        <translation>
+            <numerusform>%n probleem in dit plan: zo kan het niet worden gereden. Dat staat ook in de bestanden.</numerusform>
+            <numerusform>%n problemen in dit plan: zo kan het niet worden gereden. Dat staat ook in de bestanden.</numerusform>
+        </translation>
     </message>
 </context>
 <context>
@@ -5003,6 +5007,10 @@
         <source>Open another file…</source>
         <translation>Ander bestand openen…</translation>
     </message>
+    <message>
+        <source>Close</source>
+        <translation>Sluiten</translation>
+    </message>
 </context>
 <context>
     <name>ProjectDialogs</name>
@@ -5090,6 +5098,14 @@
         <source>Show all %1</source>
         <translation>Alle %1 tonen</translation>
     </message>
+    <message>
+        <source>Out of date: figures and findings are those of the plan before the change.</source>
+        <translation>Verouderd: cijfers en bevindingen horen bij het plan van vóór de wijziging.</translation>
+    </message>
+    <message>
+        <source>Nothing was found in this plan: all of it can be driven.</source>
+        <translation>In dit plan is niets gevonden: alles kan worden gereden.</translation>
+    </message>
 </context>
 <context>
     <name>ScaleBar</name>
@@ -5118,6 +5134,14 @@
     <message>
         <source>Plan again</source>
         <translation>Opnieuw plannen</translation>
+    </message>
+    <message>
+        <source>Show</source>
+        <translation>Tonen</translation>
+    </message>
+    <message>
+        <source>Show the problems</source>
+        <translation>De problemen tonen</translation>
     </message>
 </context>
 <context>
@@ -5690,14 +5714,6 @@
         <translation>Bezig met plannen…</translation>
     </message>
     <message>
-        <source>Stopped · this is the plan before the change</source>
-        <translation>Gestopt · dit is het plan van vóór de wijziging</translation>
-    </message>
-    <message>
-        <source>Stopped</source>
-        <translation>Gestopt</translation>
-    </message>
-    <message>
         <source>No plan</source>
         <translation>Geen plan</translation>
     </message>
@@ -5708,13 +5724,6 @@
     <message>
         <source>Plan ready · %1 s</source>
         <translation>Plan klaar · %1 s</translation>
-    </message>
-    <message numerus="yes">
-        <source>%1 · %n turn(s) leave the field</source>
-        <translation>
-            <numerusform>%1 · %n draai komt buiten het perceel</numerusform>
-            <numerusform>%1 · %n draaien komen buiten het perceel</numerusform>
-        </translation>
     </message>
     <message>
         <source>%1 · %2</source>
@@ -5755,12 +5764,47 @@
         <translation>Concept · bezig met plannen…</translation>
     </message>
     <message>
-        <source>Stopped · this is a draft</source>
-        <translation>Gestopt · dit is een concept</translation>
-    </message>
-    <message>
         <source>Draft · the whole plan follows when you let go</source>
         <translation>Concept · het hele plan volgt bij het loslaten</translation>
+    </message>
+    <message>
+        <source>Out of date · this is a draft</source>
+        <translation>Verouderd · dit is een concept</translation>
+    </message>
+    <message>
+        <source>Out of date · this is the plan before the change</source>
+        <translation>Verouderd · dit is het plan van vóór de wijziging</translation>
+    </message>
+    <message>
+        <source>Stopped · there is no plan</source>
+        <translation>Gestopt · er is geen plan</translation>
+    </message>
+    <message numerus="yes">
+        <source>%n problem(s)</source>
+        <translation>
+            <numerusform>%n probleem</numerusform>
+            <numerusform>%n problemen</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>There is no field yet, and no plan to export.</source>
+        <translation>Er is nog geen perceel en geen plan om te exporteren.</translation>
+    </message>
+    <message>
+        <source>A field is being opened. Its plan can be exported when it is finished.</source>
+        <translation>Er wordt een perceel geopend. Het plan kan worden geëxporteerd als het klaar is.</translation>
+    </message>
+    <message>
+        <source>The plan is still being made. It can be exported when it is finished.</source>
+        <translation>Het plan wordt nog gemaakt. Het kan worden geëxporteerd als het klaar is.</translation>
+    </message>
+    <message>
+        <source>The plan is out of date: the field, the machine or a setting was changed after it was made.</source>
+        <translation>Het plan is verouderd: het perceel, de machine of een instelling is daarna gewijzigd.</translation>
+    </message>
+    <message>
+        <source>There is no plan to export. The message on the map says why.</source>
+        <translation>Er is geen plan om te exporteren. De melding op de kaart zegt waarom.</translation>
     </message>
 </context>
 <context>
@@ -5925,13 +5969,6 @@
             <numerusform>%n draaien</numerusform>
         </translation>
     </message>
-    <message numerus="yes">
-        <source>%n not drivable</source>
-        <translation>
-            <numerusform>%n niet te rijden</numerusform>
-            <numerusform>%n niet te rijden</numerusform>
-        </translation>
-    </message>
     <message>
         <source>No usable boundary</source>
         <translation>Geen bruikbare perceelsgrens</translation>
@@ -5985,6 +6022,48 @@
         <source>Machine</source>
         <translation>Machine</translation>
     </message>
+    <message numerus="yes">
+        <source>%n problem(s)</source>
+        <translation>
+            <numerusform>%n probleem</numerusform>
+            <numerusform>%n problemen</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>Nothing to check yet</source>
+        <translation>Nog niets te controleren</translation>
+    </message>
+    <message>
+        <source>Planning …</source>
+        <translation>Bezig met plannen…</translation>
+    </message>
+    <message>
+        <source>No plan</source>
+        <translation>Geen plan</translation>
+    </message>
+    <message>
+        <source>Out of date</source>
+        <translation>Verouderd</translation>
+    </message>
+    <message>
+        <source>Plan again to check what the panels show</source>
+        <translation>Opnieuw plannen om dit te controleren</translation>
+    </message>
+    <message>
+        <source>No problems</source>
+        <translation>Geen problemen</translation>
+    </message>
+    <message numerus="yes">
+        <source>%n note(s)</source>
+        <translation>
+            <numerusform>%n opmerking</numerusform>
+            <numerusform>%n opmerkingen</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>Check</source>
+        <translation>Controle</translation>
+    </message>
 </context>
 <context>
     <name>furrow::StickExport</name>
@@ -6016,6 +6095,14 @@
         <source>What was there before is kept as %1.</source>
         <translation>Wat er eerst stond, blijft bewaard als %1.</translation>
     </message>
+    <message>
+        <source>Writing was stopped, because the plan was changed meanwhile.</source>
+        <translation>Het schrijven is gestopt, omdat het plan intussen is gewijzigd.</translation>
+    </message>
+    <message>
+        <source>Write it again when the plan is finished.</source>
+        <translation>Schrijf het opnieuw als het plan klaar is.</translation>
+    </message>
 </context>
 <context>
     <name>ExportChecks</name>
@@ -6029,6 +6116,21 @@
             <numerusform>De bestanden zijn nagekeken op %n soort fout waarover ontvangers struikelen; er is er geen.</numerusform>
             <numerusform>De bestanden zijn nagekeken op %n soorten fouten waarover ontvangers struikelen; er is er geen.</numerusform>
         </translation>
+    </message>
+</context>
+<context>
+    <name>PlanTitle</name>
+    <message>
+        <source>%1 wide</source>
+        <translation>%1 breed</translation>
+    </message>
+    <message>
+        <source>takes %1</source>
+        <translation>duurt %1</translation>
+    </message>
+    <message>
+        <source>planned %1</source>
+        <translation>gepland %1</translation>
     </message>
 </context>
 </TS>

@@ -525,13 +525,6 @@
         <source>Files in a folder</source>
         <translation>Arquivos em uma pasta</translation>
     </message>
-    <message numerus="yes">
-        <source>%n place(s) in this plan cannot be driven as drawn. The files say so too.</source>
-        <translation>
-            <numerusform>%n lugar deste plano não pode ser percorrido como está. Os arquivos também dizem isso.</numerusform>
-            <numerusform>%n lugares deste plano não podem ser percorridos como estão. Os arquivos também dizem isso.</numerusform>
-        </translation>
-    </message>
     <message>
         <source>Close</source>
         <translation>Fechar</translation>
@@ -551,6 +544,17 @@
     <message>
         <source>Write files</source>
         <translation>Gravar os arquivos</translation>
+    </message>
+    <message>
+        <source>Plan again</source>
+        <translation>Planejar de novo</translation>
+    </message>
+    <message numerus="yes">
+        <source>%n problem(s) in this plan: it cannot be driven as drawn. The files say so too.</source>
+        <translation>
+            <numerusform>%n problema neste plano: ele não pode ser percorrido como está. Os arquivos também dizem isso.</numerusform>
+            <numerusform>%n problemas neste plano: ele não pode ser percorrido como está. Os arquivos também dizem isso.</numerusform>
+        </translation>
     </message>
 </context>
 <context>
@@ -5003,6 +5007,10 @@
         <source>Open another file…</source>
         <translation>Abrir outro arquivo…</translation>
     </message>
+    <message>
+        <source>Close</source>
+        <translation>Fechar</translation>
+    </message>
 </context>
 <context>
     <name>ProjectDialogs</name>
@@ -5090,6 +5098,14 @@
         <source>Show all %1</source>
         <translation>Mostrar todos os %1</translation>
     </message>
+    <message>
+        <source>Out of date: figures and findings are those of the plan before the change.</source>
+        <translation>Desatualizado: os números e os avisos são do plano anterior à alteração.</translation>
+    </message>
+    <message>
+        <source>Nothing was found in this plan: all of it can be driven.</source>
+        <translation>Nada foi encontrado neste plano: tudo pode ser percorrido.</translation>
+    </message>
 </context>
 <context>
     <name>ScaleBar</name>
@@ -5118,6 +5134,14 @@
     <message>
         <source>Plan again</source>
         <translation>Planejar de novo</translation>
+    </message>
+    <message>
+        <source>Show</source>
+        <translation>Mostrar</translation>
+    </message>
+    <message>
+        <source>Show the problems</source>
+        <translation>Mostrar os problemas</translation>
     </message>
 </context>
 <context>
@@ -5690,14 +5714,6 @@
         <translation>Planejando…</translation>
     </message>
     <message>
-        <source>Stopped · this is the plan before the change</source>
-        <translation>Parado · este é o plano anterior à alteração</translation>
-    </message>
-    <message>
-        <source>Stopped</source>
-        <translation>Parado</translation>
-    </message>
-    <message>
         <source>No plan</source>
         <translation>Sem plano</translation>
     </message>
@@ -5708,13 +5724,6 @@
     <message>
         <source>Plan ready · %1 s</source>
         <translation>Plano pronto · %1 s</translation>
-    </message>
-    <message numerus="yes">
-        <source>%1 · %n turn(s) leave the field</source>
-        <translation>
-            <numerusform>%1 · %n manobra sai do talhão</numerusform>
-            <numerusform>%1 · %n manobras saem do talhão</numerusform>
-        </translation>
     </message>
     <message>
         <source>%1 · %2</source>
@@ -5755,12 +5764,47 @@
         <translation>Rascunho · planejando…</translation>
     </message>
     <message>
-        <source>Stopped · this is a draft</source>
-        <translation>Parado · isto é um rascunho</translation>
-    </message>
-    <message>
         <source>Draft · the whole plan follows when you let go</source>
         <translation>Rascunho · o plano completo vem ao soltar</translation>
+    </message>
+    <message>
+        <source>Out of date · this is a draft</source>
+        <translation>Desatualizado · este é um rascunho</translation>
+    </message>
+    <message>
+        <source>Out of date · this is the plan before the change</source>
+        <translation>Desatualizado · este é o plano anterior à alteração</translation>
+    </message>
+    <message>
+        <source>Stopped · there is no plan</source>
+        <translation>Parado · não há plano</translation>
+    </message>
+    <message numerus="yes">
+        <source>%n problem(s)</source>
+        <translation>
+            <numerusform>%n problema</numerusform>
+            <numerusform>%n problemas</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>There is no field yet, and no plan to export.</source>
+        <translation>Ainda não há talhão nem plano para exportar.</translation>
+    </message>
+    <message>
+        <source>A field is being opened. Its plan can be exported when it is finished.</source>
+        <translation>Um talhão está sendo aberto. O plano poderá ser exportado quando estiver pronto.</translation>
+    </message>
+    <message>
+        <source>The plan is still being made. It can be exported when it is finished.</source>
+        <translation>O plano ainda está sendo calculado. Poderá ser exportado quando estiver pronto.</translation>
+    </message>
+    <message>
+        <source>The plan is out of date: the field, the machine or a setting was changed after it was made.</source>
+        <translation>O plano está desatualizado: o talhão, a máquina ou uma configuração mudou depois.</translation>
+    </message>
+    <message>
+        <source>There is no plan to export. The message on the map says why.</source>
+        <translation>Não há plano para exportar. A mensagem no mapa diz por quê.</translation>
     </message>
 </context>
 <context>
@@ -5925,13 +5969,6 @@
             <numerusform>%n manobras</numerusform>
         </translation>
     </message>
-    <message numerus="yes">
-        <source>%n not drivable</source>
-        <translation>
-            <numerusform>%n impossível</numerusform>
-            <numerusform>%n impossíveis</numerusform>
-        </translation>
-    </message>
     <message>
         <source>No usable boundary</source>
         <translation>Sem limite utilizável</translation>
@@ -5985,6 +6022,48 @@
         <source>Machine</source>
         <translation>Máquina</translation>
     </message>
+    <message numerus="yes">
+        <source>%n problem(s)</source>
+        <translation>
+            <numerusform>%n problema</numerusform>
+            <numerusform>%n problemas</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>Nothing to check yet</source>
+        <translation>Nada para verificar ainda</translation>
+    </message>
+    <message>
+        <source>Planning …</source>
+        <translation>Planejando…</translation>
+    </message>
+    <message>
+        <source>No plan</source>
+        <translation>Sem plano</translation>
+    </message>
+    <message>
+        <source>Out of date</source>
+        <translation>Desatualizado</translation>
+    </message>
+    <message>
+        <source>Plan again to check what the panels show</source>
+        <translation>Planejar de novo para verificar isto</translation>
+    </message>
+    <message>
+        <source>No problems</source>
+        <translation>Sem problemas</translation>
+    </message>
+    <message numerus="yes">
+        <source>%n note(s)</source>
+        <translation>
+            <numerusform>%n aviso</numerusform>
+            <numerusform>%n avisos</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>Check</source>
+        <translation>Verificação</translation>
+    </message>
 </context>
 <context>
     <name>furrow::StickExport</name>
@@ -6016,6 +6095,14 @@
         <source>What was there before is kept as %1.</source>
         <translation>O que havia antes fica guardado como %1.</translation>
     </message>
+    <message>
+        <source>Writing was stopped, because the plan was changed meanwhile.</source>
+        <translation>A gravação foi interrompida porque o plano mudou nesse meio-tempo.</translation>
+    </message>
+    <message>
+        <source>Write it again when the plan is finished.</source>
+        <translation>Grave de novo quando o plano estiver pronto.</translation>
+    </message>
 </context>
 <context>
     <name>ExportChecks</name>
@@ -6029,6 +6116,21 @@
             <numerusform>Os arquivos foram examinados quanto a %n tipo de erro em que os receptores tropeçam; não há nenhum.</numerusform>
             <numerusform>Os arquivos foram examinados quanto a %n tipos de erros em que os receptores tropeçam; não há nenhum.</numerusform>
         </translation>
+    </message>
+</context>
+<context>
+    <name>PlanTitle</name>
+    <message>
+        <source>%1 wide</source>
+        <translation>%1 de largura</translation>
+    </message>
+    <message>
+        <source>takes %1</source>
+        <translation>leva %1</translation>
+    </message>
+    <message>
+        <source>planned %1</source>
+        <translation>planejado em %1</translation>
     </message>
 </context>
 </TS>

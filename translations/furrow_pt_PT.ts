@@ -65,13 +65,6 @@
         <source>Files in a folder</source>
         <translation>Ficheiros em uma pasta</translation>
     </message>
-    <message numerus="yes">
-        <source>%n place(s) in this plan cannot be driven as drawn. The files say so too.</source>
-        <translation>
-            <numerusform>%n lugar deste plano não pode ser percorrido como está. Os ficheiros também dizem isso.</numerusform>
-            <numerusform>%n lugares deste plano não podem ser percorridos como estão. Os ficheiros também dizem isso.</numerusform>
-        </translation>
-    </message>
     <message>
         <source>Writing …</source>
         <translation>A gravar…</translation>
@@ -83,6 +76,17 @@
     <message>
         <source>Write files</source>
         <translation>Gravar os ficheiros</translation>
+    </message>
+    <message>
+        <source>Plan again</source>
+        <translation>Planear de novo</translation>
+    </message>
+    <message numerus="yes">
+        <source>%n problem(s) in this plan: it cannot be driven as drawn. The files say so too.</source>
+        <translation>
+            <numerusform>%n problema neste plano: não pode ser percorrido como está. Os ficheiros também dizem isso.</numerusform>
+            <numerusform>%n problemas neste plano: não pode ser percorrido como está. Os ficheiros também dizem isso.</numerusform>
+        </translation>
     </message>
 </context>
 <context>
@@ -896,6 +900,14 @@
         <source>Draft · planning …</source>
         <translation>Rascunho · a planear…</translation>
     </message>
+    <message>
+        <source>A field is being opened. Its plan can be exported when it is finished.</source>
+        <translation>Um talhão está a ser aberto. O plano poderá ser exportado quando estiver pronto.</translation>
+    </message>
+    <message>
+        <source>The plan is still being made. It can be exported when it is finished.</source>
+        <translation>O plano ainda está a ser calculado. Poderá ser exportado quando estiver pronto.</translation>
+    </message>
 </context>
 <context>
     <name>furrow::ProjectFiles</name>
@@ -929,6 +941,14 @@
     <message>
         <source>Open a file or draw a boundary</source>
         <translation>Abra um ficheiro ou desenhe um limite</translation>
+    </message>
+    <message>
+        <source>Planning …</source>
+        <translation>A planear…</translation>
+    </message>
+    <message>
+        <source>Plan again to check what the panels show</source>
+        <translation>Planear de novo para verificar isto</translation>
     </message>
 </context>
 <context>
@@ -1011,6 +1031,13 @@
             <numerusform>Os ficheiros foram examinados quanto a %n tipo de erro em que os recetores tropeçam; não há nenhum.</numerusform>
             <numerusform>Os ficheiros foram examinados quanto a %n tipos de erros em que os recetores tropeçam; não há nenhum.</numerusform>
         </translation>
+    </message>
+</context>
+<context>
+    <name>PlanTitle</name>
+    <message>
+        <source>planned %1</source>
+        <translation>planeado em %1</translation>
     </message>
 </context>
 </TS>

@@ -36,14 +36,21 @@ ExportModel::ExportModel(QObject* parent) : QAbstractListModel{parent} {
     }
     connect(&Display::instance(), &Display::changed, this, [this] {
         emit dataChanged(index(0), index(rowCount() - 1));
+        emit planChanged();
         emit stateChanged();
     });
 }
 
-void ExportModel::setPlan(std::shared_ptr<const Plan> plan) {
-    plan_ = std::move(plan);
-    stick_.setPlan(plan_);
-    if (state_ == State::Done || state_ == State::Failed) {
+void ExportModel::setPlan(const PlanTitle& title, const Said& refusal) {
+    const bool otherPlan = title.plan != title_.plan;
+    title_ = title;
+    refusal_ = refusal;
+    emit planChanged();
+    stick_.setPlan(title);
+    if (otherPlan && state_ == State::Writing) {
+        runner_.cancel();
+        setState(State::Failed, stoppedText, stoppedRemedy);
+    } else if (otherPlan && state_ == State::Done) {
         clear();
     }
 }
@@ -78,7 +85,7 @@ void ExportModel::setChecked(int row, bool checked) {
 }
 
 QString ExportModel::suggestedFolder() const {
-    QString name = plan_ ? fromStd(plan_->field().name()).simplified() : QString{};
+    QString name = title_ ? fromStd(title_.plan->field().name()).simplified() : QString{};
     static const QRegularExpression unsafe{QStringLiteral(R"([\\/:*?"<>|])")};
     name.replace(unsafe, QStringLiteral("_"));
     return QDir{QStandardPaths::writableLocation(QStandardPaths::DocumentsLocation)}.filePath(
@@ -86,7 +93,7 @@ QString ExportModel::suggestedFolder() const {
 }
 
 void ExportModel::writeTo(const QString& folder) {
-    if (!plan_ || folder.trimmed().isEmpty()) {
+    if (!title_ || folder.trimmed().isEmpty() || state_ == State::Writing) {
         return;
     }
     std::vector<std::string_view> ids;
@@ -97,10 +104,11 @@ void ExportModel::writeTo(const QString& folder) {
     }
     setState(State::Writing, [] { return tr("Writing …"); });
     const std::filesystem::path path{QDir::cleanPath(folder.trimmed()).toStdU16String()};
-    runner_.submit([this, plan = plan_, path, ids](const JobContext& job) -> JobRunner::Delivery {
-        auto written = writePlanFolder(*plan, path, ids, job);
-        return [this, written = std::move(written), path] {
+    runner_.submit([this, title = title_, path, ids](const JobContext& job) -> JobRunner::Delivery {
+        auto written = writePlanFolder(*title.plan, path, ids, job);
+        return [this, title, written = std::move(written), path] {
             if (written) {
+                written_ = title;
                 notes_ = written->notes;
                 checks_ = written->checks;
                 setState(State::Done, [count = static_cast<int>(written->files.size()),
@@ -118,6 +126,7 @@ void ExportModel::writeTo(const QString& folder) {
 }
 
 void ExportModel::clear() {
+    written_ = {};
     notes_.clear();
     checks_ = {};
     setState(State::Idle);

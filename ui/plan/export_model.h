@@ -1,8 +1,8 @@
 #pragma once
 
 #include "planner/io/export_job.h"
-#include "planner/plan/plan.h"
 #include "ui/jobs/job_runner.h"
+#include "ui/plan/plan_title.h"
 #include "ui/plan/stick_export.h"
 #include "ui/text/message_text.h"
 
@@ -17,9 +17,16 @@ class ExportModel : public QAbstractListModel {
     Q_OBJECT
     QML_ELEMENT
     QML_UNCREATABLE("belongs to a session")
+    /// Which plan would be written; empty for none.
+    Q_PROPERTY(QString heading READ heading NOTIFY planChanged FINAL)
+    Q_PROPERTY(QString details READ details NOTIFY planChanged FINAL)
+    /// Why nothing can be written; empty where it can.
+    Q_PROPERTY(QString refusal READ refusal NOTIFY planChanged FINAL)
     Q_PROPERTY(State state READ state NOTIFY stateChanged FINAL)
     Q_PROPERTY(QString message READ message NOTIFY stateChanged FINAL)
     Q_PROPERTY(QString remedy READ remedy NOTIFY stateChanged FINAL)
+    /// Which plan was written.
+    Q_PROPERTY(QString written READ written NOTIFY stateChanged FINAL)
     /// What the receivers of the written files should know.
     Q_PROPERTY(QStringList notes READ notes NOTIFY stateChanged FINAL)
     /// What receivers would stumble over in the written files, and how much was looked at.
@@ -35,12 +42,16 @@ public:
 
     explicit ExportModel(QObject* parent = nullptr);
 
-    /// What is to be written; null for nothing.
-    void setPlan(std::shared_ptr<const Plan> plan);
+    /// What is to be written; null for nothing, with the reason. What was being written of another plan is stopped.
+    void setPlan(const PlanTitle& title, const Said& refusal);
 
+    QString heading() const { return title_.heading(); }
+    QString details() const { return title_.details(); }
+    QString refusal() const { return text(refusal_); }
     State state() const { return state_; }
     QString message() const { return text(message_); }
     QString remedy() const { return text(remedy_); }
+    QString written() const { return written_.whole(); }
     QStringList notes() const { return sentences(notes_); }
     QStringList problems() const { return sentences(checks_.problems); }
     int checks() const { return static_cast<int>(checks_.made.size()); }
@@ -54,18 +65,21 @@ public:
     /// A folder that suits the plan, in the user's documents.
     Q_INVOKABLE QString suggestedFolder() const;
     Q_INVOKABLE QString pathOf(const QUrl& url) const { return url.toLocalFile(); }
-    /// Writes in the background; the folder is made where it does not exist.
+    /// Writes in the background; the folder is made where it does not exist. Nothing where `refusal` says why.
     Q_INVOKABLE void writeTo(const QString& folder);
     /// Forgets the last result.
     Q_INVOKABLE void clear();
 
 signals:
+    void planChanged();
     void stateChanged();
 
 private:
     void setState(State state, Said message = {}, Said remedy = {});
 
-    std::shared_ptr<const Plan> plan_;
+    PlanTitle title_;
+    Said refusal_;
+    PlanTitle written_;
     std::vector<bool> checked_;
     State state_ = State::Idle;
     Said message_;

@@ -80,6 +80,11 @@ QString FarmModel::season() const {
     return fromStd(document_.project()->plan().season);
 }
 
+QString FarmModel::ownName() const {
+    const FieldPlan& plan = document_.project()->plan();
+    return plan.name.empty() ? fromStd(plan.season) : nameOf(plan);
+}
+
 void FarmModel::renameField(const QString& name) {
     if (!name.trimmed().isEmpty()) {
         document_.change([] { return tr("Rename the field"); }, withFieldName(*document_.project(), name.trimmed().toStdString()));

@@ -36,6 +36,8 @@ public:
     void setCurrentPlan(int index);
     QString planName() const;
     QString season() const;
+    /// Name and season of the current plan as the user gave them; empty where neither was given.
+    QString ownName() const;
 
     Q_INVOKABLE void renameField(const QString& name);
     Q_INVOKABLE void removeField();

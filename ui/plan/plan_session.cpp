@@ -1,10 +1,6 @@
 #include "ui/plan/plan_session.h"
 
-#include "planner/imagery/imagery.h"
 #include "planner/io/boundary_import.h"
-#include "planner/io/file_folder.h"
-#include "planner/io/guide_import.h"
-#include "planner/plan/draft.h"
 #include "planner/plan/method_registry.h"
 #include "planner/project/project_edits.h"
 #include "planner/settings/operation.h"
@@ -13,9 +9,7 @@
 #include "ui/text/unit_text.h"
 
 #include <QDir>
-#include <QFile>
 #include <QFileInfo>
-#include <QTemporaryDir>
 
 #include <algorithm>
 #include <array>
@@ -32,43 +26,6 @@ constexpr std::array<std::pair<std::string_view, std::string_view>, 2> kExclusiv
 
 std::vector<QGeoCoordinate> placesOf(const PlanDrawing& drawing) {
     return drawing.isEmpty() ? std::vector<QGeoCoordinate>{} : drawing.geometry()->findingPlaces;
-}
-
-Error noSuchField(const QString& path) {
-    return {.code = ErrorCode::ReadFailed,
-            .what = "the sample field cannot be read",
-            .where = path.toStdString(),
-            .remedy = "open a file of your own"};
-}
-
-/// What a file is: its extension says so where it is ours, otherwise how it begins.
-bool holdsProject(const QString& path) {
-    if (path.endsWith(QLatin1String{kProjectExtension}, Qt::CaseInsensitive)) {
-        return true;
-    }
-    const auto start = fileStart(path.toStdU16String(), 4096);
-    return start && isProject(*start);
-}
-
-/// As repaired, so that what is edited is what is planned with; as it is where that fails and the map shows why.
-FieldSource repaired(FieldSource source, const JobContext& job) {
-    const auto field = Field::create(source, job);
-    if (!field) {
-        return source;
-    }
-    FieldSource mended = field->source();
-    mended.repairs = field->repairs();
-    return mended;
-}
-
-Result<std::vector<FieldSource>> boundariesIn(const QString& path, const JobContext& job) {
-    if (!path.startsWith(QLatin1Char(':'))) {
-        return readBoundaries(path.toStdU16String(), job);
-    }
-    // The library that reads boundaries knows nothing of resources.
-    const QTemporaryDir folder;
-    const QString copy = folder.filePath(QFileInfo{path}.fileName());
-    return QFile::copy(path, copy) ? readBoundaries(copy.toStdU16String(), job) : std::unexpected(noSuchField(path));
 }
 
 }  // namespace
@@ -99,6 +56,7 @@ PlanSession::PlanSession(QObject* parent) : QObject{parent}, samples_{sampleFiel
         updateState();
     });
     showModels();
+    updateState();
 }
 
 void PlanSession::keepIn(const QString& folder) {
@@ -125,24 +83,24 @@ QString PlanSession::statusText() const {
         case State::Empty: return {};
         case State::Reading: return tr("Reading %1 …").arg(readingName_);
         case State::Choosing: return tr("%n field(s) in this file", nullptr, choices_.count());
-        case State::Planning: return isDraft() ? tr("Draft · planning …") : tr("Planning …");
-        case State::Stopped:
-            return isDraft() ? tr("Stopped · this is a draft")
-                   : plan_   ? tr("Stopped · this is the plan before the change")
-                             : tr("Stopped");
+        case State::Planning:
+            return !isDraft()                    ? tr("Planning …")
+                   : draftAsked_ && !isSlow() ? tr("Draft · the whole plan follows when you let go")
+                                                 : tr("Draft · planning …");
+        case State::OutOfDate:
+            return isDraft() ? tr("Out of date · this is a draft")
+                   : plan_   ? tr("Out of date · this is the plan before the change")
+                             : tr("Stopped · there is no plan");
         case State::Failed: return tr("No plan");
+        case State::Problems:
+            return tr("%1 · %2").arg(tr("%n problem(s)", nullptr, findings_.blockingCount()), durationText(plan_->path.duration()));
         case State::Ready: break;
-    }
-    if (isDraft()) {
-        return tr("Draft · the whole plan follows when you let go");
     }
     const double milliseconds = plan_->timings.total.si() * 1e3;
     const QString ready = milliseconds < 1e3
                               ? tr("Plan ready · %1 ms").arg(numberText(milliseconds, milliseconds < 10.0 ? 1 : 0))
                               : tr("Plan ready · %1 s").arg(numberText(1e-3 * milliseconds, 1));
-    const int undrivable = plan_->path.undrivableCount();
-    return undrivable > 0 ? tr("%1 · %n turn(s) leave the field", nullptr, undrivable).arg(ready)
-                          : tr("%1 · %2").arg(ready, durationText(plan_->path.duration()));
+    return tr("%1 · %2").arg(ready, durationText(plan_->path.duration()));
 }
 
 QString PlanSession::problem() const {
@@ -169,43 +127,10 @@ QGeoCoordinate PlanSession::problemPlace() const {
     return error_ && error_->place ? coordinate(*error_->place) : QGeoCoordinate{};
 }
 
-PlanSession::Reading PlanSession::read(const QStringList& paths, const QString& fieldId, const JobContext& job) {
-    Reading reading;
-    for (const QString& path : paths) {
-        if (!path.startsWith(QLatin1Char(':')) && holdsProject(path)) {
-            auto project = readProject(path.toStdU16String());
-            if (!project) {
-                reading.error = project.error();
-                return reading;
-            }
-            reading.project = {path, std::move(*project)};
-            continue;
-        }
-        if (!path.startsWith(QLatin1Char(':')) && isImagery(path.toStdU16String())) {
-            reading.imagery << path;
-            continue;
-        }
-        auto fields = boundariesIn(path, job);
-        if (fields && !fieldId.isEmpty()) {
-            fields = pickField(*fields, fieldId.toStdString()).transform([](FieldSource field) {
-                return std::vector{std::move(field)};
-            });
-        }
-        if (!fields) {
-            reading.error = fields.error();
-            return reading;
-        }
-        for (FieldSource& field : *fields) {
-            reading.fields.push_back(repaired(std::move(field), job));
-        }
-    }
-    return reading;
-}
-
 void PlanSession::read(const QStringList& paths, const QString& fieldId) {
     readingName_ = paths.size() == 1 ? QFileInfo{paths.front()}.fileName() : tr("%n file(s)", nullptr, static_cast<int>(paths.size()));
     reader_.submit([this, paths, fieldId](const JobContext& job) -> JobRunner::Delivery {
-        Reading reading = read(paths, fieldId, job);
+        Reading reading = readFiles(paths, fieldId, job);
         return [this, reading = std::move(reading), choose = paths.size() == 1]() mutable {
             take(std::move(reading), choose);
         };
@@ -306,12 +231,19 @@ void PlanSession::cancel() {
     reader_.cancel();
     planner_.cancel();
     draftAsked_ = false;
+    again_ = false;
     stopped_ = source_ != nullptr;
     updateState();
 }
 
 void PlanSession::planAgain() {
+    again_ = source_ != nullptr;
     requestPlan(JobRunner::Replace::Now);
+}
+
+void PlanSession::dismissProblem() {
+    error_.reset();
+    updateState();
 }
 
 void PlanSession::closeField() {
@@ -319,30 +251,6 @@ void PlanSession::closeField() {
     error_.reset();
     files_.begin();
     updateState();
-}
-
-PlanSession::Outcome PlanSession::planned(const Source& source, std::shared_ptr<const Field> field,
-                                          const Machine& machine, const Settings& settings, bool draft, const Plan* before,
-                                          const JobContext& job) {
-    if (!field) {
-        auto made = Field::create(*source, job.part(0.0, 0.1));
-        if (!made) {
-            return {.source = source, .field = {}, .plan = {},
-                    .drawing = PlanDrawing{outlineGeometry(*source, made.error().place)}, .error = made.error()};
-        }
-        field = std::make_shared<const Field>(std::move(*made));
-    }
-    const auto plan = readGuides(settings, *field, job).and_then([&](std::shared_ptr<const GuideData> guides) {
-        PlanRequest request{.field = field, .machine = machine, .settings = settings, .guides = std::move(guides)};
-        return makePlan(draft ? draftOf(std::move(request), before) : request, job.part(0.1, 0.95));
-    });
-    if (!plan) {
-        return {.source = source, .field = field, .plan = {},
-                .drawing = PlanDrawing{fieldGeometry(*field, plan.error().place)}, .error = plan.error()};
-    }
-    PlanDrawing drawing{planGeometry(**plan)};
-    job.report(1.0);
-    return {.source = source, .field = std::move(field), .plan = *plan, .drawing = std::move(drawing), .error = {}};
 }
 
 void PlanSession::followDocument() {
@@ -373,18 +281,19 @@ void PlanSession::followDocument() {
         drawnSource_ = source_;
         error_.reset();
         stopped_ = false;
-        exporter_.setPlan(nullptr);
+        again_ = false;
         emit planChanged();
         emit drawingChanged();
     }
     if (otherField) {
         showModels();
-    } else {
-        showSteps();
     }
     emit fieldChanged();
     // A drag may end where its last step was: nothing is stale then, but the whole plan is due.
-    if (stale || (draftAsked_ && !document_.isDragging())) {
+    if (isOfWhatIsShown()) {
+        // As after an undo: the plan that is there is the one that would be made.
+        keepPlan();
+    } else if (stale || (draftAsked_ && !document_.isDragging())) {
         const bool live = document_.isDragging() && !otherPlan;
         requestPlan(live ? JobRunner::Replace::WhenDone : JobRunner::Replace::Now);
     }
@@ -401,7 +310,9 @@ void PlanSession::changeSetting(const Parameter* parameter, const SettingValue& 
     if (settings().value(*parameter) == value) {
         if (!live && document_.isDragging()) {
             document_.endDrag();
-            requestPlan(JobRunner::Replace::Now);
+            if (!isOfWhatIsShown()) {
+                requestPlan(JobRunner::Replace::Now);
+            }
         }
         return;
     }
@@ -436,18 +347,20 @@ void PlanSession::requestPlan(JobRunner::Replace replace) {
         [this, source = source_, field = field_, machine = machine_.machine(), settings = settings(),
          draft = draftAsked_,
          before = wholePlan_](const JobContext& job) -> JobRunner::Delivery {
-            Outcome outcome = planned(source, field, machine, settings, draft, before.get(), job);
+            PlanOutcome outcome = planned(source, field, machine, settings, draft, before.get(), job);
             return [this, outcome = std::move(outcome)]() mutable { take(std::move(outcome)); };
         },
         replace);
     updateState();
 }
 
-void PlanSession::take(Outcome outcome) {
+void PlanSession::take(PlanOutcome outcome) {
     if (!source_ || (outcome.error && outcome.error->code == ErrorCode::Cancelled)) {
         return;
     }
+    again_ = false;
     plan_ = std::move(outcome.plan);
+    finished_ = QDateTime::currentDateTime();
     drawing_ = std::move(outcome.drawing);
     drawnSource_ = outcome.source;
     error_ = std::move(outcome.error);
@@ -457,7 +370,6 @@ void PlanSession::take(Outcome outcome) {
     if (!isDraft()) {
         wholePlan_ = plan_;
     }
-    exporter_.setPlan(isDraft() ? nullptr : plan_);
     showModels();
     emit fieldChanged();
     emit drawingChanged();
@@ -467,6 +379,13 @@ void PlanSession::take(Outcome outcome) {
         emit fieldOpened();
     }
     updateState();
+}
+
+void PlanSession::keepPlan() {
+    planner_.cancel();
+    error_.reset();
+    stopped_ = false;
+    draftAsked_ = false;
 }
 
 void PlanSession::fail(const Error& error) {
@@ -479,12 +398,17 @@ void PlanSession::fail(const Error& error) {
 }
 
 void PlanSession::showSteps() {
-    const Field* field = field_ ? field_.get() : plan_ ? &plan_->field() : nullptr;
-    steps_.show(field, source_.get(), machine_.machine(), settings(), plan_.get(), error_.has_value());
+    // While a point is dragged the field before it stands for the one that is being checked.
+    const bool before = plan_ != nullptr && state_ == State::Planning;
+    steps_.show({.field = field_ ? field_.get() : before ? &plan_->field() : nullptr,
+                 .source = source_.get(),
+                 .machine = machine_.machine(),
+                 .settings = settings(),
+                 .plan = plan_.get(),
+                 .state = state_});
 }
 
 void PlanSession::showModels() {
-    showSteps();
     figures_.show(plan_.get());
     cells_.show(plan_);
     if (isDraft()) {
@@ -495,16 +419,59 @@ void PlanSession::showModels() {
                    plan_ ? placesOf(drawing_) : std::vector<QGeoCoordinate>{});
 }
 
+bool PlanSession::isOfWhatIsShown() const {
+    return plan_ != nullptr && !isDraft() && drawnSource_ == source_ && plan_->request.machine == machine_.machine() &&
+           plan_->request.settings == settings();
+}
+
+PlanState PlanSession::derivedState() const {
+    if (reader_.isBusy()) {
+        return State::Reading;
+    }
+    if (choices_.count() > 0) {
+        return State::Choosing;
+    }
+    if (!source_) {
+        return error_ ? State::Failed : State::Empty;
+    }
+    if (isOfWhatIsShown() && !again_) {
+        return findings_.blockingCount() > 0 ? State::Problems : State::Ready;
+    }
+    if (planner_.isBusy()) {
+        return State::Planning;
+    }
+    if (error_) {
+        return State::Failed;
+    }
+    // A draft is followed by the whole plan unless that was stopped.
+    return stopped_ ? State::OutOfDate : State::Planning;
+}
+
+Said PlanSession::exportRefusal() const {
+    switch (state_) {
+        case State::Ready:
+        case State::Problems: return {};
+        case State::Empty: return [] { return tr("There is no field yet, and no plan to export."); };
+        case State::Reading:
+        case State::Choosing:
+            return [] { return tr("A field is being opened. Its plan can be exported when it is finished."); };
+        case State::Planning:
+            return [] { return tr("The plan is still being made. It can be exported when it is finished."); };
+        case State::OutOfDate:
+            return [] {
+                return tr("The plan is out of date: the field, the machine or a setting was changed after it was made.");
+            };
+        case State::Failed:
+            return [] { return tr("There is no plan to export. The message on the map says why."); };
+    }
+    return {};
+}
+
 void PlanSession::updateState() {
-    const bool slowPlanning = planner_.isBusy() && (planner_.isSlow() || !plan_ || (isDraft() && !document_.isDragging()));
-    state_ = reader_.isBusy()      ? State::Reading
-             : choices_.count() > 0 ? State::Choosing
-             : slowPlanning         ? State::Planning
-             : error_               ? State::Failed
-             : !source_             ? State::Empty
-             : stopped_             ? State::Stopped
-             : plan_                ? State::Ready
-                                    : State::Planning;
+    state_ = derivedState();
+    showSteps();
+    exporter_.setPlan(isFinished(state_) ? PlanTitle{.plan = plan_, .name = farm_.ownName(), .finished = finished_} : PlanTitle{},
+                      exportRefusal());
     emit stateChanged();
 }
 

@@ -12,10 +12,13 @@
 #include "ui/plan/figures_model.h"
 #include "ui/plan/findings_model.h"
 #include "ui/plan/machine_model.h"
+#include "ui/plan/plan_jobs.h"
+#include "ui/plan/plan_state.h"
 #include "ui/plan/recent_files.h"
 #include "ui/plan/sample_fields.h"
 #include "ui/plan/steps_model.h"
 
+#include <QDateTime>
 #include <QObject>
 #include <QUrl>
 #include <QtQml/qqmlregistration.h>
@@ -30,7 +33,7 @@ class PlanSession : public QObject {
     Q_OBJECT
     QML_ELEMENT
     QML_UNCREATABLE("made by the application")
-    Q_PROPERTY(State state READ state NOTIFY stateChanged FINAL)
+    Q_PROPERTY(furrow::plan_state::State state READ state NOTIFY stateChanged FINAL)
     Q_PROPERTY(bool hasField READ hasField NOTIFY fieldChanged FINAL)
     Q_PROPERTY(bool hasPlan READ hasPlan NOTIFY planChanged FINAL)
     /// The drawing is of outlines that have changed since: a plan of the field as it is now follows.
@@ -61,8 +64,7 @@ class PlanSession : public QObject {
     Q_PROPERTY(furrow::ExportModel* exporter READ exporter CONSTANT FINAL)
 
 public:
-    enum class State { Empty, Reading, Choosing, Planning, Ready, Stopped, Failed };
-    Q_ENUM(State)
+    using State = PlanState;
 
     explicit PlanSession(QObject* parent = nullptr);
 
@@ -73,6 +75,7 @@ public:
     bool isDraft() const { return plan_ != nullptr && plan_->request.draft; }
     QString fieldName() const;
     const PlanDrawing& drawing() const { return drawing_; }
+    /// Of what is being read or planned, for long enough that the user should see it.
     bool isSlow() const { return planner_.isSlow() || reader_.isSlow(); }
     double progress() const { return reader_.isBusy() ? reader_.progress() : planner_.progress(); }
     QString statusText() const;
@@ -116,6 +119,8 @@ public:
     Q_INVOKABLE void setBoundary(const QList<QGeoCoordinate>& points);
     Q_INVOKABLE void cancel();
     Q_INVOKABLE void planAgain();
+    /// The message about what went wrong is read.
+    Q_INVOKABLE void dismissProblem();
     /// Begins with an empty project.
     Q_INVOKABLE void closeField();
 
@@ -132,25 +137,6 @@ signals:
 
 private:
     using Source = std::shared_ptr<const FieldSource>;
-    /// What a planning job hands over.
-    struct Outcome {
-        Source source;
-        std::shared_ptr<const Field> field;
-        std::shared_ptr<const Plan> plan;
-        PlanDrawing drawing;
-        std::optional<Error> error;
-    };
-    /// What a reading job hands over.
-    struct Reading {
-        std::optional<std::pair<QString, OpenedProject>> project;
-        std::vector<FieldSource> fields;
-        QStringList imagery;
-        std::optional<Error> error;
-    };
-    /// `before`: of the same field, for a draft that goes on from it; null for the whole plan.
-    static Outcome planned(const Source& source, std::shared_ptr<const Field> field, const Machine& machine,
-                           const Settings& settings, bool draft, const Plan* before, const JobContext& job);
-    static Reading read(const QStringList& paths, const QString& fieldId, const JobContext& job);
 
     void read(const QStringList& paths, const QString& fieldId);
     void take(Reading reading, bool choose);
@@ -158,8 +144,15 @@ private:
     void followDocument();
     void changeSetting(const Parameter* parameter, const SettingValue& value, bool live);
     void requestPlan(JobRunner::Replace replace);
-    void take(Outcome outcome);
+    void take(PlanOutcome outcome);
     void fail(const Error& error);
+    /// The plan is whole, and of the field, machine and settings that the panels show.
+    bool isOfWhatIsShown() const;
+    PlanState derivedState() const;
+    /// Why the plan cannot leave the window as it is; empty where it can.
+    Said exportRefusal() const;
+    /// What was under way for another request ends; the plan that is there is of this one.
+    void keepPlan();
     void showModels();
     void showSteps();
     void updateState();
@@ -175,6 +168,7 @@ private:
     /// Of `source_`; null while it has not been checked.
     std::shared_ptr<const Field> field_;
     std::shared_ptr<const Plan> plan_;
+    QDateTime finished_;
     /// The last one that was no draft.
     std::shared_ptr<const Plan> wholePlan_;
     PlanDrawing drawing_;
@@ -184,6 +178,8 @@ private:
     bool announce_ = false;
     /// The last request was for a draft.
     bool draftAsked_ = false;
+    /// The user asked for the plan once more, though nothing has changed in the panels.
+    bool again_ = false;
     QList<SampleField> samples_;
 
     Document document_;

@@ -9,6 +9,8 @@
 #include <QStringList>
 
 #include <algorithm>
+#include <array>
+#include <utility>
 
 namespace furrow {
 
@@ -42,8 +44,26 @@ QString methodName(const StageInfo& stage, const Settings& settings) {
     return method == stage.methods.end() ? QString{} : shown(method->name);
 }
 
-int blockingCount(const Plan& plan) {
-    return static_cast<int>(std::ranges::count(plan.findings, Severity::Blocking, &Finding::severity));
+/// The step in which what a finding tells is decided.
+std::string_view stepOf(const Finding& finding) {
+    constexpr std::array<std::pair<std::string_view, std::string_view>, 6> kSteps{{
+        {"gate", "field"},
+        {"repair", "field"},
+        {"dropped-pass", "headland"},
+        {"headland-not-worked", "headland"},
+        {"dropped-swath", "swaths"},
+        {"missed", "swaths"},
+    }};
+    const auto step = std::ranges::find(kSteps, std::string_view{finding.kind}, &std::pair<std::string_view, std::string_view>::first);
+    // All others are of the way that is driven.
+    return step == kSteps.end() ? "path" : step->second;
+}
+
+/// Findings that block, of one step or of all.
+int blockingCount(const Plan& plan, std::string_view step = {}) {
+    return static_cast<int>(std::ranges::count_if(plan.findings, [step](const Finding& finding) {
+        return finding.severity == Severity::Blocking && (step.empty() || stepOf(finding) == step);
+    }));
 }
 
 /// What came of a stage, in one line; empty for stages that are not known here.
@@ -68,19 +88,23 @@ QString resultOf(std::string_view stage, const Plan& plan) {
         return StepsModel::tr("%1 with turns on the spot").arg(lengthText(plan.route.lengthInPlace));
     }
     if (stage == "path") {
-        QStringList parts{StepsModel::tr("%n turn(s)", nullptr, plan.path.turnCount()),
-                          lengthText(plan.path.length(SegmentKind::Turn))};
-        if (plan.path.undrivableCount() > 0) {
-            parts << StepsModel::tr("%n not drivable", nullptr, plan.path.undrivableCount());
-        }
-        return parts.join(kSeparator);
+        return QStringList{StepsModel::tr("%n turn(s)", nullptr, plan.path.turnCount()),
+                           lengthText(plan.path.length(SegmentKind::Turn))}
+            .join(kSeparator);
     }
     return {};
 }
 
-StepsModel::Status statusOf(std::string_view stage, const Plan& plan) {
-    const bool troubled = stage == "path" && blockingCount(plan) > 0;
-    return troubled ? StepsModel::Status::Warning : StepsModel::Status::Good;
+/// What stands behind the result of a step that findings block.
+QString withProblems(const QString& result, int problems) {
+    QStringList parts;
+    if (!result.isEmpty()) {
+        parts << result;
+    }
+    if (problems > 0) {
+        parts << StepsModel::tr("%n problem(s)", nullptr, problems);
+    }
+    return parts.join(kSeparator);
 }
 
 }  // namespace
@@ -100,53 +124,98 @@ StepsModel::StepsModel(QObject* parent) : QAbstractListModel{parent} {
     for (const StageInfo& stage : stages()) {
         add(fromStd(stage.id), stage.name, parametersOf(stage, {}));
     }
+    add(QStringLiteral("check"), "Check", {});
 }
 
-void StepsModel::show(const Field* field, const FieldSource* source, const Machine& machine, const Settings& settings,
-                      const Plan* plan, bool failed) {
-    const std::vector<Step> before = steps_;
-    Step& first = steps_[0];
-    if (field != nullptr) {
-        first.choice = QStringList{fromStd(field->name()), areaText(field->area())}.join(kSeparator);
+void StepsModel::showField(Step& step, const StepsContent& content) {
+    step.status = Status::None;
+    if (content.field != nullptr) {
+        const Field& field = *content.field;
+        step.choice = QStringList{fromStd(field.name()), areaText(field.area())}.join(kSeparator);
         QStringList parts;
-        if (const auto count = static_cast<int>(field->source().obstacles.size()); count > 0) {
+        if (const auto count = static_cast<int>(field.source().obstacles.size()); count > 0) {
             parts << tr("%n obstacle(s)", nullptr, count);
         }
-        if (const auto count = static_cast<int>(field->holeCount()); count > 0) {
+        if (const auto count = static_cast<int>(field.holeCount()); count > 0) {
             parts << tr("%n hole(s)", nullptr, count);
         }
-        parts << tr("%n boundary point(s)", nullptr, static_cast<int>(field->vertexCount()));
-        first.result = parts.join(kSeparator);
-        first.status = Status::Good;
-    } else if (failed) {
-        first.choice = tr("No usable boundary");
-        first.result = tr("The message on the map says why");
-        first.status = Status::Failed;
+        parts << tr("%n boundary point(s)", nullptr, static_cast<int>(field.vertexCount()));
+        step.result = parts.join(kSeparator);
+        step.status = Status::Good;
+    } else if (content.state == PlanState::Failed) {
+        step.choice = tr("No usable boundary");
+        step.result = tr("The message on the map says why");
+        step.status = Status::Failed;
+    } else if (content.source != nullptr) {
+        step.choice = fromStd(content.source->name);
+        step.result = areaText(areaOf(*content.source));
     } else {
-        first.choice = source == nullptr ? tr("No field yet") : fromStd(source->name);
-        first.result = source == nullptr ? tr("Open a file or draw a boundary") : areaText(areaOf(*source));
-        first.status = Status::None;
+        step.choice = tr("No field yet");
+        step.result = tr("Open a file or draw a boundary");
     }
+}
+
+void StepsModel::showMachine(Step& step, const StepsContent& content) {
+    const Machine& machine = content.machine;
+    step.choice = shown(machine.name());
+    step.result = QStringList{tr("%1 wide").arg(metresText(machine.operatingWidth(), 1)),
+                              tr("%1 radius").arg(metresText(machine.minTurningRadius(), 1)),
+                              speedText(machine.spec().tractor.workingSpeed)}
+                      .join(kSeparator);
+    step.status = Status::Good;
+}
+
+void StepsModel::showCheck(Step& step, const StepsContent& content) {
+    step.status = Status::None;
+    step.result.clear();
+    switch (content.state) {
+        case PlanState::Empty:
+        case PlanState::Reading:
+        case PlanState::Choosing: step.choice = tr("Nothing to check yet"); return;
+        case PlanState::Planning: step.choice = tr("Planning …"); return;
+        case PlanState::Failed:
+            step.choice = tr("No plan");
+            step.status = Status::Failed;
+            return;
+        case PlanState::OutOfDate:
+            step.choice = tr("Out of date");
+            step.result = tr("Plan again to check what the panels show");
+            step.status = Status::Warning;
+            return;
+        case PlanState::Ready:
+        case PlanState::Problems: break;
+    }
+    const int problems = blockingCount(*content.plan);
+    const int notes = static_cast<int>(content.plan->findings.size()) - problems;
+    step.choice = problems > 0 ? tr("%n problem(s)", nullptr, problems) : tr("No problems");
+    step.result = notes > 0 ? tr("%n note(s)", nullptr, notes) : QString{};
+    step.status = problems > 0 ? Status::Warning : Status::Good;
+}
+
+void StepsModel::show(const StepsContent& content) {
+    const std::vector<Step> before = steps_;
+    const bool finished = isFinished(content.state);
+    // What a plan filled in is not shown beside settings that it was not made with.
+    const Plan* const filledIn = content.state == PlanState::OutOfDate ? nullptr : content.plan;
+    showField(steps_.front(), content);
     const auto general = generalParameters();
-    first.parameters->show({general.begin(), general.end()}, settings, plan);
-
-    Step& second = steps_[1];
-    second.choice = shown(machine.name());
-    const Tractor& tractor = machine.spec().tractor;
-    second.result = QStringList{tr("%1 wide").arg(metresText(machine.operatingWidth(), 1)),
-                                tr("%1 radius").arg(metresText(machine.minTurningRadius(), 1)),
-                                speedText(tractor.workingSpeed)}
-                        .join(kSeparator);
-    second.status = Status::Good;
-
+    steps_.front().parameters->show({general.begin(), general.end()}, content.settings, filledIn);
+    showMachine(steps_[1], content);
     for (std::size_t i = 0; i < stages().size(); ++i) {
         const StageInfo& stage = stages()[i];
         Step& step = steps_[i + 2];
-        step.choice = methodName(stage, settings);
-        step.result = plan == nullptr ? QString{} : resultOf(stage.id, *plan);
-        step.status = plan == nullptr ? Status::None : statusOf(stage.id, *plan);
-        step.parameters->show(parametersOf(stage, settings), settings, plan);
+        step.choice = methodName(stage, content.settings);
+        step.result = content.plan == nullptr ? QString{} : resultOf(stage.id, *content.plan);
+        step.status = content.plan == nullptr ? Status::None : finished ? Status::Good : Status::Old;
+        step.parameters->show(parametersOf(stage, content.settings), content.settings, filledIn);
     }
+    for (Step& step : steps_) {
+        if (const int problems = finished ? blockingCount(*content.plan, step.id.toStdString()) : 0; problems > 0) {
+            step.result = withProblems(step.result, problems);
+            step.status = Status::Warning;
+        }
+    }
+    showCheck(steps_.back(), content);
     for (int row = 0; row < rowCount(); ++row) {
         if (const Step& step = steps_[static_cast<std::size_t>(row)]; step != before[static_cast<std::size_t>(row)]) {
             emit dataChanged(index(row), index(row));
@@ -169,7 +238,10 @@ QVariant StepsModel::data(const QModelIndex& index, int role) const {
         case Qt::DisplayRole:
         case NameRole:
             // The planner has no stages of these names.
-            return index.row() == 0 ? tr("Field") : index.row() == 1 ? tr("Machine") : shown(step.name);
+            return index.row() == 0                ? tr("Field")
+                   : index.row() == 1              ? tr("Machine")
+                   : index.row() == rowCount() - 1 ? tr("Check")
+                                                   : shown(step.name);
         case ChoiceRole: return step.choice;
         case ResultRole: return step.result;
         case StatusRole: return static_cast<int>(step.status);

@@ -1,20 +1,33 @@
 #pragma once
 
 #include "ui/plan/parameter_model.h"
+#include "ui/plan/plan_state.h"
 
 #include <QAbstractListModel>
 
 namespace furrow {
 
-/// The steps of a plan from field to turns: built from the planner's registry, so that a new method or stage
-/// needs nothing here.
+/// What the steps are made from; each pointer may be null.
+struct StepsContent {
+    const Field* field = nullptr;
+    /// What there is of a field that was not checked yet.
+    const FieldSource* source = nullptr;
+    const Machine& machine;
+    const Settings& settings;
+    const Plan* plan = nullptr;
+    PlanState state = PlanState::Empty;
+};
+
+/// The steps of a plan from field to turns and the check of it: built from the planner's registry, so that a new
+/// method or stage needs nothing here.
 class StepsModel : public QAbstractListModel {
     Q_OBJECT
     QML_ELEMENT
     QML_UNCREATABLE("belongs to a session")
 
 public:
-    enum class Status { None, Good, Warning, Failed };
+    /// Old: what came of it belongs to a plan of something else than what the panels show.
+    enum class Status { None, Good, Warning, Failed, Old };
     Q_ENUM(Status)
     enum Role {
         StepIdRole = Qt::UserRole + 1,
@@ -28,8 +41,7 @@ public:
 
     explicit StepsModel(QObject* parent = nullptr);
 
-    /// What the steps show; each pointer may be null. `source` is what there is of a field that was not checked yet.
-    void show(const Field* field, const FieldSource* source, const Machine& machine, const Settings& settings, const Plan* plan, bool failed);
+    void show(const StepsContent& content);
 
     int rowCount(const QModelIndex& parent = {}) const override;
     QVariant data(const QModelIndex& index, int role) const override;
@@ -52,6 +64,10 @@ private:
 
         friend bool operator==(const Step&, const Step&) = default;
     };
+    static void showField(Step& step, const StepsContent& content);
+    static void showMachine(Step& step, const StepsContent& content);
+    static void showCheck(Step& step, const StepsContent& content);
+
     std::vector<Step> steps_;
 };
 

@@ -88,6 +88,14 @@ QString joined(const std::vector<std::filesystem::path>& paths) {
 
 }  // namespace
 
+QString stoppedText() {
+    return StickExport::tr("Writing was stopped, because the plan was changed meanwhile.");
+}
+
+QString stoppedRemedy() {
+    return StickExport::tr("Write it again when the plan is finished.");
+}
+
 StickExport::StickExport(QObject* parent) : QAbstractListModel{parent}, lister_{pluggedIn} {
     timer_.setInterval(kLookEveryMs);
     connect(this, &StickExport::terminalChanged, this, &StickExport::textsChanged);
@@ -95,6 +103,9 @@ StickExport::StickExport(QObject* parent) : QAbstractListModel{parent}, lister_{
         emit textsChanged();
         emit examined();
         emit stateChanged();
+        if (looking()) {
+            refresh();
+        }
     });
     connect(&timer_, &QTimer::timeout, this, &StickExport::refresh);
     connect(&runner_, &JobRunner::progressChanged, this, &StickExport::progressChanged);
@@ -105,12 +116,19 @@ StickExport::StickExport(QObject* parent) : QAbstractListModel{parent}, lister_{
     terminal_ = known == all.end() ? 0 : static_cast<int>(known - all.begin());
 }
 
-void StickExport::setPlan(std::shared_ptr<const Plan> plan) {
-    plan_ = std::move(plan);
-    if (state_ == State::Writing) {
-        runner_.cancel();
+void StickExport::setPlan(const PlanTitle& title) {
+    const bool otherPlan = title.plan != title_.plan;
+    title_ = title;
+    if (!otherPlan) {
+        return;
     }
-    clear();
+    // What was looked at on the stick, or written there, was for another plan.
+    runner_.cancel();
+    if (state_ == State::Writing) {
+        setState(State::Failed, stoppedText, stoppedRemedy);
+    } else if (state_ == State::Done) {
+        clear();
+    }
     if (looking()) {
         examine();
     }
@@ -256,14 +274,14 @@ void StickExport::examine() {
     warnings_.clear();
     replaces_.clear();
     emit examined();
-    if (!plan_ || current_ < 0 || state_ == State::Writing) {
+    if (!title_ || current_ < 0 || state_ == State::Writing) {
         return;
     }
     const std::filesystem::path root{chosen().root.toStdU16String()};
     const Terminal* terminal = stickTerminals()[static_cast<std::size_t>(terminal_)];
     // A folder is not what the terminal will read.
     const bool isFolder = chosen().isFolder;
-    runner_.submit([this, plan = plan_, root, terminal, isFolder](const JobContext& job) -> JobRunner::Delivery {
+    runner_.submit([this, plan = title_.plan, root, terminal, isFolder](const JobContext& job) -> JobRunner::Delivery {
         const auto stick = openStick(root);
         std::vector<Message> warnings;
         if (const auto info = stick->info(); info && !isFolder) {
@@ -280,7 +298,7 @@ void StickExport::examine() {
 }
 
 void StickExport::write(bool replace) {
-    if (!plan_ || current_ < 0 || state_ == State::Writing) {
+    if (!title_ || current_ < 0 || state_ == State::Writing) {
         return;
     }
     const std::filesystem::path root{chosen().root.toStdU16String()};
@@ -288,13 +306,14 @@ void StickExport::write(bool replace) {
     Terminal terminal = *stickTerminals()[static_cast<std::size_t>(terminal_)];
     terminal.options.task = task_;
     setState(State::Writing, [] { return tr("Writing …"); });
-    runner_.submit([this, plan = plan_, root, terminal, isFolder, replace](const JobContext& job) -> JobRunner::Delivery {
+    runner_.submit([this, title = title_, root, terminal, isFolder, replace](const JobContext& job) -> JobRunner::Delivery {
+        const Plan* const plan = title.plan.get();
         const std::vector<FieldContent> meant{contentOf(*plan, terminal.options)};
         const auto stick = openStick(root);
         auto report = terminalFiles(terminal, *plan, job).and_then([&](const FormatFiles& files) {
             return writeToStick(*stick, files, meant, replace, job);
         });
-        return [this, isFolder, report = std::move(report)] {
+        return [this, title, isFolder, report = std::move(report)] {
             if (!report) {
                 const Error& error = report.error();
                 setState(
@@ -303,6 +322,7 @@ void StickExport::write(bool replace) {
                 examine();
                 return;
             }
+            writtenTitle_ = title;
             written_.clear();
             for (const std::filesystem::path& file : report->files) {
                 written_ << QString::fromStdU16String(file.u16string());
@@ -328,6 +348,7 @@ void StickExport::cancel() {
 }
 
 void StickExport::clear() {
+    writtenTitle_ = {};
     written_.clear();
     notes_.clear();
     checks_ = {};

@@ -1,8 +1,8 @@
 #pragma once
 
 #include "planner/io/export_job.h"
-#include "planner/plan/plan.h"
 #include "ui/jobs/job_runner.h"
+#include "ui/plan/plan_title.h"
 #include "ui/text/message_text.h"
 
 #include <QAbstractListModel>
@@ -15,6 +15,10 @@
 #include <vector>
 
 namespace furrow {
+
+/// Said of an export that was stopped because the plan became another one.
+QString stoppedText();
+QString stoppedRemedy();
 
 /// Writes a plan for a terminal to a USB stick: the sticks that there are, what stands in the way on the chosen one,
 /// and what became of it. The sticks are looked for while `looking` is set.
@@ -38,6 +42,8 @@ class StickExport : public QAbstractListModel {
     Q_PROPERTY(State state READ state NOTIFY stateChanged FINAL)
     Q_PROPERTY(QString message READ message NOTIFY stateChanged FINAL)
     Q_PROPERTY(QString remedy READ remedy NOTIFY stateChanged FINAL)
+    /// Which plan was written and read back; empty for none.
+    Q_PROPERTY(QString writtenPlan READ writtenPlan NOTIFY stateChanged FINAL)
     /// What was written, a line for each file, and what a driver should know.
     Q_PROPERTY(QStringList written READ written NOTIFY stateChanged FINAL)
     Q_PROPERTY(QStringList notes READ notes NOTIFY stateChanged FINAL)
@@ -66,8 +72,8 @@ public:
 
     /// In the place of what the system has mounted.
     void setLister(Lister lister) { lister_ = std::move(lister); }
-    /// What is to be written; null for nothing.
-    void setPlan(std::shared_ptr<const Plan> plan);
+    /// What is to be written; null for nothing. What was being written of another plan is stopped.
+    void setPlan(const PlanTitle& title);
 
     bool looking() const { return timer_.isActive(); }
     void setLooking(bool looking);
@@ -86,6 +92,7 @@ public:
     State state() const { return state_; }
     QString message() const { return text(message_); }
     QString remedy() const { return text(remedy_); }
+    QString writtenPlan() const { return writtenTitle_.whole(); }
     QStringList written() const { return written_; }
     QStringList notes() const;
     QStringList problems() const { return sentences(checks_.problems); }
@@ -125,7 +132,8 @@ private:
     void examine();
     void setState(State state, Said message = {}, Said remedy = {});
 
-    std::shared_ptr<const Plan> plan_;
+    PlanTitle title_;
+    PlanTitle writtenTitle_;
     std::vector<Stick> sticks_;
     QStringList folders_;
     Lister lister_;

@@ -118,7 +118,7 @@ QtObject {
             text: qsTr("Export the plan…")
             shortcut: "Ctrl+E"
             keywords: qsTr("ISOXML USB terminal")
-            enabled: root.session.hasPlan && !root.session.draft
+            enabled: root.session.hasField
             onTriggered: root.exportRequested()
         },
         Command {

@@ -11,6 +11,9 @@ T.Popup {
     required property PlanSession session
     readonly property ExportModel exporter: session.exporter
     readonly property StickExport stick: exporter.stick
+    /// There is no finished plan of what the panels show.
+    readonly property bool refused: exporter.refusal.length > 0
+    readonly property real windowHeight: parent ? parent.height : 800
     readonly property bool writing: exporter.state === ExportModel.Writing || stick.state === StickExport.Writing
     readonly property bool done: onStick.checked ? stick.state === StickExport.Done : exporter.state === ExportModel.Done
 
@@ -18,7 +21,7 @@ T.Popup {
     modal: true
     focus: true
     width: 520
-    height: Math.min(head.implicitHeight + page.implicitHeight + buttons.implicitHeight + 28 + 2 * padding, parent ? parent.height - 32 : 800)
+    height: Math.min(head.implicitHeight + page.implicitHeight + buttons.implicitHeight + 28 + 2 * padding, windowHeight - 32)
     padding: 24
     closePolicy: writing ? T.Popup.NoAutoClose : T.Popup.CloseOnEscape | T.Popup.CloseOnPressOutside
     onAboutToShow: {
@@ -52,6 +55,26 @@ T.Popup {
                 font.pixelSize: 18
                 font.weight: Font.DemiBold
             }
+            Column {
+                width: parent.width
+                visible: root.exporter.heading.length > 0
+                spacing: 2
+
+                BodyText {
+                    objectName: "export.heading"
+                    width: parent.width
+                    text: root.exporter.heading
+                    font.weight: Font.DemiBold
+                    wrapMode: Text.Wrap
+                }
+                Caption {
+                    objectName: "export.details"
+                    width: parent.width
+                    text: root.exporter.details
+                    wrapMode: Text.WordWrap
+                    lineHeight: 1.15
+                }
+            }
             Row {
                 spacing: 4
 
@@ -72,9 +95,22 @@ T.Popup {
                 }
             }
             NoticeBar {
+                objectName: "export.refusal"
                 width: parent.width
-                visible: root.session.findings.blockingCount > 0
-                text: qsTr("%n place(s) in this plan cannot be driven as drawn. The files say so too.", "", root.session.findings.blockingCount)
+                visible: root.refused
+                text: root.exporter.refusal
+            }
+            PushButton {
+                objectName: "export.planAgain"
+                visible: root.session.state === PlanState.OutOfDate
+                text: qsTr("Plan again")
+                onClicked: root.session.planAgain()
+            }
+            NoticeBar {
+                objectName: "export.blocking"
+                width: parent.width
+                visible: root.session.state === PlanState.Problems
+                text: qsTr("%n problem(s) in this plan: it cannot be driven as drawn. The files say so too.", "", root.session.findings.blockingCount)
             }
         }
         // What does not fit a small window scrolls; the buttons stay.
@@ -121,7 +157,8 @@ T.Popup {
                     width: parent.width
                     visible: inFolder.checked
                     exporter: root.exporter
-                    roomForFormats: Math.max(160, (root.parent ? root.parent.height : 800) - 430)
+                    // Not two things that scroll, one in the other, where there is little room.
+                    roomForFormats: windowHeight < 480 ? 1e6 : Math.max(160, windowHeight - 430)
                 }
             }
         }
@@ -144,7 +181,7 @@ T.Popup {
             PushButton {
                 objectName: "export.write"
                 primary: true
-                enabled: onStick.checked ? stickPage.canWrite : folderPage.canWrite
+                enabled: !root.refused && (onStick.checked ? stickPage.canWrite : folderPage.canWrite)
                 text: root.writing ? qsTr("Writing …") : onStick.checked ? qsTr("Write to the stick") : qsTr("Write files")
                 onClicked: onStick.checked ? stickPage.write() : folderPage.write()
             }

@@ -14,10 +14,19 @@ Column {
     required property real roomForFormats
     readonly property bool canWrite: exporter.state !== ExportModel.Writing && folder.text.length > 0
 
+    /// As suggested last: what the user chose is kept, but not for another field.
+    property string suggested: ""
+
     function begin(): void {
         exporter.clear();
-        if (folder.text.length === 0)
-            folder.text = exporter.suggestedFolder();
+        suggest();
+    }
+    function suggest(): void {
+        const folderOfPlan = exporter.suggestedFolder();
+        if (exporter.heading.length > 0 && folderOfPlan !== suggested) {
+            suggested = folderOfPlan;
+            folder.text = folderOfPlan;
+        }
     }
     function write(): void {
         if (canWrite)
@@ -26,6 +35,12 @@ Column {
 
     spacing: 14
 
+    Connections {
+        target: root.exporter
+        function onPlanChanged(): void {
+            root.suggest();
+        }
+    }
     ListView {
         id: list
 
@@ -141,6 +156,15 @@ Column {
             text: root.exporter.message
             wrapMode: Text.Wrap
         }
+    }
+    Caption {
+        objectName: "export.written"
+        x: 28
+        width: parent.width - 28
+        visible: root.exporter.state === ExportModel.Done
+        text: root.exporter.written
+        wrapMode: Text.WordWrap
+        lineHeight: 1.15
     }
     ExportChecks {
         width: parent.width

@@ -213,6 +213,14 @@ Column {
                 wrapMode: Text.Wrap
             }
         }
+        BodyText {
+            objectName: "stick.writtenPlan"
+            x: 28
+            width: parent.width - 28
+            text: root.stick.writtenPlan
+            wrapMode: Text.WordWrap
+            lineHeight: 1.15
+        }
         Caption {
             objectName: "stick.written"
             x: 28

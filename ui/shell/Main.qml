@@ -197,6 +197,7 @@ ApplicationWindow {
         session: root.session
         onOpenRequested: dialogs.open()
         onDrawRequested: page.startDrawing()
+        onCheckRequested: root.showFindings()
     }
     MapPage {
         id: page
@@ -254,6 +255,7 @@ ApplicationWindow {
         StatusChip {
             anchors { right: parent.right; top: parent.top; margins: 16 }
             session: root.session
+            onCheckRequested: root.showFindings()
         }
         FilesNotice {
             anchors { left: parent.left; top: parent.top; leftMargin: page.toolBar.x + page.toolBar.width + 16; topMargin: 62 }
@@ -273,7 +275,7 @@ ApplicationWindow {
         }
         EmptyState {
             anchors.centerIn: parent
-            visible: (root.session.state === PlanSession.Empty || root.session.state === PlanSession.Failed && !root.session.hasField) && !page.editor.drawing && root.session.imagery.count === 0 && !tour.running
+            visible: (root.session.state === PlanState.Empty || root.session.state === PlanState.Failed && !root.session.hasField) && !page.editor.drawing && root.session.imagery.count === 0 && !tour.running
             session: root.session
             onOpenRequested: dialogs.open()
             onDrawRequested: page.startDrawing()
@@ -282,7 +284,7 @@ ApplicationWindow {
         FieldChooser {
             anchors.centerIn: parent
             height: Math.min(parent.height - 80, 134 + 52 * root.session.choices.count)
-            visible: root.session.state === PlanSession.Choosing
+            visible: root.session.state === PlanState.Choosing
             session: root.session
         }
         LayersPanel {
@@ -371,6 +373,13 @@ ApplicationWindow {
         }
     }
 
+    /// The list of what was found, beginning with what blocks.
+    function showFindings(): void {
+        if (!root.session.hasPlan)
+            return;
+        root.panelWanted = true;
+        results.showFindings();
+    }
     function openPath(path: string): void {
         dialogs.openUrls([root.session.files.urlOf(path)]);
     }

@@ -2,7 +2,7 @@ import QtQuick
 import Furrow.Controls
 import Furrow.Plan
 
-/// Why there is no plan, where the trouble is and what helps.
+/// What went wrong, where the trouble is and what helps.
 Rectangle {
     id: root
 
@@ -11,7 +11,7 @@ Rectangle {
     signal openRequested()
 
     objectName: "problemCard"
-    visible: session.state === PlanSession.Failed
+    visible: session.problem.length > 0 && session.state !== PlanState.Planning && session.state !== PlanState.Reading && session.state !== PlanState.Choosing
     width: 344
     height: column.height + 32
     radius: Theme.cardRadius
@@ -69,6 +69,13 @@ Rectangle {
                 visible: root.session.problemPlace.isValid
                 text: qsTr("Show the place")
                 onClicked: root.placeRequested()
+            }
+            PushButton {
+                objectName: "problemCloseButton"
+                // Where there is no plan, the card says why.
+                visible: root.session.state !== PlanState.Failed
+                text: qsTr("Close")
+                onClicked: root.session.dismissProblem()
             }
             PushButton {
                 visible: !root.session.hasField

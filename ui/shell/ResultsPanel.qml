@@ -1,6 +1,5 @@
 pragma ComponentBehavior: Bound
 import QtQuick
-import QtQuick.Templates as T
 import Furrow.Controls
 import Furrow.Edit
 import Furrow.Plan
@@ -12,6 +11,9 @@ Rectangle {
     required property PlanSession session
     required property FieldEditor editor
     property int currentFinding: -1
+    /// The list of findings was asked for.
+    property bool checked: false
+    readonly property bool outOfDate: session.state === PlanState.OutOfDate
     signal findingRequested(index: int)
 
     objectName: "resultsPanel"
@@ -29,25 +31,11 @@ Rectangle {
         color: Theme.line
         z: 1
     }
-    Flickable {
+    ScrollArea {
         id: flick
 
         anchors.fill: parent
         contentHeight: column.height + 40
-        boundsBehavior: Flickable.StopAtBounds
-        clip: true
-
-        T.ScrollBar.vertical: T.ScrollBar {
-            id: bar
-
-            width: 8
-            padding: 2
-            contentItem: Rectangle {
-                radius: 2
-                color: Theme.line
-                visible: bar.size < 1
-            }
-        }
 
         Column {
             id: column
@@ -63,6 +51,17 @@ Rectangle {
                 inspector: Inspector { editor: root.editor }
             }
             Title { text: qsTr("Plan") }
+            Column {
+                width: parent.width
+                visible: root.outOfDate
+                bottomPadding: 8
+
+                NoticeBar {
+                    objectName: "results.outOfDate"
+                    width: parent.width
+                    text: qsTr("Out of date: figures and findings are those of the plan before the change.")
+                }
+            }
             Repeater {
                 model: root.session.figures
 
@@ -88,6 +87,7 @@ Rectangle {
                         objectName: "figure." + figure.label
                         anchors { right: parent.right; verticalCenter: parent.verticalCenter }
                         text: figure.value
+                        opacity: root.outOfDate ? 0.6 : 1
                     }
                     Rectangle {
                         anchors.bottom: parent.bottom
@@ -99,14 +99,27 @@ Rectangle {
             }
             Item { width: 1; height: 24; visible: root.session.findings.count > 0 }
             Title {
+                id: findingsTitle
+
                 visible: root.session.findings.count > 0
                 text: qsTr("%n finding(s)", "", root.session.findings.count)
+            }
+            BodyText {
+                objectName: "noFindings"
+                width: parent.width
+                visible: root.checked && root.session.findings.count === 0
+                topPadding: 24
+                text: qsTr("Nothing was found in this plan: all of it can be driven.")
+                wrapMode: Text.WordWrap
+                lineHeight: 1.15
             }
             Column {
                 width: parent.width
                 spacing: 8
 
                 Repeater {
+                    id: findingRows
+
                     model: root.session.findings
 
                     FindingRow {
@@ -129,6 +142,14 @@ Rectangle {
         }
     }
 
+    function showFindings(): void {
+        root.checked = true;
+        // Once it is laid out, where it was hidden before.
+        Qt.callLater(() => {
+            flick.contentY = Math.max(0, Math.min(findingsTitle.y + column.y - 12, flick.contentHeight - flick.height));
+            (root.session.findings.count > 0 ? findingRows.itemAt(0) : root).forceActiveFocus(Qt.TabFocusReason);
+        });
+    }
     function focusInspector(): void {
         inspectorPanel.focusFirst();
     }

@@ -2,22 +2,27 @@ import QtQuick
 import Furrow.Controls
 import Furrow.Plan
 
-/// State of the plan, how long it took and the one figure that matters; progress while it takes long.
+/// State of the plan, how long it took and the one figure that matters; progress while it takes long. Problems lead to
+/// their list.
 Rectangle {
     id: root
 
     required property PlanSession session
-    readonly property bool working: session.state === PlanSession.Planning || session.state === PlanSession.Reading
+    readonly property int planState: session.state
+    readonly property bool working: planState === PlanState.Planning || planState === PlanState.Reading
     readonly property bool slow: working && session.slow
+    readonly property bool failed: planState === PlanState.Failed
+    readonly property bool warned: planState === PlanState.OutOfDate || planState === PlanState.Problems
+    signal checkRequested()
 
     objectName: "statusChip"
-    visible: session.state !== PlanSession.Empty && session.state !== PlanSession.Choosing && text.text.length > 0
+    visible: planState !== PlanState.Empty && planState !== PlanState.Choosing && text.text.length > 0
     width: row.width + 28
     height: 34
     radius: 17
-    color: Theme.panel
+    color: warned ? Theme.warningGround : Theme.panel
     border.width: Theme.hairline
-    border.color: Theme.line
+    border.color: warned ? Theme.warning : Theme.line
     Accessible.role: Accessible.StaticText
     Accessible.name: text.text
 
@@ -29,14 +34,12 @@ Rectangle {
         spacing: 10
 
         Rectangle {
-            readonly property bool warned: root.session.state === PlanSession.Stopped || root.session.findings.blockingCount > 0
-
             anchors.verticalCenter: parent.verticalCenter
             width: 9
             height: 9
-            radius: root.session.state === PlanSession.Failed || warned ? 1.5 : 4.5
-            rotation: warned ? 45 : 0
-            color: root.session.state === PlanSession.Failed ? Theme.failure : root.working ? Theme.muted : warned ? Theme.warning : Theme.accent
+            radius: root.failed || root.warned ? 1.5 : 4.5
+            rotation: root.warned ? 45 : 0
+            color: root.failed ? Theme.failure : root.working ? Theme.muted : root.warned ? Theme.warning : Theme.accent
         }
         BodyText {
             id: text
@@ -74,9 +77,17 @@ Rectangle {
         SmallButton {
             objectName: "planAgainButton"
             anchors.verticalCenter: parent.verticalCenter
-            visible: root.session.state === PlanSession.Stopped
+            visible: root.planState === PlanState.OutOfDate
             text: qsTr("Plan again")
             onClicked: root.session.planAgain()
+        }
+        SmallButton {
+            objectName: "showProblemsButton"
+            anchors.verticalCenter: parent.verticalCenter
+            visible: root.planState === PlanState.Problems
+            text: qsTr("Show")
+            Accessible.name: qsTr("Show the problems")
+            onClicked: root.checkRequested()
         }
     }
 }

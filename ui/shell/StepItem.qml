@@ -4,7 +4,8 @@ import QtQuick.Templates as T
 import Furrow.Controls
 import Furrow.Plan
 
-/// One step of the plan: its number, what is chosen and what came of it; opens to its settings.
+/// One step of the plan: its number, what is chosen and what came of it; opens to its settings, or leads to the list
+/// of what was found.
 Rectangle {
     id: root
 
@@ -18,11 +19,15 @@ Rectangle {
     required property ParameterModel parameters
     required property PlanSession session
     property bool open: false
+    readonly property bool leadsOn: stepId === "check"
+    /// The result is of a plan that does not belong to what the panels show.
+    readonly property bool old: status === StepsModel.Old
     /// Only opening and closing are shown as a motion, not a line more or less in the header.
     property bool moving: false
     signal toggled()
     signal openRequested()
     signal drawRequested()
+    signal checkRequested()
 
     implicitHeight: header.height + (body.active ? body.height + 16 : 0)
     radius: Theme.cardRadius
@@ -56,7 +61,7 @@ Rectangle {
         height: lines.height + 20
         focusPolicy: Qt.StrongFocus
         Accessible.name: qsTr("%1. %2: %3. %4").arg(root.number).arg(root.name).arg(root.choice).arg(root.result)
-        onClicked: root.toggled()
+        onClicked: root.leadsOn ? root.checkRequested() : root.toggled()
 
         background: Rectangle {
             radius: Theme.cardRadius
@@ -105,6 +110,7 @@ Rectangle {
                     visible: text.length > 0
                     text: root.result
                     elide: Text.ElideRight
+                    opacity: root.old ? 0.6 : 1
                 }
             }
             Rectangle {
@@ -117,7 +123,9 @@ Rectangle {
                 radius: root.status === StepsModel.Warning ? 1 : 4
                 rotation: root.status === StepsModel.Warning ? 45 : 0
                 visible: root.status !== StepsModel.None
-                color: root.status === StepsModel.Good ? Theme.accent : root.status === StepsModel.Warning ? Theme.warning : Theme.failure
+                color: root.old ? "transparent" : root.status === StepsModel.Good ? Theme.accent : root.status === StepsModel.Warning ? Theme.warning : Theme.failure
+                border.width: root.old ? 1.5 : 0
+                border.color: Theme.muted
             }
         }
     }

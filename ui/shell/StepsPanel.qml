@@ -1,10 +1,9 @@
 pragma ComponentBehavior: Bound
 import QtQuick
-import QtQuick.Templates as T
 import Furrow.Controls
 import Furrow.Plan
 
-/// The steps from field to turns, one of them open.
+/// The steps from field to check, one of them open.
 Rectangle {
     id: root
 
@@ -12,29 +11,16 @@ Rectangle {
     property string openStep: "field"
     signal openRequested()
     signal drawRequested()
+    signal checkRequested()
 
     objectName: "stepsPanel"
     color: Theme.panel
 
-    Flickable {
+    ScrollArea {
         id: flick
 
         anchors.fill: parent
         contentHeight: column.height + 24
-        boundsBehavior: Flickable.StopAtBounds
-        clip: true
-
-        T.ScrollBar.vertical: T.ScrollBar {
-            id: bar
-
-            width: 8
-            padding: 2
-            contentItem: Rectangle {
-                radius: 2
-                color: Theme.line
-                visible: bar.size < 1
-            }
-        }
 
         Column {
             id: column
@@ -50,10 +36,11 @@ Rectangle {
                 StepItem {
                     width: column.width
                     session: root.session
-                    open: root.openStep === stepId
+                    open: !leadsOn && root.openStep === stepId
                     onToggled: root.openStep = open ? "" : stepId
                     onOpenRequested: root.openRequested()
                     onDrawRequested: root.drawRequested()
+                    onCheckRequested: root.checkRequested()
                 }
             }
         }

@@ -130,7 +130,8 @@ Rectangle {
             Layout.leftMargin: 4
             text: qsTr("Export")
             primary: true
-            enabled: root.session.hasPlan && !root.session.draft
+            // What cannot be exported is told there, and why.
+            enabled: root.session.hasField
             onClicked: root.commands.exportRequested()
         }
     }

@@ -101,7 +101,7 @@ private slots:
         QVERIFY(!session.hasField());
         QVERIFY(!session.hasPlan());
         QVERIFY(session.drawing().isEmpty());
-        QCOMPARE(session.steps()->rowCount(), 7);
+        QCOMPARE(session.steps()->rowCount(), 8);
     }
     void plansADrawnBoundary() {
         PlanSession session;
@@ -338,7 +338,7 @@ private slots:
         QFETCH(int, index);
         PlanSession session;
         session.openSample(index);
-        QTRY_COMPARE_WITH_TIMEOUT(session.state(), PlanSession::State::Ready, 60000);
+        QTRY_VERIFY_WITH_TIMEOUT(isFinished(session.state()), 60000);
         QCOMPARE(session.fieldName(), session.sampleNames().at(index));
         session.findings()->setAll(true);
         QCOMPARE(session.findings()->rowCount(), static_cast<int>(session.plan()->findings.size()));
@@ -377,6 +377,111 @@ private slots:
         QTRY_COMPARE_WITH_TIMEOUT(session.exporter()->state(), ExportModel::State::Failed, kPatienceMs);
         QVERIFY(!session.exporter()->message().isEmpty());
     }
+    void whatIsPlannedAlreadyIsNotPlannedAgain() {
+        PlanSession session;
+        session.setBoundary(rectangle());
+        QTRY_COMPARE_WITH_TIMEOUT(session.state(), PlanState::Ready, kPatienceMs);
+        const auto before = session.plan();
+        session.machine()->setLibraryIndex(3);
+        QCOMPARE(session.state(), PlanState::Planning);
+        // Undone before the other plan is there.
+        session.document()->undo();
+        QCOMPARE(session.state(), PlanState::Ready);
+        QCOMPARE(session.plan(), before);
+        QVERIFY(session.exporter()->refusal().isEmpty());
+        session.document()->redo();
+        QCOMPARE(session.state(), PlanState::Planning);
+        QVERIFY(!session.exporter()->refusal().isEmpty());
+        QTRY_VERIFY_WITH_TIMEOUT(isFinished(session.state()), kPatienceMs);
+        QCOMPARE(session.plan()->request.machine.name(), session.machine()->machine().name());
+    }
+    void anotherPlanOfTheFieldIsNotTheOneThatIsShown() {
+        PlanSession session;
+        session.setBoundary(rectangle());
+        QTRY_COMPARE_WITH_TIMEOUT(session.state(), PlanState::Ready, kPatienceMs);
+        session.farm()->addPlan(QStringLiteral("Harvest"));
+        // A copy asks for the same.
+        QCOMPARE(session.state(), PlanState::Ready);
+        QVERIFY(session.exporter()->heading().endsWith(QStringLiteral("Harvest")));
+        session.machine()->setLibraryIndex(4);
+        QTRY_VERIFY_WITH_TIMEOUT(isFinished(session.state()), kPatienceMs);
+        session.farm()->setCurrentPlan(0);
+        QCOMPARE(session.state(), PlanState::Planning);
+        session.cancel();
+        QCOMPARE(session.state(), PlanState::OutOfDate);
+        QVERIFY(!session.exporter()->refusal().isEmpty());
+        QCOMPARE(session.exporter()->heading(), QString{});
+    }
+    void aFileThatCannotBeReadLeavesThePlan() {
+        PlanSession session;
+        session.setBoundary(rectangle());
+        QTRY_COMPARE_WITH_TIMEOUT(session.state(), PlanState::Ready, kPatienceMs);
+        session.open(QStringLiteral("/nowhere/field.geojson"));
+        QCOMPARE(session.state(), PlanState::Reading);
+        QVERIFY(!session.exporter()->refusal().isEmpty());
+        QTRY_COMPARE_WITH_TIMEOUT(session.state(), PlanState::Ready, kPatienceMs);
+        QVERIFY(!session.problem().isEmpty());
+        QVERIFY(session.exporter()->refusal().isEmpty());
+        session.dismissProblem();
+        QVERIFY(session.problem().isEmpty());
+    }
+    void aWriteOfAPlanThatBecameAnotherIsStopped() {
+        const QTemporaryDir folder;
+        PlanSession session;
+        session.setBoundary(rectangle());
+        QTRY_COMPARE_WITH_TIMEOUT(session.state(), PlanState::Ready, kPatienceMs);
+        session.exporter()->writeTo(folder.filePath(QStringLiteral("out")));
+        QCOMPARE(session.exporter()->state(), ExportModel::State::Writing);
+        session.machine()->setLibraryIndex(3);
+        QCOMPARE(session.exporter()->state(), ExportModel::State::Failed);
+        QVERIFY(!session.exporter()->message().isEmpty());
+        QTRY_VERIFY_WITH_TIMEOUT(isFinished(session.state()), kPatienceMs);
+        QCOMPARE(session.exporter()->state(), ExportModel::State::Failed);
+    }
+    void askedForAgainIsPlanning() {
+        PlanSession session;
+        session.setBoundary(rectangle());
+        QTRY_COMPARE_WITH_TIMEOUT(session.state(), PlanState::Ready, kPatienceMs);
+        session.planAgain();
+        QCOMPARE(session.state(), PlanState::Planning);
+        session.cancel();
+        // The plan is still the one of what the panels show.
+        QCOMPARE(session.state(), PlanState::Ready);
+    }
+    void eachBlockingFindingHasAStep_data() {
+        QTest::addColumn<QString>("kind");
+        QTest::addColumn<QString>("step");
+        QTest::newRow("a gate") << "gate" << "field";
+        QTest::newRow("missed land") << "missed" << "swaths";
+        QTest::newRow("a swath is not driven") << "dropped-swath" << "swaths";
+        QTest::newRow("a headland pass is not driven") << "dropped-pass" << "headland";
+        QTest::newRow("outside") << "outside" << "path";
+        QTest::newRow("obstacle") << "obstacle" << "path";
+        QTest::newRow("not drivable") << "undrivable" << "path";
+        QTest::newRow("a kind that came later") << "something-new" << "path";
+    }
+    void eachBlockingFindingHasAStep() {
+        QFETCH(QString, kind);
+        QFETCH(QString, step);
+        PlanSession session;
+        session.setBoundary(rectangle());
+        QTRY_COMPARE_WITH_TIMEOUT(session.state(), PlanState::Ready, kPatienceMs);
+        Plan plan = *session.plan();
+        plan.findings = {{.severity = Severity::Blocking, .kind = kind.toStdString(), .place = {}, .text = "There is something.", .suggestion = {}},
+                         {.severity = Severity::Note, .kind = "headland-not-worked", .place = {}, .text = "And this.", .suggestion = {}}};
+        StepsModel steps;
+        steps.show({.field = &plan.field(), .machine = plan.request.machine, .settings = plan.request.settings, .plan = &plan,
+                    .state = PlanState::Problems});
+        for (int row = 0; row < steps.rowCount(); ++row) {
+            const QString id = steps.index(row).data(StepsModel::StepIdRole).toString();
+            const bool warned = id == step || id == QStringLiteral("check");
+            QCOMPARE(steps.index(row).data(StepsModel::StatusRole).toInt(),
+                     static_cast<int>(warned ? StepsModel::Status::Warning : StepsModel::Status::Good));
+            QCOMPARE(steps.index(row).data(StepsModel::ResultRole).toString().contains(QStringLiteral("1 problem")), id == step);
+        }
+        QCOMPARE(steps.index(7).data(StepsModel::ChoiceRole).toString(), QStringLiteral("1 problem"));
+        QCOMPARE(steps.index(7).data(StepsModel::ResultRole).toString(), QStringLiteral("1 note"));
+    }
     void cancelKeepsThePlanBefore() {
         PlanSession session;
         session.setBoundary(rectangle());
@@ -385,8 +490,13 @@ private slots:
         ParameterModel* headland = session.steps()->parameters(QStringLiteral("headland"));
         headland->setNumber(rowOf(*headland, QStringLiteral("headland.width_m")), 30.0);
         session.cancel();
-        QCOMPARE(session.state(), PlanSession::State::Stopped);
+        QCOMPARE(session.state(), PlanSession::State::OutOfDate);
         QCOMPARE(session.plan(), before);
+        // It is not of what the panels show: it stays in the window.
+        QVERIFY(!session.exporter()->refusal().isEmpty());
+        const QTemporaryDir folder;
+        session.exporter()->writeTo(folder.filePath(QStringLiteral("out")));
+        QCOMPARE(session.exporter()->state(), ExportModel::State::Idle);
         session.planAgain();
         QTRY_COMPARE_WITH_TIMEOUT(session.plan()->headland.width.si(), 30.0, kPatienceMs);
         QTRY_COMPARE_WITH_TIMEOUT(session.state(), PlanSession::State::Ready, kPatienceMs);

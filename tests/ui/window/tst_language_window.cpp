@@ -229,7 +229,7 @@ private slots:
         choose(QStringLiteral("preferences.language"), 2);
         QCOMPARE(display().language(), QStringLiteral("de"));
         QVERIFY(!renamed.isEmpty());
-        QTRY_COMPARE(steps(), (QStringList{"Schlag", "Maschine", "Vorgewende", "Teilflächen", "Spuren", "Fahrroute", "Wendungen"}));
+        QTRY_COMPARE(steps(), (QStringList{"Schlag", "Maschine", "Vorgewende", "Teilflächen", "Spuren", "Fahrroute", "Wendungen", "Prüfung"}));
         QVERIFY2(result(2).contains(QStringLiteral("Innenfläche")), qPrintable(result(2)));
         QVERIFY2(session_->statusText().startsWith(QStringLiteral("Plan fertig")), qPrintable(session_->statusText()));
         for (int row = 0; row < session_->findings()->rowCount(); ++row) {

@@ -1,0 +1,49 @@
+import QtQuick
+import QtQuick.Templates as T
+
+/// Scrolls what does not fit, with a bar; what the keys go to is brought into view.
+Flickable {
+    id: root
+
+    readonly property Item focused: Window.activeFocusItem
+
+    boundsBehavior: Flickable.StopAtBounds
+    clip: true
+    // Fractions of a pixel are nothing to scroll for.
+    interactive: contentHeight > height + 1
+    onFocusedChanged: {
+        // A click is not to lose what it was on.
+        if (focused && focused.focusReason !== Qt.MouseFocusReason && root.holds(focused))
+            root.bringIntoView(focused);
+    }
+
+    T.ScrollBar.vertical: T.ScrollBar {
+        id: bar
+
+        width: 8
+        padding: 2
+        contentItem: Rectangle {
+            radius: 2
+            color: bar.pressed ? Theme.muted : Theme.line
+            visible: root.interactive
+        }
+    }
+
+    function holds(item: Item): bool {
+        for (let above = item.parent; above; above = above.parent) {
+            if (above === root.contentItem)
+                return true;
+        }
+        return false;
+    }
+    function bringIntoView(item: Item): void {
+        const margin = 12;
+        const top = item.mapToItem(root.contentItem, 0, 0).y - margin;
+        const bottom = top + item.height + 2 * margin;
+        const most = Math.max(0, root.contentHeight - root.height);
+        if (top < root.contentY)
+            root.contentY = Math.max(0, top);
+        else if (bottom > root.contentY + root.height)
+            root.contentY = Math.min(most, Math.min(top, bottom - root.height));
+    }
+}

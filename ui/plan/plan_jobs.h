@@ -1,0 +1,49 @@
+#pragma once
+
+#include "planner/field/field.h"
+#include "planner/jobs/job.h"
+#include "planner/plan/plan.h"
+#include "planner/project/project_file.h"
+#include "ui/map/plan_drawing.h"
+
+#include <QString>
+#include <QStringList>
+
+#include <memory>
+#include <optional>
+#include <utility>
+#include <vector>
+
+namespace furrow {
+
+/// What a planning job hands over.
+struct PlanOutcome {
+    std::shared_ptr<const FieldSource> source;
+    std::shared_ptr<const Field> field;
+    std::shared_ptr<const Plan> plan;
+    PlanDrawing drawing;
+    std::optional<Error> error;
+};
+
+/// What a reading job hands over.
+struct Reading {
+    std::optional<std::pair<QString, OpenedProject>> project;
+    std::vector<FieldSource> fields;
+    QStringList imagery;
+    std::optional<Error> error;
+};
+
+/// What a file is: its extension says so where it is ours, otherwise how it begins.
+bool holdsProject(const QString& path);
+
+/// Reads files of any kind, in their order, up to the first that cannot be read.
+Reading readFiles(const QStringList& paths, const QString& fieldId, const JobContext& job);
+
+/// Plans a field and draws the plan; without a plan, what there is of the field.
+/// @param field   of this source, where it was checked before
+/// @param before  of the same field, for a draft that goes on from it; null for the whole plan
+PlanOutcome planned(const std::shared_ptr<const FieldSource>& source, std::shared_ptr<const Field> field,
+                    const Machine& machine, const Settings& settings, bool draft, const Plan* before,
+                    const JobContext& job);
+
+}  // namespace furrow
