@@ -1,7 +1,7 @@
 import QtQuick
 import QtQuick.Templates as T
 
-/// A card over the window that asks something; Esc closes it.
+/// A card over the window that asks something; Esc closes it. What does not fit the window scrolls.
 T.Popup {
     id: root
 
@@ -12,6 +12,7 @@ T.Popup {
     focus: true
     width: 440
     implicitHeight: contentItem.implicitHeight + 2 * padding
+    height: Math.min(implicitHeight, parent ? parent.height - 16 : implicitHeight)
     padding: 24
     closePolicy: T.Popup.CloseOnEscape
 
@@ -31,18 +32,28 @@ T.Popup {
         Accessible.role: Accessible.Dialog
         Accessible.name: root.title
 
-        Column {
-            id: column
+        ScrollArea {
+            id: scroller
 
-            width: parent.width
-            spacing: 14
+            // The bar has its place in the padding; frames of what has the keys are not cut off.
+            anchors { fill: parent; leftMargin: -4; rightMargin: -16; topMargin: -4; bottomMargin: -4 }
+            contentHeight: column.implicitHeight + 8
 
-            BodyText {
-                width: parent.width
-                text: root.title
-                font.pixelSize: 18
-                font.weight: Font.DemiBold
-                wrapMode: Text.WordWrap
+            Column {
+                id: column
+
+                x: 4
+                y: 4
+                width: scroller.width - 20
+                spacing: 14
+
+                BodyText {
+                    width: parent.width
+                    text: root.title
+                    font.pixelSize: 18
+                    font.weight: Font.DemiBold
+                    wrapMode: Text.WordWrap
+                }
             }
         }
     }

@@ -1,6 +1,5 @@
 pragma ComponentBehavior: Bound
 import QtQuick
-import QtQuick.Templates as T
 import Furrow.Controls
 import Furrow.Imagery
 
@@ -42,25 +41,11 @@ Rectangle {
         anchors.fill: parent
         onWheel: wheel => wheel.accepted = true
     }
-    Flickable {
+    ScrollArea {
         id: flick
 
         anchors { fill: parent; topMargin: 16; bottomMargin: 16 }
         contentHeight: column.height
-        boundsBehavior: Flickable.StopAtBounds
-        clip: true
-
-        T.ScrollBar.vertical: T.ScrollBar {
-            id: bar
-
-            width: 8
-            padding: 2
-            contentItem: Rectangle {
-                radius: 2
-                color: Theme.line
-                visible: bar.size < 1
-            }
-        }
 
         Column {
             id: column

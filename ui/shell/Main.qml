@@ -27,8 +27,8 @@ ApplicationWindow {
     width: 1440
     height: 900
     // Not more than there is, where everything is drawn large.
-    minimumWidth: Math.min(900, Screen.desktopAvailableWidth)
-    minimumHeight: Math.min(600, Screen.desktopAvailableHeight)
+    minimumWidth: Math.min(900, windowFit.room.width)
+    minimumHeight: Math.min(600, windowFit.room.height)
     visible: true
     title: session.hasField ? qsTr("%1%2 – Furrow").arg(session.fieldName).arg(session.document.modified ? "*" : "") : qsTr("Furrow")
     menuBar: MainMenu {
@@ -62,6 +62,11 @@ ApplicationWindow {
         property alias x: root.x
         property alias y: root.y
     }
+    WindowFit {
+        id: windowFit
+
+        window: root
+    }
     property bool maximised: false
     property bool started: false
 
@@ -72,13 +77,10 @@ ApplicationWindow {
     onRoomForPanelChanged: panelWanted = roomForPanel
     Component.onCompleted: {
         panelWanted = roomForPanel;
+        // Also where it will be maximised: it is to fit when that ends.
+        windowFit.begin();
         if (maximised)
             showMaximized();
-        // It may have been on a screen that is not there any more.
-        else if (x < Screen.virtualX || y < Screen.virtualY || x > Screen.virtualX + Screen.desktopAvailableWidth - 100 || y > Screen.virtualY + Screen.desktopAvailableHeight - 100) {
-            x = Screen.virtualX;
-            y = Screen.virtualY;
-        }
         started = true;
         if (offersTour && !tour.seen)
             tour.start();
