@@ -4,6 +4,7 @@
 #include "planner/io/boundary_import.h"
 #include "planner/io/file_folder.h"
 #include "planner/io/guide_import.h"
+#include "planner/plan/advice.h"
 #include "planner/plan/draft.h"
 
 #include <QFile>
@@ -98,7 +99,8 @@ PlanOutcome planned(const std::shared_ptr<const FieldSource>& source, std::share
     }
     const auto plan = readGuides(settings, *field, job).and_then([&](std::shared_ptr<const GuideData> guides) {
         PlanRequest request{.field = field, .machine = machine, .settings = settings, .guides = std::move(guides)};
-        return makePlan(draft ? draftOf(std::move(request), before) : request, job.part(0.1, 0.95));
+        return makePlan(draft ? draftOf(std::move(request), before) : request, job.part(0.1, 0.9))
+            .and_then([&](const std::shared_ptr<const Plan>& made) { return withAdvice(made, job.part(0.9, 0.95)); });
     });
     if (!plan) {
         return {.source = source, .field = field, .plan = {},

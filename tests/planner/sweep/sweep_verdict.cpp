@@ -2,6 +2,7 @@
 
 #include "planner/io/guide_import.h"
 #include "planner/machine/machine_library.h"
+#include "planner/plan/advice.h"
 #include "planner/plan/method_registry.h"
 #include "planner/settings/operation.h"
 #include "tests/planner/sweep/sweep_shapes.h"
@@ -204,10 +205,16 @@ SweepOutcome SweepBench::judged(const SweepChange& change, const Settings& setti
         return outcome;
     }
     measure(outcome, **made);
+    // What the program shows: with advice that was planned.
+    const auto advised = withAdvice(*made, {.threads = 1});
+    if (!advised) {
+        outcome.reason = advised.error().line();
+        return outcome;
+    }
     const auto standardKinds = blockingKinds(site_.standard.get());
     outcome.standardBlocking = countOf(standardKinds);
     outcome.verdict = SweepVerdict::Drivable;
-    for (const Finding& finding : (*made)->findings) {
+    for (const Finding& finding : (*advised)->findings) {
         if (finding.severity != Severity::Blocking) {
             continue;
         }

@@ -211,7 +211,7 @@ void TestSweep::adviceIsTried_data() {
     QTest::newRow("helps") << "headland.passes" << "auto" << "";
     QTest::newRow("changes nothing") << "route.corner" << "first" << "still there";
     QTest::newRow("does harm") << "headland.passes" << "0" << "still there";
-    QTest::newRow("is refused") << "headland.width_m" << "18" << "at most one";
+    QTest::newRow("is refused") << "headland.width_m" << "18" << "do not agree";
     QTest::newRow("is no setting") << "headland.breadth" << "18" << "no setting";
 }
 
