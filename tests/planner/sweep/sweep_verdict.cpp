@@ -235,7 +235,7 @@ SweepOutcome SweepBench::judged(const SweepChange& change, const Settings& setti
         outcome.verdict = SweepVerdict::Failed;
         outcome.reason = "nothing is said of a value that cannot be obeyed";
     }
-    if (const std::string bad = badAdvice(**made); !bad.empty()) {
+    if (const std::string bad = badAdvice(**advised); !bad.empty()) {
         outcome.verdict = SweepVerdict::Failed;
         outcome.reason += (outcome.reason.empty() ? "" : " ") + bad;
     }
