@@ -4,7 +4,7 @@ namespace furrow::test {
 
 /// Whether the environment asks for more than the everyday test:
 ///
-///     FURROW_SWEEP          all; or sample:N:SEED, about N of all; or pairs:N:SEED, N pairs of changes, each on
+///     FURROW_SWEEP          all; or sample:N:SEED, about N of all; or pairs:N:SEED, N pairs, each on
 ///                           one shape with one machine
 ///     FURROW_SWEEP_SETTING  only changes that have this in their name: "headland.", "path.method=u"
 ///     FURROW_SWEEP_SHAPE    only these, divided by commas
