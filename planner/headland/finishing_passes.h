@@ -13,12 +13,12 @@ extern const Parameter kHeadlandFinish;
 /// What other passes leave, and how much of it may stay.
 struct FinishingTask {
     const MultiPolygon& workable;  ///< the field less its obstacles and the margin
-    const MultiPolygon& leftOnPurpose;  ///< no pass works any of it
     const MultiPolygon& left;      ///< not worked although it is within reach, largest first
     Area mayStay;                  ///< in all
     Area mayStayInOnePiece;
     const Rig& lowered;            ///< implement down, in the drivable area
     FullLockPasses* bends = nullptr;  ///< for what cannot reverse
+    std::span<const Polygon> leftOnPurpose = {};  ///< no pass works any of it
     std::span<const PassStretch> refused = {};  ///< have no way in or out: not proposed, nor what is nearly one of them
 };
 

@@ -332,12 +332,12 @@ Result<void> finish(Plan& plan, std::vector<Leg> legs, RememberedWays& ways, con
         const JobContext part = job.part(static_cast<double>(round) / kFinishingRounds, (round + 1.0) / kFinishingRounds);
         const Area hairs = plan.audit.left - area(plan.audit.leftAreas);
         const auto passes = finishingPasses({.workable = *land,
-                                             .leftOnPurpose = plan.leftOnPurpose,
                                              .left = plan.audit.leftAreas,
                                              .mayStay = kMayStayShare * plan.audit.workable - hairs,
                                              .mayStayInOnePiece = kMayStayInOnePiece,
                                              .lowered = lowered,
                                              .bends = bends ? &*bends : nullptr,
+                                             .leftOnPurpose = plan.leftOnPurpose,
                                              .refused = refused},
                                             part.part(0.0, 0.2));
         if (!passes) {
