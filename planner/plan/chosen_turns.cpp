@@ -67,6 +67,12 @@ std::optional<Turn> ChosenTurns::between(const Leg& leaving, const Leg& arriving
     return turn;
 }
 
+std::optional<Turn> ChosenTurns::anywhere(const Leg& leaving, const Leg& arriving) const {
+    const Rig& rig = ways_.rig();
+    Turn turn = connection(leaving.line.end(), arriving.line.start, rig.machine(), kind_.run);
+    return rig.driven(Rig::inLine(turn.start), turn) ? std::optional{std::move(turn)} : std::nullopt;
+}
+
 std::optional<Finding> ChosenTurns::told(std::span<const Leg> legs) const {
     if (&kind_ == &kBestFeasibleMethod) {
         return std::nullopt;

@@ -22,6 +22,9 @@ public:
     /// The turn from one leg to the next of the chosen kind, where it belongs and fits.
     std::optional<Turn> between(const Leg& leaving, const Leg& arriving) const;
 
+    /// The same from any leg to any other, as long as it leads through no obstacle: for machines that may leave the field.
+    std::optional<Turn> anywhere(const Leg& leaving, const Leg& arriving) const;
+
     /// How many turns between swaths are of another kind, and why; nothing where all are as chosen.
     std::optional<Finding> told(std::span<const Leg> legs) const;
 

@@ -1,5 +1,6 @@
 #include "planner/plan/drive_stage.h"
 
+#include "planner/field/ground_around.h"
 #include "planner/geometry/geos_bridge.h"
 #include "planner/headland/finishing_passes.h"
 #include "planner/headland/headland_passes.h"
@@ -213,17 +214,18 @@ Result<void> drive(Plan& plan, std::vector<Leg>& legs, RememberedWays& ways, con
             [&](const Leg& from, const Leg& to, const JobContext& piece) {
                 const Pose leaving = from.line.end();
                 const Pose arriving = to.line.start;
-                auto way = fits ? chosen.between(from, to) : std::nullopt;
-                if (fits && !way) {
+                // What may leave the field keeps its kind but where that leads through an obstacle.
+                auto way = fits ? chosen.between(from, to) : chosen.anywhere(from, to);
+                if (!way) {
                     way = ways(leaving, arriving, piece);
                 }
-                isWhole = isWhole && (way || !fits);
+                isWhole = isWhole && way;
                 return way ? std::move(*way) : connection(leaving, arriving, machine, otherTurns(settings));
             },
             part);
     };
     auto path = build(job.part(0.0, 0.3));
-    if (path && !isWhole) {
+    if (path && fits && !isWhole) {
         const auto parts = DrivenParts::of(drivable, machine, {}, job);
         if (!parts) {
             return std::unexpected(parts.error());
@@ -306,7 +308,9 @@ std::vector<HeadlandPass> leadingOutside(const Path& path, const std::vector<Hea
 Result<void> finish(Plan& plan, std::vector<Leg> legs, RememberedWays& ways, const ChosenTurns& chosen,
                     const MultiPolygon& drivable, const JobContext& job) {
     const Settings& settings = plan.request.settings;
-    const bool applies = !plan.headland.rings.empty() && settings.flag(kHeadlandFinish) && settings.flag(kStayInside);
+    // Beside obstacles that swaths stop short of, too, where there is no headland.
+    const bool applies = settings.flag(kHeadlandFinish) &&
+                         (settings.flag(kStayInside) ? !plan.headland.rings.empty() : plan.headland.passes == 0);
     if (!applies || !leavesTooMuch(plan)) {
         return {};
     }
@@ -397,7 +401,13 @@ Result<void> driveStage(Plan& plan, const MultiPolygon& drivable, const JobConte
     if (!travel) {
         return std::unexpected(travel.error());
     }
-    const auto fitting = std::make_shared<FittingWays>(*open, machine, *travel);
+    const auto ground = settings.flag(kStayInside) ? open : obstaclesOf(field, job).and_then([&](const MultiPolygon& obstacles) {
+        return groundAround(field, obstacles, job);
+    });
+    if (!ground) {
+        return std::unexpected(ground.error());
+    }
+    const auto fitting = std::make_shared<FittingWays>(*ground, machine, *travel);
     RememberedWays ways{[fitting](const Pose& leaving, const Pose& arriving, const JobContext& part, SearchEffort effort) {
         return fitting->between(leaving, arriving, part, effort);
     }};
@@ -412,11 +422,11 @@ Result<void> driveStage(Plan& plan, const MultiPolygon& drivable, const JobConte
     plan.leftOnPurpose = std::move(*onPurpose);
     std::vector<Leg> legs = std::move(lifted.legs);
     const ChosenTurns chosen{plan, *fitting};
-    const std::vector<Finding> gateFindings = addGateWays(legs, places, field, fitting->rig());
-    if (auto driven = drive(plan, legs, ways, chosen, *open, job.part(0.0, 0.8)); !driven) {
+    const std::vector<Finding> gateFindings = addGateWays(legs, places, field, Rig{*open, machine});
+    if (auto driven = drive(plan, legs, ways, chosen, *ground, job.part(0.0, 0.8)); !driven) {
         return std::unexpected(driven.error());
     }
-    if (auto finished = finish(plan, legs, ways, chosen, *open, job.part(0.8, 1.0)); !finished) {
+    if (auto finished = finish(plan, legs, ways, chosen, *ground, job.part(0.8, 1.0)); !finished) {
         return std::unexpected(finished.error());
     }
     plan.findings.insert(plan.findings.end(), gateFindings.begin(), gateFindings.end());

@@ -1,8 +1,10 @@
 #include "planner/plan/swath_stage.h"
 
+#include "planner/field/ground_around.h"
 #include "planner/geometry/geos_bridge.h"
 #include "planner/headland/headland_passes.h"
 #include "planner/headland/turning_room.h"
+#include "planner/plan/general_parameters.h"
 #include "planner/plan/method_registry.h"
 #include "planner/route/patterns.h"
 #include "planner/swaths/full_ends.h"
@@ -191,6 +193,29 @@ void drawOut(LaidSwaths& laid, const MultiPolygon& mainland, const EndRoom& room
     laid.swaths.endOverlap = overlap;
 }
 
+struct GroundForEnds {
+    MultiPolygon working;
+    MultiPolygon driving;
+    bool drawsIn = false;
+};
+
+/// Inside the outermost pass where there are more. Without any, and with a machine that may leave the field, everywhere
+/// but over obstacles.
+Result<GroundForEnds> groundForEnds(const Plan& plan, const MultiPolygon& workable, const MultiPolygon& drivable,
+                                    const JobContext& job) {
+    const Machine& machine = plan.request.machine;
+    const Field& field = plan.field();
+    if (plan.headland.passes == 0 && !plan.request.settings.flag(kStayInside)) {
+        return obstaclesOf(field, job)
+            .and_then([&](const MultiPolygon& obstacles) { return groundAround(field, obstacles, job); })
+            .transform([](const MultiPolygon& ground) { return GroundForEnds{ground, ground, true}; });
+    }
+    const Length outermost = plan.margin + (plan.headland.passes > 1 ? uncutEdge(machine) + machine.operatingWidth() : Length{});
+    return eroded(workable, outermost, kArcTolerance, job).transform([&](MultiPolygon&& working) {
+        return GroundForEnds{std::move(working), drivable, false};
+    });
+}
+
 }  // namespace
 
 SwathSet cutTo(const SwathSet& set, const MultiPolygon& part) {
@@ -232,19 +257,18 @@ Result<LaidSwaths> layStage(const Plan& plan, const MultiPolygon& workable, cons
     }
     markTramlines(*common, request.settings);
     auto laid = laidInParts(plan, *common, job);
-    // With one pass or none there is no room to draw them out into.
-    if (!laid || request.settings.choice(kEnds) != "full" || plan.headland.passes < 2) {
+    if (!laid || request.settings.choice(kEnds) != "full") {
         return laid;
     }
-    const Length outermost = plan.margin + uncutEdge(request.machine) + request.machine.operatingWidth();
-    const auto working = eroded(workable, outermost, kArcTolerance, job);
-    if (!working) {
-        return std::unexpected(working.error());
+    const auto room = groundForEnds(plan, workable, drivable, job);
+    if (!room) {
+        return std::unexpected(room.error());
     }
     drawOut(*laid, plan.headland.mainland,
-            {.working = *working,
-             .driving = drivable,
-             .turning = reachOfLevelTurn(request.machine, turnMethod(request.settings))},
+            {.working = room->working,
+             .driving = room->driving,
+             .turning = reachOfLevelTurn(request.machine, turnMethod(request.settings)),
+             .drawsIn = room->drawsIn},
             request.machine);
     return laid;
 }

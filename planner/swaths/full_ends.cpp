@@ -199,7 +199,8 @@ public:
           mainland_{mainland, along_, 2.0 * machinery_.halfWidthM},
           working_{room.working, along_, 2.0 * machinery_.halfWidthM},
           driving_{room.driving, along_, 2.0 * machinery_.halfWidthM},
-          turningM_{room.turning.si()} {}
+          turningM_{room.turning.si()},
+          drawsIn_{room.drawsIn} {}
 
     void drawStraightOnes() {
         for (Swath& swath : set_.swaths) {
@@ -207,21 +208,36 @@ public:
                 continue;
             }
             const double y = cross(along_, swath.start);
-            const double from = drawnOut({.x = dot(along_, swath.start), .y = y, .ahead = -1.0});
-            const double to = drawnOut({.x = dot(along_, swath.end), .y = y, .ahead = 1.0});
+            const double halfM = 0.5 * swath.length().si();
+            const double from = drawnOut({.x = dot(along_, swath.start), .y = y, .ahead = -1.0}, halfM);
+            const double to = drawnOut({.x = dot(along_, swath.end), .y = y, .ahead = 1.0}, halfM);
             swath.start = from * along_ + y * left_;
             swath.end = to * along_ + y * left_;
         }
     }
 
     /// How far a line that ends there, along the drawer's direction, is drawn out.
-    Length beyond(Point end) {
+    /// @param most  that it may be drawn in
+    Length beyond(Point end, Length most) {
         const double x = dot(along_, end);
-        return metres(drawnOut({.x = x, .y = cross(along_, end), .ahead = 1.0}) - x);
+        return metres(drawnOut({.x = x, .y = cross(along_, end), .ahead = 1.0}, most.si()) - x);
     }
 
 private:
-    double drawnOut(const End& end) {
+    /// How far an end has to be drawn in, so that whichever way it is driven tractor and implement stay where they may
+    /// be.
+    double tooFar(const End& end, double mostM) const {
+        const double backM = std::min(mostM, machinery_.aheadM + machinery_.halfWidthM);
+        const End before{.x = end.x - end.ahead * backM, .y = end.y, .ahead = end.ahead};
+        const double free = std::min(freeAhead(driving_, before, machinery_.halfWidthM) - machinery_.halfImplementM,
+                                     freeAhead(driving_, before, machinery_.halfTractorM) - machinery_.aheadM);
+        return std::clamp(backM - free, 0.0, mostM);
+    }
+
+    double drawnOut(const End& end, double mostM) {
+        if (const double back = drawsIn_ ? tooFar(end, mostM) : 0.0; back > 0.0) {
+            return end.x - end.ahead * back;
+        }
         const std::vector<Piece> across = edgeAcross(mainland_, end, machinery_.halfWidthM);
         double wanted = 0.0;
         for (const Piece& piece : across) {
@@ -260,6 +276,7 @@ private:
     TurnedEdges working_;
     TurnedEdges driving_;
     double turningM_;
+    bool drawsIn_;
 };
 
 constexpr Choice kEndKinds[] = {
@@ -277,7 +294,8 @@ void drawOutEnds(SwathSet& set, const MultiPolygon& mainland, const EndRoom& roo
             // Straight on, each end in its own direction.
             const Pose end = swath.curve.end();
             const auto drawn = [&](Point from, Point along) {
-                return EndDrawer{set, along, mainland, room, machine}.beyond(from);
+                // Curves stay as long as they are.
+                return EndDrawer{set, along, mainland, room, machine}.beyond(from, Length{});
             };
             const Length before = drawn(swath.start, -1.0 * direction(swath.curve.start.heading.si()));
             const Length after = drawn(swath.end, direction(end.heading.si()));

@@ -135,7 +135,7 @@ private slots:
         VERIFY_RESULT(omega);
         const auto [omegas, all] = turnsOfKind(**omega, "omega");
         QCOMPARE(omegas, all);
-        const auto u = planOf(cultivator, {{"path.method", "u"}, {"swaths.method", "longest-edge"}});
+        const auto u = planOf(cultivator, {{"path.method", "u"}, {"swaths.method", "longest-edge"}, {"route.method", "boustrophedon"}});
         VERIFY_RESULT(u);
         QCOMPARE(turnsOfKind(**u, "u").first, 0);
         const auto said = found(**u, "turn-kind");

@@ -1,0 +1,33 @@
+#include "planner/field/ground_around.h"
+
+#include "planner/geometry/geos_bridge.h"
+
+#include <algorithm>
+
+namespace furrow {
+
+namespace {
+
+// So far beyond the field nobody turns: more than the field is long, and this.
+constexpr double kFarM = 1000.0;
+
+}  // namespace
+
+Result<MultiPolygon> obstaclesOf(const Field& field, const JobContext& job) {
+    MultiPolygon outlines;
+    for (const Polygon& part : field.boundary()) {
+        outlines.push_back({.outer = part.outer, .holes = {}});
+    }
+    return unionOf(outlines, job).and_then(
+        [&](const MultiPolygon& land) { return difference(land, field.drivable(), job); });
+}
+
+Result<MultiPolygon> groundAround(const Field& field, const MultiPolygon& obstacles, const JobContext& job) {
+    const Bounds box = bounds(field.boundary());
+    const double farM = std::max(box.width(), box.height()) + kFarM;
+    const Point low = box.min - Point{farM, farM};
+    const Point high = box.max + Point{farM, farM};
+    return difference({{.outer = {low, {high.x, low.y}, high, {low.x, high.y}}, .holes = {}}}, obstacles, job);
+}
+
+}  // namespace furrow
