@@ -2,6 +2,7 @@
 
 #include "planner/decomposition/history.h"
 #include "planner/decomposition/joining.h"
+#include "planner/decomposition/ledges.h"
 #include "planner/geometry/geos_bridge.h"
 #include "planner/geometry/segment.h"
 
@@ -18,8 +19,10 @@ namespace furrow {
 
 namespace {
 
-// Corners whose heights differ by less lie on one line.
+// Beside a ledge is looked this far above or below it.
 constexpr double kLevelM = 1e-6;
+// Edges that are shorter, or shorter than half a width, draw a bend: arcs of up to 100 m are drawn in such.
+constexpr Length kBend = metres(3.0);
 // Cuts reach this far across the edges they end on, so that they are cut through.
 constexpr double kAcrossM = 1e-4;
 // An edge that leaves a corner almost along the heading is this far from it on the next line at most.
@@ -55,52 +58,6 @@ private:
     Point along_;
 };
 
-/// A level stretch of a ring, mostly one corner, between the edges that leave it.
-struct Ledge {
-    Point left;
-    Point right;
-    bool isValley = false;   ///< both edges go up from it
-    bool isPeak = false;     ///< both go down
-    bool isInward = false;   ///< it points into the mainland
-};
-
-/// The ledges of one ring, counter-clockwise outside and clockwise round holes.
-std::vector<Ledge> ledgesOf(const Ring& ring) {
-    std::vector<Ledge> ledges;
-    const std::size_t size = ring.size();
-    const auto level = [](Point a, Point b) { return std::abs(a.y - b.y) < kLevelM; };
-    std::size_t first = 0;
-    while (first < size && level(ring[first], ring[(first + size - 1) % size])) {
-        ++first;
-    }
-    for (std::size_t i = first; i < first + size;) {
-        std::size_t last = i;
-        while (last + 1 < first + size && level(ring[last % size], ring[(last + 1) % size])) {
-            ++last;
-        }
-        const Point before = ring[(i + size - 1) % size];
-        const Point begin = ring[i % size];
-        const Point end = ring[last % size];
-        const Point after = ring[(last + 1) % size];
-        const bool fromAbove = before.y > begin.y;
-        const bool toAbove = after.y > end.y;
-        Ledge ledge{.left = begin.x < end.x ? begin : end,
-                    .right = begin.x < end.x ? end : begin,
-                    .isValley = fromAbove && toAbove,
-                    .isPeak = !fromAbove && !toAbove};
-        if (begin == end) {
-            ledge.isInward = cross(begin - before, after - begin) < 0.0;
-        } else {
-            // The mainland lies to the left of the way: above a ledge that is driven to the right.
-            const bool isAbove = end.x > begin.x;
-            ledge.isInward = ledge.isValley ? !isAbove : isAbove;
-        }
-        ledges.push_back(ledge);
-        i = last + 1;
-    }
-    return ledges;
-}
-
 /// From a ledge to the nearest edges to its left and right, on the side where the mainland is open: above it, or
 /// below where `side` is -1.
 void addCuts(const MultiPolygon& mainland, const Ledge& ledge, double side, std::vector<Polyline>& cuts) {
@@ -128,14 +85,15 @@ void addCuts(const MultiPolygon& mainland, const Ledge& ledge, double side, std:
     }
 }
 
-std::vector<Polyline> cutsOf(const MultiPolygon& mainland, bool atEveryCorner) {
+/// @param bend  edges that are shorter belong to one corner
+std::vector<Polyline> cutsOf(const MultiPolygon& mainland, bool atEveryCorner, Length bend) {
     std::vector<Polyline> cuts;
     const auto visit = [&](const Ring& ring) {
-        for (const Ledge& ledge : ledgesOf(ring)) {
+        for (const Ledge& ledge : ledgesOf(ring, bend)) {
             if (ledge.isInward && (ledge.isValley || ledge.isPeak)) {
                 // Below a valley that points inwards, as the lower end of an obstacle does, and above a peak.
                 addCuts(mainland, ledge, ledge.isValley ? -1.0 : 1.0, cuts);
-            } else if (atEveryCorner) {
+            } else if (atEveryCorner && ledge.isCorner) {
                 addCuts(mainland, ledge, 1.0, cuts);
                 addCuts(mainland, ledge, -1.0, cuts);
             }
@@ -170,8 +128,8 @@ struct LevelCells {
     std::vector<Polyline> cuts;
 };
 
-Result<LevelCells> levelCells(const MultiPolygon& mainland, bool atEveryCorner, const JobContext& job) {
-    LevelCells level{.cells = {}, .cuts = cutsOf(mainland, atEveryCorner)};
+Result<LevelCells> levelCells(const MultiPolygon& mainland, bool atEveryCorner, Length bend, const JobContext& job) {
+    LevelCells level{.cells = {}, .cuts = cutsOf(mainland, atEveryCorner, bend)};
     if (level.cuts.empty()) {
         level.cells = mainland;
     } else {
@@ -263,7 +221,7 @@ Result<Decomposition> decomposed(const DecompositionTask& task, bool atEveryCorn
         return onePiece(task, job);
     }
     const LevelFrame frame{task.swaths.heading};
-    const auto level = levelCells(frame.to(task.mainland), atEveryCorner, job);
+    const auto level = levelCells(frame.to(task.mainland), atEveryCorner, std::max(kBend, 0.5 * task.machine.operatingWidth()), job);
     if (!level) {
         return std::unexpected(level.error());
     }
@@ -310,7 +268,8 @@ constexpr Choice kHeadings[] = {
 
 const Parameter kSplit{.key = "decomposition.split",
                        .name = "Split lines",
-                       .description = "Lines in WGS84 along which the mainland is cut; they have to run right through it.",
+                       .description = "Lines in WGS84 along which the mainland is cut; they run right through it, or end no farther than an operating width "
+                                      "from its edge.",
                        .kind = ParameterKind::Lines,
                        .standard = {},
                        .choices = {}};
@@ -332,7 +291,7 @@ const Method<Decomposer> kOnePieceMethod{
 const Method<Decomposer> kTrapezoidalMethod{
     .info = {.id = "trapezoidal",
              .name = "Trapezoids",
-             .description = "Cut along the swaths at every corner.",
+             .description = "Cut along the swaths at every corner, sharp or rounded.",
              .parameters = {}},
     .run = [](const DecompositionTask& task, const JobContext& job) { return decomposed(task, true, false, job); }};
 

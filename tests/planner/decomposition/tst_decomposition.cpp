@@ -85,6 +85,38 @@ private slots:
         QCOMPARE(cellsBy(kOnePieceMethod, mainland, swaths)->cells.size(), std::size_t{1});
     }
 
+    // The headland round a square pond has round corners: along the swaths there is one cell below, one above and one on
+    // either side, as of a sharp one; turned, each of its corners cuts once, as of the diamond.
+    void roundedCornersAreOneCornerEach_data() {
+        QTest::addColumn<double>("turnDeg");
+        QTest::addColumn<double>("roundM");
+        QTest::addColumn<int>("trapezoids");
+        for (const double roundM : {0.0, 3.0, 15.0, 60.0}) {
+            QTest::addRow("aligned, %g m", roundM) << 0.0 << roundM << 4;
+            QTest::addRow("by 30 degrees, %g m", roundM) << 30.0 << roundM << 6;
+            QTest::addRow("by 45 degrees, %g m", roundM) << 45.0 << roundM << 6;
+        }
+    }
+    void roundedCornersAreOneCornerEach() {
+        QFETCH(double, turnDeg);
+        QFETCH(double, roundM);
+        QFETCH(int, trapezoids);
+        const MultiPolygon pond = test::moved({test::centredRectangle(40.0, 40.0)}, degrees(turnDeg), {200.0, 125.0});
+        const auto around = roundM > 0.0 ? dilated(pond, metres(roundM), kArcTolerance, {}) : Result<MultiPolygon>{pond};
+        const MultiPolygon mainland = difference({test::rectangle(400.0, 250.0)}, *around, {}).value();
+        const SwathSet swaths = levelSwaths(mainland, 0.0);
+        QCOMPARE(cellsBy(kTrapezoidalMethod, mainland, swaths)->cells.size(), static_cast<std::size_t>(trapezoids));
+        QCOMPARE(cellsBy(kBoustrophedonCellsMethod, mainland, swaths)->cells.size(), std::size_t{4});
+    }
+
+    // A round pond has no corners but where it begins and ends; turned, the rectangle around it has two more.
+    void aCircleHasNoCorners() {
+        const auto pond = dilated({test::centredRectangle(0.1, 0.1)}, metres(40.0), kArcTolerance, {});
+        const MultiPolygon mainland = difference({test::centredRectangle(400.0, 250.0)}, *pond, {}).value();
+        QCOMPARE(cellsBy(kTrapezoidalMethod, mainland, levelSwaths(mainland, 12.3))->cells.size(), std::size_t{6});
+        QCOMPARE(cellsBy(kTrapezoidalMethod, mainland, levelSwaths(mainland, 0.0))->cells.size(), std::size_t{4});
+    }
+
     // The square hole: 20 m below, twice 20 m beside, 20 m above.
     void altitudeByHand() {
         const MultiPolygon mainland = test::polygonsFromWkt(
