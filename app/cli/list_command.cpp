@@ -56,6 +56,7 @@ std::string_view kindName(ParameterKind kind) {
         case ParameterKind::Length: return "length_m";
         case ParameterKind::Angle: return "angle_deg";
         case ParameterKind::Count: return "count";
+        case ParameterKind::Percent: return "percent";
         case ParameterKind::Choice: return "choice";
         case ParameterKind::Flag: return "flag";
         case ParameterKind::Line:
@@ -100,6 +101,7 @@ std::string rangeText(const Parameter& parameter) {
         case ParameterKind::Angle:
             return std::format("{} to {} degrees, {}", parameter.min, parameter.max, standard);
         case ParameterKind::Count: return std::format("{} to {}, {}", parameter.min, parameter.max, standard);
+        case ParameterKind::Percent: return std::format("{} to {} %, {}", parameter.min, parameter.max, standard);
         case ParameterKind::Line: return "WKT in WGS84, default none";
         case ParameterKind::Lines: return "WKT of lines in WGS84, default none";
         case ParameterKind::File: return "a file, default none";

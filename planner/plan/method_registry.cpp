@@ -8,6 +8,7 @@
 #include "planner/settings/operation.h"
 #include "planner/settings/traversal.h"
 #include "planner/swaths/methods.h"
+#include "planner/swaths/short_swaths.h"
 #include "planner/swaths/tramlines.h"
 #include "planner/turns/best_feasible.h"
 #include "planner/turns/continuous_curvature.h"
@@ -76,7 +77,7 @@ constexpr std::array kTurnMethods{
 };
 
 // Parameters that every method of a stage reads.
-constexpr std::array<const Parameter*, 6> kSwathParameters{&kEnds,          &kOverlap,       &kLastPass,
+constexpr std::array<const Parameter*, 7> kSwathParameters{&kEnds,          &kOverlap,       &kLastPass,  &kMinLength,
                                                            &kTramlineEvery, &kTramlineStart, &kRoundUpTo};
 constexpr std::array<const Parameter*, 2> kCellParameters{&kSplit, &kCellHeading};
 constexpr std::array<const Parameter*, 3> kRouteParameters{&kTraversal, &kRouteStart, &kRouteEnd};

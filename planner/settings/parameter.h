@@ -13,6 +13,7 @@ enum class ParameterKind {
     Length,
     Angle,
     Count,
+    Percent,
     Choice,
     Flag,
     Line,     ///< points in WGS84 as WKT: "LINESTRING (4.1 52.0, 4.2 52.0)"; empty where there are none

@@ -19,6 +19,7 @@ Message rangeText(const Parameter& parameter) {
     switch (parameter.kind) {
         case ParameterKind::Length: return message("give a number from {} to {} m", parameter.min, parameter.max);
         case ParameterKind::Angle: return message("give a number from {} to {} degrees", parameter.min, parameter.max);
+        case ParameterKind::Percent: return message("give a number from {} to {} %", parameter.min, parameter.max);
         default: return message("give a number from {} to {}", parameter.min, parameter.max);
     }
 }
@@ -258,6 +259,10 @@ std::optional<Angle> Settings::angle(const Parameter& parameter) const {
 
 std::optional<int> Settings::count(const Parameter& parameter) const {
     return number(parameter).transform([](double held) { return static_cast<int>(held); });
+}
+
+std::optional<double> Settings::percent(const Parameter& parameter) const {
+    return number(parameter);
 }
 
 std::string Settings::choice(const Parameter& parameter) const {

@@ -35,6 +35,8 @@ public:
     std::optional<Length> length(const Parameter& parameter) const;
     std::optional<Angle> angle(const Parameter& parameter) const;
     std::optional<int> count(const Parameter& parameter) const;
+    /// As given: 0.5 is half a percent.
+    std::optional<double> percent(const Parameter& parameter) const;
     std::string choice(const Parameter& parameter) const;
     bool flag(const Parameter& parameter) const;
     std::vector<GeoPoint> line(const Parameter& parameter) const;

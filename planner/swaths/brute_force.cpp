@@ -1,4 +1,4 @@
-#include "planner/swaths/heading_search.h"
+#include "planner/swaths/edge_preference.h"
 #include "planner/swaths/methods.h"
 
 #include <cmath>
@@ -17,18 +17,19 @@ Result<SwathSet> bruteForce(const SwathTask& task, const JobContext& job) {
     for (int i = 0; i * stepDeg < 180.0; ++i) {
         headings.push_back(degrees(i * stepDeg));
     }
-    const auto heading = bestHeading(*scanLine, headings, objectiveOf(task.settings), job);
+    const SwathObjective objective = objectiveOf(task.settings);
+    const auto heading = bestHeading(*scanLine, headings, objective, job);
     if (!heading) {
         return std::unexpected(heading.error());
     }
-    auto set = swathsAlong(*scanLine, task, heading->heading, objectiveOf(task.settings), job);
+    auto set = swathsOfBest(*scanLine, task, objective, *heading, {}, job);
     if (set) {
         set->headingsTried = static_cast<int>(headings.size());
     }
     return set;
 }
 
-constexpr const Parameter* kParameters[] = {&kObjective, &kStep};
+constexpr const Parameter* kParameters[] = {&kObjective, &kPreferEdge, &kStep};
 
 }  // namespace
 

@@ -148,14 +148,19 @@ std::vector<double> trackPlaces(double lowM, double highM, const SwathSpacing& s
         return places;
     }
     const double first = anchored ? stepM * std::ceil((lowest - slack) / stepM) : lowest;
-    if (spacing.lastPass != LastPass::Gap && first > lowest + slack) {
+    const bool isGap = spacing.lastPass == LastPass::Gap;
+    if (!isGap && first > lowest + slack) {
         places.push_back(lowest);
+    } else if (isGap && first <= highest + slack && spacing.isWorthASwath(metres(first - lowest))) {
+        places.push_back(spacing.overEdge ? first - stepM : lowest);
     }
     for (int i = 0; first + i * stepM <= highest + slack; ++i) {
         places.push_back(first + i * stepM);
     }
-    if (spacing.lastPass != LastPass::Gap && (places.empty() || places.back() < highest - slack)) {
+    if (!isGap && (places.empty() || places.back() < highest - slack)) {
         places.push_back(highest);
+    } else if (isGap && !places.empty() && spacing.isWorthASwath(metres(highest - places.back()))) {
+        places.push_back(spacing.overEdge ? places.back() + stepM : highest);
     }
     if (places.empty()) {
         places.push_back(0.5 * (lowest + highest));

@@ -1,6 +1,6 @@
 #include "planner/geometry/convex_hull.h"
 #include "planner/jobs/parallel.h"
-#include "planner/swaths/heading_search.h"
+#include "planner/swaths/edge_preference.h"
 #include "planner/swaths/methods.h"
 #include "planner/units/angle.h"
 
@@ -8,6 +8,7 @@
 #include <cmath>
 #include <iterator>
 #include <limits>
+#include <numeric>
 #include <vector>
 
 namespace furrow {
@@ -21,6 +22,9 @@ constexpr double kSameDirectionDeg = 1e-4;
 constexpr std::size_t kMostEdges = 2000;
 // The refinement stops at a step that moves the end of a kilometre by 2 cm.
 constexpr double kFinestDeg = 1e-3;
+// Headings to choose from lie so far apart; so many are measured for that.
+constexpr double kApartDeg = 1.0;
+constexpr std::size_t kMostPromising = 6;
 
 Angle headingOf(Point edge) {
     return normalisedSwathHeading(radians(std::atan2(edge.y, edge.x)));
@@ -70,6 +74,7 @@ struct Search {
     const ScanLine& scanLine;
     SwathObjective objective;
     int tried = 0;
+    std::vector<BestHeading> promising;  // by time: the best by their bounds, apart from each other
 
     Result<BestHeading> best(const std::vector<Angle>& headings, const JobContext& job) {
         tried += static_cast<int>(headings.size());
@@ -84,7 +89,7 @@ struct Search {
             return parallelMap<Duration>(
                 count, [&](std::size_t i) { return scanLine.timeBound(headings[i], enough); }, part);
         };
-        const auto promising = [&](const std::vector<Duration>& bounds) {
+        const auto quickestOf = [&](const std::vector<Duration>& bounds) {
             return headings[static_cast<std::size_t>(std::ranges::min_element(bounds) - bounds.begin())];
         };
         const auto timeOf = [&](Angle heading) { return scanLine.figures(heading, SwathObjective::Time).time; };
@@ -92,23 +97,43 @@ struct Search {
         if (!few) {
             return std::unexpected(few.error());
         }
-        const Duration reached = timeOf(promising(*few));
+        const Duration reached = timeOf(quickestOf(*few));
         const auto bounds = boundsOf(headings.size(), reached, job.part(0.1, 0.7));
         if (!bounds) {
             return std::unexpected(bounds.error());
         }
-        std::vector<Angle> left{promising(*bounds)};
+        std::vector<Angle> left{quickestOf(*bounds)};
         const Duration known = std::min(reached, timeOf(left.front()));
         for (std::size_t i = 0; i < headings.size(); ++i) {
             if ((*bounds)[i] <= known) {
                 left.push_back(headings[i]);
             }
         }
+        findPromising(headings, *bounds);
         return bestHeading(scanLine, left, objective, job.part(0.7, 1.0));
+    }
+
+    void findPromising(const std::vector<Angle>& headings, const std::vector<Duration>& bounds) {
+        std::vector<std::size_t> order(headings.size());
+        std::iota(order.begin(), order.end(), std::size_t{0});
+        std::ranges::stable_sort(order, {}, [&](std::size_t i) { return bounds[i]; });
+        for (const std::size_t i : order) {
+            const auto isNear = [&](const BestHeading& other) {
+                const double deg = std::abs(inDegrees(other.heading - headings[i]));
+                return std::min(deg, 180.0 - deg) < kApartDeg;
+            };
+            if (std::ranges::none_of(promising, isNear)) {
+                promising.push_back({headings[i], scanLine.figures(headings[i], SwathObjective::Time)});
+            }
+            if (promising.size() == kMostPromising) {
+                break;
+            }
+        }
     }
 
     /// Halves the step around the best heading for as long as that can matter.
     Result<BestHeading> refined(BestHeading from, const JobContext& caller) {
+        const BestHeading first = from;
         // A few dozen headings: over before a bar could move.
         const JobContext job{.stop = caller.stop, .progress = {}, .threads = caller.threads};
         for (double stepDeg = 0.5 * kGridDeg; stepDeg > kFinestDeg; stepDeg *= 0.5) {
@@ -120,7 +145,8 @@ struct Search {
             }
             from = *next;
         }
-        return from;
+        // What differs by rounding counts as equal: many such steps may lead back.
+        return isBetter(objective, first.figures, from.figures) ? first : from;
     }
 };
 
@@ -177,7 +203,7 @@ Result<SwathSet> exactSearch(const SwathTask& task, const JobContext& job) {
     if (!best) {
         return std::unexpected(best.error());
     }
-    auto set = swathsAlong(*scanLine, task, best->heading, search.objective, job);
+    auto set = swathsOfBest(*scanLine, task, search.objective, *best, std::move(search.promising), job);
     if (set) {
         set->headingsTried = search.tried;
         set->proved = byCount && onePiece && !gap && best->figures.count == fewestTracks;
@@ -185,7 +211,7 @@ Result<SwathSet> exactSearch(const SwathTask& task, const JobContext& job) {
     return set;
 }
 
-constexpr const Parameter* kParameters[] = {&kObjective};
+constexpr const Parameter* kParameters[] = {&kObjective, &kPreferEdge};
 
 }  // namespace
 

@@ -1,5 +1,6 @@
 #include "planner/swaths/heading_search.h"
 
+#include "planner/geometry/boundary_distance.h"
 #include "planner/jobs/parallel.h"
 #include "planner/swaths/left_on_purpose.h"
 #include "planner/swaths/methods.h"
@@ -11,10 +12,12 @@ namespace furrow {
 
 namespace {
 
+constexpr double kRoomSlackM = 0.01;
+
 constexpr Choice kLastPasses[] = {
     {"overlap", "Overlaps its neighbour", "Full spacing; the last swath is moved back to the edge."},
     {"spread", "Spread over all", "The spacing is reduced evenly so that all fit."},
-    {"gap", "Left out", "Full spacing; what does not fit stays uncovered, where it costs least."},
+    {"gap", "Left out", "Full spacing; a rest of less than half a width stays uncovered, where it costs least."},
 };
 
 LastPass lastPassOf(const Settings& settings) {
@@ -22,10 +25,21 @@ LastPass lastPassOf(const Settings& settings) {
     return id == "spread" ? LastPass::Spread : id == "gap" ? LastPass::Gap : LastPass::Overlap;
 }
 
+/// Whether half a width beyond the mainland's edge is still in the field.
+bool hasRoomBeside(const SwathTask& task) {
+    const Length half = 0.5 * task.machine.operatingWidth();
+    const BoundaryDistance edges{task.field.workable(), half};
+    bool hasRoom = true;
+    forEachEdge(task.mainland, [&](Point from, Point) {
+        hasRoom = hasRoom && edges.insideM(from).value_or(half.si()) >= half.si() - kRoomSlackM;
+    });
+    return hasRoom;
+}
+
 }  // namespace
 
 Result<SwathSpacing> spacingFor(const SwathTask& task, std::optional<Point> anchor) {
-    const SwathSpacing spacing{
+    SwathSpacing spacing{
         .width = task.machine.operatingWidth(),
         .overlap = *task.settings.length(kOverlap),
         .lastPass = lastPassOf(task.settings),
@@ -37,6 +51,7 @@ Result<SwathSpacing> spacingFor(const SwathTask& task, std::optional<Point> anch
                                      .where = std::string{kOverlap.key},
                                      .remedy = "give less than the operating width"});
     }
+    spacing.overEdge = spacing.lastPass == LastPass::Gap && hasRoomBeside(task);
     return spacing;
 }
 

@@ -21,6 +21,8 @@ extern const Parameter kElevation;
 extern const Parameter kRows;
 extern const Parameter kRowsAt;
 extern const Parameter kSkipRows;
+/// How much worse than the best a heading along an edge of the field may be to be preferred.
+extern const Parameter kPreferEdge;
 /// Where swaths end: on the centre line or once the full width is covered.
 extern const Parameter kEnds;
 

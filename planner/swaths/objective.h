@@ -5,7 +5,8 @@
 
 namespace furrow {
 
-/// What makes one heading better than another. Count, length and coverage are the paper's.
+/// What makes one heading better than another. Count, length and coverage are the paper's; but lengths are compared at
+/// equal coverage, with what is missed as metres on top: less is driven the more is left out.
 enum class SwathObjective { Time, Count, Length, Coverage, Overlap };
 
 /// Every objective of one heading.
@@ -14,6 +15,7 @@ struct HeadingFigures {
     Length length;          ///< of all swaths
     double coverage = 0.0;  ///< A_cov, flat ends
     Area overlap;           ///< of the mainland, covered at least twice
+    Length missed;          ///< what is not covered, as metres of a full-width swath
     /// To work the mainland to and fro: swaths, the turns between them, and what stays missed as if it were
     /// worked piecemeal at a fifth of the pace. Only where time is the objective.
     Duration time;
@@ -25,9 +27,9 @@ bool isBetter(SwathObjective objective, const HeadingFigures& a, const HeadingFi
 /// Whether a is no worse than b by this objective alone, rounding aside.
 bool isAsGood(SwathObjective objective, const HeadingFigures& a, const HeadingFigures& b);
 
-/// Number and length of swaths say it all.
+/// The number of swaths says it all.
 constexpr bool isOfLines(SwathObjective objective) {
-    return objective == SwathObjective::Count || objective == SwathObjective::Length;
+    return objective == SwathObjective::Count;
 }
 
 /// What a search for the best heading looks for.

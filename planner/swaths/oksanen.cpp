@@ -1,4 +1,4 @@
-#include "planner/swaths/heading_search.h"
+#include "planner/swaths/edge_preference.h"
 #include "planner/swaths/methods.h"
 #include "planner/units/angle.h"
 
@@ -13,11 +13,6 @@ constexpr double kFirstStepDeg = 30.0;
 constexpr double kLastStepDeg = 0.5;
 constexpr std::size_t kKept = 3;
 
-struct Candidate {
-    Angle heading;
-    HeadingFigures figures;
-};
-
 /// Six headings all round; the best three stay, each is joined by its neighbours at half the step, and so
 /// on (Oksanen & Visala 2009, doi 10.1002/rob.20300).
 Result<SwathSet> oksanen(const SwathTask& task, const JobContext& job) {
@@ -26,10 +21,10 @@ Result<SwathSet> oksanen(const SwathTask& task, const JobContext& job) {
         return std::unexpected(scanLine.error());
     }
     const SwathObjective objective = objectiveOf(task.settings);
-    std::vector<Candidate> candidates;
+    std::vector<BestHeading> candidates;
     const auto tryHeading = [&](Angle heading) {
         heading = normalisedSwathHeading(heading);
-        if (std::ranges::find(candidates, heading, &Candidate::heading) == candidates.end()) {
+        if (std::ranges::find(candidates, heading, &BestHeading::heading) == candidates.end()) {
             candidates.push_back({heading, scanLine->figures(heading, objective)});
         }
     };
@@ -41,7 +36,7 @@ Result<SwathSet> oksanen(const SwathTask& task, const JobContext& job) {
         if (job.stopRequested()) {
             return std::unexpected(cancelled());
         }
-        std::ranges::stable_sort(candidates, [&](const Candidate& a, const Candidate& b) {
+        std::ranges::stable_sort(candidates, [&](const BestHeading& a, const BestHeading& b) {
             return isBetter(objective, a.figures, b.figures);
         });
         candidates.resize(std::min(kKept, candidates.size()));
@@ -52,17 +47,17 @@ Result<SwathSet> oksanen(const SwathTask& task, const JobContext& job) {
         }
         tried += candidates.size() - std::min(kKept, candidates.size());
     }
-    const auto best = std::ranges::min_element(candidates, [&](const Candidate& a, const Candidate& b) {
+    const auto best = std::ranges::min_element(candidates, [&](const BestHeading& a, const BestHeading& b) {
         return isBetter(objective, a.figures, b.figures);
     });
-    auto set = swathsAlong(*scanLine, task, best->heading, objective, job);
+    auto set = swathsOfBest(*scanLine, task, objective, *best, candidates, job);
     if (set) {
         set->headingsTried = static_cast<int>(tried);
     }
     return set;
 }
 
-constexpr const Parameter* kParameters[] = {&kObjective};
+constexpr const Parameter* kParameters[] = {&kObjective, &kPreferEdge};
 
 }  // namespace
 

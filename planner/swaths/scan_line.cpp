@@ -171,6 +171,10 @@ Length shortestTurnBetween(Length spacing, Length radius) {
 
 }  // namespace
 
+bool SwathSpacing::isWorthASwath(Length rest) const {
+    return rest.si() >= 0.5 * width.si() - kFitSlack;
+}
+
 ScanLine::ScanLine(const MultiPolygon& mainland, const SwathSpacing& spacing,
                    const std::optional<DrivingModel>& driving)
     : spacing_{spacing}, driving_{driving} {
@@ -221,9 +225,13 @@ int ScanLine::trackCount(Length height) const {
     if (rest <= metres(0.0)) {
         return 1;
     }
-    const double steps = rest / (spacing_.width - spacing_.overlap);
-    return 1 + static_cast<int>(spacing_.lastPass == LastPass::Gap ? std::floor(steps + kFitSlack)
-                                                                   : std::ceil(steps - kFitSlack));
+    const Length step = spacing_.width - spacing_.overlap;
+    const double steps = rest / step;
+    if (spacing_.lastPass != LastPass::Gap) {
+        return 1 + static_cast<int>(std::ceil(steps - kFitSlack));
+    }
+    const double whole = std::floor(steps + kFitSlack);
+    return 1 + static_cast<int>(whole) + (spacing_.isWorthASwath(rest - whole * step) ? 1 : 0);
 }
 
 Length ScanLine::heightAcross(Angle heading) const {
@@ -244,9 +252,16 @@ int ScanLine::layoutCount(const Walk& walk) const {
     switch (spacing_.lastPass) {
         case LastPass::Overlap: return 2;
         case LastPass::Spread: return 1;
-        case LastPass::Gap: return kShifts;
+        case LastPass::Gap: return movesBack(walk) ? 2 : kShifts;
     }
     return 1;
+}
+
+/// Whether one swath more than fits is laid that may not reach beyond the edge.
+bool ScanLine::movesBack(const Walk& walk) const {
+    const Length height = metres(walk.highY - walk.lowY);
+    const Length needed = (trackCount(height) - 1) * (spacing_.width - spacing_.overlap) + spacing_.width;
+    return spacing_.lastPass == LastPass::Gap && !spacing_.overEdge && (needed - height).si() > kFitSlack;
 }
 
 void ScanLine::lay(int layout, Walk& walk) const {
@@ -264,9 +279,9 @@ void ScanLine::lay(int layout, Walk& walk) const {
         layThroughAnchor(walk);
     } else if (height <= width) {
         walk.tracks.push_back(0.5 * (walk.lowY + walk.highY));
-    } else if (spacing_.lastPass == LastPass::Gap) {
-        // From flush with one edge to flush with the other.
-        const double free = std::max(0.0, highest - lowest - last * step);
+    } else if (spacing_.lastPass == LastPass::Gap && !movesBack(walk)) {
+        // From flush with one edge to flush with the other, within them or beyond.
+        const double free = highest - lowest - last * step;
         const double first = lowest + free * layout / (kShifts - 1);
         for (std::size_t i = 0; i < count; ++i) {
             walk.tracks.push_back(first + static_cast<double>(i) * step);
@@ -315,14 +330,19 @@ void ScanLine::layThroughAnchor(Walk& walk) const {
         walk.tracks.push_back(highest - walk.anchorY <= slack ? walk.anchorY : highest);
         return;
     }
-    if (spacing_.lastPass != LastPass::Gap && first > lowest + slack) {
+    const bool isGap = spacing_.lastPass == LastPass::Gap;
+    if (!isGap && first > lowest + slack) {
         walk.tracks.push_back(lowest);
+    } else if (isGap && first <= highest + slack && spacing_.isWorthASwath(metres(first - lowest))) {
+        walk.tracks.push_back(spacing_.overEdge ? first - step : lowest);
     }
     for (int i = 0; first + i * step <= highest + slack; ++i) {
         walk.tracks.push_back(first + i * step);
     }
-    if (spacing_.lastPass != LastPass::Gap && (walk.tracks.empty() || walk.tracks.back() < highest - slack)) {
+    if (!isGap && (walk.tracks.empty() || walk.tracks.back() < highest - slack)) {
         walk.tracks.push_back(highest);
+    } else if (isGap && !walk.tracks.empty() && spacing_.isWorthASwath(metres(highest - walk.tracks.back()))) {
+        walk.tracks.push_back(spacing_.overEdge ? walk.tracks.back() + step : highest);
     }
     if (walk.tracks.empty()) {
         walk.tracks.push_back(0.5 * (lowest + highest));
@@ -513,6 +533,7 @@ HeadingFigures ScanLine::measure(SwathObjective objective, Walk& walk) const {
     const auto [coveredM2, doubledM2] = coveredAreas(walk);
     figures.coverage = areaM2_ > 0.0 ? std::clamp(coveredM2 / areaM2_, 0.0, 1.0) : 0.0;
     figures.overlap = squareMetres(std::max(0.0, doubledM2));
+    figures.missed = metres((1.0 - figures.coverage) * areaM2_ / spacing_.width.si());
     if (objective == SwathObjective::Time && driving_) {
         const auto curve = [this](const Pose& from, const Pose& to) {
             return dubinsLength(from, to, driving_->radius).si();
@@ -523,8 +544,7 @@ HeadingFigures ScanLine::measure(SwathObjective objective, Walk& walk) const {
 }
 
 Duration ScanLine::missedTime(const HeadingFigures& figures) const {
-    const double missedM = (1.0 - figures.coverage) * areaM2_ / spacing_.width.si();
-    return seconds(kPiecemealFactor * missedM / driving_->working.si());
+    return seconds(kPiecemealFactor * figures.missed.si() / driving_->working.si());
 }
 
 Duration ScanLine::timeBound(Angle heading, Duration enough) const {
@@ -550,7 +570,7 @@ Duration ScanLine::timeBound(Angle heading, Duration enough) const {
         // Swaths cover no more than their length and width: that is known without looking at areas.
         HeadingFigures figures = measureLines(walk);
         const double mostM2 = figures.length.si() * spacing_.width.si();
-        figures.coverage = areaM2_ > 0.0 ? std::min(1.0, mostM2 / areaM2_) : 0.0;
+        figures.missed = metres(std::max(0.0, areaM2_ - mostM2) / spacing_.width.si());
         Duration bound = driven + missedTime(figures);
         if (bound <= enough) {
             bound = driven + missedTime(measure(SwathObjective::Length, walk));

@@ -16,7 +16,9 @@ namespace furrow {
 enum class LastPass {
     Overlap,  ///< spacing kept, the last swath is moved back to the edge and overlaps its neighbour
     Spread,   ///< spacing reduced evenly so that all fit
-    Gap,      ///< spacing kept, as many as fit, the shift is free; the rest stays uncovered
+    /// Spacing kept, the shift is free. A rest of half a width or more gets a swath that reaches beyond the edges, as in
+    /// the paper; what is less stays uncovered.
+    Gap,
 };
 
 struct SwathSpacing {
@@ -25,6 +27,12 @@ struct SwathSpacing {
     LastPass lastPass = LastPass::Overlap;
     /// A point that one of the tracks runs through (an AB line); without it they start at the edge.
     std::optional<Point> anchor;
+    /// Whether there is room beyond the mainland's edge for what LastPass::Gap lays across it. Without, that swath is
+    /// moved back to the edge.
+    bool overEdge = true;
+
+    /// Whether a rest of the width gets a swath where LastPass::Gap leaves the others out.
+    bool isWorthASwath(Length rest) const;
 };
 
 /// What the time of a heading is estimated with: to and fro, with the machine's own curves in between.
@@ -79,6 +87,7 @@ private:
     void rotate(Angle heading, Walk& walk) const;
     /// The layouts there are to choose from are numbered from 0.
     int layoutCount(const Walk& walk) const;
+    bool movesBack(const Walk& walk) const;
     void lay(int layout, Walk& walk) const;
     void layThroughAnchor(Walk& walk) const;
     void findCrossings(Walk& walk) const;

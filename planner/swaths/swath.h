@@ -6,6 +6,7 @@
 #include "planner/jobs/job.h"
 #include "planner/machine/machine.h"
 #include "planner/settings/settings.h"
+#include "planner/swaths/objective.h"
 #include "planner/turns/turn.h"
 
 #include <algorithm>
@@ -48,6 +49,13 @@ Polyline middleLine(const Swath& swath, Length chordTolerance = kSwathChord);
 /// The line of a swath, straight or not.
 Turn lineOf(const Swath& swath);
 
+/// A heading that a search looked at closely.
+struct HeadingCandidate {
+    Angle heading;  ///< modulo pi
+    HeadingFigures figures;
+    bool alongLongestEdge = false;  ///< of the field
+};
+
 /// The swaths of one mainland and the figures of their heading.
 struct SwathSet {
     std::vector<Swath> swaths;  ///< ordered by track, then along the heading
@@ -65,6 +73,9 @@ struct SwathSet {
     /// `gap`; what lies between and beside rows. Land at the ends of swaths is none of it.
     MultiPolygon leftOnPurpose;
     int headingsTried = 1;
+    /// Of a search by time: the quickest headings by its estimate, more than a degree apart from each other, quickest
+    /// first, and the one along the field's longest edge. The set's own is among them.
+    std::vector<HeadingCandidate> candidates;
     /// Worked beyond the mainland's edge where ends were drawn out to the full width.
     Area endOverlap;
     std::vector<Ring> goneRound;  ///< obstacles inside the mainland that swaths go round

@@ -38,7 +38,8 @@ ParameterModel::Kind kindOf(const Parameter& parameter) {
         case ParameterKind::Numbers: return ParameterModel::Kind::Text;
         case ParameterKind::Length:
         case ParameterKind::Angle:
-        case ParameterKind::Count: break;
+        case ParameterKind::Count:
+        case ParameterKind::Percent: break;
     }
     return isDirection(parameter) ? ParameterModel::Kind::Direction : ParameterModel::Kind::Number;
 }
@@ -50,6 +51,9 @@ int decimalsOf(const Parameter& parameter) {
     if (parameter.kind == ParameterKind::Length) {
         return parameter.step < 0.1 ? 2 : parameter.step < 1.0 ? 1 : 0;
     }
+    if (parameter.kind == ParameterKind::Percent) {
+        return parameter.step < 1.0 ? 1 : 0;
+    }
     return parameter.min < 0.1 && !isDirection(parameter) ? 2 : 1;
 }
 
@@ -58,6 +62,7 @@ QuantityText::Kind quantityOf(const Parameter& parameter) {
         case ParameterKind::Length: return QuantityText::Length;
         case ParameterKind::Angle: return QuantityText::Angle;
         case ParameterKind::Count:
+        case ParameterKind::Percent:
         case ParameterKind::Choice:
         case ParameterKind::Flag:
         case ParameterKind::Line:

@@ -27,6 +27,8 @@ constexpr std::uint64_t kSeed = 4711;
 Settings byObjective(const char* id) {
     Settings settings;
     [[maybe_unused]] const auto applied = settings.setText(kObjective, id);
+    // The search alone: an edge may cost a little.
+    [[maybe_unused]] const auto alone = settings.setText(kPreferEdge, "0");
     return settings;
 }
 

@@ -102,12 +102,12 @@ private slots:
             const GeoPoint place = field.frame().toGeo(point);
             return QStringLiteral("%1 %2").arg(place.lonDeg, 0, 'f', 12).arg(place.latDeg, 0, 'f', 12).toStdString();
         };
-        // One lane lies on 5 m, so that they reach from 1.25 m to 28.75 + 1.25 m.
-        const std::string line = "LINESTRING (" + geo(at(-10, 5)) + ", " + geo(at(110, 5)) + ")";
+        // One lane lies on 4.6 m, so that they reach from 0.85 m to 29.6 + 1.25 m.
+        const std::string line = "LINESTRING (" + geo(at(-10, 4.6)) + ", " + geo(at(110, 4.6)) + ")";
         const auto set = run(kAbCurveMethod, mainland, {{&kLine, line}, {&kLastPass, "gap"}});
         VERIFY_RESULT(set);
-        QCOMPARE(set->swaths.size(), std::size_t{11});
-        COMPARE_WITHIN(area(set->leftOnPurpose).si(), 100.0 * (31.0 - 11 * 2.5), 0.1);
+        QCOMPARE(set->swaths.size(), std::size_t{12});
+        COMPARE_WITHIN(area(set->leftOnPurpose).si(), 100.0 * (31.0 - 12 * 2.5), 0.1);
     }
 };
 

@@ -145,7 +145,8 @@ private slots:
                 const double headingRad = test::uniform(random, 0.0, kPi);
                 const double steps = (heightM(land.polygon, headingRad) - widthM) / (widthM - overlapM);
                 const auto tracks = [&](double slack) {
-                    const double more = static_cast<LastPass>(lastPass) == LastPass::Gap ? std::floor(steps + slack)
+                    // Left out is less than half a width.
+                    const double more = static_cast<LastPass>(lastPass) == LastPass::Gap ? std::floor(steps + 0.5 + slack)
                                                                                          : std::ceil(steps + slack);
                     return 1 + std::max(0, static_cast<int>(more));
                 };

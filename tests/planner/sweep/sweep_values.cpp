@@ -176,6 +176,7 @@ std::vector<SweepValue> sweepValues(const Parameter& parameter, std::string_view
         case ParameterKind::Flag: return {fixedValue(parameter.standard == 1.0 ? "false" : "true")};
         case ParameterKind::Length:
         case ParameterKind::Angle:
+        case ParameterKind::Percent:
         case ParameterKind::Count: return numbers(parameter);
         default: return texts(parameter, method);
     }

@@ -1,0 +1,200 @@
+#include "planner/swaths/edge_preference.h"
+
+#include "planner/geometry/simplify.h"
+#include "planner/swaths/methods.h"
+#include "planner/units/angle.h"
+
+#include <algorithm>
+#include <cmath>
+#include <iterator>
+#include <ranges>
+
+namespace furrow {
+
+namespace {
+
+// Points this far beside a line are on it: as surveyed by hand or clicked on an image.
+constexpr Length kStraight = metres(0.15);
+// Along shorter edges nobody works, as a share of the longest.
+constexpr double kLongShare = 0.2;
+// Of more edges only the longest are tried.
+constexpr std::size_t kMostEdges = 24;
+constexpr double kCoverageSlack = 1e-9;
+// Headings closer than this are one; what is shown to choose from lies farther apart.
+constexpr double kSameDeg = 1e-6;
+// Over a kilometre that is less than two decimetres: nothing to speak of.
+constexpr double kUnseenDeg = 0.01;
+constexpr double kApartDeg = 1.0;
+constexpr std::size_t kMostCandidates = 4;
+
+/// Two swath headings apart, at most 90 degrees.
+double apartDeg(Angle a, Angle b) {
+    const double deg = std::fmod(std::abs(inDegrees(a - b)), 180.0);
+    return std::min(deg, 180.0 - deg);
+}
+
+/// The direction in which a line is longest, all of its length weighing the same.
+Angle mainDirection(std::span<const Point> line) {
+    double whole = 0.0;
+    Point mean;
+    for (std::size_t i = 0; i + 1 < line.size(); ++i) {
+        const double part = distance(line[i], line[i + 1]);
+        whole += part;
+        mean = mean + 0.5 * part * (line[i] + line[i + 1]);
+    }
+    mean = (1.0 / whole) * mean;
+    double xx = 0.0;
+    double xy = 0.0;
+    double yy = 0.0;
+    for (std::size_t i = 0; i + 1 < line.size(); ++i) {
+        const Point a = line[i] - mean;
+        const Point b = line[i + 1] - mean;
+        const double part = distance(a, b) / 3.0;
+        xx += part * (a.x * a.x + a.x * b.x + b.x * b.x);
+        yy += part * (a.y * a.y + a.y * b.y + b.y * b.y);
+        xy += part * (a.x * a.y + 0.5 * (a.x * b.y + b.x * a.y) + b.x * b.y);
+    }
+    return radians(0.5 * std::atan2(2.0 * xy, xx - yy));
+}
+
+/// A ring from a corner on, so that no straight edge goes on across its first point.
+Ring fromCorner(const Ring& ring) {
+    const auto corner = std::ranges::max_element(ring, {}, [&](const Point& point) { return norm(point - ring.front()); });
+    Ring turned{corner, ring.end()};
+    turned.insert(turned.end(), ring.begin(), corner);
+    return turned;
+}
+
+void addEdges(const Ring& ring, std::vector<LongEdge>& edges) {
+    Ring closed = fromCorner(ring);
+    closed.push_back(closed.front());
+    const Polyline corners = simplified(closed, kStraight);
+    auto from = closed.begin();
+    for (std::size_t i = 0; i + 1 < corners.size(); ++i) {
+        const auto to = std::find(from + 1, closed.end(), corners[i + 1]);
+        const Angle heading = mainDirection({from, to + 1});
+        edges.push_back({normalisedSwathHeading(heading), metres(distance(corners[i], corners[i + 1]))});
+        from = to;
+    }
+}
+
+bool isNoWorse(SwathObjective objective, const HeadingFigures& edge, const HeadingFigures& best, double share) {
+    if (edge.count == 0) {
+        return false;
+    }
+    if (objective == SwathObjective::Time) {
+        return edge.time <= (1.0 + share) * best.time;
+    }
+    if (edge.coverage < best.coverage - kCoverageSlack) {
+        return false;
+    }
+    return objective == SwathObjective::Length ? edge.length + edge.missed <= (1.0 + share) * (best.length + best.missed)
+                                               : isAsGood(objective, edge, best);
+}
+
+Note noteOf(const PreferredHeading& preferred, SwathObjective objective) {
+    const bool isLongest = preferred.longestEdge && preferred.longestEdge->heading == preferred.chosen.heading;
+    const Message along = isLongest ? message("along the longest edge") : message("along an edge");
+    const HeadingFigures& chosen = preferred.chosen.figures;
+    const HeadingFigures& best = preferred.best->figures;
+    Message text = message("swaths run {}", along);
+    if (objective == SwathObjective::Time) {
+        text = message("swaths run {}; {:.0f} s slower than with the best heading", along, (chosen.time - best.time).si());
+    } else if (objective == SwathObjective::Length) {
+        text = message("swaths run {}; {:.0f} m more than with the best heading", along,
+                       (chosen.length + chosen.missed - best.length - best.missed).si());
+    }
+    return {.text = text, .where = std::string{kPreferEdge.key}, .place = {}};
+}
+
+/// The quickest that are apart from each other, and these two anyway.
+std::vector<HeadingCandidate> candidatesOf(std::vector<BestHeading> tried, const BestHeading& chosen,
+                                           const std::optional<BestHeading>& alongLongest) {
+    std::ranges::stable_sort(tried, {}, [](const BestHeading& heading) { return heading.figures.time; });
+    tried.insert(tried.begin(), chosen);
+    std::vector<HeadingCandidate> candidates;
+    const auto add = [&](const BestHeading& heading, double apart) {
+        const bool isNew = std::ranges::none_of(candidates, [&](const HeadingCandidate& other) {
+            return apartDeg(other.heading, heading.heading) < apart;
+        });
+        if (isNew) {
+            const bool isLongest = alongLongest && apartDeg(alongLongest->heading, heading.heading) < kSameDeg;
+            candidates.push_back({heading.heading, heading.figures, isLongest});
+        }
+    };
+    for (std::size_t i = 0; i < tried.size() && candidates.size() < kMostCandidates; ++i) {
+        add(tried[i], kApartDeg);
+    }
+    if (alongLongest) {
+        add(*alongLongest, kSameDeg);
+    }
+    std::ranges::stable_sort(candidates, {}, [](const HeadingCandidate& candidate) { return candidate.figures.time; });
+    return candidates;
+}
+
+}  // namespace
+
+std::vector<LongEdge> longEdges(const MultiPolygon& boundary, Length least) {
+    std::vector<LongEdge> edges;
+    for (const Polygon& polygon : boundary) {
+        addEdges(polygon.outer, edges);
+        std::ranges::for_each(polygon.holes, [&](const Ring& hole) { addEdges(hole, edges); });
+    }
+    std::ranges::stable_sort(edges, std::ranges::greater{}, &LongEdge::length);
+    const Length shortest = edges.empty() ? least : std::max(least, kLongShare * edges.front().length);
+    std::erase_if(edges, [shortest](const LongEdge& edge) { return edge.length < shortest; });
+    return edges;
+}
+
+PreferredHeading preferEdges(const ScanLine& scanLine, const SwathTask& task, SwathObjective objective, const BestHeading& best) {
+    PreferredHeading preferred{.chosen = best};
+    const double share = 0.01 * *task.settings.percent(kPreferEdge);
+    const std::vector<LongEdge> edges = longEdges(task.field.boundary(), task.machine.operatingWidth());
+    for (std::size_t i = 0; i < std::min(edges.size(), kMostEdges); ++i) {
+        const BestHeading along{edges[i].heading, scanLine.figures(edges[i].heading, objective)};
+        if (i == 0) {
+            preferred.longestEdge = along;
+        }
+        if (share <= 0.0) {
+            break;
+        }
+        const double offDeg = apartDeg(along.heading, best.heading);
+        if (offDeg < kSameDeg) {
+            break;
+        }
+        if (isNoWorse(objective, along.figures, best.figures, share)) {
+            preferred.chosen = along;
+            preferred.best = offDeg > kUnseenDeg ? std::optional{best} : std::nullopt;
+            break;
+        }
+    }
+    return preferred;
+}
+
+Result<SwathSet> swathsOfBest(const ScanLine& scanLine, const SwathTask& task, SwathObjective objective, const BestHeading& best,
+                              std::vector<BestHeading> tried, const JobContext& job) {
+    const PreferredHeading preferred = preferEdges(scanLine, task, objective, best);
+    return swathsAlong(scanLine, task, preferred.chosen.heading, objective, job).transform([&](SwathSet set) {
+        if (preferred.best) {
+            set.notes.push_back(noteOf(preferred, objective));
+        }
+        if (objective == SwathObjective::Time) {
+            tried.push_back(best);
+            set.candidates = candidatesOf(std::move(tried), preferred.chosen, preferred.longestEdge);
+        }
+        return set;
+    });
+}
+
+const Parameter kPreferEdge{.key = "swaths.prefer_edge_percent",
+                            .name = "Prefer edges within (%)",
+                            .description = "Swaths run along the field's longest edge, or another long one, where that takes no more than this "
+                                           "above the best heading; 0 takes the best whatever its direction.",
+                            .kind = ParameterKind::Percent,
+                            .standard = 0.5,
+                            .min = 0.0,
+                            .max = 100.0,
+                            .step = 0.5,
+                            .choices = {}};
+
+}  // namespace furrow
