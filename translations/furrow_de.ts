@@ -1966,8 +1966,8 @@
         <translation>Kurven mit Rückwärtsfahrt, sanft gelenkt</translation>
     </message>
     <message>
-        <source>Cut along the swaths at every corner.</source>
-        <translation>An jeder Ecke entlang der Spuren geteilt.</translation>
+        <source>Cut along the swaths at every corner, sharp or rounded.</source>
+        <translation>An jeder Ecke entlang der Spuren geteilt, ob spitz oder gerundet.</translation>
     </message>
     <message>
         <source>Cut along the swaths where an obstacle or a bay begins or ends.</source>
@@ -2162,8 +2162,8 @@
         <translation>Voller Abstand; die letzte Spur wird an den Rand gerückt.</translation>
     </message>
     <message>
-        <source>Full spacing; what does not fit stays uncovered, where it costs least.</source>
-        <translation>Voller Abstand; was nicht passt, bleibt liegen, wo es am wenigsten kostet.</translation>
+        <source>Full spacing; a rest of less than half a width stays uncovered, where it costs least.</source>
+        <translation>Voller Abstand; ein Rest von weniger als einer halben Breite bleibt liegen, wo es am wenigsten kostet.</translation>
     </message>
     <message>
         <source>Full width</source>
@@ -2338,8 +2338,8 @@
         <translation>Linie</translation>
     </message>
     <message>
-        <source>Lines in WGS84 along which the mainland is cut; they have to run right through it.</source>
-        <translation>Linien in WGS84, an denen die Innenfläche geteilt wird; sie müssen ganz hindurchgehen.</translation>
+        <source>Lines in WGS84 along which the mainland is cut; they run right through it, or end no farther than an operating width from its edge.</source>
+        <translation>Linien in WGS84, an denen die Innenfläche geteilt wird; sie gehen ganz hindurch oder enden höchstens eine Arbeitsbreite vor ihrem Rand.</translation>
     </message>
     <message>
         <source>Litres of fuel per hour of turns and transfers.</source>
@@ -2886,8 +2886,8 @@
         <translation>Der größte bearbeitete Anteil der Innenfläche.</translation>
     </message>
     <message>
-        <source>The least metres driven in swaths.</source>
-        <translation>Die wenigsten gefahrenen Meter in Spuren.</translation>
+        <source>The least metres driven in swaths, with what is missed added as metres.</source>
+        <translation>Die wenigsten gefahrenen Meter in Spuren; Fehlstellen zählen als Meter mit.</translation>
     </message>
     <message>
         <source>The machine does not get in at %1.</source>
@@ -4960,6 +4960,57 @@
     <message>
         <source>What a machine drove.</source>
         <translation>Was eine Maschine gefahren ist.</translation>
+    </message>
+    <message>
+        <source>split line %1 ends %2 short of the mainland&apos;s edge and cuts nothing off there (decomposition.split); draw it right through</source>
+        <translation>Teilungslinie %1 endet %2 vor dem Rand der Innenfläche und trennt dort nichts ab (decomposition.split); ziehen Sie sie ganz hindurch</translation>
+    </message>
+    <message>
+        <source>split line %1 lies outside of the mainland and cuts nothing (decomposition.split)</source>
+        <translation>Teilungslinie %1 liegt außerhalb der Innenfläche und teilt nichts (decomposition.split)</translation>
+    </message>
+    <message numerus="yes">
+        <source>%n swaths shorter than %1 are left out</source>
+        <translation>
+            <numerusform>%n Spur, die kürzer als %1 ist, entfällt</numerusform>
+            <numerusform>%n Spuren, die kürzer als %1 sind, entfallen</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>along the longest edge</source>
+        <translation>entlang der längsten Kante</translation>
+    </message>
+    <message>
+        <source>along an edge</source>
+        <translation>entlang einer Kante</translation>
+    </message>
+    <message>
+        <source>swaths run %1</source>
+        <translation>die Spuren verlaufen %1</translation>
+    </message>
+    <message>
+        <source>swaths run %1; %2 s slower than with the best heading</source>
+        <translation>die Spuren verlaufen %1; %2 s langsamer als mit der besten Richtung</translation>
+    </message>
+    <message>
+        <source>swaths run %1; %2 more than with the best heading</source>
+        <translation>die Spuren verlaufen %1; %2 mehr als mit der besten Richtung</translation>
+    </message>
+    <message>
+        <source>Shortest swath</source>
+        <translation>Kürzeste Spur</translation>
+    </message>
+    <message>
+        <source>Swaths that are shorter are left out; auto is the implement&apos;s length.</source>
+        <translation>Kürzere Spuren entfallen; automatisch ist die Länge des Geräts.</translation>
+    </message>
+    <message>
+        <source>Prefer edges within (%)</source>
+        <translation>Kanten bevorzugen bis (%)</translation>
+    </message>
+    <message>
+        <source>Swaths run along the field&apos;s longest edge, or another long one, where that takes no more than this above the best heading; 0 takes the best whatever its direction.</source>
+        <translation>Die Spuren verlaufen entlang der längsten oder einer anderen langen Kante des Schlags, wo das höchstens so viel mehr kostet als die beste Richtung; 0 nimmt die beste, wie sie auch liegt.</translation>
     </message>
 </context>
 <context>

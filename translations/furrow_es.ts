@@ -1966,8 +1966,8 @@
         <translation>Curvas con marcha atrás, dirección suave</translation>
     </message>
     <message>
-        <source>Cut along the swaths at every corner.</source>
-        <translation>Dividido a lo largo de las pasadas en cada esquina.</translation>
+        <source>Cut along the swaths at every corner, sharp or rounded.</source>
+        <translation>Dividido a lo largo de las pasadas en cada esquina, viva o redondeada.</translation>
     </message>
     <message>
         <source>Cut along the swaths where an obstacle or a bay begins or ends.</source>
@@ -2162,8 +2162,8 @@
         <translation>Separación completa; la última pasada se lleva al borde.</translation>
     </message>
     <message>
-        <source>Full spacing; what does not fit stays uncovered, where it costs least.</source>
-        <translation>Separación completa; lo que no cabe queda sin cubrir donde menos cuesta.</translation>
+        <source>Full spacing; a rest of less than half a width stays uncovered, where it costs least.</source>
+        <translation>Separación completa; un resto de menos de medio ancho queda sin cubrir donde menos cuesta.</translation>
     </message>
     <message>
         <source>Full width</source>
@@ -2338,8 +2338,8 @@
         <translation>Línea</translation>
     </message>
     <message>
-        <source>Lines in WGS84 along which the mainland is cut; they have to run right through it.</source>
-        <translation>Líneas en WGS84 por las que se divide el interior; deben atravesarlo por completo.</translation>
+        <source>Lines in WGS84 along which the mainland is cut; they run right through it, or end no farther than an operating width from its edge.</source>
+        <translation>Líneas en WGS84 por las que se divide el interior; lo atraviesan por completo o terminan como mucho a un ancho de trabajo de su borde.</translation>
     </message>
     <message>
         <source>Litres of fuel per hour of turns and transfers.</source>
@@ -2886,8 +2886,8 @@
         <translation>La mayor parte trabajada del interior.</translation>
     </message>
     <message>
-        <source>The least metres driven in swaths.</source>
-        <translation>Los menos metros recorridos en pasadas.</translation>
+        <source>The least metres driven in swaths, with what is missed added as metres.</source>
+        <translation>Los menos metros recorridos en pasadas; lo que queda sin trabajar cuenta como metros.</translation>
     </message>
     <message>
         <source>The machine does not get in at %1.</source>
@@ -4960,6 +4960,57 @@
     <message>
         <source>What a machine drove.</source>
         <translation>Lo que recorrió una máquina.</translation>
+    </message>
+    <message>
+        <source>split line %1 ends %2 short of the mainland&apos;s edge and cuts nothing off there (decomposition.split); draw it right through</source>
+        <translation>la línea de división %1 termina %2 antes del borde del interior y allí no separa nada (decomposition.split); trácela de lado a lado</translation>
+    </message>
+    <message>
+        <source>split line %1 lies outside of the mainland and cuts nothing (decomposition.split)</source>
+        <translation>la línea de división %1 queda fuera del interior y no divide nada (decomposition.split)</translation>
+    </message>
+    <message numerus="yes">
+        <source>%n swaths shorter than %1 are left out</source>
+        <translation>
+            <numerusform>se omite %n pasada de menos de %1</numerusform>
+            <numerusform>se omiten %n pasadas de menos de %1</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>along the longest edge</source>
+        <translation>a lo largo del lado más largo</translation>
+    </message>
+    <message>
+        <source>along an edge</source>
+        <translation>a lo largo de un lado</translation>
+    </message>
+    <message>
+        <source>swaths run %1</source>
+        <translation>las pasadas van %1</translation>
+    </message>
+    <message>
+        <source>swaths run %1; %2 s slower than with the best heading</source>
+        <translation>las pasadas van %1; %2 s más que con la mejor dirección</translation>
+    </message>
+    <message>
+        <source>swaths run %1; %2 more than with the best heading</source>
+        <translation>las pasadas van %1; %2 más que con la mejor dirección</translation>
+    </message>
+    <message>
+        <source>Shortest swath</source>
+        <translation>Pasada más corta</translation>
+    </message>
+    <message>
+        <source>Swaths that are shorter are left out; auto is the implement&apos;s length.</source>
+        <translation>Las pasadas más cortas se omiten; automático es la longitud del apero.</translation>
+    </message>
+    <message>
+        <source>Prefer edges within (%)</source>
+        <translation>Preferir lados hasta (%)</translation>
+    </message>
+    <message>
+        <source>Swaths run along the field&apos;s longest edge, or another long one, where that takes no more than this above the best heading; 0 takes the best whatever its direction.</source>
+        <translation>Las pasadas siguen el lado más largo de la parcela, u otro largo, donde no cuesta más que esto por encima de la mejor dirección; 0 toma la mejor, sea cual sea.</translation>
     </message>
 </context>
 <context>

@@ -1966,8 +1966,8 @@
         <translation>Courbes avec recul, direction douce</translation>
     </message>
     <message>
-        <source>Cut along the swaths at every corner.</source>
-        <translation>Coupé le long des passages à chaque angle.</translation>
+        <source>Cut along the swaths at every corner, sharp or rounded.</source>
+        <translation>Découpé le long des passages à chaque coin, vif ou arrondi.</translation>
     </message>
     <message>
         <source>Cut along the swaths where an obstacle or a bay begins or ends.</source>
@@ -2162,8 +2162,8 @@
         <translation>Espacement plein ; le dernier passage est ramené au bord.</translation>
     </message>
     <message>
-        <source>Full spacing; what does not fit stays uncovered, where it costs least.</source>
-        <translation>Espacement plein ; ce qui ne tient pas reste, là où cela coûte le moins.</translation>
+        <source>Full spacing; a rest of less than half a width stays uncovered, where it costs least.</source>
+        <translation>Espacement plein ; un reste de moins d&apos;une demi-largeur n&apos;est pas travaillé, là où cela coûte le moins.</translation>
     </message>
     <message>
         <source>Full width</source>
@@ -2338,8 +2338,8 @@
         <translation>Ligne</translation>
     </message>
     <message>
-        <source>Lines in WGS84 along which the mainland is cut; they have to run right through it.</source>
-        <translation>Lignes en WGS84 le long desquelles le plein champ est coupé ; elles doivent le traverser entièrement.</translation>
+        <source>Lines in WGS84 along which the mainland is cut; they run right through it, or end no farther than an operating width from its edge.</source>
+        <translation>Lignes en WGS84 le long desquelles le plein champ est découpé ; elles le traversent ou s&apos;arrêtent à une largeur de travail au plus de son bord.</translation>
     </message>
     <message>
         <source>Litres of fuel per hour of turns and transfers.</source>
@@ -2886,8 +2886,8 @@
         <translation>La plus grande part travaillée du plein champ.</translation>
     </message>
     <message>
-        <source>The least metres driven in swaths.</source>
-        <translation>Le moins de mètres parcourus en passages.</translation>
+        <source>The least metres driven in swaths, with what is missed added as metres.</source>
+        <translation>Le moins de mètres parcourus en passages ; les zones non travaillées comptent comme des mètres.</translation>
     </message>
     <message>
         <source>The machine does not get in at %1.</source>
@@ -4960,6 +4960,57 @@
     <message>
         <source>What a machine drove.</source>
         <translation>Ce qu&apos;une machine a parcouru.</translation>
+    </message>
+    <message>
+        <source>split line %1 ends %2 short of the mainland&apos;s edge and cuts nothing off there (decomposition.split); draw it right through</source>
+        <translation>la ligne de découpe %1 s&apos;arrête %2 avant le bord du plein champ et n&apos;y découpe rien (decomposition.split) ; tracez-la de part en part</translation>
+    </message>
+    <message>
+        <source>split line %1 lies outside of the mainland and cuts nothing (decomposition.split)</source>
+        <translation>la ligne de découpe %1 est hors du plein champ et ne découpe rien (decomposition.split)</translation>
+    </message>
+    <message numerus="yes">
+        <source>%n swaths shorter than %1 are left out</source>
+        <translation>
+            <numerusform>%n passage de moins de %1 est laissé de côté</numerusform>
+            <numerusform>%n passages de moins de %1 sont laissés de côté</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>along the longest edge</source>
+        <translation>le long du plus long côté</translation>
+    </message>
+    <message>
+        <source>along an edge</source>
+        <translation>le long d&apos;un côté</translation>
+    </message>
+    <message>
+        <source>swaths run %1</source>
+        <translation>les passages vont %1</translation>
+    </message>
+    <message>
+        <source>swaths run %1; %2 s slower than with the best heading</source>
+        <translation>les passages vont %1 ; %2 s de plus qu&apos;avec la meilleure orientation</translation>
+    </message>
+    <message>
+        <source>swaths run %1; %2 more than with the best heading</source>
+        <translation>les passages vont %1 ; %2 de plus qu&apos;avec la meilleure orientation</translation>
+    </message>
+    <message>
+        <source>Shortest swath</source>
+        <translation>Passage le plus court</translation>
+    </message>
+    <message>
+        <source>Swaths that are shorter are left out; auto is the implement&apos;s length.</source>
+        <translation>Les passages plus courts sont laissés de côté ; automatique : la longueur de l&apos;outil.</translation>
+    </message>
+    <message>
+        <source>Prefer edges within (%)</source>
+        <translation>Préférer les côtés jusqu&apos;à (%)</translation>
+    </message>
+    <message>
+        <source>Swaths run along the field&apos;s longest edge, or another long one, where that takes no more than this above the best heading; 0 takes the best whatever its direction.</source>
+        <translation>Les passages suivent le plus long côté de la parcelle, ou un autre long, là où cela ne coûte pas plus que cela de plus que la meilleure orientation ; 0 prend la meilleure, quelle qu&apos;elle soit.</translation>
     </message>
 </context>
 <context>

@@ -1966,8 +1966,8 @@
         <translation>Bochten met achteruit, vloeiend sturen</translation>
     </message>
     <message>
-        <source>Cut along the swaths at every corner.</source>
-        <translation>Bij elke hoek langs de werkgangen gesplitst.</translation>
+        <source>Cut along the swaths at every corner, sharp or rounded.</source>
+        <translation>Langs de werkgangen gedeeld bij elke hoek, scherp of afgerond.</translation>
     </message>
     <message>
         <source>Cut along the swaths where an obstacle or a bay begins or ends.</source>
@@ -2162,8 +2162,8 @@
         <translation>Volle afstand; de laatste werkgang schuift naar de rand.</translation>
     </message>
     <message>
-        <source>Full spacing; what does not fit stays uncovered, where it costs least.</source>
-        <translation>Volle afstand; wat niet past blijft liggen waar het het minst kost.</translation>
+        <source>Full spacing; a rest of less than half a width stays uncovered, where it costs least.</source>
+        <translation>Volle afstand; een rest van minder dan een halve breedte blijft liggen waar dat het minst kost.</translation>
     </message>
     <message>
         <source>Full width</source>
@@ -2338,8 +2338,8 @@
         <translation>Lijn</translation>
     </message>
     <message>
-        <source>Lines in WGS84 along which the mainland is cut; they have to run right through it.</source>
-        <translation>Lijnen in WGS84 waarlangs de binnenakker wordt gesplitst; ze moeten er helemaal doorheen lopen.</translation>
+        <source>Lines in WGS84 along which the mainland is cut; they run right through it, or end no farther than an operating width from its edge.</source>
+        <translation>Lijnen in WGS84 waarlangs de binnenakker wordt gedeeld; ze lopen er helemaal doorheen of eindigen hoogstens een werkbreedte voor de rand.</translation>
     </message>
     <message>
         <source>Litres of fuel per hour of turns and transfers.</source>
@@ -2886,8 +2886,8 @@
         <translation>Het grootste bewerkte deel van de binnenakker.</translation>
     </message>
     <message>
-        <source>The least metres driven in swaths.</source>
-        <translation>De minste gereden meters in werkgangen.</translation>
+        <source>The least metres driven in swaths, with what is missed added as metres.</source>
+        <translation>De minste gereden meters in werkgangen; gemiste plekken tellen als meters mee.</translation>
     </message>
     <message>
         <source>The machine does not get in at %1.</source>
@@ -4960,6 +4960,57 @@
     <message>
         <source>What a machine drove.</source>
         <translation>Wat een machine heeft gereden.</translation>
+    </message>
+    <message>
+        <source>split line %1 ends %2 short of the mainland&apos;s edge and cuts nothing off there (decomposition.split); draw it right through</source>
+        <translation>deellijn %1 eindigt %2 voor de rand van de binnenakker en snijdt daar niets af (decomposition.split); trek haar helemaal door</translation>
+    </message>
+    <message>
+        <source>split line %1 lies outside of the mainland and cuts nothing (decomposition.split)</source>
+        <translation>deellijn %1 ligt buiten de binnenakker en deelt niets (decomposition.split)</translation>
+    </message>
+    <message numerus="yes">
+        <source>%n swaths shorter than %1 are left out</source>
+        <translation>
+            <numerusform>%n werkgang korter dan %1 vervalt</numerusform>
+            <numerusform>%n werkgangen korter dan %1 vervallen</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>along the longest edge</source>
+        <translation>langs de langste zijde</translation>
+    </message>
+    <message>
+        <source>along an edge</source>
+        <translation>langs een zijde</translation>
+    </message>
+    <message>
+        <source>swaths run %1</source>
+        <translation>de werkgangen lopen %1</translation>
+    </message>
+    <message>
+        <source>swaths run %1; %2 s slower than with the best heading</source>
+        <translation>de werkgangen lopen %1; %2 s langzamer dan met de beste richting</translation>
+    </message>
+    <message>
+        <source>swaths run %1; %2 more than with the best heading</source>
+        <translation>de werkgangen lopen %1; %2 meer dan met de beste richting</translation>
+    </message>
+    <message>
+        <source>Shortest swath</source>
+        <translation>Kortste werkgang</translation>
+    </message>
+    <message>
+        <source>Swaths that are shorter are left out; auto is the implement&apos;s length.</source>
+        <translation>Kortere werkgangen vervallen; automatisch is de lengte van het werktuig.</translation>
+    </message>
+    <message>
+        <source>Prefer edges within (%)</source>
+        <translation>Zijden voorrang geven tot (%)</translation>
+    </message>
+    <message>
+        <source>Swaths run along the field&apos;s longest edge, or another long one, where that takes no more than this above the best heading; 0 takes the best whatever its direction.</source>
+        <translation>De werkgangen lopen langs de langste of een andere lange zijde van het perceel waar dat hoogstens zoveel meer kost dan de beste richting; 0 neemt de beste, hoe die ook ligt.</translation>
     </message>
 </context>
 <context>

@@ -1966,8 +1966,8 @@
         <translation>Curvas com ré, direção suave</translation>
     </message>
     <message>
-        <source>Cut along the swaths at every corner.</source>
-        <translation>Dividido ao longo das passadas em cada canto.</translation>
+        <source>Cut along the swaths at every corner, sharp or rounded.</source>
+        <translation>Dividido ao longo das passadas em cada canto, vivo ou arredondado.</translation>
     </message>
     <message>
         <source>Cut along the swaths where an obstacle or a bay begins or ends.</source>
@@ -2162,8 +2162,8 @@
         <translation>Espaçamento total; a última passada é levada à borda.</translation>
     </message>
     <message>
-        <source>Full spacing; what does not fit stays uncovered, where it costs least.</source>
-        <translation>Espaçamento total; o que não cabe fica sem cobrir onde custa menos.</translation>
+        <source>Full spacing; a rest of less than half a width stays uncovered, where it costs least.</source>
+        <translation>Espaçamento completo; um resto de menos de meia largura fica sem cobrir onde custa menos.</translation>
     </message>
     <message>
         <source>Full width</source>
@@ -2338,8 +2338,8 @@
         <translation>Linha</translation>
     </message>
     <message>
-        <source>Lines in WGS84 along which the mainland is cut; they have to run right through it.</source>
-        <translation>Linhas em WGS84 ao longo das quais o interior é dividido; precisam atravessá-lo por inteiro.</translation>
+        <source>Lines in WGS84 along which the mainland is cut; they run right through it, or end no farther than an operating width from its edge.</source>
+        <translation>Linhas em WGS84 ao longo das quais o interior é dividido; atravessam-no por completo ou terminam no máximo a uma largura de trabalho da borda.</translation>
     </message>
     <message>
         <source>Litres of fuel per hour of turns and transfers.</source>
@@ -2886,8 +2886,8 @@
         <translation>A maior parte trabalhada do interior.</translation>
     </message>
     <message>
-        <source>The least metres driven in swaths.</source>
-        <translation>O mínimo de metros percorridos em passadas.</translation>
+        <source>The least metres driven in swaths, with what is missed added as metres.</source>
+        <translation>Os menos metros percorridos em passadas; as falhas contam como metros.</translation>
     </message>
     <message>
         <source>The machine does not get in at %1.</source>
@@ -4960,6 +4960,57 @@
     <message>
         <source>What a machine drove.</source>
         <translation>O que uma máquina percorreu.</translation>
+    </message>
+    <message>
+        <source>split line %1 ends %2 short of the mainland&apos;s edge and cuts nothing off there (decomposition.split); draw it right through</source>
+        <translation>a linha de divisão %1 termina %2 antes da borda do interior e ali não separa nada (decomposition.split); trace-a de lado a lado</translation>
+    </message>
+    <message>
+        <source>split line %1 lies outside of the mainland and cuts nothing (decomposition.split)</source>
+        <translation>a linha de divisão %1 fica fora do interior e não divide nada (decomposition.split)</translation>
+    </message>
+    <message numerus="yes">
+        <source>%n swaths shorter than %1 are left out</source>
+        <translation>
+            <numerusform>%n passada com menos de %1 é omitida</numerusform>
+            <numerusform>%n passadas com menos de %1 são omitidas</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>along the longest edge</source>
+        <translation>ao longo do lado mais longo</translation>
+    </message>
+    <message>
+        <source>along an edge</source>
+        <translation>ao longo de um lado</translation>
+    </message>
+    <message>
+        <source>swaths run %1</source>
+        <translation>as passadas seguem %1</translation>
+    </message>
+    <message>
+        <source>swaths run %1; %2 s slower than with the best heading</source>
+        <translation>as passadas seguem %1; %2 s a mais que com a melhor direção</translation>
+    </message>
+    <message>
+        <source>swaths run %1; %2 more than with the best heading</source>
+        <translation>as passadas seguem %1; %2 a mais que com a melhor direção</translation>
+    </message>
+    <message>
+        <source>Shortest swath</source>
+        <translation>Passada mais curta</translation>
+    </message>
+    <message>
+        <source>Swaths that are shorter are left out; auto is the implement&apos;s length.</source>
+        <translation>Passadas mais curtas são omitidas; automático é o comprimento do implemento.</translation>
+    </message>
+    <message>
+        <source>Prefer edges within (%)</source>
+        <translation>Preferir lados até (%)</translation>
+    </message>
+    <message>
+        <source>Swaths run along the field&apos;s longest edge, or another long one, where that takes no more than this above the best heading; 0 takes the best whatever its direction.</source>
+        <translation>As passadas seguem o lado mais longo do talhão, ou outro longo, onde isso não custa mais do que isto acima da melhor direção; 0 usa a melhor, seja qual for.</translation>
     </message>
 </context>
 <context>

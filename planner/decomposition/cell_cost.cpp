@@ -52,7 +52,8 @@ double CellCost::linkSeconds(Port leaving, Port arriving) const {
         const Swath& swath = swaths_.swaths[port / 2];
         const bool isAtEnd = port % 2 == 1;
         // Forwards where its end is left, or its start driven onto.
-        const Angle heading = isAtEnd == isLeaving ? swaths_.heading : swaths_.heading + degrees(180.0);
+        const Angle along = swath.isCurved() ? lineOf(swath).start.heading : swaths_.heading;
+        const Angle heading = isAtEnd == isLeaving ? along : along + degrees(180.0);
         return vehicleAt({.position = isAtEnd ? swath.end : swath.start, .heading = normalisedPoseHeading(heading)}, machine_);
     };
     const Length curve = dubinsLength(pose(leaving, true), pose(arriving, false), machine_.minTurningRadius());

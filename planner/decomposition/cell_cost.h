@@ -21,6 +21,7 @@ using Groups = std::vector<std::size_t>;
 /// between cells do within a sixth.
 class CellCost {
 public:
+    /// @param swaths  straight, in the heading of the set or along lines of their own
     /// @param pieces  indices into the swaths, in their order; at most one swath of each line in a cell
     /// Cost: O(n²) for n pieces with swaths.
     CellCost(const SwathSet& swaths, const Machine& machine, std::vector<std::vector<std::size_t>> pieces);

@@ -1,15 +1,18 @@
 #include "planner/plan/swath_stage.h"
 
+#include "planner/decomposition/split_lines.h"
 #include "planner/field/ground_around.h"
 #include "planner/geometry/geos_bridge.h"
 #include "planner/headland/headland_passes.h"
 #include "planner/headland/turning_room.h"
 #include "planner/plan/general_parameters.h"
+#include "planner/plan/mainland_parts.h"
 #include "planner/plan/method_registry.h"
-#include "planner/route/patterns.h"
+#include "planner/plan/own_headings.h"
 #include "planner/swaths/full_ends.h"
 #include "planner/swaths/mainland_edges.h"
 #include "planner/swaths/methods.h"
+#include "planner/swaths/short_swaths.h"
 #include "planner/swaths/tramlines.h"
 
 #include <algorithm>
@@ -22,40 +25,33 @@ namespace furrow {
 
 namespace {
 
-// A heading of its own is worth it from this share of the time on.
-constexpr double kWorthwhile = 0.99;
-
-/// Work and turns to and fro, and what is missed worked by itself: in free space, as an estimate.
-double estimatedSeconds(const SwathSet& set, const MultiPolygon& part, const PlanRequest& request) {
-    if (set.swaths.empty()) {
-        return 0.0;
-    }
-    const Machine& machine = request.machine;
-    const RouteTask task{.swaths = set, .machine = machine, .turn = turnMethod(request.settings), .settings = request.settings};
-    const Duration turning = turningTime(alongTracks(set, toAndFroOrder(trackCount(set)), false), task);
-    const double missedM = (1.0 - set.coverage) * area(part).si() / machine.operatingWidth().si();
-    return (set.totalLength.si() + missedM) / machine.spec().tractor.workingSpeed.si() + turning.si();
+/// What a split line leaves undone, for the user.
+Note noteOf(const SplitFault& fault, const LocalFrame& frame) {
+    const std::size_t number = fault.line + 1;
+    const Message text =
+        fault.missing
+            ? message("split line {} ends {:.1f} m short of the mainland's edge and cuts nothing off there (decomposition.split); "
+                      "draw it right through",
+                      number, fault.missing->si())
+            : message("split line {} lies outside of the mainland and cuts nothing (decomposition.split)", number);
+    return {.text = text, .where = std::string{kSplit.key}, .place = frame.toGeo(fault.place)};
 }
 
-Result<SwathSet> byMethod(const PlanRequest& request, const MultiPolygon& mainland, const JobContext& job) {
-    return swathMethod(request.settings)({.field = *request.field,
-                                          .mainland = mainland,
-                                          .machine = request.machine,
-                                          .settings = request.settings,
-                                          .guides = request.guides.get()},
-                                         job);
-}
-
-Result<std::vector<MultiPolygon>> piecesBetweenSplits(const Plan& plan, const JobContext& job) {
+Result<std::vector<MultiPolygon>> piecesBetweenSplits(const Plan& plan, std::vector<Note>& notes, const JobContext& job) {
     const MultiPolygon& mainland = plan.headland.mainland;
-    std::vector<Polyline> cuts;
+    std::vector<Polyline> drawn;
     for (const std::vector<GeoPoint>& line : plan.request.settings.lines(kSplit)) {
-        cuts.push_back(plan.field().frame().toLocal(line));
+        drawn.push_back(plan.field().frame().toLocal(line));
     }
-    if (cuts.empty()) {
+    if (drawn.empty()) {
         return std::vector<MultiPolygon>{mainland};
     }
-    const auto pieces = cutAlong(mainland, cuts, job);
+    // By hand nobody ends a line on an edge that is not drawn before the plan.
+    const SplitLines cuts = drawnThrough(std::move(drawn), mainland, plan.request.machine.operatingWidth());
+    for (const SplitFault& fault : cuts.faults) {
+        notes.push_back(noteOf(fault, plan.field().frame()));
+    }
+    const auto pieces = cutAlong(mainland, cuts.lines, job);
     if (!pieces) {
         return std::unexpected(pieces.error());
     }
@@ -66,131 +62,75 @@ Result<std::vector<MultiPolygon>> piecesBetweenSplits(const Plan& plan, const Jo
     return parts;
 }
 
-/// The parts of a set with their swaths one after the other.
-class PartCollector {
-public:
-    explicit PartCollector(const SwathSet& common) : laid_{.swaths = common, .parts = {}} {
-        laid_.swaths.swaths.clear();
-        laid_.swaths.totalLength = {};
-    }
-
-    /// @param heading  of its own; its swaths then get lines of their own
-    void add(MultiPolygon outline, SwathSet set, std::optional<Angle> heading) {
-        MainlandPart part{.outline = std::move(outline),
-                          .firstSwath = laid_.swaths.swaths.size(),
-                          .swathCount = set.swaths.size(),
-                          .heading = heading};
-        for (Swath& swath : set.swaths) {
-            swath.number = static_cast<int>(laid_.swaths.swaths.size()) + 1;
-            if (heading && !swath.isCurved()) {
-                swath.curve = lineOf(swath);
-            }
-            laid_.swaths.totalLength += swath.length();
-            laid_.swaths.swaths.push_back(std::move(swath));
-        }
-        laid_.parts.push_back(std::move(part));
-    }
-
-    LaidSwaths take() { return std::move(laid_); }
-
-private:
-    LaidSwaths laid_;
-};
-
-/// The swaths of one part in a set of their own, as the methods read them.
-SwathSet setOf(const LaidSwaths& laid, const MainlandPart& part) {
-    SwathSet set = laid.swaths;
-    set.heading = part.heading.value_or(laid.swaths.heading);
-    const auto first = laid.swaths.swaths.begin() + static_cast<std::ptrdiff_t>(part.firstSwath);
-    set.swaths.assign(first, first + static_cast<std::ptrdiff_t>(part.swathCount));
-    return set;
-}
-
-/// Within a cell that gets swaths of its own, what these leave on purpose takes the place of what was left.
-Result<void> leaveInstead(const MultiPolygon& own, const MultiPolygon& cell, MultiPolygon& left, const JobContext& job) {
-    if (!left.empty()) {
-        auto outside = difference(left, cell, job, kSnapGrid);
-        if (!outside) {
-            return std::unexpected(outside.error());
-        }
-        left = std::move(*outside);
-    }
-    std::ranges::copy(own, std::back_inserter(left));
-    return {};
-}
-
-Result<LaidSwaths> laidInParts(const Plan& plan, const SwathSet& common, const JobContext& job) {
-    const PlanRequest& request = plan.request;
-    const auto pieces = piecesBetweenSplits(plan, job);
-    if (!pieces) {
-        return std::unexpected(pieces.error());
-    }
-    const bool ownHeadings = request.settings.choice(kCellHeading) == "per-cell" && !common.isCurved();
+LaidSwaths laidInParts(const MultiPolygon& mainland, const SwathSet& common, const std::vector<MultiPolygon>& pieces) {
     PartCollector collector{common};
-    MultiPolygon leftOnPurpose = common.leftOnPurpose;
-    if (pieces->size() == 1 && !ownHeadings) {
-        collector.add(plan.headland.mainland, common, {});
+    if (pieces.size() == 1) {
+        collector.add(mainland, common, {});
         return collector.take();
     }
-    for (const MultiPolygon& piece : *pieces) {
-        SwathSet inside = cutTo(common, piece);
-        if (!ownHeadings) {
-            collector.add(piece, std::move(inside), {});
-            continue;
-        }
-        const auto cells = decompositionMethod(request.settings)(
-            {.mainland = piece, .swaths = inside, .machine = request.machine, .settings = request.settings}, job);
-        if (!cells) {
-            return std::unexpected(cells.error());
-        }
-        for (const Cell& cell : cells->cells) {
-            SwathSet shared = inside;
-            shared.swaths.clear();
-            shared.totalLength = {};
-            for (const std::size_t index : cell.swaths) {
-                shared.swaths.push_back(inside.swaths[index]);
-                shared.totalLength += inside.swaths[index].length();
-            }
-            auto own = byMethod(request, cell.outline, job);
-            if (!own && own.error().code == ErrorCode::Cancelled) {
-                return std::unexpected(own.error());
-            }
-            const bool isBetter = own && estimatedSeconds(*own, cell.outline, request) <
-                                             kWorthwhile * estimatedSeconds(shared, cell.outline, request);
-            if (isBetter) {
-                const Angle heading = own->heading;
-                if (auto left = leaveInstead(own->leftOnPurpose, cell.outline, leftOnPurpose, job); !left) {
-                    return std::unexpected(left.error());
-                }
-                collector.add(cell.outline, std::move(*own), heading);
-            } else {
-                collector.add(cell.outline, std::move(shared), {});
-            }
-        }
+    for (const MultiPolygon& piece : pieces) {
+        collector.add(piece, cutTo(common, piece), {});
     }
-    LaidSwaths laid = collector.take();
-    laid.swaths.leftOnPurpose = std::move(leftOnPurpose);
-    return laid;
+    return collector.take();
 }
 
-/// Each part by itself where a neighbour has another heading: nothing goes on beyond its edge then.
-void drawOut(LaidSwaths& laid, const MultiPolygon& mainland, const EndRoom& room, const Machine& machine) {
-    if (std::ranges::none_of(laid.parts, [](const MainlandPart& part) { return part.heading.has_value(); })) {
+bool hasOwnHeadings(const LaidSwaths& laid) {
+    return std::ranges::any_of(laid.parts, [](const MainlandPart& part) { return part.heading.has_value(); });
+}
+
+/// Each part by itself where a neighbour has another heading: nothing goes on beyond its edge then. Parts with the common
+/// heading are one.
+Result<void> drawOut(LaidSwaths& laid, const MultiPolygon& mainland, const EndRoom& room, const Machine& machine,
+                     const JobContext& job) {
+    if (!hasOwnHeadings(laid)) {
         drawOutEnds(laid.swaths, mainland, room, machine);
-        return;
+        return {};
+    }
+    MultiPolygon own;
+    for (const MainlandPart& part : laid.parts) {
+        if (part.heading) {
+            own.insert(own.end(), part.outline.begin(), part.outline.end());
+        }
+    }
+    const auto common = difference(mainland, own, job, kSnapGrid);
+    if (!common) {
+        return std::unexpected(common.error());
     }
     Length total;
     Area overlap;
     for (const MainlandPart& part : laid.parts) {
         SwathSet set = setOf(laid, part);
         set.endOverlap = {};
-        drawOutEnds(set, part.outline, room, machine);
+        drawOutEnds(set, part.heading ? part.outline : *common, room, machine);
         std::ranges::copy(set.swaths, laid.swaths.swaths.begin() + static_cast<std::ptrdiff_t>(part.firstSwath));
         total += set.totalLength;
         overlap += set.endOverlap;
     }
     laid.swaths.totalLength = total;
     laid.swaths.endOverlap = overlap;
+    return {};
+}
+
+/// With ends, and without swaths that are too short even with theirs.
+Result<LaidSwaths> withoutShortOnes(LaidSwaths laid, const Plan& plan, const EndsDrawnOut& withEnds, const JobContext& job) {
+    auto drawn = withEnds(laid);
+    if (!drawn) {
+        return drawn;
+    }
+    const Length least = minSwathLength(plan.request.settings, plan.request.machine);
+    const std::vector<bool> areShort = shortOnes(drawn->swaths, least);
+    if (std::ranges::find(areShort, true) == areShort.end()) {
+        return drawn;
+    }
+    std::size_t first = 0;
+    for (MainlandPart& part : laid.parts) {
+        const auto begin = areShort.begin() + static_cast<std::ptrdiff_t>(part.firstSwath);
+        const auto gone = std::count(begin, begin + static_cast<std::ptrdiff_t>(part.swathCount), true);
+        part.firstSwath = first;
+        part.swathCount -= static_cast<std::size_t>(gone);
+        first += part.swathCount;
+    }
+    return leaveOut(areShort, least, plan.headland.mainland, laid.swaths, job).and_then([&] { return withEnds(std::move(laid)); });
 }
 
 struct GroundForEnds {
@@ -237,7 +177,7 @@ SwathSet cutTo(const SwathSet& set, const MultiPolygon& part) {
 }
 
 Result<std::vector<Pose>> swathEnds(const PlanRequest& request, const MultiPolygon& mainland, const JobContext& job) {
-    return byMethod(request, mainland, job).transform([](const SwathSet& set) {
+    return swathsByMethod(request, mainland, job).transform([](const SwathSet& set) {
         std::vector<Pose> ends;
         for (const Swath& swath : set.swaths) {
             const Turn line = lineOf(swath);
@@ -251,26 +191,37 @@ Result<std::vector<Pose>> swathEnds(const PlanRequest& request, const MultiPolyg
 Result<LaidSwaths> layStage(const Plan& plan, const MultiPolygon& workable, const MultiPolygon& drivable,
                             const JobContext& job) {
     const PlanRequest& request = plan.request;
-    auto common = byMethod(request, plan.headland.mainland, job);
+    auto common = swathsByMethod(request, plan.headland.mainland, job);
     if (!common) {
         return std::unexpected(common.error());
     }
     markTramlines(*common, request.settings);
-    auto laid = laidInParts(plan, *common, job);
-    if (!laid || request.settings.choice(kEnds) != "full") {
-        return laid;
+    const auto pieces = piecesBetweenSplits(plan, common->notes, job);
+    if (!pieces) {
+        return std::unexpected(pieces.error());
     }
-    const auto room = groundForEnds(plan, workable, drivable, job);
-    if (!room) {
-        return std::unexpected(room.error());
+    const bool drawsOut = request.settings.choice(kEnds) == "full";
+    const auto ground = drawsOut ? groundForEnds(plan, workable, drivable, job)
+                                 : Result<GroundForEnds>{GroundForEnds{plan.headland.mainland, drivable, false}};
+    if (!ground) {
+        return std::unexpected(ground.error());
     }
-    drawOut(*laid, plan.headland.mainland,
-            {.working = room->working,
-             .driving = room->driving,
-             .turning = reachOfLevelTurn(request.machine, turnMethod(request.settings)),
-             .drawsIn = room->drawsIn},
-            request.machine);
-    return laid;
+    const EndRoom room{.working = ground->working,
+                       .driving = ground->driving,
+                       .turning = reachOfLevelTurn(request.machine, turnMethod(request.settings)),
+                       .drawsIn = ground->drawsIn};
+    const auto withEnds = [&](LaidSwaths set) -> Result<LaidSwaths> {
+        if (drawsOut || hasOwnHeadings(set)) {
+            if (auto drawn = drawOut(set, plan.headland.mainland, room, request.machine, job); !drawn) {
+                return std::unexpected(drawn.error());
+            }
+        }
+        return set;
+    };
+    const bool ownHeadings = request.settings.choice(kCellHeading) == "per-cell" && !common->isCurved();
+    auto laid = ownHeadings ? withOwnHeadings(plan, *common, *pieces, withEnds, job)
+                            : Result<LaidSwaths>{laidInParts(plan.headland.mainland, *common, *pieces)};
+    return laid ? withoutShortOnes(std::move(*laid), plan, withEnds, job) : laid;
 }
 
 namespace {

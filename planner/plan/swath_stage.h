@@ -21,8 +21,8 @@ struct LaidSwaths {
 };
 
 /// The swaths of the chosen method with their tramlines and with ends as the settings want them, cut where
-/// decomposition.split says, and in a heading of their own in parts in which that is quicker, if decomposition.heading
-/// asks for it: parts are the pieces between split lines, and with headings of their own the cells of these.
+/// decomposition.split says, and in a heading of their own in cells in which that is quicker, if decomposition.heading
+/// asks for it (see withOwnHeadings): parts are the pieces between split lines, and such cells. Short ones are left out.
 ///
 /// @param plan      its request, margin and headland
 /// @param workable  what the headland was laid along

@@ -1,6 +1,8 @@
+#include "planner/geometry/geos_bridge.h"
 #include "planner/machine/machine_library.h"
 #include "planner/plan/method_registry.h"
 #include "planner/plan/plan.h"
+#include "planner/swaths/curved_swaths.h"
 #include "tests/support/field_generator.h"
 #include "tests/support/result_check.h"
 
@@ -43,6 +45,15 @@ Result<std::shared_ptr<const Plan>> planOf(const std::shared_ptr<const Field>& f
 /// An L: an arm of 300 m to the east and one of 300 m to the north, each 80 m wide.
 MultiPolygon angle() {
     return {{.outer = {{0, 0}, {300, 0}, {300, 80}, {80, 80}, {80, 300}, {0, 300}}, .holes = {}}};
+}
+
+/// What no swath of a set works of a mainland, square metres.
+double missedM2(const SwathSet& set, const MultiPolygon& mainland) {
+    MultiPolygon lanes;
+    for (const Swath& swath : set.swaths) {
+        addStrips(lineOf(swath), swath.width, lanes);
+    }
+    return area(difference(mainland, unionOf(lanes, {}, kSnapGrid).value(), {}, kSnapGrid).value()).si();
 }
 
 }  // namespace
@@ -98,6 +109,14 @@ private slots:
             COMPARE_WITHIN(p.cells.history.steps.front().altitude.si(), 3.0 * heightM, 1e-3);
         }
         QCOMPARE(p.route.steps.size(), p.swaths.swaths.size());
+        // The line that ends inside is told, with what it falls short by: straight down from the middle is the farther edge,
+        // and straight up from 20 m.
+        const auto told = std::ranges::find(p.findings, "decomposition.split", &Finding::kind);
+        QVERIFY(told != p.findings.end());
+        QCOMPARE(told->severity, Severity::Note);
+        const QString missing = QString::number(0.5 * heightM, 'f', 1);
+        QVERIFY2(told->text.contains("split line 3 ends " + missing.toStdString() + " m short"), told->text.c_str());
+        QVERIFY(told->text.contains("decomposition.split"));
         // A swath goes on beyond the line: together they are as long as without.
         const auto whole = planOf(field, {{"swaths.method", "fixed"}, {"swaths.angle_deg", "0"}});
         VERIFY_RESULT(whole);
@@ -106,6 +125,95 @@ private slots:
         for (std::size_t i = 0; i < p.swaths.swaths.size(); ++i) {
             QCOMPARE(p.swaths.swaths[i].number, static_cast<int>(i) + 1);
         }
+    }
+
+    // A line drawn by hand ends in the headland at one side, and 2 m inside of the mainland at the other: it is meant to cut.
+    void aSplitLineThatFallsShortIsDrawnOn() {
+        const auto field = fieldOf({test::centredRectangle(240.0, 120.0)});
+        const auto whole = planOf(field, {{"swaths.method", "fixed"}, {"swaths.angle_deg", "0"}});
+        VERIFY_RESULT(whole);
+        const double edgeM = 60.0 - (*whole)->headland.width.si();
+        for (const double shortM : {2.0, 3.0}) {
+            const std::string split = wktOf(*field, {{{0.0, -58.0}, {0.0, edgeM - shortM}}});
+            const auto plan = planOf(field, {{"decomposition.split", split}, {"decomposition.method", "none"}});
+            VERIFY_RESULT(plan);
+            const bool isDrawnOn = shortM < (*plan)->request.machine.operatingWidth().si();
+            QCOMPARE((*plan)->cells.cells.size(), isDrawnOn ? std::size_t{2} : std::size_t{1});
+            QCOMPARE(std::ranges::count((*plan)->findings, "decomposition.split", &Finding::kind), isDrawnOn ? 0 : 1);
+        }
+        const std::string outside = wktOf(*field, {{{-200.0, 59.0}, {200.0, 59.0}}});
+        const auto plan = planOf(field, {{"decomposition.split", outside}, {"swaths.method", "fixed"}});
+        VERIFY_RESULT(plan);
+        const auto told = std::ranges::find((*plan)->findings, "decomposition.split", &Finding::kind);
+        QVERIFY(told != (*plan)->findings.end());
+        QVERIFY2(told->text.contains("split line 1 lies outside of the mainland"), told->text.c_str());
+    }
+
+    // Nothing is worth lowering the implement for that is shorter than it: a triangle's tip, whatever cuts the swaths.
+    void noSwathIsShorterThanTheLeast_data() {
+        QTest::addColumn<QString>("method");
+        for (const char* method : {"exact", "fixed", "ab-curve"}) {
+            QTest::newRow(method) << method;
+        }
+    }
+    void noSwathIsShorterThanTheLeast() {
+        QFETCH(QString, method);
+        const auto field = fieldOf({{.outer = {{0, 0}, {150, 0}, {0, 60}}, .holes = {}}});
+        const std::string split = wktOf(*field, {{{-200.0, -5.0}, {200.0, 7.0}}});
+        for (const char* least : {"0", "auto", "12"}) {
+            const auto plan = planOf(field, {{"swaths.method", method.toStdString()}, {"swaths.angle_deg", "60"}, {"swaths.min_length_m", least},
+                                             {"decomposition.split", split}, {"decomposition.method", "trapezoidal"}});
+            VERIFY_RESULT(plan);
+            const double leastM = least == std::string_view{"12"} ? 12.0
+                                  : least == std::string_view{"0"} ? 0.0
+                                                                   : (*plan)->request.machine.spec().implement.length.si();
+            const auto isShort = [&](const Swath& swath) { return swath.length().si() < leastM; };
+            QCOMPARE(std::ranges::count_if((*plan)->swaths.swaths, isShort), 0);
+            QCOMPARE((*plan)->route.steps.size(), (*plan)->swaths.swaths.size());
+            if (leastM == 12.0) {
+                QVERIFY(std::ranges::find((*plan)->findings, "swaths.min_length_m", &Finding::kind) != (*plan)->findings.end());
+            }
+        }
+    }
+
+    // One cell has one heading, whatever is asked for: nothing changes.
+    void aSingleCellStaysAsItIs() {
+        for (const MultiPolygon& shape : {MultiPolygon{test::centredRectangle(240.0, 120.0)}, angle()}) {
+            const auto field = fieldOf(shape);
+            const auto common = planOf(field, {{"decomposition.method", "none"}});
+            const auto own = planOf(field, {{"decomposition.method", "none"}, {"decomposition.heading", "per-cell"}});
+            VERIFY_RESULT(common);
+            VERIFY_RESULT(own);
+            QVERIFY((*own)->swaths.swaths == (*common)->swaths.swaths);
+            COMPARE_WITHIN((*own)->path.duration().si(), (*common)->path.duration().si(), 0.0);
+        }
+    }
+
+    // Where cells with different headings meet, no triangles and no strips are missed, although nobody works the headland:
+    // a split line that slants, and one between two lanes.
+    void nothingIsMissedBetweenHeadings_data() {
+        QTest::addColumn<double>("fromM");
+        QTest::addColumn<double>("toM");
+        QTest::addColumn<QString>("ends");
+        QTest::newRow("along the arm") << 80.0 << 80.0 << "full";
+        QTest::newRow("slanting") << 70.0 << 90.0 << "full";
+        QTest::newRow("slanting, swaths to the middle") << 70.0 << 90.0 << "centre";
+    }
+    void nothingIsMissedBetweenHeadings() {
+        QFETCH(double, fromM);
+        QFETCH(double, toM);
+        QFETCH(QString, ends);
+        const auto field = fieldOf(angle());
+        const Point corner = field->frame().toLocal(kCentre);
+        const std::string split = wktOf(*field, {{corner + Point{-50.0, fromM}, corner + Point{150.0, toM}}});
+        const auto own = planOf(field, {{"decomposition.split", split}, {"decomposition.method", "none"}, {"headland.driven", "false"},
+                                        {"headland.width_m", "10"}, {"decomposition.heading", "per-cell"}, {"swaths.ends", ends.toStdString()}});
+        VERIFY_RESULT(own);
+        QCOMPARE((*own)->cells.cells.size(), std::size_t{2});
+        QVERIFY(std::abs((*own)->cells.cells[0].heading.si() - (*own)->cells.cells[1].heading.si()) > 0.1);
+        // The arms are 60 m broad, 280 and 220 m long: all of it but for what slanting headings leave at the ends.
+        const double missed = missedM2((*own)->swaths, (*own)->headland.mainland);
+        QVERIFY2(missed < 0.002 * area((*own)->headland.mainland).si(), qPrintable(QString::number(missed)));
     }
 
     // Each arm of an L along itself, once a split line parts them.

@@ -1,0 +1,47 @@
+#include "planner/plan/mainland_parts.h"
+
+#include "planner/plan/method_registry.h"
+
+#include <algorithm>
+
+namespace furrow {
+
+PartCollector::PartCollector(const SwathSet& common) : laid_{.swaths = common, .parts = {}} {
+    laid_.swaths.swaths.clear();
+    laid_.swaths.totalLength = {};
+}
+
+void PartCollector::add(MultiPolygon outline, SwathSet set, std::optional<Angle> heading) {
+    MainlandPart part{.outline = std::move(outline),
+                      .firstSwath = laid_.swaths.swaths.size(),
+                      .swathCount = set.swaths.size(),
+                      .heading = heading};
+    for (Swath& swath : set.swaths) {
+        swath.number = static_cast<int>(laid_.swaths.swaths.size()) + 1;
+        if (heading && !swath.isCurved()) {
+            swath.curve = lineOf(swath);
+        }
+        laid_.swaths.totalLength += swath.length();
+        laid_.swaths.swaths.push_back(std::move(swath));
+    }
+    laid_.parts.push_back(std::move(part));
+}
+
+SwathSet setOf(const LaidSwaths& laid, const MainlandPart& part) {
+    SwathSet set = laid.swaths;
+    set.heading = part.heading.value_or(laid.swaths.heading);
+    const auto first = laid.swaths.swaths.begin() + static_cast<std::ptrdiff_t>(part.firstSwath);
+    set.swaths.assign(first, first + static_cast<std::ptrdiff_t>(part.swathCount));
+    return set;
+}
+
+Result<SwathSet> swathsByMethod(const PlanRequest& request, const MultiPolygon& mainland, const JobContext& job) {
+    return swathMethod(request.settings)({.field = *request.field,
+                                          .mainland = mainland,
+                                          .machine = request.machine,
+                                          .settings = request.settings,
+                                          .guides = request.guides.get()},
+                                         job);
+}
+
+}  // namespace furrow

@@ -1,0 +1,30 @@
+#pragma once
+
+#include "planner/plan/swath_stage.h"
+
+#include <optional>
+
+namespace furrow {
+
+/// The parts of a mainland with their swaths one after the other in one set.
+class PartCollector {
+public:
+    /// @param common  whose figures and notes the set begins with
+    explicit PartCollector(const SwathSet& common);
+
+    /// @param heading  of its own; its straight swaths then get lines of their own
+    void add(MultiPolygon outline, SwathSet set, std::optional<Angle> heading);
+
+    LaidSwaths take() { return std::move(laid_); }
+
+private:
+    LaidSwaths laid_;
+};
+
+/// The swaths of one part in a set of their own, as the methods read them.
+SwathSet setOf(const LaidSwaths& laid, const MainlandPart& part);
+
+/// Of the chosen swath method. Errors: those of the method.
+Result<SwathSet> swathsByMethod(const PlanRequest& request, const MultiPolygon& mainland, const JobContext& job);
+
+}  // namespace furrow
