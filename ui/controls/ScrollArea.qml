@@ -12,8 +12,8 @@ Flickable {
     // Fractions of a pixel are nothing to scroll for.
     interactive: contentHeight > height + 1
     onFocusedChanged: {
-        // A click is not to lose what it was on.
-        if (focused && focused.focusReason !== Qt.MouseFocusReason && root.holds(focused))
+        // A click is not to lose what it was on; a dialog begins at its top.
+        if (focused && focused.focusReason !== Qt.MouseFocusReason && focused.focusReason !== Qt.PopupFocusReason && root.holds(focused))
             root.bringIntoView(focused);
     }
 
@@ -29,6 +29,9 @@ Flickable {
         }
     }
 
+    function scrollBy(pixels: real): void {
+        root.contentY = Math.max(0, Math.min(root.contentHeight - root.height, root.contentY + pixels));
+    }
     function holds(item: Item): bool {
         for (let above = item.parent; above; above = above.parent) {
             if (above === root.contentItem)

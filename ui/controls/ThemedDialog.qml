@@ -31,6 +31,13 @@ T.Popup {
         focus: true
         Accessible.role: Accessible.Dialog
         Accessible.name: root.title
+        Keys.onPressed: event => {
+            const way = event.key === Qt.Key_Down ? 40 : event.key === Qt.Key_Up ? -40 : event.key === Qt.Key_PageDown ? scroller.height - 40 : event.key === Qt.Key_PageUp ? 40 - scroller.height : 0;
+            if (way !== 0 && scroller.interactive) {
+                scroller.scrollBy(way);
+                event.accepted = true;
+            }
+        }
 
         ScrollArea {
             id: scroller

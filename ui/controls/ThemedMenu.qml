@@ -26,9 +26,20 @@ T.Menu {
     contentItem: ListView {
         implicitHeight: contentHeight
         model: root.contentModel
-        interactive: Window.window ? contentHeight > Window.window.height - 24 : false
+        interactive: contentHeight > height + 1
         clip: true
         currentIndex: root.currentIndex
+
+        T.ScrollBar.vertical: T.ScrollBar {
+            id: bar
+
+            width: 6
+            contentItem: Rectangle {
+                radius: 3
+                color: Theme.line
+                visible: bar.size < 1
+            }
+        }
     }
 
     function widest(): real {

@@ -8,13 +8,15 @@ T.Popup {
     id: root
 
     required property list<Command> commands
+    /// As many as there is room for.
+    readonly property int rows: Math.max(2, Math.min(9, Math.floor(((parent ? parent.height : 600) - y - 56 - 12 - 16) / 36)))
     readonly property var found: root.matching(field.text)
 
     objectName: "commandPalette"
     modal: true
     focus: true
     width: 520
-    implicitHeight: 56 + Math.min(list.count, 9) * 36 + (list.count > 0 ? 12 : 44)
+    implicitHeight: 56 + Math.min(list.count, rows) * 36 + (list.count > 0 ? 12 : 44)
     padding: 0
     closePolicy: T.Popup.CloseOnEscape | T.Popup.CloseOnPressOutside
     onAboutToShow: {

@@ -12,7 +12,7 @@ Rectangle {
     required property PlanSession session
 
     objectName: "fieldChooser"
-    width: 440
+    implicitWidth: 440
     radius: 14
     color: Theme.panel
     border.width: Theme.hairline

@@ -7,6 +7,7 @@ ThemedDialog {
     id: root
 
     required property list<Command> commands
+    readonly property int columns: width < 800 ? 1 : 2
     readonly property list<var> onMap: [
         [qsTr("Drag the map, wheel"), qsTr("move, zoom")],
         [qsTr("Arrows, + and −"), qsTr("move the selection or the map, zoom")],
@@ -23,17 +24,16 @@ ThemedDialog {
 
     Grid {
         width: parent.width
-        columns: 2
         columnSpacing: 24
         rowSpacing: 6
         flow: Grid.TopToBottom
-        rows: Math.ceil((keyed.count + root.onMap.length) / 2)
+        rows: Math.ceil((keyed.count + root.onMap.length) / root.columns)
 
         component Line: Item {
             property string keys
             property string what
 
-            width: (root.width - 48 - 24) / 2
+            width: (root.width - 48 - 24 * (root.columns - 1)) / root.columns
             height: 20
             Accessible.role: Accessible.StaticText
             Accessible.name: qsTr("%1: %2").arg(keys).arg(what)

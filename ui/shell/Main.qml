@@ -277,6 +277,8 @@ ApplicationWindow {
         }
         EmptyState {
             anchors.centerIn: parent
+            width: Math.min(implicitWidth, parent.width - 16)
+            height: Math.min(implicitHeight, parent.height - 16)
             visible: (root.session.state === PlanState.Empty || root.session.state === PlanState.Failed && !root.session.hasField) && !page.editor.drawing && root.session.imagery.count === 0 && !tour.running
             session: root.session
             onOpenRequested: dialogs.open()
@@ -285,7 +287,8 @@ ApplicationWindow {
         }
         FieldChooser {
             anchors.centerIn: parent
-            height: Math.min(parent.height - 80, 134 + 52 * root.session.choices.count)
+            width: Math.min(implicitWidth, parent.width - 16)
+            height: Math.min(parent.height - 32, 134 + 52 * root.session.choices.count)
             visible: root.session.state === PlanState.Choosing
             session: root.session
         }

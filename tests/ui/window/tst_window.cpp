@@ -1,4 +1,5 @@
 #include "planner/machine/machine_library.h"
+#include "planner/plan/method_registry.h"
 #include "tests/ui/window/frame_clock.h"
 #include "tests/ui/window/window_test.h"
 
@@ -29,9 +30,12 @@ private slots:
             QTest::keyClick(window_, key);
         }
         QTest::keyClick(window_, Qt::Key_Return);
-        QTRY_COMPARE(session_->plan()->headland.width.si(), 20.5);
+        const Parameter& width = *findParameter("headland.width_m").value();
+        QTRY_VERIFY(session_->settings().value(width) == SettingValue{20.5});
         QTest::keyClick(window_, Qt::Key_Up);
-        QTRY_COMPARE(session_->plan()->headland.width.si(), 21.0);
+        QTRY_VERIFY(session_->settings().value(width) == SettingValue{21.0});
+        // Eight passes of 2.5 m go into it.
+        QTRY_COMPARE(session_->plan()->headland.width.si(), 20.0);
         click(QStringLiteral("headland.width_m.auto"));
         QTRY_VERIFY(session_->plan()->headland.width.si() < 20.0);
         picture(QStringLiteral("headland"));
