@@ -40,25 +40,8 @@ namespace {
 /// What fails as long as it is not mended, by its row in this test. To be emptied: one that passes is a
 /// failure of the test.
 const std::vector<std::string> kKnownFailures{
-    "small-pond | agbot | headland.method=none",
-    "small-pond | agbot | headland.passes=0",
-    "small-pond | agbot | headland.passes=1",
-    "small-pond | agbot | headland.width_m=0",
-    "small-pond | agbot | headland.width_m=1.5 widths",
-    "small-pond | agbot | headland.finish=false",
     "small-pond | agbot | decomposition.split=ends in the field",
-    "small-pond | agbot | path.stay_inside=false",
-    "rectangle | cultivator | headland.method=none",
-    "rectangle | cultivator | headland.passes=0",
-    "rectangle | cultivator | headland.passes=1",
-    "rectangle | cultivator | headland.width_m=0",
-    "rectangle | cultivator | headland.width_m=1.5 widths",
-    "wet-spot | cultivator | headland.method=none",
-    "headland-pond | field-robot | headland.method=none",
     "pond | cultivator | decomposition.split=ends in the field",
-    "rectangle | mounted-drill | headland.method=none",
-    "comb | mounted-drill | path.stay_inside=false",
-    "slalom | cultivator | headland.passes=1",
 };
 
 /// What once broke plans, on fields where it did.
