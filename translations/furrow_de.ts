@@ -3414,6 +3414,10 @@
         <translation>ein anderes Format wählen</translation>
     </message>
     <message>
+        <source>choose one by its id: %1</source>
+        <translation>wählen Sie einen nach seiner Kennung: %1</translation>
+    </message>
+    <message>
         <source>choose one by its number in the file: %1</source>
         <translation>einen nach seiner Nummer in der Datei wählen: %1</translation>
     </message>
@@ -3504,6 +3508,10 @@
     <message>
         <source>draw one or open a file that has one</source>
         <translation>eine zeichnen oder eine Datei öffnen, die eine hat</translation>
+    </message>
+    <message>
+        <source>draw or open one in the window first</source>
+        <translation>zeichnen oder öffnen Sie zuerst einen im Fenster</translation>
     </message>
     <message>
         <source>export fewer fields at once</source>
@@ -3826,6 +3834,10 @@
         <translation>es hat keine Form</translation>
     </message>
     <message>
+        <source>it has: %1</source>
+        <translation>er hat: %1</translation>
+    </message>
+    <message>
         <source>it holds more than %1 files</source>
         <translation>es enthält mehr als %1 Dateien</translation>
     </message>
@@ -3942,6 +3954,10 @@
         <translation>.shp, .shx, .dbf und .prj beieinander lassen</translation>
     </message>
     <message>
+        <source>leave it out, or give a project of the window</source>
+        <translation>lassen Sie es weg, oder geben Sie ein Projekt des Fensters an</translation>
+    </message>
+    <message>
         <source>leaves the field by %1</source>
         <translation>verlässt den Schlag um %1</translation>
     </message>
@@ -4040,6 +4056,10 @@
     <message>
         <source>only files on this computer are read</source>
         <translation>nur Dateien auf diesem Computer werden gelesen</translation>
+    </message>
+    <message>
+        <source>only the fields of a project have plans</source>
+        <translation>nur die Schläge eines Projekts haben Pläne</translation>
     </message>
     <message>
         <source>open a file of your own</source>
@@ -4154,6 +4174,10 @@
         <translation>mehrere Schläge heißen „%1“</translation>
     </message>
     <message>
+        <source>several plans of &apos;%1&apos; are called &apos;%2&apos;</source>
+        <translation>mehrere Pläne von &apos;%1&apos; heißen &apos;%2&apos;</translation>
+    </message>
+    <message>
         <source>simplify it to at most a million</source>
         <translation>auf höchstens eine Million vereinfachen</translation>
     </message>
@@ -4232,6 +4256,10 @@
     <message>
         <source>the field &apos;%1&apos; has no boundary</source>
         <translation>der Schlag „%1“ hat keine Feldgrenze</translation>
+    </message>
+    <message>
+        <source>the field &apos;%1&apos; has no plan &apos;%2&apos;</source>
+        <translation>der Schlag &apos;%1&apos; hat keinen Plan &apos;%2&apos;</translation>
     </message>
     <message>
         <source>the field &apos;%1&apos; is left out: %2</source>
@@ -4484,6 +4512,10 @@
     <message>
         <source>there is no field boundary in it, only %1</source>
         <translation>darin ist keine Feldgrenze, nur %1</translation>
+    </message>
+    <message>
+        <source>there is no field in this project</source>
+        <translation>in diesem Projekt ist kein Schlag</translation>
     </message>
     <message>
         <source>there is no field in this task data</source>

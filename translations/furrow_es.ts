@@ -3414,6 +3414,10 @@
         <translation>elija otro formato</translation>
     </message>
     <message>
+        <source>choose one by its id: %1</source>
+        <translation>elija uno por su identificador: %1</translation>
+    </message>
+    <message>
         <source>choose one by its number in the file: %1</source>
         <translation>elija una por su número en el archivo: %1</translation>
     </message>
@@ -3504,6 +3508,10 @@
     <message>
         <source>draw one or open a file that has one</source>
         <translation>dibuje uno o abra un archivo que lo tenga</translation>
+    </message>
+    <message>
+        <source>draw or open one in the window first</source>
+        <translation>dibuje o abra antes una en la ventana</translation>
     </message>
     <message>
         <source>export fewer fields at once</source>
@@ -3826,6 +3834,10 @@
         <translation>no tiene forma</translation>
     </message>
     <message>
+        <source>it has: %1</source>
+        <translation>tiene: %1</translation>
+    </message>
+    <message>
         <source>it holds more than %1 files</source>
         <translation>contiene más de %1 archivos</translation>
     </message>
@@ -3942,6 +3954,10 @@
         <translation>mantenga juntos .shp, .shx, .dbf y .prj</translation>
     </message>
     <message>
+        <source>leave it out, or give a project of the window</source>
+        <translation>omítalo, o dé un proyecto de la ventana</translation>
+    </message>
+    <message>
         <source>leaves the field by %1</source>
         <translation>sale %1 de la parcela</translation>
     </message>
@@ -4040,6 +4056,10 @@
     <message>
         <source>only files on this computer are read</source>
         <translation>solo se leen archivos de este ordenador</translation>
+    </message>
+    <message>
+        <source>only the fields of a project have plans</source>
+        <translation>solo las parcelas de un proyecto tienen planes</translation>
     </message>
     <message>
         <source>open a file of your own</source>
@@ -4154,6 +4174,10 @@
         <translation>varias parcelas se llaman «%1»</translation>
     </message>
     <message>
+        <source>several plans of &apos;%1&apos; are called &apos;%2&apos;</source>
+        <translation>varios planes de &apos;%1&apos; se llaman &apos;%2&apos;</translation>
+    </message>
+    <message>
         <source>simplify it to at most a million</source>
         <translation>simplifíquelo a un millón como máximo</translation>
     </message>
@@ -4232,6 +4256,10 @@
     <message>
         <source>the field &apos;%1&apos; has no boundary</source>
         <translation>la parcela «%1» no tiene límite</translation>
+    </message>
+    <message>
+        <source>the field &apos;%1&apos; has no plan &apos;%2&apos;</source>
+        <translation>la parcela &apos;%1&apos; no tiene un plan &apos;%2&apos;</translation>
     </message>
     <message>
         <source>the field &apos;%1&apos; is left out: %2</source>
@@ -4484,6 +4512,10 @@
     <message>
         <source>there is no field boundary in it, only %1</source>
         <translation>no contiene ningún límite de parcela, solo %1</translation>
+    </message>
+    <message>
+        <source>there is no field in this project</source>
+        <translation>no hay ninguna parcela en este proyecto</translation>
     </message>
     <message>
         <source>there is no field in this task data</source>

@@ -3414,6 +3414,10 @@
         <translation>choisir un autre format</translation>
     </message>
     <message>
+        <source>choose one by its id: %1</source>
+        <translation>choisissez-en un par son identifiant : %1</translation>
+    </message>
+    <message>
         <source>choose one by its number in the file: %1</source>
         <translation>en choisir une par son numéro dans le fichier : %1</translation>
     </message>
@@ -3504,6 +3508,10 @@
     <message>
         <source>draw one or open a file that has one</source>
         <translation>en dessiner une ou ouvrir un fichier qui en a une</translation>
+    </message>
+    <message>
+        <source>draw or open one in the window first</source>
+        <translation>dessinez ou ouvrez-en d&apos;abord une dans la fenêtre</translation>
     </message>
     <message>
         <source>export fewer fields at once</source>
@@ -3826,6 +3834,10 @@
         <translation>il n&apos;a pas de forme</translation>
     </message>
     <message>
+        <source>it has: %1</source>
+        <translation>elle a : %1</translation>
+    </message>
+    <message>
         <source>it holds more than %1 files</source>
         <translation>il contient plus de %1 fichiers</translation>
     </message>
@@ -3942,6 +3954,10 @@
         <translation>garder .shp, .shx, .dbf et .prj ensemble</translation>
     </message>
     <message>
+        <source>leave it out, or give a project of the window</source>
+        <translation>omettez-le, ou donnez un projet de la fenêtre</translation>
+    </message>
+    <message>
         <source>leaves the field by %1</source>
         <translation>sort de la parcelle de %1</translation>
     </message>
@@ -4040,6 +4056,10 @@
     <message>
         <source>only files on this computer are read</source>
         <translation>seuls les fichiers de cet ordinateur sont lus</translation>
+    </message>
+    <message>
+        <source>only the fields of a project have plans</source>
+        <translation>seules les parcelles d&apos;un projet ont des plans</translation>
     </message>
     <message>
         <source>open a file of your own</source>
@@ -4154,6 +4174,10 @@
         <translation>plusieurs parcelles s&apos;appellent « %1 »</translation>
     </message>
     <message>
+        <source>several plans of &apos;%1&apos; are called &apos;%2&apos;</source>
+        <translation>plusieurs plans de &apos;%1&apos; s&apos;appellent &apos;%2&apos;</translation>
+    </message>
+    <message>
         <source>simplify it to at most a million</source>
         <translation>la simplifier à un million au plus</translation>
     </message>
@@ -4232,6 +4256,10 @@
     <message>
         <source>the field &apos;%1&apos; has no boundary</source>
         <translation>la parcelle « %1 » n&apos;a pas de limite</translation>
+    </message>
+    <message>
+        <source>the field &apos;%1&apos; has no plan &apos;%2&apos;</source>
+        <translation>la parcelle &apos;%1&apos; n&apos;a pas de plan &apos;%2&apos;</translation>
     </message>
     <message>
         <source>the field &apos;%1&apos; is left out: %2</source>
@@ -4484,6 +4512,10 @@
     <message>
         <source>there is no field boundary in it, only %1</source>
         <translation>il ne contient pas de limite de parcelle, seulement %1</translation>
+    </message>
+    <message>
+        <source>there is no field in this project</source>
+        <translation>il n&apos;y a pas de parcelle dans ce projet</translation>
     </message>
     <message>
         <source>there is no field in this task data</source>

@@ -3414,6 +3414,10 @@
         <translation>kies een ander formaat</translation>
     </message>
     <message>
+        <source>choose one by its id: %1</source>
+        <translation>kies er een met zijn id: %1</translation>
+    </message>
+    <message>
         <source>choose one by its number in the file: %1</source>
         <translation>kies er een op nummer in het bestand: %1</translation>
     </message>
@@ -3504,6 +3508,10 @@
     <message>
         <source>draw one or open a file that has one</source>
         <translation>teken er een of open een bestand dat er een heeft</translation>
+    </message>
+    <message>
+        <source>draw or open one in the window first</source>
+        <translation>teken of open er eerst een in het venster</translation>
     </message>
     <message>
         <source>export fewer fields at once</source>
@@ -3826,6 +3834,10 @@
         <translation>het heeft geen vorm</translation>
     </message>
     <message>
+        <source>it has: %1</source>
+        <translation>het heeft: %1</translation>
+    </message>
+    <message>
         <source>it holds more than %1 files</source>
         <translation>er zitten meer dan %1 bestanden in</translation>
     </message>
@@ -3942,6 +3954,10 @@
         <translation>houd .shp, .shx, .dbf en .prj bij elkaar</translation>
     </message>
     <message>
+        <source>leave it out, or give a project of the window</source>
+        <translation>laat het weg, of geef een project van het venster</translation>
+    </message>
+    <message>
         <source>leaves the field by %1</source>
         <translation>komt %1 buiten het perceel</translation>
     </message>
@@ -4040,6 +4056,10 @@
     <message>
         <source>only files on this computer are read</source>
         <translation>alleen bestanden op deze computer worden gelezen</translation>
+    </message>
+    <message>
+        <source>only the fields of a project have plans</source>
+        <translation>alleen percelen van een project hebben plannen</translation>
     </message>
     <message>
         <source>open a file of your own</source>
@@ -4154,6 +4174,10 @@
         <translation>meerdere percelen heten ‘%1’</translation>
     </message>
     <message>
+        <source>several plans of &apos;%1&apos; are called &apos;%2&apos;</source>
+        <translation>meerdere plannen van &apos;%1&apos; heten &apos;%2&apos;</translation>
+    </message>
+    <message>
         <source>simplify it to at most a million</source>
         <translation>vereenvoudig haar tot hoogstens een miljoen</translation>
     </message>
@@ -4232,6 +4256,10 @@
     <message>
         <source>the field &apos;%1&apos; has no boundary</source>
         <translation>perceel ‘%1’ heeft geen perceelsgrens</translation>
+    </message>
+    <message>
+        <source>the field &apos;%1&apos; has no plan &apos;%2&apos;</source>
+        <translation>het perceel &apos;%1&apos; heeft geen plan &apos;%2&apos;</translation>
     </message>
     <message>
         <source>the field &apos;%1&apos; is left out: %2</source>
@@ -4484,6 +4512,10 @@
     <message>
         <source>there is no field boundary in it, only %1</source>
         <translation>er zit geen perceelsgrens in, alleen %1</translation>
+    </message>
+    <message>
+        <source>there is no field in this project</source>
+        <translation>er is geen perceel in dit project</translation>
     </message>
     <message>
         <source>there is no field in this task data</source>

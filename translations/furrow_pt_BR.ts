@@ -3414,6 +3414,10 @@
         <translation>escolha outro formato</translation>
     </message>
     <message>
+        <source>choose one by its id: %1</source>
+        <translation>escolha um pelo identificador: %1</translation>
+    </message>
+    <message>
         <source>choose one by its number in the file: %1</source>
         <translation>escolha um pelo número no arquivo: %1</translation>
     </message>
@@ -3504,6 +3508,10 @@
     <message>
         <source>draw one or open a file that has one</source>
         <translation>desenhe um ou abra um arquivo que o tenha</translation>
+    </message>
+    <message>
+        <source>draw or open one in the window first</source>
+        <translation>desenhe ou abra um primeiro na janela</translation>
     </message>
     <message>
         <source>export fewer fields at once</source>
@@ -3826,6 +3834,10 @@
         <translation>não tem forma</translation>
     </message>
     <message>
+        <source>it has: %1</source>
+        <translation>ele tem: %1</translation>
+    </message>
+    <message>
         <source>it holds more than %1 files</source>
         <translation>contém mais de %1 arquivos</translation>
     </message>
@@ -3942,6 +3954,10 @@
         <translation>mantenha juntos .shp, .shx, .dbf e .prj</translation>
     </message>
     <message>
+        <source>leave it out, or give a project of the window</source>
+        <translation>omita-o, ou informe um projeto da janela</translation>
+    </message>
+    <message>
         <source>leaves the field by %1</source>
         <translation>sai %1 do talhão</translation>
     </message>
@@ -4040,6 +4056,10 @@
     <message>
         <source>only files on this computer are read</source>
         <translation>só são lidos arquivos deste computador</translation>
+    </message>
+    <message>
+        <source>only the fields of a project have plans</source>
+        <translation>só os talhões de um projeto têm planos</translation>
     </message>
     <message>
         <source>open a file of your own</source>
@@ -4154,6 +4174,10 @@
         <translation>vários talhões se chamam “%1”</translation>
     </message>
     <message>
+        <source>several plans of &apos;%1&apos; are called &apos;%2&apos;</source>
+        <translation>vários planos de &apos;%1&apos; se chamam &apos;%2&apos;</translation>
+    </message>
+    <message>
         <source>simplify it to at most a million</source>
         <translation>simplifique-o a no máximo um milhão</translation>
     </message>
@@ -4232,6 +4256,10 @@
     <message>
         <source>the field &apos;%1&apos; has no boundary</source>
         <translation>o talhão “%1” não tem limite</translation>
+    </message>
+    <message>
+        <source>the field &apos;%1&apos; has no plan &apos;%2&apos;</source>
+        <translation>o talhão &apos;%1&apos; não tem o plano &apos;%2&apos;</translation>
     </message>
     <message>
         <source>the field &apos;%1&apos; is left out: %2</source>
@@ -4484,6 +4512,10 @@
     <message>
         <source>there is no field boundary in it, only %1</source>
         <translation>não há limite de talhão nele, só %1</translation>
+    </message>
+    <message>
+        <source>there is no field in this project</source>
+        <translation>não há talhão neste projeto</translation>
     </message>
     <message>
         <source>there is no field in this task data</source>

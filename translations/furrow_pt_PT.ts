@@ -501,6 +501,10 @@
         <translation>tem outro sistema de coordenadas que o ficheiro</translation>
     </message>
     <message>
+        <source>it has: %1</source>
+        <translation>tem: %1</translation>
+    </message>
+    <message>
         <source>it holds more than %1 files</source>
         <translation>contém mais de %1 ficheiros</translation>
     </message>
@@ -583,6 +587,10 @@
     <message>
         <source>save the project, and free some space</source>
         <translation>guarde o projeto e libere espaço</translation>
+    </message>
+    <message>
+        <source>several plans of &apos;%1&apos; are called &apos;%2&apos;</source>
+        <translation>vários planos de &apos;%1&apos; chamam-se &apos;%2&apos;</translation>
     </message>
     <message>
         <source>take off the write protection of the stick</source>

@@ -5,6 +5,7 @@
 #include "app/cli/terminal.h"
 #include "planner/evaluation/batch.h"
 
+#include <algorithm>
 #include <charconv>
 #include <format>
 #include <memory>
@@ -65,6 +66,14 @@ void printTotals(std::string_view what, const BatchTotals& totals) {
                  totals.slowTime.si() * 1e3);
 }
 
+/// " (30 m)" where one machine plans them all.
+std::string fiveWidths(const BatchReport& report) {
+    const auto differs = [&report](const BatchRecord& record) { return record.width != report.records.front().width; };
+    return report.records.empty() || std::ranges::any_of(report.records, differs)
+               ? std::string{}
+               : std::format(" ({:.0f} m)", 5.0 * report.records.front().width.si());
+}
+
 int runBatchCommand(const BatchArguments& arguments) {
     const PlanningArguments& planning = arguments.planning;
     const InterruptWatch watch;
@@ -95,9 +104,7 @@ int runBatchCommand(const BatchArguments& arguments) {
     if (planning.json) {
         std::print("{}", batchJson(*report));
     } else if (!planning.quiet) {
-        printTotals(std::format("Fields at least five operating widths ({:.0f} m) broad",
-                                5.0 * task.machine.operatingWidth().si()),
-                    report->wide);
+        printTotals(std::format("Fields at least five operating widths{} broad", fiveWidths(*report)), report->wide);
         printTotals("Narrower fields", report->narrow);
         std::println("Written: {}", batchRecordPath(task.out, task.shard).string());
     }
@@ -110,7 +117,7 @@ int runBatchCommand(const BatchArguments& arguments) {
 void addBatchCommand(CLI::App& app, std::function<int()>& run) {
     const auto arguments = std::make_shared<BatchArguments>();
     CLI::App* batch = app.add_subcommand("batch", "Plan every field of some files, with totals at the end.");
-    batch->add_option("FIELDS", arguments->fields, "Boundary files")->required();
+    batch->add_option("FIELDS", arguments->fields, "Boundary files and projects")->required();
     addPlanningOptions(*batch, arguments->planning);
     batch->add_option("--shard", arguments->shard, "Only every N-th field, beginning with the I-th: I/N");
     batch->add_flag("--resume", arguments->resume, "Go on where an earlier run into the same folder ended");
@@ -118,7 +125,9 @@ void addBatchCommand(CLI::App& app, std::function<int()>& run) {
     batch->add_option("--max-ha", arguments->largestHa, "Leave larger fields out")->check(CLI::NonNegativeNumber);
     batch->footer(
         "Writes a folder for each field (summary.json, and what --format names) and batch.jsonl with one line\n"
-        "for each, as soon as it is done. Of several shards each has its own, batch-I-of-N.jsonl.\n"
+        "for each, as soon as it is done. Of several shards each has its own, batch-I-of-N.jsonl. Fields of a\n"
+        "project have the machine and settings of their plans. A folder holds one batch: other fields, another\n"
+        "machine or other settings need another folder. --resume takes more files, and plans what is missing.\n"
         "\n"
         "Exit status: 0 every field has a drivable plan, 1 some have not, 2 wrong usage, 3 input refused,\n"
         "4 could not read or write, 130 cancelled.");

@@ -4,12 +4,10 @@
 #include "app/cli/export_arguments.h"
 #include "app/cli/planning_arguments.h"
 #include "app/cli/terminal.h"
-#include "planner/io/boundary_import.h"
-#include "planner/io/guide_import.h"
 #include "planner/io/plan_folder.h"
-#include "planner/io/plan_summary.h"
 #include "planner/io/terminals.h"
 #include "planner/plan/advice.h"
+#include "planner/project/field_tasks.h"
 #include "planner/units/angle.h"
 
 #include <algorithm>
@@ -29,6 +27,7 @@ namespace {
 struct PlanArguments {
     std::string field;
     std::optional<std::string> fieldId;
+    std::optional<std::string> planName;
     std::optional<std::string> terminal;
     ExportOptions options;
     PlanningArguments planning;
@@ -122,28 +121,19 @@ int runPlan(const PlanArguments& arguments) {
         terminal = **found;
         terminal->options.task = arguments.options.task;
     }
-    const auto sources = readBoundaries(arguments.field, job);
-    if (!sources) {
-        return failWith(sources.error());
+    const auto task = readFieldTask(
+        arguments.field, arguments.fieldId,
+        {.planName = arguments.planName, .machine = choices->machine, .settings = choices->settings}, job);
+    if (!task) {
+        return failWith(task.error());
     }
-    const auto source = pickField(*sources, arguments.fieldId);
-    if (!source) {
-        return failWith(source.error());
-    }
-    auto field = Field::create(*source, job);
+    auto field = Field::create(task->source, job);
     if (!field) {
         return failWith(field.error());
     }
-    const auto guides = readGuides(choices->settings, *field, job);
-    if (!guides) {
-        return failWith(guides.error());
-    }
-    const auto plan = makePlan({.field = std::make_shared<const Field>(std::move(*field)),
-                                .machine = choices->machine,
-                                .settings = choices->settings,
-                                .guides = *guides},
-                               job)
-                          .and_then([&](const auto& made) { return withAdvice(made, job); });
+    const auto plan = planRequest(std::make_shared<const Field>(std::move(*field)), task->machine, task->settings, job)
+                          .and_then([&job](const PlanRequest& request) { return makePlan(request, job); })
+                          .and_then([&job](const auto& made) { return withAdvice(made, job); });
     clearProgress(planning.quiet || planning.json);
     if (!plan) {
         return failWith(plan.error());
@@ -155,7 +145,7 @@ int runPlan(const PlanArguments& arguments) {
     }
     printProblems(written->checks);
     if (planning.json) {
-        std::print("{}", planSummaryJson(**plan));
+        std::print("{}", written->summary);
     } else {
         printPlan(**plan, *written, terminal ? &*terminal : nullptr, planning.quiet);
     }
@@ -167,19 +157,26 @@ int runPlan(const PlanArguments& arguments) {
 void addPlanCommand(CLI::App& app, std::function<int()>& run) {
     const auto arguments = std::make_shared<PlanArguments>();
     CLI::App* plan = app.add_subcommand("plan", "Plan a field and write the plan to a folder.");
-    plan->add_option("FIELD", arguments->field, "A boundary file; furrow-cli list formats shows what is read")
+    plan->add_option("FIELD", arguments->field, "A boundary file (furrow-cli list formats shows what is read) or a project")
         ->required();
     plan->add_option("--field-id", arguments->fieldId,
                      "Which field of the file: its id, its name, or its number from 1");
+    plan->add_option("--plan-name", arguments->planName,
+                     "Which plan of the project's field: its name or id (default: the current one)");
     addPlanningOptions(*plan, arguments->planning);
     plan->add_option("--terminal", arguments->terminal,
                      "Write what this terminal takes, as it lies on its stick (see furrow-cli list terminals)")
         ->excludes("--format");
     addExportOptions(*plan, arguments->options, true);
     plan->footer(
+        "Of a project (Farm.furrow) the field has its edge headlands, and the machine and settings of its plan;\n"
+        "what is given here wins. A plan that was written to the folder before is replaced as a whole: files of\n"
+        "it that the new one does not have are removed.\n"
+        "\n"
         "Examples:\n"
         "  furrow-cli plan field.geojson --out plan\n"
         "  furrow-cli plan farm.gpkg --field-id 12 --machine trailed-sprayer --out plan\n"
+        "  furrow-cli plan Farm.furrow --field-id 1 --plan-name 'Spring drilling' --out plan\n"
         "  furrow-cli plan field.kml --set swaths.method=fixed --set swaths.angle_deg=30 --out plan --json\n"
         "\n"
         "Exit status: 0 a drivable plan, 1 a plan that cannot be driven as it is (written and marked),\n"

@@ -47,7 +47,7 @@ Result<Settings> settingsFrom(const PlanningArguments& arguments) {
 void addPlanningOptions(CLI::App& command, PlanningArguments& arguments) {
     command.add_option(
         "--machine", arguments.machine,
-        "A machine of furrow-cli list machines, or a machine file (default: the first of the list)");
+        "A machine of furrow-cli list machines, or a machine file (default: the first of the list,\nof a project its plan's)");
     command.add_option("--operation", arguments.operation,
                        "tillage, sowing, spraying, spreading, mowing or harvest: sets headland.when,\n"
                        "route.traversal and swaths.overlap_m where they are not given");
@@ -81,11 +81,15 @@ Result<PlanningChoices> choicesFrom(const PlanningArguments& arguments, std::spa
             return std::unexpected(known.error());
         }
     }
-    auto machine = machineFrom(arguments.machine);
-    if (!machine) {
-        return std::unexpected(machine.error());
+    std::optional<Machine> machine;
+    if (!arguments.machine.empty()) {
+        auto named = machineFrom(arguments.machine);
+        if (!named) {
+            return std::unexpected(named.error());
+        }
+        machine = *std::move(named);
     }
-    return PlanningChoices{std::move(*machine), std::move(*settings), std::move(ids)};
+    return PlanningChoices{std::move(machine), std::move(*settings), std::move(ids)};
 }
 
 }  // namespace furrow::cli

@@ -30,9 +30,9 @@ struct PlanningArguments {
 /// The options that fill them; `arguments` must live until the line is parsed.
 void addPlanningOptions(CLI::App& command, PlanningArguments& arguments);
 
-/// What the words mean.
+/// What the words mean; no machine where none is named.
 struct PlanningChoices {
-    Machine machine;
+    std::optional<Machine> machine;
     Settings settings;
     std::vector<std::string_view> formats;
 };

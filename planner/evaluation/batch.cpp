@@ -1,8 +1,8 @@
 #include "planner/evaluation/batch.h"
 
+#include "planner/evaluation/batch_key.h"
 #include "planner/geometry/geos_bridge.h"
 #include "planner/io/boundary_import.h"
-#include "planner/io/guide_import.h"
 #include "planner/io/plan_folder.h"
 #include "planner/jobs/parallel.h"
 #include "planner/plan/plan.h"
@@ -53,7 +53,9 @@ Json orNull(const std::optional<Value>& value) {
 }
 
 Json jsonOf(const BatchRecord& record) {
-    return {{"file", record.file},
+    return {{"key", record.key},
+            {"run", record.run},
+            {"file", record.file},
             {"number", record.number},
             {"id", record.id},
             {"folder", record.folder},
@@ -62,6 +64,8 @@ Json jsonOf(const BatchRecord& record) {
             {"area_m2", record.area.si()},
             {"vertices", record.vertices},
             {"breadth_m", record.breadth.si()},
+            {"machine", record.machine},
+            {"width_m", record.width.si()},
             {"covered", orNull(record.covered)},
             {"covered_of_reachable", orNull(record.coveredOfReachable)},
             {"missed_m2", orNull(record.missed)},
@@ -90,7 +94,9 @@ std::optional<BatchRecord> recordFrom(const std::string& line) {
     if (known == kOutcomes.end()) {
         return std::nullopt;
     }
-    BatchRecord record{.file = json.value("file", ""),
+    BatchRecord record{.key = json.value("key", ""),
+                       .run = json.value("run", ""),
+                       .file = json.value("file", ""),
                        .number = json.value("number", std::size_t{0}),
                        .id = json.value("id", ""),
                        .folder = json.value("folder", ""),
@@ -99,6 +105,8 @@ std::optional<BatchRecord> recordFrom(const std::string& line) {
                        .area = squareMetres(numberIn(json, "area_m2").value_or(0.0)),
                        .vertices = json.value("vertices", std::size_t{0}),
                        .breadth = metres(numberIn(json, "breadth_m").value_or(0.0)),
+                       .machine = json.value("machine", ""),
+                       .width = metres(numberIn(json, "width_m").value_or(0.0)),
                        .covered = numberIn(json, "covered"),
                        .coveredOfReachable = numberIn(json, "covered_of_reachable"),
                        .missed = numberIn(json, "missed_m2").transform(squareMetres),
@@ -161,27 +169,44 @@ private:
 };
 
 struct BatchField {
-    std::filesystem::path file;
+    std::filesystem::path file;  ///< absolute
     std::size_t number = 0;
-    FieldSource source;
+    std::string key;
+    FieldTask task;
 };
 
-Result<std::vector<BatchField>> fieldsOf(const BatchTask& task, const JobContext& job) {
+/// The same file, whatever it is called by.
+std::filesystem::path placeOf(const std::filesystem::path& file) {
+    std::error_code failed;
+    const std::filesystem::path place = std::filesystem::weakly_canonical(file, failed);
+    return failed ? std::filesystem::absolute(file, failed) : place;
+}
+
+Result<std::vector<BatchField>> fieldsOf(const BatchTask& task, const std::string& run, const JobContext& job) {
     std::vector<BatchField> fields;
+    std::set<std::filesystem::path> seen;
     std::size_t all = 0;
-    for (const std::filesystem::path& file : task.files) {
-        auto sources = readBoundaries(file, {.stop = job.stop, .progress = {}, .threads = job.threads});
-        if (!sources) {
-            return std::unexpected(sources.error());
+    for (const std::filesystem::path& named : task.files) {
+        const std::filesystem::path file = placeOf(named);
+        if (!seen.insert(file).second) {
+            continue;
         }
-        for (std::size_t i = 0; i < sources->size(); ++i) {
-            const Area area = areaOf((*sources)[i]);
+        auto tasks = readFieldTasks(named, {.planName = {}, .machine = task.machine, .settings = task.settings},
+                                    {.stop = job.stop, .progress = {}, .threads = job.threads});
+        if (!tasks) {
+            return std::unexpected(tasks.error());
+        }
+        for (std::size_t i = 0; i < tasks->size(); ++i) {
+            const Area area = areaOf((*tasks)[i].source);
             if (area < task.smallest || (task.largest && area > *task.largest)) {
                 continue;
             }
             // Dealt out like cards: large fields lie side by side in most files.
             if (all++ % task.shard.count == task.shard.number - 1) {
-                fields.push_back({file, i + 1, std::move((*sources)[i])});
+                fields.push_back({.file = file,
+                                  .number = i + 1,
+                                  .key = fieldKey(file, i + 1, (*tasks)[i], run),
+                                  .task = std::move((*tasks)[i])});
             }
         }
     }
@@ -207,14 +232,18 @@ void fill(BatchRecord& record, const Plan& plan) {
 }
 
 /// WriteFailed and Cancelled end the batch; everything else becomes part of the record.
-Result<BatchRecord> planned(const BatchField& each, const BatchTask& task, const JobContext& job) {
-    BatchRecord record{.file = each.file.filename().string(),
+Result<BatchRecord> planned(const BatchField& each, const BatchTask& task, const std::string& run, const JobContext& job) {
+    BatchRecord record{.key = each.key,
+                       .run = run,
+                       .file = each.file.string(),
                        .number = each.number,
-                       .id = each.source.id,
+                       .id = each.task.source.id,
                        .folder = {},
                        .outcome = BatchOutcome::Failed,
                        .error = {},
-                       .area = areaOf(each.source)};
+                       .area = areaOf(each.task.source),
+                       .machine = each.task.machine.name(),
+                       .width = each.task.machine.operatingWidth()};
     const auto unplanned = [&record](const Error& error) -> Result<BatchRecord> {
         if (error.code == ErrorCode::Cancelled || error.code == ErrorCode::WriteFailed) {
             return std::unexpected(error);
@@ -223,7 +252,7 @@ Result<BatchRecord> planned(const BatchField& each, const BatchTask& task, const
         record.error = error.line();
         return record;
     };
-    auto field = Field::create(each.source, job);
+    auto field = Field::create(each.task.source, job);
     if (!field) {
         return unplanned(field.error());
     }
@@ -233,20 +262,13 @@ Result<BatchRecord> planned(const BatchField& each, const BatchTask& task, const
         return unplanned(breadth.error());
     }
     record.breadth = *breadth;
-    const auto guides = readGuides(task.settings, *field, job);
-    if (!guides) {
-        return unplanned(guides.error());
-    }
-    const auto plan = makePlan({.field = std::make_shared<const Field>(std::move(*field)),
-                                .machine = task.machine,
-                                .settings = task.settings,
-                                .guides = *guides},
-                               job);
+    const auto plan = planRequest(std::make_shared<const Field>(std::move(*field)), each.task.machine, each.task.settings, job)
+                          .and_then([&job](const PlanRequest& request) { return makePlan(request, job); });
     if (!plan) {
         return unplanned(plan.error());
     }
     fill(record, **plan);
-    record.folder = std::format("{}-{:05}", each.file.stem().string(), each.number);
+    record.folder = std::format("{}-{:05}-{}", each.file.stem().string(), each.number, each.key.substr(0, 8));
     const auto written = writePlanFolder(**plan, task.out / record.folder, task.formats, job);
     if (!written) {
         return unplanned(written.error());
@@ -306,7 +328,7 @@ Json jsonOf(const BatchTotals& totals) {
             {"fields_blocked", totals.fieldsBlocked}};
 }
 
-BatchReport reportOf(std::vector<BatchRecord> records, const Machine& machine) {
+BatchReport reportOf(std::vector<BatchRecord> records) {
     BatchReport report;
     std::ranges::sort(records, {}, [](const BatchRecord& record) { return std::pair{record.file, record.number}; });
     report.records = std::move(records);
@@ -314,7 +336,7 @@ BatchReport reportOf(std::vector<BatchRecord> records, const Machine& machine) {
     std::vector<const BatchRecord*> narrow;
     for (const BatchRecord& record : report.records) {
         // What was refused before its breadth was known is counted with the others.
-        const bool isNarrow = record.breadth > metres(0.0) && record.breadth < kNarrowWidths * machine.operatingWidth();
+        const bool isNarrow = record.breadth > metres(0.0) && record.breadth < kNarrowWidths * record.width;
         (isNarrow ? narrow : wide).push_back(&record);
     }
     report.wide = totalsOf(wide);
@@ -328,10 +350,45 @@ std::filesystem::path batchRecordPath(const std::filesystem::path& out, const Sh
     return out / (shard.count == 1 ? "batch.jsonl" : std::format("batch-{}-of-{}.jsonl", shard.number, shard.count));
 }
 
+namespace {
+
+/// A folder holds one batch. Of other shards only what all of them have in common can be told.
+Result<void> checkFolder(const BatchTask& task, const std::vector<BatchField>& fields, const std::string& run) {
+    const auto other = [&task](const BatchRecord& record, Message what) {
+        return std::unexpected(Error{.code = ErrorCode::Usage,
+                                     .what = std::move(what),
+                                     .where = message("{}, field {} of {}", task.out.string(), record.number, record.file),
+                                     .remedy = "choose another folder for --out, or remove this one"});
+    };
+    const std::filesystem::path own = batchRecordPath(task.out, task.shard);
+    std::error_code failed;
+    for (const auto& entry : std::filesystem::directory_iterator{task.out, failed}) {
+        const std::string name = entry.path().filename().string();
+        if (!name.starts_with("batch") || !name.ends_with(".jsonl")) {
+            continue;
+        }
+        for (const BatchRecord& record : recordsIn(entry.path())) {
+            if (record.run != run) {
+                return other(record, "the folder holds a batch of another machine, other settings, formats or an older version");
+            }
+            if (entry.path().filename() == own.filename() && !std::ranges::contains(fields, record.key, &BatchField::key)) {
+                return other(record, "the folder holds a batch of other fields, or this one was changed since");
+            }
+        }
+    }
+    return {};
+}
+
+}  // namespace
+
 Result<BatchReport> runBatch(const BatchTask& task, const JobContext& job) {
-    const auto fields = fieldsOf(task, job);
+    const std::string run = runKey(task);
+    const auto fields = fieldsOf(task, run, job);
     if (!fields) {
         return std::unexpected(fields.error());
+    }
+    if (const auto checked = checkFolder(task, *fields, run); !checked) {
+        return std::unexpected(checked.error());
     }
     std::error_code failed;
     std::filesystem::create_directories(task.out, failed);
@@ -341,13 +398,13 @@ Result<BatchReport> runBatch(const BatchTask& task, const JobContext& job) {
     if (const auto opened = file.open(path, records); !opened) {
         return std::unexpected(opened.error());
     }
-    std::set<std::pair<std::string, std::size_t>> done;
+    std::set<std::string> done;
     for (const BatchRecord& record : records) {
-        done.emplace(record.file, record.number);
+        done.insert(record.key);
     }
     std::vector<const BatchField*> open;
     for (const BatchField& field : *fields) {
-        if (!done.contains({field.file.filename().string(), field.number})) {
+        if (!done.contains(field.key)) {
             open.push_back(&field);
         }
     }
@@ -356,7 +413,7 @@ Result<BatchReport> runBatch(const BatchTask& task, const JobContext& job) {
     const auto ran = parallelFor(
         open.size(),
         [&](std::size_t i) {
-            auto record = planned(*open[i], task, {.stop = job.stop, .progress = {}, .threads = 1});
+            auto record = planned(*open[i], task, run, {.stop = job.stop, .progress = {}, .threads = 1});
             const Result<void> kept =
                 record ? file.add(*record) : Result<void>{std::unexpected(record.error())};
             const std::lock_guard lock{mutex};
@@ -370,7 +427,7 @@ Result<BatchReport> runBatch(const BatchTask& task, const JobContext& job) {
     if (!ran || error) {
         return std::unexpected(ran ? *error : ran.error());
     }
-    return reportOf(std::move(records), task.machine);
+    return reportOf(std::move(records));
 }
 
 std::string batchJson(const BatchReport& report) {

@@ -22,10 +22,11 @@ struct Shard {
     std::size_t count = 1;
 };
 
-/// Every field of some files, planned with one machine and one set of settings.
+/// Every field of some files: those of projects with the machine and settings of their plans, others with the
+/// library's first machine and the standard settings; what is asked for here wins.
 struct BatchTask {
     std::vector<std::filesystem::path> files;
-    Machine machine;
+    std::optional<Machine> machine;
     Settings settings;
     std::filesystem::path out;
     std::vector<std::string_view> formats;  ///< of the plan folders, besides summary.json
@@ -41,7 +42,9 @@ enum class BatchOutcome { Drivable, Blocked, Refused, Failed };
 
 /// One field of a batch; one line of its record.
 struct BatchRecord {
-    std::string file;
+    std::string key;      ///< of everything that the result was made from
+    std::string run;      ///< of what the whole batch has in common
+    std::string file;     ///< absolute
     std::size_t number = 0;  ///< of the field in its file, from 1
     std::string id;
     std::string folder;  ///< of its plan, below the batch's; empty where there is none
@@ -50,6 +53,8 @@ struct BatchRecord {
     Area area;
     std::size_t vertices = 0;
     Length breadth;  ///< of the widest circle inside the field
+    std::string machine;  ///< its name
+    Length width;         ///< the machine's operating width
     std::optional<double> covered;
     std::optional<double> coveredOfReachable;
     std::optional<Area> missed;
@@ -90,8 +95,12 @@ std::filesystem::path batchRecordPath(const std::filesystem::path& out, const Sh
 /// Plans every field of the task, several at a time, and writes a folder for each; a line of the record is
 /// appended and flushed as soon as a field is done, so that a run that ends half-way can be resumed.
 ///
-/// @return what became of each. A field that is refused does not end the batch. ReadFailed, InputRefused:
-///         a file that cannot be read. WriteFailed. Cancelled: the record keeps what was done.
+/// A folder holds one batch: a run that would mix its results with those of other fields, another machine or other
+/// settings is refused, with or without `resume`. A field's folder is called after its file, its number and its key, so
+/// that files of the same name do not meet.
+///
+/// @return what became of each. A field that is refused does not end the batch. Usage: the folder holds the results
+///         of other inputs. ReadFailed, InputRefused: a file that cannot be read. WriteFailed. Cancelled: the record keeps what was done.
 Result<BatchReport> runBatch(const BatchTask& task, const JobContext& job);
 
 /// The report as one JSON object: {"wide": totals, "narrow": totals}.

@@ -68,10 +68,10 @@ Result<std::vector<FieldSource>> readBoundaries(const std::filesystem::path& pat
     return fields;
 }
 
-Result<FieldSource> pickField(std::span<const FieldSource> fields, std::optional<std::string_view> fieldId) {
+Result<std::size_t> pickFieldIndex(std::span<const FieldSource> fields, std::optional<std::string_view> fieldId) {
     if (!fieldId) {
         if (fields.size() == 1) {
-            return fields.front();
+            return 0;
         }
         return std::unexpected(usage(message("the file has {} fields: {}", fields.size(), listed(fields)),
                                      "choose one by its number, id or name with --field-id"));
@@ -83,7 +83,7 @@ Result<FieldSource> pickField(std::span<const FieldSource> fields, std::optional
             continue;
         }
         if (std::ranges::find(first + 1, fields.end(), wanted, member) == fields.end()) {
-            return *first;
+            return static_cast<std::size_t>(first - fields.begin());
         }
         std::string numbers;
         for (std::size_t i = 0; i < fields.size(); ++i) {
@@ -98,7 +98,7 @@ Result<FieldSource> pickField(std::span<const FieldSource> fields, std::optional
     const auto [end, error] = std::from_chars(wanted.data(), wanted.data() + wanted.size(), number);
     if (error == std::errc{} && end == wanted.data() + wanted.size() && number >= 1 &&
         number <= fields.size()) {
-        return fields[number - 1];
+        return number - 1;
     }
     std::vector<std::string_view> names;
     for (const FieldSource& field : fields) {
@@ -111,6 +111,10 @@ Result<FieldSource> pickField(std::span<const FieldSource> fields, std::optional
               nearest.empty()
                   ? message("it has {}: {}", counted("{} field", "{} fields", fields.size()), listed(fields))
                   : message("did you mean '{}'?", nearest)));
+}
+
+Result<FieldSource> pickField(std::span<const FieldSource> fields, std::optional<std::string_view> fieldId) {
+    return pickFieldIndex(fields, fieldId).transform([fields](std::size_t index) { return fields[index]; });
 }
 
 Area areaOf(const FieldSource& field) {

@@ -1,12 +1,14 @@
 #include "planner/io/plan_folder.h"
 
 #include "planner/io/export_check.h"
+#include "planner/io/file_folder.h"
 #include "planner/io/format_registry.h"
 #include "planner/io/plan_summary.h"
 #include "planner/io/terminals.h"
 
+#include <nlohmann/json.hpp>
+
 #include <algorithm>
-#include <iterator>
 #include <utility>
 
 namespace furrow {
@@ -15,10 +17,60 @@ namespace fs = std::filesystem;
 
 namespace {
 
-Result<WrittenFiles> written(const fs::path& folder, const std::vector<FileToWrite>& files,
+constexpr const char* kSummary = "summary.json";
+
+/// Below the folder, as it stands in summary.json.
+bool isInside(const fs::path& file) {
+    return !file.empty() && file.is_relative() && !std::ranges::contains(file, fs::path{".."});
+}
+
+/// The files of the plan that a folder holds; none where it holds no plan.
+std::vector<fs::path> filesOfPlanIn(const fs::path& folder) {
+    std::error_code failed;
+    if (!fs::is_regular_file(folder / kSummary, failed)) {
+        return {};
+    }
+    const nlohmann::json summary = nlohmann::json::parse(fileBytes(folder / kSummary).value_or(""), nullptr, false);
+    const auto listed = summary.is_object() ? summary.find("files") : summary.end();
+    std::vector<fs::path> files;
+    if (listed != summary.end() && listed->is_array()) {
+        for (const nlohmann::json& file : *listed) {
+            if (file.is_string() && isInside(file.get<std::string>())) {
+                files.emplace_back(file.get<std::string>());
+            }
+        }
+    }
+    return files;
+}
+
+/// With the folders that are empty then.
+void removeOld(const fs::path& folder, const std::vector<fs::path>& old, const std::vector<FileToWrite>& written) {
+    for (const fs::path& file : old) {
+        std::error_code ignored;
+        if (std::ranges::contains(written, file, &FileToWrite::path) ||
+            !fs::is_regular_file(fs::symlink_status(folder / file, ignored))) {
+            continue;
+        }
+        fs::remove(folder / file, ignored);
+        for (fs::path around = file.parent_path(); !around.empty(); around = around.parent_path()) {
+            fs::remove(folder / around, ignored);  // fails where something is left in it
+        }
+    }
+}
+
+/// Of a plan: summary.json first, then these.
+Result<WrittenFiles> written(const Plan& plan, const fs::path& folder, std::vector<FileToWrite> files,
                              std::vector<Message> notes, ExportChecks checks, const JobContext& job) {
+    std::vector<std::string> names{kSummary};
+    for (const FileToWrite& file : files) {
+        names.push_back(file.path.generic_string());
+    }
+    const std::string summary = planSummaryJson(plan, names);
+    files.insert(files.begin(), {kSummary, [&summary] { return summary; }});
+    const std::vector<fs::path> old = filesOfPlanIn(folder);
     return writeTogether(folder, files, job).transform([&](std::vector<fs::path> paths) {
-        return WrittenFiles{std::move(paths), std::move(notes), std::move(checks)};
+        removeOld(folder, old, files);
+        return WrittenFiles{std::move(paths), std::move(notes), std::move(checks), summary};
     });
 }
 
@@ -43,7 +95,7 @@ Result<WrittenFiles> writePlanFolder(const Plan& plan, const fs::path& folder,
         }
     }
     const FieldContent content = contentOf(plan, options);
-    std::vector<FileToWrite> files{{"summary.json", [&plan] { return planSummaryJson(plan); }}};
+    std::vector<FileToWrite> files;
     std::vector<Message> notes;
     ExportChecks checks;
     for (const FormatInfo* format : wanted) {
@@ -65,7 +117,7 @@ Result<WrittenFiles> writePlanFolder(const Plan& plan, const fs::path& folder,
         }
         checks.add(made->checks);
     }
-    return written(folder, files, std::move(notes), std::move(checks), job);
+    return written(plan, folder, std::move(files), std::move(notes), std::move(checks), job);
 }
 
 Result<WrittenFiles> writeForTerminal(const Plan& plan, const fs::path& folder, const Terminal& terminal,
@@ -74,9 +126,7 @@ Result<WrittenFiles> writeForTerminal(const Plan& plan, const fs::path& folder, 
     if (!made) {
         return std::unexpected(made.error());
     }
-    std::vector<FileToWrite> files{{"summary.json", [&plan] { return planSummaryJson(plan); }}};
-    std::ranges::move(made->files, std::back_inserter(files));
-    return written(folder, files, std::move(made->notes), std::move(made->checks), job);
+    return written(plan, folder, std::move(made->files), std::move(made->notes), std::move(made->checks), job);
 }
 
 }  // namespace furrow

@@ -21,11 +21,14 @@ struct WrittenFiles {
     std::vector<std::filesystem::path> files;
     std::vector<Message> notes;  ///< what a receiver will not find, or should know
     ExportChecks checks;         ///< what was looked at in the files before they were written
+    std::string summary;         ///< the text of summary.json
 };
 
 /// Writes a plan to a folder: summary.json always, and each format's files at its place (see FormatInfo). The
 /// folder is made if it is not there. Everything is written and synced beside its final name first and renamed
-/// when all of it is on the disk, so that a full disk, a cancel or a crash leaves what was there before.
+/// when all of it is on the disk, so that a full disk, a cancel or a crash leaves what was there before. A plan that was
+/// there is replaced as a whole: summary.json lists the files of a plan, and those that the new one does not have are
+/// removed. Files of others stay.
 ///
 /// @return the files, summary.json first. Usage: unknown format. InputRefused: a format cannot hold this plan.
 ///         WriteFailed: with the system's reason. Cancelled.

@@ -99,12 +99,12 @@ Json milliseconds(Duration duration) {
 
 }  // namespace
 
-std::string planSummaryJson(const Plan& plan) {
+std::string planSummaryJson(const Plan& plan, std::span<const std::string> files) {
     const Settings& settings = plan.request.settings;
     const Json machine = Json::parse(machineJson(plan.request.machine.spec()));
     const double workedM = plan.path.workedLength().si();
     const double workedS = plan.path.workedDuration().si();
-    const Json summary{
+    Json summary{
         {"field",
          {{"id", plan.field().id()},
           {"name", plan.field().name()},
@@ -164,6 +164,9 @@ std::string planSummaryJson(const Plan& plan) {
           {"audit", milliseconds(plan.timings.audit)},
           {"total", milliseconds(plan.timings.total)}}},
         {"version", kVersion}};
+    if (!files.empty()) {
+        summary["files"] = std::vector<std::string>{files.begin(), files.end()};
+    }
     return summary.dump(2, ' ', false, Json::error_handler_t::replace) + "\n";
 }
 

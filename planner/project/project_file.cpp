@@ -141,15 +141,6 @@ Project withPathsIn(Project project, const std::filesystem::path& folder) {
 
 }  // namespace
 
-std::string fingerprint(std::string_view bytes) {
-    // FNV-1a: tells an edited file from the one that was saved; nobody is to be kept out by it.
-    std::uint64_t hash = 14695981039346656037U;
-    for (const char byte : bytes) {
-        hash = (hash ^ static_cast<unsigned char>(byte)) * 1099511628211U;
-    }
-    return std::format("{:016x}-{}", hash, bytes.size());
-}
-
 std::optional<std::string> fileFingerprint(const std::filesystem::path& path) {
     const auto bytes = fileBytes(path);
     return bytes ? std::optional{fingerprint(*bytes)} : std::nullopt;

@@ -1,5 +1,6 @@
 #pragma once
 
+#include "planner/core/fingerprint.h"
 #include "planner/core/result.h"
 #include "planner/jobs/job.h"
 #include "planner/project/project.h"
@@ -26,8 +27,6 @@ struct OpenedProject {
     std::vector<Message> notes;
 };
 
-/// Of these bytes; two files with equal ones hold the same.
-std::string fingerprint(std::string_view bytes);
 /// Of what is in a file now; nothing where there is none or it cannot be read.
 std::optional<std::string> fileFingerprint(const std::filesystem::path& path);
 

@@ -219,6 +219,12 @@ Result<void> Settings::setText(const Parameter& parameter, std::string_view text
     }
 }
 
+void Settings::add(const Settings& others) {
+    for (const auto& [key, value] : others.given_) {
+        given_.insert_or_assign(key, value);
+    }
+}
+
 void Settings::clear(const Parameter& parameter) {
     if (const auto found = given_.find(parameter.key); found != given_.end()) {
         given_.erase(found);

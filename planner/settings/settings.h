@@ -23,6 +23,8 @@ public:
     Result<void> set(const Parameter& parameter, const SettingValue& value);
     /// The same from text, as in `--set key=value`.
     Result<void> setText(const Parameter& parameter, std::string_view text);
+    /// Sets what is set there; the rest stays.
+    void add(const Settings& others);
     /// Back to the default.
     void clear(const Parameter& parameter);
 

@@ -3,9 +3,9 @@
 #include "planner/imagery/imagery.h"
 #include "planner/io/boundary_import.h"
 #include "planner/io/file_folder.h"
-#include "planner/io/guide_import.h"
 #include "planner/plan/advice.h"
 #include "planner/plan/draft.h"
+#include "planner/project/field_tasks.h"
 
 #include <QFile>
 #include <QFileInfo>
@@ -97,8 +97,7 @@ PlanOutcome planned(const std::shared_ptr<const FieldSource>& source, std::share
         }
         field = std::make_shared<const Field>(std::move(*made));
     }
-    const auto plan = readGuides(settings, *field, job).and_then([&](std::shared_ptr<const GuideData> guides) {
-        PlanRequest request{.field = field, .machine = machine, .settings = settings, .guides = std::move(guides)};
+    const auto plan = planRequest(field, machine, settings, job).and_then([&](PlanRequest request) {
         return makePlan(draft ? draftOf(std::move(request), before) : request, job.part(0.1, 0.9))
             .and_then([&](const std::shared_ptr<const Plan>& made) { return withAdvice(made, job.part(0.9, 0.95)); });
     });

@@ -3,11 +3,13 @@
 #include "planner/evaluation/batch.h"
 #include "planner/geodesy/local_frame.h"
 #include "planner/machine/machine_library.h"
+#include "planner/plan/method_registry.h"
 #include "tests/support/field_generator.h"
 #include "tests/support/result_check.h"
 
 #include <QDir>
 #include <QFile>
+#include <QFileInfo>
 #include <QJsonArray>
 #include <QJsonDocument>
 #include <QJsonObject>
@@ -39,6 +41,11 @@ QJsonArray rectangleAt(GeoPoint centre, double widthM, double heightM) {
     }
     ring << ring.first();
     return ring;
+}
+
+// Any number that another plan has otherwise.
+const Parameter& plainSetting() {
+    return **std::ranges::find(allParameters(), std::string_view{"route.skip"}, &Parameter::key);
 }
 
 /// Two fields, one that crosses itself, and one that is narrow.
@@ -101,6 +108,12 @@ class BatchTest : public QObject {
         return found;
     }
 
+    /// The one that begins so.
+    QString folderOf(const QString& out, const QString& beginning) const {
+        const QStringList names = QDir{folder_.filePath(out)}.entryList({beginning + "-*"}, QDir::Dirs);
+        return names.size() == 1 ? at(out, names.front()) : QString{};
+    }
+
 private slots:
     void initTestCase() {
         fields_ = folder_.filePath("four.geojson");
@@ -117,7 +130,9 @@ private slots:
         const double breadths[] = {60.0, 50.0, 0.0, 8.0};
         for (int i = 0; i < 4; ++i) {
             const QJsonObject record = all[i + 1];
-            QCOMPARE(record["file"].toString(), QStringLiteral("four.geojson"));
+            QCOMPARE(record["file"].toString(), QFileInfo{fields_}.canonicalFilePath());
+            QVERIFY(!record["key"].toString().isEmpty());
+            QCOMPARE(record["machine"].toString(), QStringLiteral("AgBot"));
             QCOMPARE(record["id"].toString(), ids[i]);
             if (ids[i] == "bow-tie") {
                 QCOMPARE(record["outcome"].toString(), QStringLiteral("refused"));
@@ -131,7 +146,7 @@ private slots:
             QVERIFY(record["covered"].toDouble() > (ids[i] == "strip" ? 0.5 : 0.95) && record["covered"].toDouble() <= 1.0);
             QVERIFY(record["swaths"].toInt() > 0 && record["time_ms"].toDouble() > 0.0);
             // The plan's own summary says the same.
-            QCOMPARE(record["folder"].toString(), QStringLiteral("four-0000%1").arg(i + 1));
+            QVERIFY2(record["folder"].toString().startsWith(QStringLiteral("four-0000%1-").arg(i + 1)), qPrintable(record["folder"].toString()));
             const QJsonObject summary =
                 QJsonDocument::fromJson(read(at("whole", record["folder"].toString() + "/summary.json"))).object();
             QCOMPARE(record["covered"].toDouble(), summary["audit"]["covered"].toDouble());
@@ -177,9 +192,10 @@ private slots:
         QVERIFY(second != lines.end());
         lines.erase(second);
         write(at("resumed"), lines.join('\n') + '\n');
-        for (const char* done : {"four-00001", "four-00002"}) {
-            QVERIFY(QDir{at("resumed", done)}.removeRecursively());
-        }
+        const QMap<int, QJsonObject> before = records("resumed");
+        const QString first = at("resumed", before[1]["folder"].toString());
+        QVERIFY(QDir{first}.removeRecursively());
+        QVERIFY(QDir{folderOf("resumed", "four-00002")}.removeRecursively());
         BatchTask task = taskInto("resumed");
         task.resume = true;
         const auto report = runBatch(task, {});
@@ -191,8 +207,8 @@ private slots:
         for (const QByteArray& line : lines) {
             QVERIFY(after.contains(line));
         }
-        QVERIFY(QFile::exists(at("resumed", "four-00002/summary.json")));
-        QVERIFY(!QFile::exists(at("resumed", "four-00001")));
+        QVERIFY(QFile::exists(folderOf("resumed", "four-00002") + "/summary.json"));
+        QVERIFY(!QFile::exists(first));
     }
 
     // Ended in the middle of a line, by a signal or a full disk.
@@ -215,10 +231,107 @@ private slots:
 
     void withoutResumeAllIsPlannedAgain() {
         QVERIFY(runBatch(taskInto("again"), {}).has_value());
-        QVERIFY(QDir{at("again", "four-00001")}.removeRecursively());
+        const QString first = folderOf("again", "four-00001");
+        QVERIFY(QDir{first}.removeRecursively());
         QVERIFY(runBatch(taskInto("again"), {}).has_value());
-        QVERIFY(QFile::exists(at("again", "four-00001/summary.json")));
+        QVERIFY(QFile::exists(first + "/summary.json"));
         QCOMPARE(linesOf(at("again")).size(), 4);
+    }
+
+    // Two farms, two machines' exports: the same name in two folders, and the same stem with another extension.
+    void filesOfOneNameDoNotMeet() {
+        QVERIFY(QDir{folder_.path()}.mkpath("east") && QDir{folder_.path()}.mkpath("west"));
+        BatchTask task = taskInto("namesakes");
+        task.files.clear();
+        double lon = 5.0;
+        for (const char* name : {"east/one.geojson", "west/one.geojson", "west/one.json"}) {
+            const QJsonArray features{feature(name, rectangleAt({lon, 52.0}, 80.0, 50.0))};
+            write(folder_.filePath(name), QJsonDocument{QJsonObject{{"type", "FeatureCollection"}, {"features", features}}}.toJson());
+            task.files.push_back(folder_.filePath(name).toStdString());
+            lon += 0.01;
+        }
+        // Named twice, one way or another, it is planned once.
+        task.files.push_back(folder_.filePath("east/../east/one.geojson").toStdString());
+        const auto report = runBatch(task, {});
+        VERIFY_RESULT(report);
+        QCOMPARE(report->records.size(), std::size_t{3});
+        QSet<QString> folders;
+        QSet<QString> ids;
+        for (const BatchRecord& record : report->records) {
+            const QString folder = QString::fromStdString(record.folder);
+            folders << folder;
+            ids << QJsonDocument::fromJson(read(at("namesakes", folder + "/summary.json"))).object()["field"].toObject()["id"].toString();
+        }
+        QCOMPARE(folders.size(), 3);
+        QCOMPARE(ids, (QSet<QString>{"east/one.geojson", "west/one.geojson", "west/one.json"}));
+        task.resume = true;
+        VERIFY_RESULT(runBatch(task, {}));
+        QCOMPARE(linesOf(at("namesakes")).size(), 3);
+    }
+
+    void refusesOtherInputs_data() {
+        QTest::addColumn<QString>("what");
+        QTest::addColumn<bool>("resume");
+        for (const char* what : {"machine", "settings", "formats", "file", "field", "size"}) {
+            for (const bool resume : {false, true}) {
+                QTest::addRow("%s%s", what, resume ? ", resumed" : "") << QString::fromLatin1(what) << resume;
+            }
+        }
+    }
+    void refusesOtherInputs() {
+        QFETCH(QString, what);
+        QFETCH(bool, resume);
+        const QString out = QStringLiteral("mixed");
+        const QString fields = folder_.filePath("mixed.geojson");
+        write(fields, fourFields());
+        BatchTask task = taskInto(out);
+        task.files = {fields.toStdString()};
+        if (!QFile::exists(at(out))) {
+            VERIFY_RESULT(runBatch(task, {}));
+        }
+        const QByteArray before = read(at(out));
+        task.resume = resume;
+        if (what == "machine") {
+            task.machine = findMachine("cultivator").value();
+        } else if (what == "settings") {
+            QVERIFY(task.settings.setText(plainSetting(), "4").has_value());
+        } else if (what == "formats") {
+            task.formats = {"csv"};
+        } else if (what == "file") {
+            task.files = {fields_.toStdString()};
+        } else if (what == "field") {
+            write(fields, fourFields().replace("\"small\"", "\"smaller\""));
+        } else {
+            task.smallest = squareMetres(1000.0);
+        }
+        const auto report = runBatch(task, {});
+        QVERIFY(!report);
+        QCOMPARE(report.error().code, ErrorCode::Usage);
+        QVERIFY(report.error().remedy.contains("--out"));
+        QCOMPARE(read(at(out)), before);
+    }
+
+    void resumeTakesMoreFiles() {
+        const QString fields = folder_.filePath("more.geojson");
+        write(fields, fourFields());
+        VERIFY_RESULT(runBatch(taskInto("more"), {}));
+        BatchTask task = taskInto("more");
+        task.files.push_back(fields.toStdString());
+        task.resume = true;
+        const auto report = runBatch(task, {});
+        VERIFY_RESULT(report);
+        QCOMPARE(report->records.size(), std::size_t{8});
+    }
+
+    void shardsOfOtherBatchesAreRefused() {
+        BatchTask task = taskInto("shards-mixed");
+        task.shard = {.number = 1, .count = 2};
+        VERIFY_RESULT(runBatch(task, {}));
+        task.shard.number = 2;
+        task.machine = findMachine("cultivator").value();
+        const auto report = runBatch(task, {});
+        QVERIFY(!report);
+        QCOMPARE(report.error().code, ErrorCode::Usage);
     }
 
     void shardsHoldEveryFieldOnce() {
