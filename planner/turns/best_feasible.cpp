@@ -17,8 +17,10 @@ namespace {
 
 // Outside by less than this is touching.
 constexpr double kTouchingM = 1e-3;
-// A way that is dearer by this than its length alone is worth looking for another.
-constexpr double kDearWay = 1.5;
+// A forward curve has so many pieces.
+constexpr std::size_t kCurvePieces = 3;
+// Dearer by less than this is as good.
+constexpr double kNoDearer = 1.0005;
 
 constexpr std::array kForward{&kDubinsMethod, &kOmegaMethod, &kPTurnMethod, &kUTurnMethod};
 constexpr std::array kReversing{&kReedsSheppMethod, &kFishtailMethod, &kThreePointMethod};
@@ -66,11 +68,7 @@ double costS(const Turn& turn, const Machine& machine, const TravelCost& travel)
     Pose pose = turn.start;
     double wayM = 0.0;
     for (const TurnPiece& piece : turn.pieces) {
-        const auto steps = std::max(1, static_cast<int>(piece.length / machine.minTurningRadius()));
-        for (int i = 0; i < steps; ++i) {
-            const Pose middle = advanced(pose, piece, piece.length * ((i + 0.5) / steps));
-            cost += (piece.length / steps).si() * travel(middle.position);
-        }
+        cost += piece.length.si() * meanCost(travel, pose, piece, machine.minTurningRadius());
         wayM += piece.length.si();
         pose = advanced(pose, piece, piece.length);
     }
@@ -80,6 +78,43 @@ double costS(const Turn& turn, const Machine& machine, const TravelCost& travel)
 /// Whether another way is worth looking for.
 bool isDear(const Turn& turn, const Machine& machine, const TravelCost& travel) {
     return travel && costS(turn, machine, travel) >= kDearWay * roughDuration(turn, machine).si();
+}
+
+/// The same way with the pieces from one to another, not included, driven in one forward curve.
+Turn withOneCurve(const Turn& way, std::size_t from, std::size_t to, Length radius) {
+    Pose begins = way.start;
+    for (std::size_t i = 0; i < from; ++i) {
+        begins = advanced(begins, way.pieces[i], way.pieces[i].length);
+    }
+    Pose ends = begins;
+    for (std::size_t i = from; i < to; ++i) {
+        ends = advanced(ends, way.pieces[i], way.pieces[i].length);
+    }
+    const auto at = [&](std::size_t i) { return way.pieces.begin() + static_cast<std::ptrdiff_t>(i); };
+    Turn other{.type = way.type, .start = way.start, .pieces = {way.pieces.begin(), at(from)}};
+    const Turn curve = dubinsTurn(begins, ends, radius);
+    other.pieces.insert(other.pieces.end(), curve.pieces.begin(), curve.pieces.end());
+    other.pieces.insert(other.pieces.end(), at(to), way.pieces.end());
+    return other;
+}
+
+/// With as few bends as fit and are no dearer, longest stretches first: a search turns by steps, so along an edge it goes
+/// to and fro, and bends are driven slowly.
+Turn straightened(Turn way, const Rig& rig, const TravelCost& travel, const JobContext& job) {
+    const Machine& machine = rig.machine();
+    double cost = costS(way, machine, travel);
+    for (std::size_t from = 0; from < way.pieces.size() && !job.stopRequested(); ++from) {
+        for (std::size_t to = way.pieces.size(); to > from + kCurvePieces; --to) {
+            Turn other = withOneCurve(way, from, to, machine.minTurningRadius());
+            const double otherCost = costS(other, machine, travel);
+            if (otherCost <= kNoDearer * cost && rig.driven(Rig::inLine(other.start), other)) {
+                way = std::move(other);
+                cost = std::min(cost, otherCost);
+                break;
+            }
+        }
+    }
+    return way;
 }
 
 /// With the straight that the implement needs before it is lowered, where that fits.
@@ -95,6 +130,9 @@ std::optional<Turn> searched(const Rig& rig, const Pose& leaving, const Pose& ar
         return std::nullopt;
     }
     auto way = searchManoeuvre(rig, leaving, before, travel, job, effort);
+    if (way && travel) {
+        way = straightened(std::move(*way), rig, travel, job);
+    }
     if (way && runIn > metres(0.0)) {
         way->pieces.push_back({.length = runIn, .curvature = {}});
     }

@@ -1,6 +1,7 @@
 #include "planner/turns/manoeuvre_search.h"
 
 #include "planner/turns/dubins.h"
+#include "planner/turns/grid_distance.h"
 #include "planner/turns/reeds_shepp.h"
 #include "planner/turns/turn_method.h"
 
@@ -42,8 +43,6 @@ constexpr double kGreedAfar = 2.0;
 // Every so many moves the goal is tried from afar; from near each time.
 constexpr std::size_t kShotEvery = 8;
 constexpr double kNearRadii = 8.0;
-// Within so many radii of both ends a machine may stand where its implement has no room in passing.
-constexpr double kNearEndsRadii = 2.0;
 /// How far is looked, and how closely. Far ways are guided by a coarser grid.
 struct Scope {
     double reach = 1.0;           ///< times as far as usual
@@ -57,105 +56,6 @@ constexpr Scope kAfar{.reach = 4.0, .cellsAcross = 50.0, .clear = true};
 // Out of one corner round all of a large field into another.
 constexpr Scope kAllRound{.reach = 4.0, .cellsAcross = 1000.0, .mostCells = 2'000'000, .clear = true};
 constexpr double kInfinite = std::numeric_limits<double>::infinity();
-
-using Cell = std::uint64_t;
-
-Cell packed(std::int64_t a, std::int64_t b) {
-    return static_cast<Cell>(static_cast<std::uint32_t>(a)) << 32U | static_cast<std::uint32_t>(b);
-}
-
-/// How far it is to the goal on a grid of places where the tractor may stand, worked out no farther than asked.
-class GridDistance {
-public:
-    /// @param towards  places near here are going to be asked: worked out in this direction first (Silver 2005,
-    ///                 Cooperative Pathfinding: reverse resumable A*)
-    /// @param clearance  of the tractor's middle from the edges, but for places near both ends
-    GridDistance(const Rig& rig, const TravelCost& travel, Point goal, Point towards, double cellM, Length clearance, std::size_t mostCells)
-        : rig_{rig}, travel_{travel}, origin_{goal}, towards_{towards}, cellM_{cellM}, clearance_{clearance}, mostCells_{mostCells} {
-        open_.push({norm(towards - goal), 0, 0});
-        reached_[packed(0, 0)] = {.distance = 0.0, .travel = 1.0};
-    }
-
-    /// Infinite where there is no way, or none within `most`.
-    double from(Point point, double most) {
-        const auto column = static_cast<std::int32_t>(std::lround((point.x - origin_.x) / cellM_));
-        const auto row = static_cast<std::int32_t>(std::lround((point.y - origin_.y) / cellM_));
-        Place& place = placeAt(column, row);
-        // Where nobody may stand it would be looked for all over the field.
-        while (!place.settled) {
-            if (place.travel == 0.0 || open_.empty() || open_.top().atLeast > most || settled_ == mostCells_) {
-                return kInfinite;
-            }
-            settleNearest();
-        }
-        return place.distance;
-    }
-
-private:
-    struct Place {
-        double distance = kInfinite;
-        double travel = 0.0;  ///< 0: nobody may stand there
-        bool settled = false;
-    };
-    struct Entry {
-        double atLeast;  ///< from the goal by here to `towards_`
-        std::int32_t column;
-        std::int32_t row;
-        bool operator<(const Entry& other) const { return atLeast > other.atLeast; }
-    };
-
-    bool mayStandAt(Point point) const {
-        const double nearM = kNearEndsRadii * rig_.machine().minTurningRadius().si();
-        const bool isFar = distance(point, origin_) > nearM && distance(point, towards_) > nearM;
-        return rig_.mayStandAt(point, isFar ? clearance_ : Length{});
-    }
-
-    Point middleOf(std::int32_t column, std::int32_t row) const { return origin_ + Point{column * cellM_, row * cellM_}; }
-
-    Place& placeAt(std::int32_t column, std::int32_t row) {
-        auto [found, isNew] = reached_.try_emplace(packed(column, row));
-        if (isNew) {
-            const Point middle = middleOf(column, row);
-            found->second.travel = mayStandAt(middle) ? (travel_ ? travel_(middle) : 1.0) : 0.0;
-        }
-        return found->second;
-    }
-
-    void settleNearest() {
-        const Entry nearest = open_.top();
-        open_.pop();
-        Place& place = reached_[packed(nearest.column, nearest.row)];
-        if (place.settled) {
-            return;
-        }
-        place.settled = true;
-        ++settled_;
-        const double here = place.distance;
-        for (std::int32_t dx = -1; dx <= 1; ++dx) {
-            for (std::int32_t dy = -1; dy <= 1; ++dy) {
-                const std::int32_t column = nearest.column + dx;
-                const std::int32_t row = nearest.row + dy;
-                Place& next = placeAt(column, row);
-                const double distance = here + cellM_ * std::hypot(dx, dy) * next.travel;
-                if (!next.settled && next.travel > 0.0 && distance < next.distance) {
-                    next.distance = distance;
-                    open_.push({distance + norm(towards_ - middleOf(column, row)), column, row});
-                }
-            }
-        }
-    }
-
-    const Rig& rig_;
-    const TravelCost& travel_;
-    Point origin_;
-    Point towards_;
-    double cellM_;
-    Length clearance_;
-    std::size_t mostCells_;
-    std::size_t settled_ = 0;
-    std::unordered_map<Cell, Place> reached_;
-    std::priority_queue<Entry> open_;
-};
 
 // Beside an edge a machine gets free in steps of this length, each with the sharpest of these shares of its
 // smallest radius' curvature that keeps it inside: its tail or nose follows the edge meanwhile.
@@ -184,7 +84,8 @@ struct Node {
     RigState state;
     std::vector<TurnPiece> pieces;  ///< that led here
     std::size_t before = 0;
-    double timeS = 0.0;
+    double timeS = 0.0;   ///< with every stretch as dear as where it lies
+    double plainS = 0.0;  ///< the same, wherever it lies
 };
 
 class Search {
@@ -230,6 +131,7 @@ public:
                 timeS += secondsOf(piece, nullptr);
             }
             node.timeS = timeS;
+            node.plainS = timeS;
             nodes_.push_back(std::move(node));
             push(nodes_.size() - 1);
         }
@@ -242,7 +144,9 @@ public:
                                                                : kMostMoves;
         for (std::size_t moves = 0; !open_.empty() && moves < most; ++moves) {
             const auto [priority, index] = open_.top();
-            if (best_ && (priority >= bestS_ || --movesLeft == 0)) {
+            // What leads where it should not is no reason to stop looking.
+            const bool isGood = best_ && bestS_ < kDearWay * bestPlainS_;
+            if (best_ && (priority >= bestS_ || (isGood && --movesLeft == 0))) {
                 break;
             }
             if (moves % 64 == 0 && job_.stopRequested()) {
@@ -360,6 +264,10 @@ private:
         return piece.length.si() / speed + (changes ? gearChangeS_ : 0.0);
     }
 
+    double costAlong(const Pose& from, const TurnPiece& piece) const {
+        return meanCost(travel_, from, piece, metres(radiusM_));
+    }
+
     void push(std::size_t index) {
         const Node& node = nodes_[index];
         const double byGrid = grid_.from(node.state.tractor.position, mostWayM_);
@@ -373,14 +281,15 @@ private:
 
     void expand(std::size_t index) {
         const Node node = nodes_[index];
-        const double travel = travel_ ? travel_(node.state.tractor.position) : 1.0;
         const auto move = [&](Gear gear, double curvature, double lengthM) {
             const TurnPiece piece = pieceOf(gear, curvature, lengthM);
             const TurnPiece* const last = node.pieces.empty() ? nullptr : &node.pieces.back();
+            const double plainS = secondsOf(piece, last);
             Node next{.state = {},
                       .pieces = {piece},
                       .before = index,
-                      .timeS = node.timeS + travel * secondsOf(piece, last)};
+                      .timeS = node.timeS + costAlong(node.state.tractor, piece) * plainS,
+                      .plainS = node.plainS + plainS};
             const Pose end = advanced(node.state.tractor, piece, piece.length);
             next.state.tractor = end;
             const auto known = reached_.find(keyOf(next));
@@ -424,9 +333,14 @@ private:
             const std::size_t checked = rest.pieces.size();
             rest.pieces.insert(rest.pieces.end(), end.pieces.begin(), end.pieces.end());
             double timeS = node.timeS;
+            double plainS = node.plainS;
             const TurnPiece* before = node.pieces.empty() ? nullptr : &node.pieces.back();
+            Pose pose = rest.start;
             for (const TurnPiece& piece : rest.pieces) {
-                timeS += secondsOf(piece, before);
+                const double pieceS = secondsOf(piece, before);
+                timeS += costAlong(pose, piece) * pieceS;
+                plainS += pieceS;
+                pose = advanced(pose, piece, piece.length);
                 before = &piece;
             }
             if (timeS >= bestS_) {
@@ -436,6 +350,7 @@ private:
             const Turn open{.type = rest.type, .start = rest.start, .pieces = {rest.pieces.begin(), rest.pieces.begin() + static_cast<std::ptrdiff_t>(checked)}};
             if (rig_.driven(node.state, open, room_)) {
                 bestS_ = timeS;
+                bestPlainS_ = plainS;
                 best_ = joined(index, rest);
             }
         };
@@ -490,6 +405,7 @@ private:
     std::priority_queue<std::pair<double, std::size_t>, std::vector<std::pair<double, std::size_t>>, std::greater<>> open_;
     std::optional<Turn> best_;
     double bestS_ = kInfinite;
+    double bestPlainS_ = kInfinite;
 };
 
 }  // namespace

@@ -2,8 +2,8 @@
 
 #include "planner/jobs/job.h"
 #include "planner/turns/rig.h"
+#include "planner/turns/travel_cost.h"
 
-#include <functional>
 #include <optional>
 #include <string_view>
 
@@ -11,9 +11,6 @@ namespace furrow {
 
 /// The type of a searched turn.
 inline constexpr std::string_view kCombinedTurn = "combined";
-
-/// How much dearer than elsewhere a metre is at a place; at least 1.
-using TravelCost = std::function<double(Point)>;
 
 /// How long is looked for a way that may not exist: most are found within a few hundred moves. None: where no single
 /// curve fits there is none.
