@@ -20,7 +20,7 @@ namespace {
 
 // Of a written plan's features; a file of others may use the attribute for something else.
 constexpr std::string_view kKinds[] = {"field",         "obstacle", "gate", "headland", "mainland", "cell",
-                                       "headland_pass", "swath",    "path", "missed",   "finding",  "guidance",
+                                       "headland_pass", "swath",    "path", "missed",   "finding",  "guidance", "left_on_purpose",
                                        "hole"};
 
 // Of a drawing's layers, in capitals or not.
