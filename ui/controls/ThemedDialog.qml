@@ -12,7 +12,7 @@ T.Popup {
     focus: true
     width: 440
     implicitHeight: contentItem.implicitHeight + 2 * padding
-    height: Math.min(implicitHeight, parent ? parent.height - 16 : implicitHeight)
+    height: Math.min(implicitHeight, T.Overlay.overlay && T.Overlay.overlay.height > 0 ? T.Overlay.overlay.height - 16 : implicitHeight)
     padding: 24
     closePolicy: T.Popup.CloseOnEscape
 

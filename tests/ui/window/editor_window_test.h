@@ -22,7 +22,7 @@ protected:
         QTRY_VERIFY_WITH_TIMEOUT(session_->plan() && !session_->isDraft() && !session_->isBehind() &&
                                      session_->plan()->request.settings == session_->settings() &&
                                      session_->plan()->request.machine == session_->machine()->machine() &&
-                                     session_->state() == PlanSession::State::Ready, 30000);
+                                     isFinished(session_->state()), 30000);
     }
     std::size_t steps() const { return session_->document()->history().steps.size(); }
     QPoint middle() const { return middleOf(*map()); }
