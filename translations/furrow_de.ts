@@ -1328,10 +1328,6 @@
         <translation>mit %1 lässt sich nicht arbeiten</translation>
     </message>
     <message>
-        <source>%1 circle(s) within %2 of the centre are tighter than this machine can follow and are left out</source>
-        <translation>%1 Kreis(e) innerhalb von %2 um die Mitte sind enger, als diese Maschine folgen kann, und fallen weg</translation>
-    </message>
-    <message>
         <source>%1 crosses an obstacle, by %2.</source>
         <translation>%1 quert ein Hindernis, um %2.</translation>
     </message>
@@ -1630,10 +1626,6 @@
         <translation>Ein Ziel von opennav_coverage hat einen Umriss: %1 von %2 Teilen fehlen.</translation>
     </message>
     <message>
-        <source>A headland of %1 may make room (%2 now).</source>
-        <translation>Ein Vorgewende von %1 schafft vielleicht Platz (jetzt %2).</translation>
-    </message>
-    <message>
         <source>A raster of heights in metres that covers the field, such as a GeoTIFF.</source>
         <translation>Ein Höhenraster in Metern, das den Schlag abdeckt, zum Beispiel ein GeoTIFF.</translation>
     </message>
@@ -1914,18 +1906,6 @@
         <translation>Eine andere Stelle wählen.</translation>
     </message>
     <message>
-        <source>Choose forward curves, or a machine that can.</source>
-        <translation>Vorwärtskurven wählen oder eine Maschine, die es kann.</translation>
-    </message>
-    <message>
-        <source>Choose forward curves.</source>
-        <translation>Vorwärtskurven wählen.</translation>
-    </message>
-    <message>
-        <source>Choose wider turns.</source>
-        <translation>Weitere Wendungen wählen.</translation>
-    </message>
-    <message>
         <source>Circles</source>
         <translation>Kreise</translation>
     </message>
@@ -2000,10 +1980,6 @@
     <message>
         <source>Drive</source>
         <translation>Fahren</translation>
-    </message>
-    <message>
-        <source>Drive along the headland where the crop or the seedbed must not be driven on.</source>
-        <translation>Entlang des Vorgewendes fahren, wo Bestand oder Saatbett nicht befahren werden dürfen.</translation>
     </message>
     <message>
         <source>Drive the curves more slowly.</source>
@@ -2370,14 +2346,6 @@
         <translation>Die Zufahrt breiter machen oder eine andere nehmen.</translation>
     </message>
     <message>
-        <source>Make the headland wider, or choose other turns.</source>
-        <translation>Das Vorgewende breiter machen oder andere Wendungen wählen.</translation>
-    </message>
-    <message>
-        <source>Make the headland wider, or choose tighter turns.</source>
-        <translation>Das Vorgewende breiter machen oder engere Wendungen wählen.</translation>
-    </message>
-    <message>
         <source>Margin</source>
         <translation>Sicherheitsabstand</translation>
     </message>
@@ -2678,10 +2646,6 @@
         <translation>Schräges Feld</translation>
     </message>
     <message>
-        <source>Slow down or stop there to steer, or choose turns with continuous curvature.</source>
-        <translation>Dort langsamer fahren oder zum Lenken anhalten oder Wendungen mit stetiger Krümmung wählen.</translation>
-    </message>
-    <message>
         <source>Slurry tanker, 15 m trailing shoe</source>
         <translation>Güllewagen, Schleppschuh 15 m</translation>
     </message>
@@ -2802,10 +2766,6 @@
         <translation>Spuren, die zusammen fertig werden.</translation>
     </message>
     <message>
-        <source>Switch &quot;Stay inside&quot; on to keep them inside.</source>
-        <translation>„Im Schlag bleiben“ einschalten, damit sie innen bleiben.</translation>
-    </message>
-    <message>
         <source>Takes the boundary only, as an upload from a computer; no guidance lines, no path.</source>
         <translation>Nimmt nur die Feldgrenze, hochgeladen von einem Computer; keine Leitlinien, kein Fahrweg.</translation>
     </message>
@@ -2834,20 +2794,12 @@
         <translation>Die Ecke, an der die Fahrroute beginnt.</translation>
     </message>
     <message>
-        <source>The field bends inwards here: try another direction of the swaths.</source>
-        <translation>Der Schlag springt hier ein: eine andere Fahrtrichtung versuchen.</translation>
-    </message>
-    <message>
         <source>The field is too narrow for %1 of headland; it is %2 with %3</source>
         <translation>Der Schlag ist zu schmal für %1 Vorgewende; es hat %2 mit %3</translation>
     </message>
     <message>
         <source>The field is too narrow for %1 of headland; there is none</source>
         <translation>Der Schlag ist zu schmal für %1 Vorgewende; es gibt keins</translation>
-    </message>
-    <message>
-        <source>The field is too narrow for this machine to turn in: turn outside, or take a smaller machine.</source>
-        <translation>Der Schlag ist zum Wenden mit dieser Maschine zu schmal: außerhalb wenden oder eine kleinere Maschine nehmen.</translation>
     </message>
     <message>
         <source>The first swath</source>
@@ -3092,14 +3044,6 @@
     <message>
         <source>Tries every heading in steps and keeps the best (the paper&apos;s search).</source>
         <translation>Versucht alle Richtungen in Schritten und behält die beste (die Suche des Fachartikels).</translation>
-    </message>
-    <message>
-        <source>Try another direction of the swaths, or let the last pass overlap.</source>
-        <translation>Eine andere Fahrtrichtung versuchen oder die letzte Spur überlappen lassen.</translation>
-    </message>
-    <message>
-        <source>Try another direction of the swaths, or plan the sides of the obstacle apart.</source>
-        <translation>Eine andere Fahrtrichtung versuchen oder die Seiten des Hindernisses getrennt planen.</translation>
     </message>
     <message>
         <source>Turn</source>
@@ -3356,10 +3300,6 @@
     <message>
         <source>an overlap of %1 leaves nothing of %2</source>
         <translation>eine Überlappung von %1 lässt von %2 nichts übrig</translation>
-    </message>
-    <message>
-        <source>both headland.width_m and headland.passes are given</source>
-        <translation>headland.width_m und headland.passes sind beide angegeben</translation>
     </message>
     <message>
         <source>boundary accuracy</source>
@@ -3676,10 +3616,6 @@
     <message>
         <source>give an angle above 0 and below 90 degrees</source>
         <translation>einen Winkel über 0 und unter 90 Grad angeben</translation>
-    </message>
-    <message>
-        <source>give at most one of the two</source>
-        <translation>höchstens eines von beiden angeben</translation>
     </message>
     <message>
         <source>give both in degrees, or remove the row</source>
@@ -5043,6 +4979,93 @@
     <message>
         <source>Swaths run along the field&apos;s longest edge, or another long one, where that takes no more than this above the best heading; 0 takes the best whatever its direction.</source>
         <translation>Die Spuren verlaufen entlang der längsten oder einer anderen langen Kante des Schlags, wo das höchstens so viel mehr kostet als die beste Richtung; 0 nimmt die beste, wie sie auch liegt.</translation>
+    </message>
+    <message>
+        <source>&quot;%1&quot;: &quot;%2&quot; is planned instead of &quot;%3&quot;, since it is %4 s quicker here</source>
+        <translation>„%1“: Geplant ist „%2“ statt „%3“, denn das ist hier %4 s schneller</translation>
+    </message>
+    <message>
+        <source>&quot;%1&quot;: &quot;%2&quot; is planned instead of &quot;%3&quot;, which cannot be driven here</source>
+        <translation>„%1“: Geplant ist „%2“ statt „%3“, das hier nicht fahrbar ist</translation>
+    </message>
+    <message>
+        <source>%1 are out of this machine&apos;s reach; the largest piece, %2, lies here.</source>
+        <translation>%1 kann diese Maschine nicht erreichen; das größte Stück, %2, liegt hier.</translation>
+    </message>
+    <message>
+        <source>%1 are planned, since as driven they are %2 s quicker than the heading that the search estimates to be the quickest</source>
+        <translation>%1 sind geplant, denn gefahren sind sie %2 s schneller als die Richtung, die die Suche für die schnellste hält</translation>
+    </message>
+    <message>
+        <source>%1 are planned, since the quickest heading cannot be driven here</source>
+        <translation>%1 sind geplant, denn die schnellste Richtung ist hier nicht fahrbar</translation>
+    </message>
+    <message>
+        <source>%1 within %2 of the centre: tighter than this machine can follow, left out</source>
+        <translation>%1 näher als %2 an der Mitte: enger, als diese Maschine fahren kann, weggelassen</translation>
+    </message>
+    <message numerus="yes">
+        <source>%n circles</source>
+        <translation>
+            <numerusform>%n Kreis</numerusform>
+            <numerusform>%n Kreise</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>A headland of %1 holds %2; it is %3 wide, and the rest is mainland</source>
+        <translation>In ein Vorgewende von %1 passen %2; es ist %3 breit, der Rest gehört zur Hauptfläche</translation>
+    </message>
+    <message>
+        <source>Of all patterns the one with the quickest turns for this machine.</source>
+        <translation>Von allen Mustern das mit den für diese Maschine schnellsten Wendungen.</translation>
+    </message>
+    <message>
+        <source>Plan the sides of the obstacle apart.</source>
+        <translation>Die Seiten des Hindernisses getrennt planen.</translation>
+    </message>
+    <message>
+        <source>Set &quot;%1&quot; to &quot;%2&quot;: with that this is gone.</source>
+        <translation>„%1“ auf „%2“ setzen: Damit ist das behoben.</translation>
+    </message>
+    <message>
+        <source>Slow down or stop there to steer.</source>
+        <translation>Dort langsamer fahren oder zum Lenken anhalten.</translation>
+    </message>
+    <message>
+        <source>Swaths along the longest edge</source>
+        <translation>Spuren entlang der längsten Kante</translation>
+    </message>
+    <message>
+        <source>Swaths at a bearing of %1</source>
+        <translation>Spuren in Richtung %1</translation>
+    </message>
+    <message>
+        <source>Take a machine that can.</source>
+        <translation>Eine Maschine nehmen, die das kann.</translation>
+    </message>
+    <message>
+        <source>The field is too narrow for this machine to turn in: take a smaller machine.</source>
+        <translation>Der Schlag ist zum Wenden mit dieser Maschine zu schmal: eine kleinere Maschine nehmen.</translation>
+    </message>
+    <message>
+        <source>The quickest</source>
+        <translation>Das schnellste</translation>
+    </message>
+    <message>
+        <source>give one of the two, or a width that holds just these passes</source>
+        <translation>eines von beiden angeben, oder eine Breite, in die genau diese Umfahrten passen</translation>
+    </message>
+    <message>
+        <source>headland.width_m and headland.passes do not agree</source>
+        <translation>headland.width_m und headland.passes passen nicht zusammen</translation>
+    </message>
+    <message>
+        <source>off</source>
+        <translation>aus</translation>
+    </message>
+    <message>
+        <source>on</source>
+        <translation>ein</translation>
     </message>
 </context>
 <context>

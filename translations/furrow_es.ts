@@ -1328,10 +1328,6 @@
         <translation>con %1 no se puede trabajar</translation>
     </message>
     <message>
-        <source>%1 circle(s) within %2 of the centre are tighter than this machine can follow and are left out</source>
-        <translation>%1 círculo(s) a menos de %2 del centro son más cerrados de lo que puede seguir esta máquina y se omiten</translation>
-    </message>
-    <message>
         <source>%1 crosses an obstacle, by %2.</source>
         <translation>%1 cruza un obstáculo, %2.</translation>
     </message>
@@ -1630,10 +1626,6 @@
         <translation>Un objetivo de opennav_coverage tiene un contorno: se omiten %1 de %2 partes.</translation>
     </message>
     <message>
-        <source>A headland of %1 may make room (%2 now).</source>
-        <translation>Una cabecera de %1 puede dar sitio (ahora %2).</translation>
-    </message>
-    <message>
         <source>A raster of heights in metres that covers the field, such as a GeoTIFF.</source>
         <translation>Un ráster de alturas en metros que cubra la parcela, como un GeoTIFF.</translation>
     </message>
@@ -1914,18 +1906,6 @@
         <translation>Elija otro lugar.</translation>
     </message>
     <message>
-        <source>Choose forward curves, or a machine that can.</source>
-        <translation>Elija curvas hacia delante o una máquina que pueda.</translation>
-    </message>
-    <message>
-        <source>Choose forward curves.</source>
-        <translation>Elija curvas hacia delante.</translation>
-    </message>
-    <message>
-        <source>Choose wider turns.</source>
-        <translation>Elija giros más amplios.</translation>
-    </message>
-    <message>
         <source>Circles</source>
         <translation>Círculos</translation>
     </message>
@@ -2000,10 +1980,6 @@
     <message>
         <source>Drive</source>
         <translation>Circular</translation>
-    </message>
-    <message>
-        <source>Drive along the headland where the crop or the seedbed must not be driven on.</source>
-        <translation>Circule por la cabecera donde no se deba pisar el cultivo o la cama de siembra.</translation>
     </message>
     <message>
         <source>Drive the curves more slowly.</source>
@@ -2370,14 +2346,6 @@
         <translation>Haga la entrada más ancha o use otra.</translation>
     </message>
     <message>
-        <source>Make the headland wider, or choose other turns.</source>
-        <translation>Haga la cabecera más ancha o elija otros giros.</translation>
-    </message>
-    <message>
-        <source>Make the headland wider, or choose tighter turns.</source>
-        <translation>Haga la cabecera más ancha o elija giros más cerrados.</translation>
-    </message>
-    <message>
         <source>Margin</source>
         <translation>Margen</translation>
     </message>
@@ -2678,10 +2646,6 @@
         <translation>Campo Oblicuo</translation>
     </message>
     <message>
-        <source>Slow down or stop there to steer, or choose turns with continuous curvature.</source>
-        <translation>Reduzca o pare ahí para girar la dirección, o elija giros de curvatura continua.</translation>
-    </message>
-    <message>
         <source>Slurry tanker, 15 m trailing shoe</source>
         <translation>Cisterna de purín, patines de 15 m</translation>
     </message>
@@ -2802,10 +2766,6 @@
         <translation>Pasadas que se terminan juntas.</translation>
     </message>
     <message>
-        <source>Switch &quot;Stay inside&quot; on to keep them inside.</source>
-        <translation>Active «Quedarse dentro» para que no salgan.</translation>
-    </message>
-    <message>
         <source>Takes the boundary only, as an upload from a computer; no guidance lines, no path.</source>
         <translation>Solo toma el límite, subido desde un ordenador; sin líneas de guiado ni recorrido.</translation>
     </message>
@@ -2834,20 +2794,12 @@
         <translation>La esquina donde empieza la ruta.</translation>
     </message>
     <message>
-        <source>The field bends inwards here: try another direction of the swaths.</source>
-        <translation>La parcela entra aquí hacia dentro: pruebe otra dirección de pasadas.</translation>
-    </message>
-    <message>
         <source>The field is too narrow for %1 of headland; it is %2 with %3</source>
         <translation>La parcela es demasiado estrecha para %1 de cabecera; tiene %2 con %3</translation>
     </message>
     <message>
         <source>The field is too narrow for %1 of headland; there is none</source>
         <translation>La parcela es demasiado estrecha para %1 de cabecera; no hay ninguna</translation>
-    </message>
-    <message>
-        <source>The field is too narrow for this machine to turn in: turn outside, or take a smaller machine.</source>
-        <translation>La parcela es demasiado estrecha para girar con esta máquina: gire fuera o use una máquina menor.</translation>
     </message>
     <message>
         <source>The first swath</source>
@@ -3092,14 +3044,6 @@
     <message>
         <source>Tries every heading in steps and keeps the best (the paper&apos;s search).</source>
         <translation>Prueba todas las direcciones por pasos y se queda con la mejor (la búsqueda del artículo).</translation>
-    </message>
-    <message>
-        <source>Try another direction of the swaths, or let the last pass overlap.</source>
-        <translation>Pruebe otra dirección de pasadas o deje que la última se solape.</translation>
-    </message>
-    <message>
-        <source>Try another direction of the swaths, or plan the sides of the obstacle apart.</source>
-        <translation>Pruebe otra dirección de pasadas o planifique por separado los lados del obstáculo.</translation>
     </message>
     <message>
         <source>Turn</source>
@@ -3356,10 +3300,6 @@
     <message>
         <source>an overlap of %1 leaves nothing of %2</source>
         <translation>un solape de %1 no deja nada de %2</translation>
-    </message>
-    <message>
-        <source>both headland.width_m and headland.passes are given</source>
-        <translation>se dan headland.width_m y headland.passes a la vez</translation>
     </message>
     <message>
         <source>boundary accuracy</source>
@@ -3676,10 +3616,6 @@
     <message>
         <source>give an angle above 0 and below 90 degrees</source>
         <translation>indique un ángulo mayor que 0 y menor que 90 grados</translation>
-    </message>
-    <message>
-        <source>give at most one of the two</source>
-        <translation>indique como mucho uno de los dos</translation>
     </message>
     <message>
         <source>give both in degrees, or remove the row</source>
@@ -5043,6 +4979,93 @@
     <message>
         <source>Swaths run along the field&apos;s longest edge, or another long one, where that takes no more than this above the best heading; 0 takes the best whatever its direction.</source>
         <translation>Las pasadas siguen el lado más largo de la parcela, u otro largo, donde no cuesta más que esto por encima de la mejor dirección; 0 toma la mejor, sea cual sea.</translation>
+    </message>
+    <message>
+        <source>&quot;%1&quot;: &quot;%2&quot; is planned instead of &quot;%3&quot;, since it is %4 s quicker here</source>
+        <translation>«%1»: se planifica «%2» en lugar de «%3», porque aquí es %4 s más rápido</translation>
+    </message>
+    <message>
+        <source>&quot;%1&quot;: &quot;%2&quot; is planned instead of &quot;%3&quot;, which cannot be driven here</source>
+        <translation>«%1»: se planifica «%2» en lugar de «%3», que aquí no se puede recorrer</translation>
+    </message>
+    <message>
+        <source>%1 are out of this machine&apos;s reach; the largest piece, %2, lies here.</source>
+        <translation>%1 quedan fuera del alcance de esta máquina; el trozo más grande, %2, está aquí.</translation>
+    </message>
+    <message>
+        <source>%1 are planned, since as driven they are %2 s quicker than the heading that the search estimates to be the quickest</source>
+        <translation>%1 están planificadas, porque recorridas son %2 s más rápidas que la dirección estimada como la más rápida</translation>
+    </message>
+    <message>
+        <source>%1 are planned, since the quickest heading cannot be driven here</source>
+        <translation>%1 están planificadas, porque la dirección más rápida no se puede recorrer aquí</translation>
+    </message>
+    <message>
+        <source>%1 within %2 of the centre: tighter than this machine can follow, left out</source>
+        <translation>%1 a menos de %2 del centro: más cerrados de lo que esta máquina puede seguir, omitidos</translation>
+    </message>
+    <message numerus="yes">
+        <source>%n circles</source>
+        <translation>
+            <numerusform>%n círculo</numerusform>
+            <numerusform>%n círculos</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>A headland of %1 holds %2; it is %3 wide, and the rest is mainland</source>
+        <translation>En una cabecera de %1 caben %2; tiene %3 de ancho y el resto es parte central</translation>
+    </message>
+    <message>
+        <source>Of all patterns the one with the quickest turns for this machine.</source>
+        <translation>De todos los patrones, el de giros más rápidos para esta máquina.</translation>
+    </message>
+    <message>
+        <source>Plan the sides of the obstacle apart.</source>
+        <translation>Planifique por separado los lados del obstáculo.</translation>
+    </message>
+    <message>
+        <source>Set &quot;%1&quot; to &quot;%2&quot;: with that this is gone.</source>
+        <translation>Ponga «%1» en «%2»: con eso queda resuelto.</translation>
+    </message>
+    <message>
+        <source>Slow down or stop there to steer.</source>
+        <translation>Vaya más despacio allí o deténgase para girar.</translation>
+    </message>
+    <message>
+        <source>Swaths along the longest edge</source>
+        <translation>Las pasadas a lo largo del borde más largo</translation>
+    </message>
+    <message>
+        <source>Swaths at a bearing of %1</source>
+        <translation>Las pasadas con rumbo %1</translation>
+    </message>
+    <message>
+        <source>Take a machine that can.</source>
+        <translation>Tome una máquina que pueda.</translation>
+    </message>
+    <message>
+        <source>The field is too narrow for this machine to turn in: take a smaller machine.</source>
+        <translation>La parcela es demasiado estrecha para girar con esta máquina: tome una más pequeña.</translation>
+    </message>
+    <message>
+        <source>The quickest</source>
+        <translation>El más rápido</translation>
+    </message>
+    <message>
+        <source>give one of the two, or a width that holds just these passes</source>
+        <translation>dé uno de los dos, o un ancho en el que quepan justo estas vueltas</translation>
+    </message>
+    <message>
+        <source>headland.width_m and headland.passes do not agree</source>
+        <translation>headland.width_m y headland.passes no concuerdan</translation>
+    </message>
+    <message>
+        <source>off</source>
+        <translation>desactivado</translation>
+    </message>
+    <message>
+        <source>on</source>
+        <translation>activado</translation>
     </message>
 </context>
 <context>

@@ -1328,10 +1328,6 @@
         <translation>%1 n&apos;est pas utilisable</translation>
     </message>
     <message>
-        <source>%1 circle(s) within %2 of the centre are tighter than this machine can follow and are left out</source>
-        <translation>%1 cercle(s) à moins de %2 du centre sont plus serrés que cette machine ne peut suivre et sont laissés de côté</translation>
-    </message>
-    <message>
         <source>%1 crosses an obstacle, by %2.</source>
         <translation>%1 traverse un obstacle, de %2.</translation>
     </message>
@@ -1630,10 +1626,6 @@
         <translation>Un objectif opennav_coverage a un contour : %1 parties sur %2 sont laissées de côté.</translation>
     </message>
     <message>
-        <source>A headland of %1 may make room (%2 now).</source>
-        <translation>Une fourrière de %1 ferait peut-être de la place (%2 maintenant).</translation>
-    </message>
-    <message>
         <source>A raster of heights in metres that covers the field, such as a GeoTIFF.</source>
         <translation>Une grille d&apos;altitudes en mètres qui couvre la parcelle, comme un GeoTIFF.</translation>
     </message>
@@ -1914,18 +1906,6 @@
         <translation>Choisir un autre endroit.</translation>
     </message>
     <message>
-        <source>Choose forward curves, or a machine that can.</source>
-        <translation>Choisir des courbes en marche avant, ou une machine qui le peut.</translation>
-    </message>
-    <message>
-        <source>Choose forward curves.</source>
-        <translation>Choisir des courbes en marche avant.</translation>
-    </message>
-    <message>
-        <source>Choose wider turns.</source>
-        <translation>Choisir des demi-tours plus larges.</translation>
-    </message>
-    <message>
         <source>Circles</source>
         <translation>Cercles</translation>
     </message>
@@ -2000,10 +1980,6 @@
     <message>
         <source>Drive</source>
         <translation>Rouler</translation>
-    </message>
-    <message>
-        <source>Drive along the headland where the crop or the seedbed must not be driven on.</source>
-        <translation>Passer par la fourrière là où il ne faut pas rouler sur la culture ou le lit de semences.</translation>
     </message>
     <message>
         <source>Drive the curves more slowly.</source>
@@ -2370,14 +2346,6 @@
         <translation>Élargir l&apos;entrée de parcelle ou en prendre une autre.</translation>
     </message>
     <message>
-        <source>Make the headland wider, or choose other turns.</source>
-        <translation>Élargir la fourrière ou choisir d&apos;autres demi-tours.</translation>
-    </message>
-    <message>
-        <source>Make the headland wider, or choose tighter turns.</source>
-        <translation>Élargir la fourrière ou choisir des demi-tours plus serrés.</translation>
-    </message>
-    <message>
         <source>Margin</source>
         <translation>Marge</translation>
     </message>
@@ -2678,10 +2646,6 @@
         <translation>Champ Oblique</translation>
     </message>
     <message>
-        <source>Slow down or stop there to steer, or choose turns with continuous curvature.</source>
-        <translation>Y ralentir ou s&apos;arrêter pour braquer, ou choisir des demi-tours à courbure continue.</translation>
-    </message>
-    <message>
         <source>Slurry tanker, 15 m trailing shoe</source>
         <translation>Tonne à lisier, patins 15 m</translation>
     </message>
@@ -2802,10 +2766,6 @@
         <translation>Passages terminés ensemble.</translation>
     </message>
     <message>
-        <source>Switch &quot;Stay inside&quot; on to keep them inside.</source>
-        <translation>Activer « Rester dans la parcelle » pour les garder à l&apos;intérieur.</translation>
-    </message>
-    <message>
         <source>Takes the boundary only, as an upload from a computer; no guidance lines, no path.</source>
         <translation>Prend la limite seule, envoyée depuis un ordinateur ; ni lignes de guidage ni trajet.</translation>
     </message>
@@ -2834,20 +2794,12 @@
         <translation>Le coin où commence l&apos;ordre des passages.</translation>
     </message>
     <message>
-        <source>The field bends inwards here: try another direction of the swaths.</source>
-        <translation>La parcelle rentre ici : essayer une autre orientation des passages.</translation>
-    </message>
-    <message>
         <source>The field is too narrow for %1 of headland; it is %2 with %3</source>
         <translation>La parcelle est trop étroite pour %1 de fourrière ; elle a %2 avec %3</translation>
     </message>
     <message>
         <source>The field is too narrow for %1 of headland; there is none</source>
         <translation>La parcelle est trop étroite pour %1 de fourrière ; il n&apos;y en a pas</translation>
-    </message>
-    <message>
-        <source>The field is too narrow for this machine to turn in: turn outside, or take a smaller machine.</source>
-        <translation>La parcelle est trop étroite pour tourner avec cette machine : tourner dehors ou prendre une machine plus petite.</translation>
     </message>
     <message>
         <source>The first swath</source>
@@ -3092,14 +3044,6 @@
     <message>
         <source>Tries every heading in steps and keeps the best (the paper&apos;s search).</source>
         <translation>Essaie toutes les orientations par pas et garde la meilleure (la recherche de l&apos;article).</translation>
-    </message>
-    <message>
-        <source>Try another direction of the swaths, or let the last pass overlap.</source>
-        <translation>Essayer une autre orientation des passages, ou laisser le dernier passage recouvrir.</translation>
-    </message>
-    <message>
-        <source>Try another direction of the swaths, or plan the sides of the obstacle apart.</source>
-        <translation>Essayer une autre orientation des passages, ou planifier séparément les côtés de l&apos;obstacle.</translation>
     </message>
     <message>
         <source>Turn</source>
@@ -3356,10 +3300,6 @@
     <message>
         <source>an overlap of %1 leaves nothing of %2</source>
         <translation>un recouvrement de %1 ne laisse rien de %2</translation>
-    </message>
-    <message>
-        <source>both headland.width_m and headland.passes are given</source>
-        <translation>headland.width_m et headland.passes sont donnés tous les deux</translation>
     </message>
     <message>
         <source>boundary accuracy</source>
@@ -3676,10 +3616,6 @@
     <message>
         <source>give an angle above 0 and below 90 degrees</source>
         <translation>donner un angle entre 0 et 90 degrés</translation>
-    </message>
-    <message>
-        <source>give at most one of the two</source>
-        <translation>n&apos;en donner qu&apos;un des deux au plus</translation>
     </message>
     <message>
         <source>give both in degrees, or remove the row</source>
@@ -5043,6 +4979,93 @@
     <message>
         <source>Swaths run along the field&apos;s longest edge, or another long one, where that takes no more than this above the best heading; 0 takes the best whatever its direction.</source>
         <translation>Les passages suivent le plus long côté de la parcelle, ou un autre long, là où cela ne coûte pas plus que cela de plus que la meilleure orientation ; 0 prend la meilleure, quelle qu&apos;elle soit.</translation>
+    </message>
+    <message>
+        <source>&quot;%1&quot;: &quot;%2&quot; is planned instead of &quot;%3&quot;, since it is %4 s quicker here</source>
+        <translation>« %1 » : « %2 » est planifié au lieu de « %3 », car c’est plus rapide de %4 s ici</translation>
+    </message>
+    <message>
+        <source>&quot;%1&quot;: &quot;%2&quot; is planned instead of &quot;%3&quot;, which cannot be driven here</source>
+        <translation>« %1 » : « %2 » est planifié au lieu de « %3 », impossible à parcourir ici</translation>
+    </message>
+    <message>
+        <source>%1 are out of this machine&apos;s reach; the largest piece, %2, lies here.</source>
+        <translation>%1 sont hors de portée de cette machine ; le plus grand morceau, %2, se trouve ici.</translation>
+    </message>
+    <message>
+        <source>%1 are planned, since as driven they are %2 s quicker than the heading that the search estimates to be the quickest</source>
+        <translation>%1 sont planifiés, car parcourus ils sont plus rapides de %2 s que la direction estimée la plus rapide</translation>
+    </message>
+    <message>
+        <source>%1 are planned, since the quickest heading cannot be driven here</source>
+        <translation>%1 sont planifiés, car la direction la plus rapide est impossible à parcourir ici</translation>
+    </message>
+    <message>
+        <source>%1 within %2 of the centre: tighter than this machine can follow, left out</source>
+        <translation>%1 à moins de %2 du centre : plus serrés que ce que cette machine peut suivre, omis</translation>
+    </message>
+    <message numerus="yes">
+        <source>%n circles</source>
+        <translation>
+            <numerusform>%n cercle</numerusform>
+            <numerusform>%n cercles</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>A headland of %1 holds %2; it is %3 wide, and the rest is mainland</source>
+        <translation>Une fourrière de %1 contient %2 ; elle a %3 de large, le reste fait partie du cœur de la parcelle</translation>
+    </message>
+    <message>
+        <source>Of all patterns the one with the quickest turns for this machine.</source>
+        <translation>De tous les motifs, celui dont les demi-tours sont les plus rapides pour cette machine.</translation>
+    </message>
+    <message>
+        <source>Plan the sides of the obstacle apart.</source>
+        <translation>Planifiez séparément les côtés de l’obstacle.</translation>
+    </message>
+    <message>
+        <source>Set &quot;%1&quot; to &quot;%2&quot;: with that this is gone.</source>
+        <translation>Réglez « %1 » sur « %2 » : cela règle ce point.</translation>
+    </message>
+    <message>
+        <source>Slow down or stop there to steer.</source>
+        <translation>Ralentissez ou arrêtez-vous là pour braquer.</translation>
+    </message>
+    <message>
+        <source>Swaths along the longest edge</source>
+        <translation>Les passages le long du bord le plus long</translation>
+    </message>
+    <message>
+        <source>Swaths at a bearing of %1</source>
+        <translation>Les passages au cap %1</translation>
+    </message>
+    <message>
+        <source>Take a machine that can.</source>
+        <translation>Prenez une machine qui le peut.</translation>
+    </message>
+    <message>
+        <source>The field is too narrow for this machine to turn in: take a smaller machine.</source>
+        <translation>La parcelle est trop étroite pour tourner avec cette machine : prenez une machine plus petite.</translation>
+    </message>
+    <message>
+        <source>The quickest</source>
+        <translation>Le plus rapide</translation>
+    </message>
+    <message>
+        <source>give one of the two, or a width that holds just these passes</source>
+        <translation>donnez l’un des deux, ou une largeur qui contient juste ces tours</translation>
+    </message>
+    <message>
+        <source>headland.width_m and headland.passes do not agree</source>
+        <translation>headland.width_m et headland.passes ne concordent pas</translation>
+    </message>
+    <message>
+        <source>off</source>
+        <translation>désactivé</translation>
+    </message>
+    <message>
+        <source>on</source>
+        <translation>activé</translation>
     </message>
 </context>
 <context>

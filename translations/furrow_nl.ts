@@ -1328,10 +1328,6 @@
         <translation>met %1 valt niet te werken</translation>
     </message>
     <message>
-        <source>%1 circle(s) within %2 of the centre are tighter than this machine can follow and are left out</source>
-        <translation>%1 cirkel(s) binnen %2 van het midden zijn krapper dan deze machine kan volgen en zijn weggelaten</translation>
-    </message>
-    <message>
         <source>%1 crosses an obstacle, by %2.</source>
         <translation>%1 gaat %2 over een obstakel.</translation>
     </message>
@@ -1630,10 +1626,6 @@
         <translation>Een doel van opennav_coverage heeft één omtrek: %1 van %2 delen zijn weggelaten.</translation>
     </message>
     <message>
-        <source>A headland of %1 may make room (%2 now).</source>
-        <translation>Een kopakker van %1 geeft misschien ruimte (nu %2).</translation>
-    </message>
-    <message>
         <source>A raster of heights in metres that covers the field, such as a GeoTIFF.</source>
         <translation>Een raster van hoogten in meters dat het perceel dekt, zoals een GeoTIFF.</translation>
     </message>
@@ -1914,18 +1906,6 @@
         <translation>Kies een andere plek.</translation>
     </message>
     <message>
-        <source>Choose forward curves, or a machine that can.</source>
-        <translation>Kies bochten vooruit, of een machine die het kan.</translation>
-    </message>
-    <message>
-        <source>Choose forward curves.</source>
-        <translation>Kies bochten vooruit.</translation>
-    </message>
-    <message>
-        <source>Choose wider turns.</source>
-        <translation>Kies ruimere draaien.</translation>
-    </message>
-    <message>
         <source>Circles</source>
         <translation>Cirkels</translation>
     </message>
@@ -2000,10 +1980,6 @@
     <message>
         <source>Drive</source>
         <translation>Rijden</translation>
-    </message>
-    <message>
-        <source>Drive along the headland where the crop or the seedbed must not be driven on.</source>
-        <translation>Rijd langs de kopakker waar niet over het gewas of het zaaibed gereden mag worden.</translation>
     </message>
     <message>
         <source>Drive the curves more slowly.</source>
@@ -2370,14 +2346,6 @@
         <translation>Maak de inrit breder of neem een andere.</translation>
     </message>
     <message>
-        <source>Make the headland wider, or choose other turns.</source>
-        <translation>Maak de kopakker breder of kies andere draaien.</translation>
-    </message>
-    <message>
-        <source>Make the headland wider, or choose tighter turns.</source>
-        <translation>Maak de kopakker breder of kies krappere draaien.</translation>
-    </message>
-    <message>
         <source>Margin</source>
         <translation>Marge</translation>
     </message>
@@ -2678,10 +2646,6 @@
         <translation>Schuin Veld</translation>
     </message>
     <message>
-        <source>Slow down or stop there to steer, or choose turns with continuous curvature.</source>
-        <translation>Rijd daar langzamer of stop om te sturen, of kies draaien met vloeiend sturen.</translation>
-    </message>
-    <message>
         <source>Slurry tanker, 15 m trailing shoe</source>
         <translation>Mesttank, sleepvoet 15 m</translation>
     </message>
@@ -2802,10 +2766,6 @@
         <translation>Werkgangen die samen afgemaakt worden.</translation>
     </message>
     <message>
-        <source>Switch &quot;Stay inside&quot; on to keep them inside.</source>
-        <translation>Zet ‘Binnen het perceel blijven’ aan om ze binnen te houden.</translation>
-    </message>
-    <message>
         <source>Takes the boundary only, as an upload from a computer; no guidance lines, no path.</source>
         <translation>Neemt alleen de perceelsgrens, geüpload van een computer; geen stuurlijnen, geen rijweg.</translation>
     </message>
@@ -2834,20 +2794,12 @@
         <translation>De hoek waar de rijroute begint.</translation>
     </message>
     <message>
-        <source>The field bends inwards here: try another direction of the swaths.</source>
-        <translation>Het perceel springt hier in: probeer een andere rijrichting.</translation>
-    </message>
-    <message>
         <source>The field is too narrow for %1 of headland; it is %2 with %3</source>
         <translation>Het perceel is te smal voor %1 kopakker; hij is %2 met %3</translation>
     </message>
     <message>
         <source>The field is too narrow for %1 of headland; there is none</source>
         <translation>Het perceel is te smal voor %1 kopakker; er is er geen</translation>
-    </message>
-    <message>
-        <source>The field is too narrow for this machine to turn in: turn outside, or take a smaller machine.</source>
-        <translation>Het perceel is te smal om met deze machine te draaien: draai erbuiten of neem een kleinere machine.</translation>
     </message>
     <message>
         <source>The first swath</source>
@@ -3092,14 +3044,6 @@
     <message>
         <source>Tries every heading in steps and keeps the best (the paper&apos;s search).</source>
         <translation>Probeert alle richtingen in stappen en houdt de beste (de zoekmethode uit het artikel).</translation>
-    </message>
-    <message>
-        <source>Try another direction of the swaths, or let the last pass overlap.</source>
-        <translation>Probeer een andere rijrichting, of laat de laatste gang overlappen.</translation>
-    </message>
-    <message>
-        <source>Try another direction of the swaths, or plan the sides of the obstacle apart.</source>
-        <translation>Probeer een andere rijrichting, of plan de kanten van het obstakel apart.</translation>
     </message>
     <message>
         <source>Turn</source>
@@ -3356,10 +3300,6 @@
     <message>
         <source>an overlap of %1 leaves nothing of %2</source>
         <translation>een overlap van %1 laat niets over van %2</translation>
-    </message>
-    <message>
-        <source>both headland.width_m and headland.passes are given</source>
-        <translation>headland.width_m en headland.passes zijn allebei opgegeven</translation>
     </message>
     <message>
         <source>boundary accuracy</source>
@@ -3676,10 +3616,6 @@
     <message>
         <source>give an angle above 0 and below 90 degrees</source>
         <translation>geef een hoek boven 0 en onder 90 graden</translation>
-    </message>
-    <message>
-        <source>give at most one of the two</source>
-        <translation>geef er hoogstens een van de twee</translation>
     </message>
     <message>
         <source>give both in degrees, or remove the row</source>
@@ -5043,6 +4979,93 @@
     <message>
         <source>Swaths run along the field&apos;s longest edge, or another long one, where that takes no more than this above the best heading; 0 takes the best whatever its direction.</source>
         <translation>De werkgangen lopen langs de langste of een andere lange zijde van het perceel waar dat hoogstens zoveel meer kost dan de beste richting; 0 neemt de beste, hoe die ook ligt.</translation>
+    </message>
+    <message>
+        <source>&quot;%1&quot;: &quot;%2&quot; is planned instead of &quot;%3&quot;, since it is %4 s quicker here</source>
+        <translation>&quot;%1&quot;: &quot;%2&quot; is gepland in plaats van &quot;%3&quot;, want dat is hier %4 s sneller</translation>
+    </message>
+    <message>
+        <source>&quot;%1&quot;: &quot;%2&quot; is planned instead of &quot;%3&quot;, which cannot be driven here</source>
+        <translation>&quot;%1&quot;: &quot;%2&quot; is gepland in plaats van &quot;%3&quot;, dat hier niet te rijden is</translation>
+    </message>
+    <message>
+        <source>%1 are out of this machine&apos;s reach; the largest piece, %2, lies here.</source>
+        <translation>%1 kan deze machine niet bereiken; het grootste stuk, %2, ligt hier.</translation>
+    </message>
+    <message>
+        <source>%1 are planned, since as driven they are %2 s quicker than the heading that the search estimates to be the quickest</source>
+        <translation>%1 zijn gepland, want gereden zijn ze %2 s sneller dan de richting die de zoektocht als snelste schat</translation>
+    </message>
+    <message>
+        <source>%1 are planned, since the quickest heading cannot be driven here</source>
+        <translation>%1 zijn gepland, want de snelste richting is hier niet te rijden</translation>
+    </message>
+    <message>
+        <source>%1 within %2 of the centre: tighter than this machine can follow, left out</source>
+        <translation>%1 binnen %2 van het midden: krapper dan deze machine kan volgen, weggelaten</translation>
+    </message>
+    <message numerus="yes">
+        <source>%n circles</source>
+        <translation>
+            <numerusform>%n cirkel</numerusform>
+            <numerusform>%n cirkels</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>A headland of %1 holds %2; it is %3 wide, and the rest is mainland</source>
+        <translation>In een kopakker van %1 passen %2; hij is %3 breed, de rest hoort bij het hoofdperceel</translation>
+    </message>
+    <message>
+        <source>Of all patterns the one with the quickest turns for this machine.</source>
+        <translation>Van alle patronen dat met de snelste wendingen voor deze machine.</translation>
+    </message>
+    <message>
+        <source>Plan the sides of the obstacle apart.</source>
+        <translation>Plan de kanten van het obstakel apart.</translation>
+    </message>
+    <message>
+        <source>Set &quot;%1&quot; to &quot;%2&quot;: with that this is gone.</source>
+        <translation>Zet &quot;%1&quot; op &quot;%2&quot;: daarmee is dit verholpen.</translation>
+    </message>
+    <message>
+        <source>Slow down or stop there to steer.</source>
+        <translation>Rijd daar langzamer of stop om te sturen.</translation>
+    </message>
+    <message>
+        <source>Swaths along the longest edge</source>
+        <translation>Werkgangen langs de langste rand</translation>
+    </message>
+    <message>
+        <source>Swaths at a bearing of %1</source>
+        <translation>Werkgangen in richting %1</translation>
+    </message>
+    <message>
+        <source>Take a machine that can.</source>
+        <translation>Neem een machine die dat kan.</translation>
+    </message>
+    <message>
+        <source>The field is too narrow for this machine to turn in: take a smaller machine.</source>
+        <translation>Het perceel is te smal om met deze machine te keren: neem een kleinere machine.</translation>
+    </message>
+    <message>
+        <source>The quickest</source>
+        <translation>Het snelste</translation>
+    </message>
+    <message>
+        <source>give one of the two, or a width that holds just these passes</source>
+        <translation>geef één van beide, of een breedte waar precies deze rondgangen in passen</translation>
+    </message>
+    <message>
+        <source>headland.width_m and headland.passes do not agree</source>
+        <translation>headland.width_m en headland.passes kloppen niet met elkaar</translation>
+    </message>
+    <message>
+        <source>off</source>
+        <translation>uit</translation>
+    </message>
+    <message>
+        <source>on</source>
+        <translation>aan</translation>
     </message>
 </context>
 <context>

@@ -1328,10 +1328,6 @@
         <translation>não dá para trabalhar com %1</translation>
     </message>
     <message>
-        <source>%1 circle(s) within %2 of the centre are tighter than this machine can follow and are left out</source>
-        <translation>%1 círculo(s) a menos de %2 do centro são mais fechados do que esta máquina consegue seguir e ficam de fora</translation>
-    </message>
-    <message>
         <source>%1 crosses an obstacle, by %2.</source>
         <translation>%1 cruza um obstáculo, %2.</translation>
     </message>
@@ -1630,10 +1626,6 @@
         <translation>Um objetivo do opennav_coverage tem um contorno: %1 de %2 partes ficam de fora.</translation>
     </message>
     <message>
-        <source>A headland of %1 may make room (%2 now).</source>
-        <translation>Uma cabeceira de %1 talvez dê espaço (agora %2).</translation>
-    </message>
-    <message>
         <source>A raster of heights in metres that covers the field, such as a GeoTIFF.</source>
         <translation>Um raster de altitudes em metros que cubra o talhão, como um GeoTIFF.</translation>
     </message>
@@ -1914,18 +1906,6 @@
         <translation>Escolha outro lugar.</translation>
     </message>
     <message>
-        <source>Choose forward curves, or a machine that can.</source>
-        <translation>Escolha curvas para a frente ou uma máquina que consiga.</translation>
-    </message>
-    <message>
-        <source>Choose forward curves.</source>
-        <translation>Escolha curvas para a frente.</translation>
-    </message>
-    <message>
-        <source>Choose wider turns.</source>
-        <translation>Escolha manobras mais largas.</translation>
-    </message>
-    <message>
         <source>Circles</source>
         <translation>Círculos</translation>
     </message>
@@ -2000,10 +1980,6 @@
     <message>
         <source>Drive</source>
         <translation>Andar</translation>
-    </message>
-    <message>
-        <source>Drive along the headland where the crop or the seedbed must not be driven on.</source>
-        <translation>Siga pela cabeceira onde não se deve passar sobre a cultura ou o leito de semeadura.</translation>
     </message>
     <message>
         <source>Drive the curves more slowly.</source>
@@ -2370,14 +2346,6 @@
         <translation>Alargue a entrada ou use outra.</translation>
     </message>
     <message>
-        <source>Make the headland wider, or choose other turns.</source>
-        <translation>Alargue a cabeceira ou escolha outras manobras.</translation>
-    </message>
-    <message>
-        <source>Make the headland wider, or choose tighter turns.</source>
-        <translation>Alargue a cabeceira ou escolha manobras mais fechadas.</translation>
-    </message>
-    <message>
         <source>Margin</source>
         <translation>Margem</translation>
     </message>
@@ -2678,10 +2646,6 @@
         <translation>Campo Inclinado</translation>
     </message>
     <message>
-        <source>Slow down or stop there to steer, or choose turns with continuous curvature.</source>
-        <translation>Reduza ou pare ali para esterçar, ou escolha manobras com curvatura contínua.</translation>
-    </message>
-    <message>
         <source>Slurry tanker, 15 m trailing shoe</source>
         <translation>Tanque de chorume, sapatas de 15 m</translation>
     </message>
@@ -2802,10 +2766,6 @@
         <translation>Passadas concluídas juntas.</translation>
     </message>
     <message>
-        <source>Switch &quot;Stay inside&quot; on to keep them inside.</source>
-        <translation>Ative “Ficar dentro” para que não saiam.</translation>
-    </message>
-    <message>
         <source>Takes the boundary only, as an upload from a computer; no guidance lines, no path.</source>
         <translation>Recebe só o limite, enviado de um computador; sem linhas de orientação, sem percurso.</translation>
     </message>
@@ -2834,20 +2794,12 @@
         <translation>O canto onde a rota começa.</translation>
     </message>
     <message>
-        <source>The field bends inwards here: try another direction of the swaths.</source>
-        <translation>O talhão entra aqui para dentro: tente outra direção das passadas.</translation>
-    </message>
-    <message>
         <source>The field is too narrow for %1 of headland; it is %2 with %3</source>
         <translation>O talhão é estreito demais para %1 de cabeceira; tem %2 com %3</translation>
     </message>
     <message>
         <source>The field is too narrow for %1 of headland; there is none</source>
         <translation>O talhão é estreito demais para %1 de cabeceira; não há nenhuma</translation>
-    </message>
-    <message>
-        <source>The field is too narrow for this machine to turn in: turn outside, or take a smaller machine.</source>
-        <translation>O talhão é estreito demais para manobrar com esta máquina: manobre fora ou use uma máquina menor.</translation>
     </message>
     <message>
         <source>The first swath</source>
@@ -3092,14 +3044,6 @@
     <message>
         <source>Tries every heading in steps and keeps the best (the paper&apos;s search).</source>
         <translation>Testa todas as direções em passos e fica com a melhor (a busca do artigo).</translation>
-    </message>
-    <message>
-        <source>Try another direction of the swaths, or let the last pass overlap.</source>
-        <translation>Tente outra direção das passadas ou deixe a última sobrepor.</translation>
-    </message>
-    <message>
-        <source>Try another direction of the swaths, or plan the sides of the obstacle apart.</source>
-        <translation>Tente outra direção das passadas ou planeje separadamente os lados do obstáculo.</translation>
     </message>
     <message>
         <source>Turn</source>
@@ -3356,10 +3300,6 @@
     <message>
         <source>an overlap of %1 leaves nothing of %2</source>
         <translation>uma sobreposição de %1 não deixa nada de %2</translation>
-    </message>
-    <message>
-        <source>both headland.width_m and headland.passes are given</source>
-        <translation>headland.width_m e headland.passes foram dados juntos</translation>
     </message>
     <message>
         <source>boundary accuracy</source>
@@ -3676,10 +3616,6 @@
     <message>
         <source>give an angle above 0 and below 90 degrees</source>
         <translation>dê um ângulo acima de 0 e abaixo de 90 graus</translation>
-    </message>
-    <message>
-        <source>give at most one of the two</source>
-        <translation>dê no máximo um dos dois</translation>
     </message>
     <message>
         <source>give both in degrees, or remove the row</source>
@@ -5043,6 +4979,93 @@
     <message>
         <source>Swaths run along the field&apos;s longest edge, or another long one, where that takes no more than this above the best heading; 0 takes the best whatever its direction.</source>
         <translation>As passadas seguem o lado mais longo do talhão, ou outro longo, onde isso não custa mais do que isto acima da melhor direção; 0 usa a melhor, seja qual for.</translation>
+    </message>
+    <message>
+        <source>&quot;%1&quot;: &quot;%2&quot; is planned instead of &quot;%3&quot;, since it is %4 s quicker here</source>
+        <translation>&quot;%1&quot;: planeja-se &quot;%2&quot; em vez de &quot;%3&quot;, pois aqui é %4 s mais rápido</translation>
+    </message>
+    <message>
+        <source>&quot;%1&quot;: &quot;%2&quot; is planned instead of &quot;%3&quot;, which cannot be driven here</source>
+        <translation>&quot;%1&quot;: planeja-se &quot;%2&quot; em vez de &quot;%3&quot;, que não pode ser percorrido aqui</translation>
+    </message>
+    <message>
+        <source>%1 are out of this machine&apos;s reach; the largest piece, %2, lies here.</source>
+        <translation>%1 estão fora do alcance desta máquina; o maior pedaço, %2, fica aqui.</translation>
+    </message>
+    <message>
+        <source>%1 are planned, since as driven they are %2 s quicker than the heading that the search estimates to be the quickest</source>
+        <translation>%1 são planejadas, pois percorridas são %2 s mais rápidas que a direção estimada como a mais rápida</translation>
+    </message>
+    <message>
+        <source>%1 are planned, since the quickest heading cannot be driven here</source>
+        <translation>%1 são planejadas, pois a direção mais rápida não pode ser percorrida aqui</translation>
+    </message>
+    <message>
+        <source>%1 within %2 of the centre: tighter than this machine can follow, left out</source>
+        <translation>%1 a menos de %2 do centro: mais fechados do que esta máquina consegue seguir, omitidos</translation>
+    </message>
+    <message numerus="yes">
+        <source>%n circles</source>
+        <translation>
+            <numerusform>%n círculo</numerusform>
+            <numerusform>%n círculos</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>A headland of %1 holds %2; it is %3 wide, and the rest is mainland</source>
+        <translation>Em uma cabeceira de %1 cabem %2; ela tem %3 de largura, e o resto é área central</translation>
+    </message>
+    <message>
+        <source>Of all patterns the one with the quickest turns for this machine.</source>
+        <translation>De todos os padrões, aquele com as manobras mais rápidas para esta máquina.</translation>
+    </message>
+    <message>
+        <source>Plan the sides of the obstacle apart.</source>
+        <translation>Planeje os lados do obstáculo separadamente.</translation>
+    </message>
+    <message>
+        <source>Set &quot;%1&quot; to &quot;%2&quot;: with that this is gone.</source>
+        <translation>Defina &quot;%1&quot; como &quot;%2&quot;: com isso fica resolvido.</translation>
+    </message>
+    <message>
+        <source>Slow down or stop there to steer.</source>
+        <translation>Reduza ali a velocidade ou pare para esterçar.</translation>
+    </message>
+    <message>
+        <source>Swaths along the longest edge</source>
+        <translation>Passadas ao longo da borda mais longa</translation>
+    </message>
+    <message>
+        <source>Swaths at a bearing of %1</source>
+        <translation>Passadas no rumo %1</translation>
+    </message>
+    <message>
+        <source>Take a machine that can.</source>
+        <translation>Use uma máquina que consiga.</translation>
+    </message>
+    <message>
+        <source>The field is too narrow for this machine to turn in: take a smaller machine.</source>
+        <translation>O talhão é estreito demais para manobrar esta máquina: use uma menor.</translation>
+    </message>
+    <message>
+        <source>The quickest</source>
+        <translation>O mais rápido</translation>
+    </message>
+    <message>
+        <source>give one of the two, or a width that holds just these passes</source>
+        <translation>informe um dos dois, ou uma largura em que caibam exatamente essas voltas</translation>
+    </message>
+    <message>
+        <source>headland.width_m and headland.passes do not agree</source>
+        <translation>headland.width_m e headland.passes não combinam</translation>
+    </message>
+    <message>
+        <source>off</source>
+        <translation>desligado</translation>
+    </message>
+    <message>
+        <source>on</source>
+        <translation>ligado</translation>
     </message>
 </context>
 <context>
