@@ -260,10 +260,17 @@ private:
         put(std::move(lines), "Flags.txt", made);
     }
 
-    /// About a metre apart, the ends of every segment among them, cut where the gear changes.
+    /// A place on the way from one sample to the next.
+    static PathPoint between(const PathSample& from, const PathSample& to, double share, bool working) {
+        return {.place = from.position + share * (to.position - from.position),
+                .speedMps = std::lerp(from.speedMps, to.speedMps, share),
+                .working = working};
+    }
+
+    /// About a metre apart, also on straights, which a plan tells by their ends; the ends of every segment among them,
+    /// cut where the gear changes.
     std::vector<std::vector<PathPoint>> forwardStretches(const Plan& plan, int& reversed) const {
         std::vector<std::vector<PathPoint>> stretches(1);
-        const LocalFrame& frame = plan.field().frame();
         for (const PathSegment& segment : plan.path.segments) {
             if (segment.gear == Gear::Reverse) {
                 ++reversed;
@@ -272,23 +279,37 @@ private:
                 }
                 continue;
             }
-            double lastM = -kPathSpacingM;
-            for (const PathSample& sample : segment.samples) {
-                const bool isLast = &sample == &segment.samples.back();
-                if (sample.sM - lastM < kPathSpacingM && !isLast) {
-                    continue;
-                }
-                lastM = sample.sM;
-                const Point place = plane_.toLocal(frame.toGeo(sample.position));
+            for (const PathPoint& point : spacedOut(segment)) {
                 auto& stretch = stretches.back();
+                const Point place = plane_.toLocal(plan.field().frame().toGeo(point.place));
                 if (!stretch.empty() && distance(stretch.back().place, place) < 1e-3) {
-                    stretch.back().working = segment.implementDown;
-                    continue;
+                    stretch.back().working = point.working;
+                } else {
+                    stretch.push_back({place, point.speedMps, point.working});
                 }
-                stretch.push_back({place, sample.speedMps, segment.implementDown});
             }
         }
         return stretches;
+    }
+
+    /// In the plan's frame.
+    static std::vector<PathPoint> spacedOut(const PathSegment& segment) {
+        std::vector<PathPoint> points;
+        double lastM = -kPathSpacingM;
+        const std::vector<PathSample>& samples = segment.samples;
+        for (std::size_t i = 0; i < samples.size(); ++i) {
+            const double gapM = i == 0 ? 0.0 : samples[i].sM - samples[i - 1].sM;
+            const auto inserted = static_cast<int>(std::ceil(gapM / kPathSpacingM)) - 1;
+            for (int k = 1; k <= inserted; ++k) {
+                points.push_back(between(samples[i - 1], samples[i], k / (inserted + 1.0), segment.implementDown));
+                lastM = samples[i - 1].sM + gapM * k / (inserted + 1.0);
+            }
+            if (samples[i].sM - lastM >= kPathSpacingM || i + 1 == samples.size()) {
+                points.push_back({samples[i].position, samples[i].speedMps, segment.implementDown});
+                lastM = samples[i].sM;
+            }
+        }
+        return points;
     }
 
     void addPath(const std::vector<PathPoint>& points, const std::string& name, FormatFiles& made) const {

@@ -29,6 +29,7 @@ constexpr double kAreaShare = 0.005;
 constexpr double kAreaSlackM2 = 6.0;
 constexpr double kFarM = 10'000.0;
 constexpr double kSamePlaceM = 0.5;
+constexpr double kSameSwathEndM = 1e-3;
 constexpr double kWidthSlackM = 0.0011;
 
 /// What the files of a format have to hold of the fields that are meant.
@@ -357,6 +358,9 @@ void names(Looking& looking) {
 }
 
 void lines(Looking& looking) {
+    // Nobody steers along the swaths of a map by their ends: they are as short as they are driven.
+    const bool areSwaths = looking.job.plan != nullptr && (looking.format.carries & kLinesWithoutPlan) != 0;
+    const double sameM = areSwaths ? kSameSwathEndM : kSamePlaceM;
     for (const FoundContent& content : looking.contents) {
         for (const FoundLine& line : content.lines) {
             looking.looked = true;
@@ -364,7 +368,7 @@ void lines(Looking& looking) {
                 looking.tell(content.file, message("the line '{}' has fewer than two points", line.name));
                 break;
             }
-            if (line.points.size() == 2 && roughDistanceM(line.points[0], line.points[1]) < kSamePlaceM &&
+            if (line.points.size() == 2 && roughDistanceM(line.points[0], line.points[1]) < sameM &&
                 line.fewestPoints == 2) {
                 looking.tell(content.file, message("A and B of '{}' are the same place", line.name));
                 break;

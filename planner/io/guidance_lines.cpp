@@ -11,6 +11,7 @@
 #include <format>
 #include <limits>
 #include <numbers>
+#include <utility>
 
 namespace furrow {
 
@@ -23,6 +24,7 @@ constexpr Length kGuideChord = metres(0.02);
 // and stand for those beside them, which may be off by so much.
 constexpr double kBesideM = 0.15;
 constexpr Length kDrawnOut = metres(5000.0);
+constexpr Length kShortestAb = metres(20.0);
 // A line is compared with a guide at so many places.
 constexpr double kAsked = 100.0;
 
@@ -123,15 +125,25 @@ std::vector<const Swath*> curvedGuides(const SwathSet& set) {
     return chosen;
 }
 
-GuidanceLine abLine(const Swath& swath, const Plan& plan) {
+/// A and B of a line; of a short swath drawn out both ways, so that places to the centimetre still give its bearing.
+std::pair<Point, Point> endsOf(const Swath& swath) {
     const Point along = swath.end - swath.start;
+    const double lengthM = norm(along);
+    const double outM = std::max(0.0, 0.5 * (kShortestAb.si() - lengthM));
+    const Point step = lengthM > 0.0 ? (outM / lengthM) * along : Point{};
+    return {swath.start - step, swath.end + step};
+}
+
+GuidanceLine abLine(const Swath& swath, const Plan& plan) {
+    const auto [a, b] = endsOf(swath);
+    const Point along = b - a;
     const double eastDeg = inDegrees(radians(std::atan2(along.y, along.x)));
     // From A to B, so in the full circle; what is rounded up to 360 is north again.
     const double bearingDeg = std::fmod(std::round((450.0 - eastDeg) * 1e4) / 1e4, 360.0);
     const LocalFrame& frame = plan.field().frame();
     return {.kind = GuidanceKind::AbLine,
             .name = std::format("AB {:.1f}", bearingDeg),
-            .points = {frame.toGeo(swath.start), frame.toGeo(swath.end)},
+            .points = {frame.toGeo(a), frame.toGeo(b)},
             .bearing = degrees(bearingDeg),
             .width = plan.request.machine.operatingWidth()};
 }

@@ -16,6 +16,8 @@ namespace furrow {
 namespace {
 
 constexpr Length kChordError = metres(0.01);
+// Stretches that are shorter are driven, but nothing can be steered along them.
+constexpr Length kShortestLine = metres(1.0);
 
 /// A and a direction as they were given, where the swaths were made from them.
 std::vector<GuidanceLine> aPlusLine(const Plan& plan) {
@@ -40,6 +42,9 @@ void addHeadlandLines(const Plan& plan, std::vector<GuidanceLine>& lines) {
         Polyline line;
         for (const PathSample& sample : segment.samples) {
             line.push_back(sample.position);
+        }
+        if (segment.length() < kShortestLine) {
+            continue;
         }
         lines.push_back({.kind = GuidanceKind::Curve,
                          .name = std::format("Headland {}", segment.number),

@@ -3,6 +3,7 @@
 #include "planner/io/terminals.h"
 #include "planner/io/track_reader.h"
 #include "tests/planner/io/format_cases.h"
+#include "tests/support/geo_rings.h"
 #include "tests/support/result_check.h"
 
 #include "path_message.pb.h"
@@ -375,6 +376,8 @@ private slots:
                 const double east = to[0].toDouble() - from[0].toDouble();
                 const double north = to[1].toDouble() - from[1].toDouble();
                 recorded += std::hypot(east, north);
+                // Straights have points, too: AgOpenGPS steers from one to the next.
+                QVERIFY2(std::hypot(east, north) < 2.0, lines[i].constData());
                 // Clockwise from north; nothing goes sideways.
                 const double bearing = std::atan2(east, north);
                 QVERIFY2(std::abs(std::remainder(from[2].toDouble() - bearing, 2.0 * M_PI)) < 0.02 || std::hypot(east, north) < 0.1,
@@ -383,6 +386,44 @@ private slots:
         }
         QVERIFY2(recorded > 0.95 * forwards && recorded < 1.001 * forwards,
                  qPrintable(QStringLiteral("%1 of %2 m").arg(recorded).arg(forwards)));
+    }
+
+    // As short as cells and last passes may leave them: 27 cm, and 30 cm of a headland pass.
+    void shortStretchesAreNoFault() {
+        Plan shortened = plan();
+        for (Swath& swath : shortened.swaths.swaths) {
+            if (!swath.isCurved()) {
+                const Point along = swath.end - swath.start;
+                swath.end = swath.start + (0.27 / norm(along)) * along;
+            }
+        }
+        PathSegment stretch = *std::ranges::find(shortened.path.segments, SegmentKind::HeadlandPass, &PathSegment::kind);
+        stretch.samples.resize(2);
+        stretch.samples[1] = stretch.samples[0];
+        stretch.samples[1].position = stretch.samples[0].position + Point{0.3, 0.0};
+        stretch.samples[1].sM = stretch.samples[0].sM + 0.3;
+        stretch.number = 99;
+        shortened.path.segments.push_back(stretch);
+        std::vector<std::string_view> ids;
+        for (const FormatInfo& format : formats()) {
+            if (format.writes()) {
+                ids.push_back(format.id);
+            }
+        }
+        const QTemporaryDir folder;
+        const auto files = writePlanFolder(shortened, folder.path().toStdString(), ids, {}, {.headlandLines = true});
+        VERIFY_RESULT(files);
+        for (const std::string& problem : files->checks.problems) {
+            QVERIFY2(!problem.contains("same place"), problem.c_str());
+        }
+        // What a terminal steers by keeps its bearing.
+        const auto lines = contentOf(shortened, {.headlandLines = true}).lines;
+        const auto ab = std::ranges::find(lines, GuidanceKind::AbLine, &GuidanceLine::kind);
+        QVERIFY(ab != lines.end());
+        COMPARE_WITHIN(metresBetween(ab->points[0], ab->points[1]), 20.0, 0.1);
+        const auto before = contentOf(plan(), {}).lines;
+        QCOMPARE(ab->name, std::ranges::find(before, GuidanceKind::AbLine, &GuidanceLine::kind)->name);
+        QVERIFY(std::ranges::none_of(lines, [](const GuidanceLine& line) { return line.name == "Headland 99"; }));
     }
 
     void everyTerminalGetsFiles() {
