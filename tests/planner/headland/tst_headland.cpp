@@ -52,7 +52,7 @@ private slots:
         const double automatic = -1.0;
         QTest::newRow("width of the paper") << 100.0 << 60.0 << 7.5 << automatic << 0.0 << 7.5 << 3 << 85.0 * 45.0 << "";
         QTest::newRow("width that is no whole number of passes")
-            << 100.0 << 60.0 << 9.9 << automatic << 0.0 << 9.9 << 3 << 80.2 * 40.2 << "";
+            << 100.0 << 60.0 << 9.9 << automatic << 0.0 << 7.5 << 3 << 85.0 * 45.0 << "9.9 m holds 3 passes";
         QTest::newRow("width less than a pass") << 100.0 << 60.0 << 2.0 << automatic << 0.0 << 2.0 << 0 << 96.0 * 56.0 << "";
         QTest::newRow("width of nothing") << 100.0 << 60.0 << 0.0 << automatic << 0.0 << 0.0 << 0 << 6000.0 << "";
         QTest::newRow("two passes") << 100.0 << 60.0 << automatic << 2.0 << 0.0 << 5.0 << 2 << 90.0 * 50.0 << "";
@@ -62,7 +62,8 @@ private slots:
         QTest::newRow("margin comes on top of passes") << 100.0 << 60.0 << automatic << 2.0 << 0.5 << 5.5 << 2 << 89.0 * 49.0 << "";
         QTest::newRow("margin comes on top of auto") << 100.0 << 60.0 << automatic << automatic << 0.5 << 10.5 << 4
                                                      << 79.0 * 39.0 << "";
-        QTest::newRow("margin is within a width") << 100.0 << 60.0 << 7.5 << automatic << 0.5 << 7.5 << 2 << 85.0 * 45.0 << "";
+        QTest::newRow("margin is within a width") << 100.0 << 60.0 << 7.5 << automatic << 0.5 << 5.5 << 2 << 89.0 * 49.0
+                                                  << "7.5 m holds 2 passes";
         QTest::newRow("margin wider than the width") << 100.0 << 60.0 << 1.0 << automatic << 3.0 << 3.0 << 0 << 94.0 * 54.0
                                                      << "";
         QTest::newRow("narrow field has one pass less") << 100.0 << 16.0 << automatic << automatic << 0.0 << 5.0 << 2
@@ -73,8 +74,8 @@ private slots:
                                                     << "there is none";
         QTest::newRow("field of one pass has none") << 100.0 << 2.5 << automatic << automatic << 0.0 << 0.0 << 0 << 250.0
                                                     << "there is none";
-        QTest::newRow("given width falls back too") << 100.0 << 16.0 << 8.0 << automatic << 0.0 << 5.0 << 2 << 90.0 * 6.0
-                                                    << "too narrow for 8.0 m";
+        QTest::newRow("given width falls back too") << 100.0 << 16.0 << 7.5 << automatic << 0.0 << 5.0 << 2 << 90.0 * 6.0
+                                                    << "too narrow for 7.5 m";
         QTest::newRow("given passes fall back too") << 100.0 << 16.0 << automatic << 6.0 << 0.0 << 5.0 << 2 << 90.0 * 6.0
                                                     << "too narrow for 15.0 m";
         QTest::newRow("exactly one operating width is left") << 100.0 << 22.5 << automatic << automatic << 0.0 << 10.0 << 4
