@@ -26,6 +26,7 @@ std::shared_ptr<const Plan> intactPlan() {
         applySetting(mainlandOnly, "headland.driven", "false").value();
         // Every second segment is a turn: these never change gear.
         applySetting(mainlandOnly, "path.method", "dubins").value();
+        applySetting(mainlandOnly, "route.method", "boustrophedon").value();
         return makePlan({.field = std::make_shared<const Field>(std::move(field)),
                          .machine = findMachine("agbot").value(),
                          .settings = mainlandOnly})
@@ -195,10 +196,9 @@ private slots:
     void undrivableConnectionsAreToldOnce() {
         Settings settings;
         auto field = Field::create(fieldSourceFromLocal({centredRectangle(120.0, 80.0)}, kCentre)).value();
-        VERIFY_RESULT(applySetting(settings, "headland.width_m", "5.5"));
-        VERIFY_RESULT(applySetting(settings, "headland.driven", "false"));
-        // Turns that take no notice of the room there is.
-        VERIFY_RESULT(applySetting(settings, "path.method", "dubins"));
+        // No room for any turn.
+        VERIFY_RESULT(applySetting(settings, "headland.passes", "0"));
+        VERIFY_RESULT(applySetting(settings, "swaths.ends", "centre"));
         const auto plan = makePlan({.field = std::make_shared<const Field>(std::move(field)),
                                     .machine = findMachine("agbot").value(),
                                     .settings = settings});
