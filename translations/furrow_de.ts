@@ -5013,7 +5013,7 @@
     </message>
     <message>
         <source>A headland of %1 holds %2; it is %3 wide, and the rest is mainland</source>
-        <translation>In ein Vorgewende von %1 passen %2; es ist %3 breit, der Rest gehört zur Hauptfläche</translation>
+        <translation>In ein Vorgewende von %1 passen %2; es ist %3 breit, der Rest gehört zur Innenfläche</translation>
     </message>
     <message>
         <source>Of all patterns the one with the quickest turns for this machine.</source>

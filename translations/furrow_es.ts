@@ -5013,7 +5013,7 @@
     </message>
     <message>
         <source>A headland of %1 holds %2; it is %3 wide, and the rest is mainland</source>
-        <translation>En una cabecera de %1 caben %2; tiene %3 de ancho y el resto es parte central</translation>
+        <translation>En una cabecera de %1 caben %2; tiene %3 de ancho y el resto es interior de la parcela</translation>
     </message>
     <message>
         <source>Of all patterns the one with the quickest turns for this machine.</source>

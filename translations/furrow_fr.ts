@@ -5013,7 +5013,7 @@
     </message>
     <message>
         <source>A headland of %1 holds %2; it is %3 wide, and the rest is mainland</source>
-        <translation>Une fourrière de %1 contient %2 ; elle a %3 de large, le reste fait partie du cœur de la parcelle</translation>
+        <translation>Une fourrière de %1 contient %2 ; elle a %3 de large, le reste fait partie du plein champ</translation>
     </message>
     <message>
         <source>Of all patterns the one with the quickest turns for this machine.</source>

@@ -5013,7 +5013,7 @@
     </message>
     <message>
         <source>A headland of %1 holds %2; it is %3 wide, and the rest is mainland</source>
-        <translation>In een kopakker van %1 passen %2; hij is %3 breed, de rest hoort bij het hoofdperceel</translation>
+        <translation>In een kopakker van %1 passen %2; hij is %3 breed, de rest hoort bij de binnenakker</translation>
     </message>
     <message>
         <source>Of all patterns the one with the quickest turns for this machine.</source>

@@ -5013,7 +5013,7 @@
     </message>
     <message>
         <source>A headland of %1 holds %2; it is %3 wide, and the rest is mainland</source>
-        <translation>Em uma cabeceira de %1 cabem %2; ela tem %3 de largura, e o resto é área central</translation>
+        <translation>Em uma cabeceira de %1 cabem %2; ela tem %3 de largura, e o resto é interior do talhão</translation>
     </message>
     <message>
         <source>Of all patterns the one with the quickest turns for this machine.</source>

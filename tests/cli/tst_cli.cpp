@@ -53,8 +53,7 @@ private slots:
         hasAll("field", {"id", "area_m2"});
         hasAll("headland", {"width_m", "passes", "mainland_ratio"});
         hasAll("swaths", {"count", "total_length_m", "heading_deg", "proved", "coverage", "overlap_m2", "shift_m"});
-        hasAll("route", {"method", "objective", "length_in_place_m", "cost", "non_working_cost", "lower_bound", "gap",
-                         "gap_total"});
+        hasAll("route", {"method", "length_in_place_m", "cost", "non_working_cost", "gap", "gap_total"});
         hasAll("path", {"length_m", "turn_length_m", "transfer_length_m", "reverse_length_m", "time_s", "turns",
                         "undrivable_turns"});
         hasAll("audit", {"covered_m2", "covered", "covered_of_reachable", "missed_m2", "overlap_m2",

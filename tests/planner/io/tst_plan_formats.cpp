@@ -349,7 +349,7 @@ private slots:
         // The outline, the hole and the obstacle; an obstacle without a clearance stays as it is drawn.
         QCOMPARE(rings, 3);
         QVERIFY(goal.contains("mode: SET_ANGLE, best_angle: " + QByteArray::number(plan().swaths.heading.si(), 'f', 9)));
-        QVERIFY(goal.contains("route_mode: {mode: BOUSTROPHEDON"));
+        QVERIFY(goal.contains("route_mode: {mode: CUSTOM"));
         QVERIFY(written().text("ros/map_frame.yaml").contains("proj: \"+proj=tmerc"));
     }
 

@@ -25,6 +25,7 @@ Result<std::shared_ptr<const Plan>> planOf(const MultiPolygon& polygons, std::st
     Settings settings;
     for (const auto& [key, text] : {std::pair<std::string_view, std::string_view>{"headland.method", "none"},
                                     {"path.stay_inside", "false"},
+                                    {"route.method", "boustrophedon"},
                                     {"path.method", turns}}) {
         applySetting(settings, key, text).value();
     }

@@ -40,8 +40,6 @@ namespace {
 /// What fails as long as it is not mended, by its row in this test. To be emptied: one that passes is a
 /// failure of the test.
 const std::vector<std::string> kKnownFailures{
-    "small-pond | agbot | decomposition.split=ends in the field",
-    "pond | cultivator | decomposition.split=ends in the field",
 };
 
 /// What once broke plans, on fields where it did.
