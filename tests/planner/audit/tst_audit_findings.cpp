@@ -27,6 +27,8 @@ std::shared_ptr<const Plan> intactPlan() {
         // Every second segment is a turn: these never change gear.
         applySetting(mainlandOnly, "path.method", "dubins").value();
         applySetting(mainlandOnly, "route.method", "boustrophedon").value();
+        // No swath lies over its neighbour.
+        applySetting(mainlandOnly, "swaths.last_pass", "spread").value();
         return makePlan({.field = std::make_shared<const Field>(std::move(field)),
                          .machine = findMachine("agbot").value(),
                          .settings = mainlandOnly})
@@ -92,7 +94,12 @@ private slots:
         row("a whole swath moved by 1 m", "jump",
             [](Segments& path) { moveAll(path[6], [](PathSample& at) { at.position.y += 1.0; }); });
         row("a swath left out", "dropped-swath", [](Segments& path) { path.erase(path.begin() + 6); });
-        row("the last swath left out", "dropped-swath", [](Segments& path) { path.pop_back(); });
+        row("the last swath left out", "dropped-swath", [](Segments& path) {
+            while (path.back().kind != SegmentKind::Swath) {
+                path.pop_back();
+            }
+            path.pop_back();
+        });
         row("a swath driven with the implement up", "dropped-swath",
             [](Segments& path) { path[6].implementDown = false; });
         row("a heading flipped", "heading", [](Segments& path) {
@@ -196,16 +203,17 @@ private slots:
     void undrivableConnectionsAreToldOnce() {
         Settings settings;
         auto field = Field::create(fieldSourceFromLocal({centredRectangle(120.0, 80.0)}, kCentre)).value();
-        // No room for any turn.
-        VERIFY_RESULT(applySetting(settings, "headland.passes", "0"));
-        VERIFY_RESULT(applySetting(settings, "swaths.ends", "centre"));
+        // Too little room for its turns.
+        VERIFY_RESULT(applySetting(settings, "headland.passes", "1"));
+        VERIFY_RESULT(applySetting(settings, "headland.driven", "false"));
         const auto plan = makePlan({.field = std::make_shared<const Field>(std::move(field)),
-                                    .machine = findMachine("agbot").value(),
+                                    .machine = findMachine("cultivator").value(),
                                     .settings = settings});
         VERIFY_RESULT(plan);
         QVERIFY((*plan)->path.undrivableCount() > 0);
         const auto outside = std::ranges::count_if((*plan)->findings, [](const Finding& each) {
-            return each.kind == "outside" || each.kind == "undrivable";
+            // Swaths that leave it are told, too.
+            return (each.kind == "outside" || each.kind == "undrivable") && !each.text.text().starts_with("Swath");
         });
         QCOMPARE(outside, (*plan)->path.undrivableCount());
         // The audit itself names every one of them.
@@ -213,7 +221,8 @@ private slots:
         for (const AuditFinding& each : (*plan)->audit.findings) {
             named += each.segment && !(*plan)->path.segments[*each.segment].drivable;
         }
-        QCOMPARE(static_cast<int>(named), (*plan)->path.undrivableCount());
+        // A way in several gears has several segments.
+        QVERIFY(static_cast<int>(named) >= (*plan)->path.undrivableCount());
     }
 
     // Curvature from the points: arcs exactly, clothoids between the values of their ends, both gears.
