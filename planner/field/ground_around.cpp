@@ -13,13 +13,13 @@ constexpr double kFarM = 1000.0;
 
 }  // namespace
 
-Result<MultiPolygon> obstaclesOf(const Field& field, const JobContext& job) {
+Result<MultiPolygon> obstaclesOf(const Field& field, const MultiPolygon& free, const JobContext& job) {
     MultiPolygon outlines;
     for (const Polygon& part : field.boundary()) {
         outlines.push_back({.outer = part.outer, .holes = {}});
     }
     return unionOf(outlines, job).and_then(
-        [&](const MultiPolygon& land) { return difference(land, field.drivable(), job); });
+        [&](const MultiPolygon& land) { return difference(land, free, job); });
 }
 
 Result<MultiPolygon> groundAround(const Field& field, const MultiPolygon& obstacles, const JobContext& job) {

@@ -4,8 +4,9 @@
 
 namespace furrow {
 
-/// The obstacles that may not be driven on, with their buffers, and the field's holes. Cost: a GEOS overlay.
-Result<MultiPolygon> obstaclesOf(const Field& field, const JobContext& job);
+/// What of a field, holes filled, is not free: with the field's drivable area the obstacles that may not be driven on,
+/// with their buffers, and the field's holes. Cost: a GEOS overlay.
+Result<MultiPolygon> obstaclesOf(const Field& field, const MultiPolygon& free, const JobContext& job);
 
 /// Where a machine may be that may leave the field: everything in and far around it but these obstacles.
 Result<MultiPolygon> groundAround(const Field& field, const MultiPolygon& obstacles, const JobContext& job);

@@ -1,15 +1,29 @@
+#include "planner/field/ground_around.h"
 #include "planner/geometry/geos_bridge.h"
+#include "planner/headland/headland_passes.h"
 #include "planner/headland/methods.h"
 
 namespace furrow {
 
 namespace {
 
+/// Beside obstacles that swaths do not go round a tractor that is wider than its implement needs more room than that.
+Result<MultiPolygon> clearOfObstacles(MultiPolygon mainland, const HeadlandTask& task, const JobContext& job) {
+    const Length beside = uncutEdge(task.machine);
+    if (beside <= Length{}) {
+        return mainland;
+    }
+    return obstaclesOf(task.field, task.workable(), job)
+        .and_then([&](const MultiPolygon& obstacles) { return dilated(obstacles, beside, kArcTolerance, job); })
+        .and_then([&](const MultiPolygon& kept) { return kept.empty() ? Result<MultiPolygon>{mainland} : difference(mainland, kept, job); });
+}
+
 Result<Headland> noHeadland(const HeadlandTask& task, const JobContext& job) {
     const Length margin = task.margin;
     // The margin is kept everywhere, headland or not.
     auto mainland = margin > metres(0.0) ? eroded(task.workable(), margin, kArcTolerance, job)
                                          : Result<MultiPolygon>{task.workable()};
+    mainland = mainland.and_then([&](MultiPolygon land) { return clearOfObstacles(std::move(land), task, job); });
     if (!mainland) {
         return std::unexpected(mainland.error());
     }

@@ -34,7 +34,7 @@ std::string auditJson(const AuditReport& report, std::span<const Finding> findin
         }
         list.push_back(std::move(said));
     }
-    const Json all{{"workable_m2", report.workable.si()},
+    Json all{{"workable_m2", report.workable.si()},
                    {"covered_m2", orNull(report.covered)},
                    {"covered", orNull(report.coveredShare)},
                    {"covered_of_reachable", orNull(report.coveredOfReachable)},
@@ -59,6 +59,10 @@ std::string auditJson(const AuditReport& report, std::span<const Finding> findin
                    {"area_error_m2", report.areaError.si()},
                    {"distance_error_m", report.distanceError.si()},
                    {"findings", std::move(list)}};
+    // What does not exist is left out.
+    for (auto member = all.begin(); member != all.end();) {
+        member = member->is_null() ? all.erase(member) : std::next(member);
+    }
     return all.dump(2, ' ', false, Json::error_handler_t::replace);
 }
 

@@ -82,15 +82,17 @@ Json headingsJson(const Decomposition& cells) {
     return headings;
 }
 
-/// Costs are estimated in free space; null where nothing was estimated, as for one piece.
+/// Costs are estimated in free space; where nothing was estimated, as for one piece, there are none.
 Json decompositionJson(const Decomposition& cells) {
     const std::vector<DecompositionStep>& steps = cells.history.steps;
-    const auto secondsOf = [&](const auto& step) { return steps.empty() ? Json{} : Json(step().cost.si()); };
-    return {{"cells", cells.cells.size()},
-            {"cells_before", steps.empty() ? cells.cells.size() : steps.front().cells},
-            {"altitude_m", cells.altitude.si()},
-            {"cost_before_s", secondsOf([&] { return steps.front(); })},
-            {"cost_after_s", secondsOf([&] { return steps.back(); })}};
+    Json json{{"cells", cells.cells.size()},
+              {"cells_before", steps.empty() ? cells.cells.size() : steps.front().cells},
+              {"altitude_m", cells.altitude.si()}};
+    if (!steps.empty()) {
+        json["cost_before_s"] = steps.front().cost.si();
+        json["cost_after_s"] = steps.back().cost.si();
+    }
+    return json;
 }
 
 Json milliseconds(Duration duration) {

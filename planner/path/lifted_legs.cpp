@@ -22,13 +22,13 @@ struct WorkingLine {
     Point left;
 };
 
-bool cross(const WorkingLine& line, Point from, Point to) {
+bool meets(const WorkingLine& line, Point from, Point to) {
     const Point along = line.left - line.right;
     const Point edge = to - from;
-    const double fromSide = furrow::cross(along, from - line.right);
-    const double toSide = furrow::cross(along, to - line.right);
-    const double rightSide = furrow::cross(edge, line.right - from);
-    const double leftSide = furrow::cross(edge, line.left - from);
+    const double fromSide = cross(along, from - line.right);
+    const double toSide = cross(along, to - line.right);
+    const double rightSide = cross(edge, line.right - from);
+    const double leftSide = cross(edge, line.left - from);
     return (fromSide > 0.0) != (toSide > 0.0) && (rightSide > 0.0) != (leftSide > 0.0);
 }
 
@@ -43,7 +43,7 @@ public:
             return false;
         }
         bool touched = edges_.contains(line.right);
-        forEachEdge(polygon_, [&](Point from, Point to) { touched = touched || cross(line, from, to); });
+        forEachEdge(polygon_, [&](Point from, Point to) { touched = touched || meets(line, from, to); });
         return touched;
     }
 

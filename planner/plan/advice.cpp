@@ -2,10 +2,9 @@
 
 #include "planner/headland/methods.h"
 #include "planner/plan/method_registry.h"
-#include "planner/settings/operation.h"
 
 #include <algorithm>
-#include <utility>
+#include <ranges>
 #include <vector>
 
 namespace furrow {
@@ -41,11 +40,11 @@ Message shown(const Parameter& parameter, const SettingValue& value) {
     return Message{settingText(value).empty() ? "nothing" : settingText(value)};
 }
 
-/// What might mend a plan, the likeliest first.
+/// What might mend a plan: of the settings that were given those of the last stages first, since they change least of it.
 std::vector<Change> changesFor(const Plan& plan) {
     const Settings& settings = plan.request.settings;
     std::vector<Change> changes;
-    for (const Parameter* parameter : allParameters()) {
+    for (const Parameter* parameter : allParameters() | std::views::reverse) {
         Settings without = settings;
         without.clear(*parameter);
         if (settings.isSet(*parameter) && without.value(*parameter) != settings.value(*parameter)) {
@@ -97,7 +96,7 @@ Result<std::shared_ptr<const Plan>> withAdvice(const std::shared_ptr<const Plan>
         if (!request.settings.setText(*change.parameter, change.value)) {
             continue;
         }
-        const auto changed = makePlan(request, {job.stop, {}, job.threads});
+        const auto changed = makePlan(request, job.quiet());
         if (!changed && changed.error().code == ErrorCode::Cancelled) {
             return std::unexpected(changed.error());
         }

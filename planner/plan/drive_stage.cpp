@@ -116,6 +116,21 @@ std::vector<Leg> layOut(const Plan& plan, const MultiPolygon& drivable) {
     return legs;
 }
 
+Error nothingWorked(const Field& field) {
+    return {.code = ErrorCode::InputRefused,
+            .what = "the margin and the obstacles that may be driven on leave nothing to work",
+            .where = field.source().origin.empty() ? field.name() : field.source().origin,
+            .remedy = "make them smaller, or delete some of them",
+            .place = middleOf(field.source().parts)};
+}
+
+/// Wet spots and what is passed over beside them, and what the swaths leave.
+Result<MultiPolygon> landLeftOnPurpose(const Plan& plan, MultiPolygon passedOver, const JobContext& job) {
+    std::ranges::copy(plan.field().passable(), std::back_inserter(passedOver));
+    std::ranges::copy(plan.swaths.leftOnPurpose, std::back_inserter(passedOver));
+    return passedOver.empty() ? Result<MultiPolygon>{} : unionOf(passedOver, job);
+}
+
 Message blockedReason(const BlockedConnection& blocked) {
     return blocked.obstacle ? Message{"crosses an obstacle"}
                             : message("leaves the field by {:.2f} m", blocked.outside.si());
@@ -252,8 +267,7 @@ Result<void> drive(Plan& plan, std::vector<Leg>& legs, RememberedWays& ways, con
              .kind = "heading-jump",
              .place = std::ranges::find(plan.path.segments, SegmentKind::Turn, &PathSegment::kind)->samples.front().position,
              .text = "Turns on the spot are chosen (path.method), and this machine cannot turn on the spot.",
-             .suggestion = "Choose the best that fits, or a machine that can.",
-             .change = SettingChange{"path.method", std::string{kBestFeasibleMethod.info.id}}});
+             .suggestion = "Take a machine that can."});
     }
     const Clock::time_point driven = Clock::now();
     plan.timings.path += seconds(std::chrono::duration<double>(driven - begin).count());
@@ -268,10 +282,6 @@ Result<void> drive(Plan& plan, std::vector<Leg>& legs, RememberedWays& ways, con
     addAuditFindings(plan);
     plan.timings.audit += seconds(std::chrono::duration<double>(Clock::now() - driven).count());
     return {};
-}
-
-std::ptrdiff_t blockingCount(const Plan& plan) {
-    return std::ranges::count(plan.findings, Severity::Blocking, &Finding::severity);
 }
 
 /// Ways and passes that leave where the machine may be.
@@ -362,7 +372,7 @@ Result<void> finish(Plan& plan, std::vector<Leg> legs, RememberedWays& ways, con
         if (auto driven = drive(finished, more.legs, ways, chosen, drivable, part.part(0.2, 1.0)); !driven) {
             return driven;
         }
-        if (blockingCount(finished) > blockingCount(plan) || outsideCount(finished) > outsideCount(plan)) {
+        if (finished.blockingCount() > plan.blockingCount() || outsideCount(finished) > outsideCount(plan)) {
             const std::vector<HeadlandPass> outside = leadingOutside(finished.path, more.put);
             if (outside.empty()) {
                 break;
@@ -401,7 +411,7 @@ Result<void> driveStage(Plan& plan, const MultiPolygon& drivable, const JobConte
     if (!travel) {
         return std::unexpected(travel.error());
     }
-    const auto ground = settings.flag(kStayInside) ? open : obstaclesOf(field, job).and_then([&](const MultiPolygon& obstacles) {
+    const auto ground = settings.flag(kStayInside) ? open : obstaclesOf(field, field.drivable(), job).and_then([&](const MultiPolygon& obstacles) {
         return groundAround(field, obstacles, job);
     });
     if (!ground) {
@@ -411,16 +421,15 @@ Result<void> driveStage(Plan& plan, const MultiPolygon& drivable, const JobConte
     RememberedWays ways{[fitting](const Pose& leaving, const Pose& arriving, const JobContext& part, SearchEffort effort) {
         return fitting->between(leaving, arriving, part, effort);
     }};
-    LiftedLegs lifted = liftedOver(layOut(plan, drivable), field.passable(), machine, machine.spec().implement.length);
-    MultiPolygon all = std::move(lifted.passedOver);
-    std::ranges::copy(field.passable(), std::back_inserter(all));
-    std::ranges::copy(plan.swaths.leftOnPurpose, std::back_inserter(all));
-    auto onPurpose = all.empty() ? Result<MultiPolygon>{} : unionOf(all, job);
+    auto [legs, passedOver] = liftedOver(layOut(plan, drivable), field.passable(), machine, machine.spec().implement.length);
+    if (std::ranges::none_of(legs, &Leg::implementDown)) {
+        return std::unexpected(nothingWorked(field));
+    }
+    auto onPurpose = landLeftOnPurpose(plan, std::move(passedOver), job);
     if (!onPurpose) {
         return std::unexpected(onPurpose.error());
     }
     plan.leftOnPurpose = std::move(*onPurpose);
-    std::vector<Leg> legs = std::move(lifted.legs);
     const ChosenTurns chosen{plan, *fitting};
     const std::vector<Finding> gateFindings = addGateWays(legs, places, field, Rig{*open, machine});
     if (auto driven = drive(plan, legs, ways, chosen, *ground, job.part(0.0, 0.8)); !driven) {

@@ -5,6 +5,7 @@
 #include "planner/plan/mainland_parts.h"
 #include "planner/plan/method_registry.h"
 #include "planner/swaths/curved_swaths.h"
+#include "planner/units/angle.h"
 
 #include <algorithm>
 #include <cmath>
@@ -159,8 +160,7 @@ private:
     }
 
     bool isCommon(Angle heading) const {
-        const double deg = std::abs(inDegrees(heading - common_.heading));
-        return std::min(deg, 180.0 - deg) < kSameDeg;
+        return inDegrees(angleBetweenLines(heading, common_.heading)) < kSameDeg;
     }
 
     static double lengthM(const SwathSet& set) {

@@ -107,7 +107,7 @@ void addNotes(Plan& plan) {
             plan.findings.push_back({.severity = Severity::Note,
                                      .kind = note.where,
                                      .place = note.place ? field.frame().toLocal(*note.place) : middle,
-                                     .text = message("{}.", note.text),
+                                     .text = message("{}.", note.text.capitalised()),
                                      .suggestion = ""});
         }
     }
@@ -118,15 +118,6 @@ void addNotes(Plan& plan) {
                                  .text = message("Repaired in {}: {}.", repair.where, repair.text),
                                  .suggestion = ""});
     }
-}
-
-std::ptrdiff_t blockingCount(const Plan& plan) {
-    return std::ranges::count(plan.findings, Severity::Blocking, &Finding::severity);
-}
-
-/// Without progress: what is laid out once more takes no part of it.
-JobContext quiet(const JobContext& job) {
-    return {job.stop, {}, job.threads};
 }
 
 /// The headland and where it lies, as the settings have it.
@@ -149,7 +140,7 @@ Result<Headland> headlandAlong(const Plan& plan, const MultiPolygon& workable, c
 /// Headland and swaths, with swaths that go round these obstacles or as many of them as they can.
 Result<LaidSwaths> layOutRound(Plan& plan, std::vector<Ring> obstacles, const MultiPolygon& drivable, const JobContext& job) {
     for (bool again = false;; again = true) {
-        const JobContext part = again ? quiet(job) : job;
+        const JobContext part = again ? job.quiet() : job;
         const MultiPolygon workable = filled(plan.field().drivable(), obstacles);
         auto headland = timed(plan.timings.headland, [&] { return headlandAlong(plan, workable, drivable, part.part(0.0, 0.1)); });
         if (!headland) {
@@ -213,9 +204,12 @@ Result<std::shared_ptr<Plan>> plannedRound(const PlanRequest& request, std::vect
 
 }  // namespace
 
+std::ptrdiff_t Plan::blockingCount() const {
+    return std::ranges::count(findings, Severity::Blocking, &Finding::severity);
+}
+
 bool Plan::drivable() const {
-    return std::ranges::none_of(
-        findings, [](const Finding& finding) { return finding.severity == Severity::Blocking; });
+    return blockingCount() == 0;
 }
 
 AuditInput auditInput(const Plan& plan) {
@@ -295,12 +289,12 @@ Result<std::shared_ptr<Plan>> planAsAsked(const PlanRequest& request, const JobC
         if (fewer.size() == blocked.swaths.goneRound.size()) {
             continue;
         }
-        auto other = plannedRound(request, fewer, *drivable, margin, quiet(job));
+        auto other = plannedRound(request, fewer, *drivable, margin, job.quiet());
         if (!other && other.error().code == ErrorCode::Cancelled) {
             return std::unexpected(other.error());
         }
         // Headlands may leave nothing to work.
-        if (other && blockingCount(**other) < blockingCount(blocked)) {
+        if (other && (*other)->blockingCount() < blocked.blockingCount()) {
             best = std::move(other);
         }
     }

@@ -12,6 +12,7 @@
 #include "planner/swaths/guide_data.h"
 #include "planner/swaths/swath.h"
 
+#include <cstddef>
 #include <cstdint>
 #include <memory>
 #include <string>
@@ -46,7 +47,8 @@ struct Plan {
     PlanRequest request;
     Length margin;  ///< as used: the setting, or the boundary's accuracy
     Headland headland;
-    /// Land that may be driven on and is not worked on purpose, the margin apart; may overlap.
+    /// Land that may be driven on and is not worked on purpose: wet spots, what is passed over with them, alleys, gaps.
+    /// The margin is not in it.
     MultiPolygon leftOnPurpose;
     SwathSet swaths;
     Decomposition cells;
@@ -61,6 +63,7 @@ struct Plan {
     StageTimings timings;
 
     const Field& field() const { return *request.field; }
+    std::ptrdiff_t blockingCount() const;
     bool drivable() const;
 };
 

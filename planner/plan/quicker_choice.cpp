@@ -1,15 +1,14 @@
 #include "planner/plan/quicker_choice.h"
 
-#include "planner/headland/methods.h"
 #include "planner/decomposition/decomposition.h"
 #include "planner/plan/as_asked.h"
 #include "planner/plan/method_registry.h"
+#include "planner/route/methods.h"
 #include "planner/swaths/methods.h"
 #include "planner/units/angle.h"
 
 #include <algorithm>
-#include <cmath>
-#include <numbers>
+#include <iterator>
 #include <utility>
 
 namespace furrow {
@@ -37,29 +36,23 @@ std::string_view choiceName(const Parameter& parameter, std::string_view id) {
     return std::ranges::find(parameter.choices, id, &Choice::id)->name;
 }
 
-std::ptrdiff_t blockingCount(const Plan& plan) {
-    return std::ranges::count(plan.findings, Severity::Blocking, &Finding::severity);
-}
-
 bool isBetter(const Plan& other, const Plan& plan) {
-    if (blockingCount(other) != blockingCount(plan)) {
-        return blockingCount(other) < blockingCount(plan);
+    if (other.blockingCount() != plan.blockingCount()) {
+        return other.blockingCount() < plan.blockingCount();
     }
     return timeForAll(other) < timeForAll(plan);
 }
 
-/// Without progress: what is compared with takes no part of it.
-JobContext quiet(const JobContext& job) {
-    return {job.stop, {}, job.threads};
+/// Why a plan is better than another.
+Message reasonFor(const Plan& better, const Plan& other) {
+    return better.blockingCount() < other.blockingCount()
+               ? Message{"with less in its way"}
+               : message("{:.0f} s quicker with all that is missed", (timeForAll(other) - timeForAll(better)).si());
 }
 
-Message takenInstead(const Parameter& parameter, const SimplerChoice& choice, Duration saved) {
-    const std::string_view asked = choiceName(parameter, choice.chosen);
-    const std::string_view taken = choiceName(parameter, choice.simpler);
-    return saved > Duration{} ? message("\"{}\": \"{}\" is planned instead of \"{}\", since it is {:.0f} s quicker here",
-                                        parameter.name, taken, asked, saved.si())
-                              : message("\"{}\": \"{}\" is planned instead of \"{}\", which cannot be driven here",
-                                        parameter.name, taken, asked);
+Message takenInstead(const Parameter& parameter, const SimplerChoice& choice, const Message& reason) {
+    return message("\"{}\": \"{}\" is planned instead of \"{}\", {}", parameter.name, choiceName(parameter, choice.simpler),
+                   choiceName(parameter, choice.chosen), reason);
 }
 
 PlanRequest along(PlanRequest request, Angle heading) {
@@ -78,36 +71,31 @@ std::vector<HeadingCandidate> headingsToTry(const Plan& plan) {
     }
     const Duration quickest = std::ranges::min_element(all, {}, [](const auto& each) { return each.figures.time; })->figures.time;
     for (const HeadingCandidate& each : all) {
-        const double apart = std::abs(std::remainder((each.heading - plan.swaths.heading).si(), std::numbers::pi));
         const bool isNear = each.alongLongestEdge && each.figures.time < kNearTime * quickest;
-        if (radians(apart) > kSameHeading && (isNear || !plan.drivable()) && headings.size() < kMostHeadings) {
+        if (angleBetweenLines(each.heading, plan.swaths.heading) > kSameHeading && (isNear || !plan.drivable()) && headings.size() < kMostHeadings) {
             headings.push_back(each);
         }
     }
     return headings;
 }
 
-Message anotherHeading(const HeadingCandidate& taken, Duration saved) {
+Message anotherHeading(const HeadingCandidate& taken, const Message& reason) {
     const Message line = taken.alongLongestEdge ? Message{"Swaths along the longest edge"}
                                                 : message("Swaths at a bearing of {:.1f} degrees", lineBearingDeg(taken.heading));
-    return saved > Duration{} ? message("{} are planned, since as driven they are {:.0f} s quicker than the heading that the "
-                                        "search estimates to be the quickest",
-                                        line, saved.si())
-                              : message("{} are planned, since the quickest heading cannot be driven here", line);
+    return message("{} are planned instead of the heading that the search estimates to be the quickest, {}", line, reason);
 }
 
 /// The plan of another heading where that is better as driven.
 Result<std::shared_ptr<Plan>> withBestHeading(std::shared_ptr<Plan> best, const PlanRequest& request, const JobContext& job) {
     const std::shared_ptr<Plan> searched = best;
     for (const HeadingCandidate& candidate : headingsToTry(*searched)) {
-        auto other = planAsAsked(along(request, candidate.heading), quiet(job));
+        auto other = planAsAsked(along(request, candidate.heading), job.quiet());
         if (!other && other.error().code == ErrorCode::Cancelled) {
             return other;
         }
         if (other && isBetter(**other, *best)) {
-            const Duration saved = searched->path.duration() - (*other)->path.duration();
             best = std::move(*other);
-            best->notes = {{anotherHeading(candidate, searched->drivable() ? saved : Duration{}), "instead", {}}};
+            best->notes = {{anotherHeading(candidate, reasonFor(*best, *searched)), "instead", {}}};
         }
     }
     return best;
@@ -123,7 +111,9 @@ Duration timeForAll(const Plan& plan) {
 
 Result<std::shared_ptr<Plan>> quickestChoice(const PlanRequest& request, const JobContext& job) {
     auto best = planAsAsked(request, job);
-    if (!best || request.draft) {
+    // An order of one's own names the swaths of just these choices.
+    const bool hasOwnOrder = routeMethod(request.settings) == kCustomMethod.run;
+    if (!best || request.draft || hasOwnOrder) {
         return best;
     }
     const bool perCell = request.settings.choice(kCellHeading) == "per-cell";
@@ -145,13 +135,12 @@ Result<std::shared_ptr<Plan>> quickestChoice(const PlanRequest& request, const J
         if (auto set = simpler.settings.setText(parameter, choice.simpler); !set) {
             return std::unexpected(set.error());
         }
-        auto other = planAsAsked(simpler, quiet(job));
+        auto other = planAsAsked(simpler, job.quiet());
         if (!other && other.error().code == ErrorCode::Cancelled) {
             return std::unexpected(other.error());
         }
         if (other && isBetter(**other, **best)) {
-            const Duration saved = (*best)->path.duration() - (*other)->path.duration();
-            notes.push_back({takenInstead(parameter, choice, saved), "instead", {}});
+            notes.push_back({takenInstead(parameter, choice, reasonFor(**other, **best)), "instead", {}});
             instead.push_back({std::string{choice.key}, std::string{choice.simpler}});
             tried = std::move(simpler);
             best = std::move(other);

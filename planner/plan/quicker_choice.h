@@ -9,7 +9,8 @@ namespace furrow {
 /// and the other does not; a plan with fewer blocking findings comes first.
 ///
 /// Tried are: one width all round instead of `headland.method=per-edge`, one heading for all cells instead of
-/// `decomposition.heading=per-cell`, and the headings that the search by time found nearest to the best.
+/// `decomposition.heading=per-cell`, and other headings that the search by time found: along the longest edge where its
+/// estimate is near the best, and all of them where the best cannot be driven. An order of one's own keeps its swaths.
 /// What was taken instead stands in Plan::instead, and a note says so.
 /// Cost: a plan for each. Errors: of the plan as asked. Cancelled.
 Result<std::shared_ptr<Plan>> quickestChoice(const PlanRequest& request, const JobContext& job);

@@ -1,7 +1,6 @@
 #include "planner/project/field_tasks.h"
 
 #include "planner/io/boundary_import.h"
-#include "planner/io/file_folder.h"
 #include "planner/io/guide_import.h"
 #include "planner/machine/machine_library.h"
 #include "planner/project/project_file.h"
@@ -14,9 +13,6 @@ namespace furrow {
 
 namespace {
 
-// A project says in its first bytes what it is.
-constexpr std::size_t kBytesThatTell = 4096;
-
 Error usage(Message what, Message remedy) {
     return {.code = ErrorCode::Usage, .what = std::move(what), .where = "--plan-name", .remedy = std::move(remedy)};
 }
@@ -28,9 +24,7 @@ struct FieldsOfFile {
 };
 
 Result<FieldsOfFile> read(const std::filesystem::path& path, const JobContext& job) {
-    std::error_code ignored;
-    const auto start = std::filesystem::is_regular_file(path, ignored) ? fileStart(path, kBytesThatTell) : Result<std::string>{""};
-    if (!start || !isProject(*start)) {
+    if (!holdsProject(path)) {
         return readBoundaries(path, job).transform([](std::vector<FieldSource> sources) {
             return FieldsOfFile{.sources = std::move(sources), .project = {}};
         });

@@ -19,6 +19,8 @@ namespace furrow {
 namespace {
 
 constexpr const char* kMember = "furrow_project";
+// A project says in its first bytes what it is.
+constexpr std::size_t kBytesThatTell = 4096;
 
 std::string textProperty(const OrderedJson& feature, const char* key) {
     const OrderedJson* properties = feature.contains("properties") ? &feature["properties"] : nullptr;
@@ -147,7 +149,17 @@ std::optional<std::string> fileFingerprint(const std::filesystem::path& path) {
 }
 
 bool isProject(std::string_view text) {
-    return text.substr(0, 4096).contains(std::format("\"{}\"", kMember));
+    return text.substr(0, kBytesThatTell).contains(std::format("\"{}\"", kMember));
+}
+
+bool holdsProject(const std::filesystem::path& path) {
+    const std::string extension = inSmallLetters(path.extension().string());
+    if (extension == kProjectExtension) {
+        return true;
+    }
+    std::error_code ignored;
+    const auto start = std::filesystem::is_regular_file(path, ignored) ? fileStart(path, kBytesThatTell) : Result<std::string>{""};
+    return start && isProject(*start);
 }
 
 Result<OpenedProject> parseProject(std::string_view text, const std::string& origin) {

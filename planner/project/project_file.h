@@ -38,6 +38,8 @@ Result<OpenedProject> readProject(const std::filesystem::path& path);
 
 /// Whether a text begins like a project file: telling it from a boundary needs no parsing of all of it.
 bool isProject(std::string_view text);
+/// Whether a file is one: its extension says so, or how it begins.
+bool holdsProject(const std::filesystem::path& path);
 
 /// The file's text: the same for equal projects, one feature a line.
 std::string projectText(const Project& project);

@@ -27,10 +27,8 @@ constexpr double kUnseenDeg = 0.01;
 constexpr double kApartDeg = 1.0;
 constexpr std::size_t kMostCandidates = 4;
 
-/// Two swath headings apart, at most 90 degrees.
 double apartDeg(Angle a, Angle b) {
-    const double deg = std::fmod(std::abs(inDegrees(a - b)), 180.0);
-    return std::min(deg, 180.0 - deg);
+    return inDegrees(angleBetweenLines(a, b));
 }
 
 /// The direction in which a line is longest, all of its length weighing the same.

@@ -119,8 +119,7 @@ struct Search {
         std::ranges::stable_sort(order, {}, [&](std::size_t i) { return bounds[i]; });
         for (const std::size_t i : order) {
             const auto isNear = [&](const BestHeading& other) {
-                const double deg = std::abs(inDegrees(other.heading - headings[i]));
-                return std::min(deg, 180.0 - deg) < kApartDeg;
+                return inDegrees(angleBetweenLines(other.heading, headings[i])) < kApartDeg;
             };
             if (std::ranges::none_of(promising, isNear)) {
                 promising.push_back({headings[i], scanLine.figures(headings[i], SwathObjective::Time)});

@@ -1,5 +1,6 @@
 #include "planner/units/angle.h"
 
+#include <algorithm>
 #include <cmath>
 
 namespace furrow {
@@ -30,6 +31,11 @@ Angle normalisedSwathHeading(Angle heading) {
 Angle headingDifference(Angle from, Angle to) {
     const double turn = wrapped(to.si() - from.si(), 2.0 * kPi);
     return radians(turn > kPi ? turn - 2.0 * kPi : turn);
+}
+
+Angle angleBetweenLines(Angle a, Angle b) {
+    const double apart = wrapped(a.si() - b.si(), kPi);
+    return radians(std::min(apart, kPi - apart));
 }
 
 double lineBearingDeg(Angle swathHeading) {

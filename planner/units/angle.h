@@ -13,6 +13,9 @@ Angle normalisedSwathHeading(Angle heading);
 /// Signed difference `to - from` of two pose headings, in (-pi, pi].
 Angle headingDifference(Angle from, Angle to);
 
+/// Between two lines, in [0, pi / 2].
+Angle angleBetweenLines(Angle a, Angle b);
+
 /// What people see for a line: degrees clockwise from north, in [0, 180).
 double lineBearingDeg(Angle swathHeading);
 

@@ -98,7 +98,7 @@ private slots:
         QVERIFY2(bare.status <= 1, bare.all());
         QVERIFY(std::abs(bare.json()["covered"].toDouble() - *plan->audit.coveredShare) < 0.02);
         for (const char* key : {"outside_m2", "min_clearance_m", "max_curvature_1pm", "covered_of_reachable"}) {
-            QVERIFY2(bare.json()[QLatin1String(key)].isNull(), key);
+            QVERIFY2(!bare.json().contains(QLatin1String(key)), key);
         }
         const Answer with = furrowCli({"audit", folder.filePath("plan.geojson"), "--machine", "agbot", "--json"});
         // Headings come from the points alone: a pass along the boundary may seem centimetres outside.

@@ -2,7 +2,6 @@
 
 #include "planner/imagery/imagery.h"
 #include "planner/io/boundary_import.h"
-#include "planner/io/file_folder.h"
 #include "planner/plan/advice.h"
 #include "planner/plan/draft.h"
 #include "planner/project/field_tasks.h"
@@ -45,18 +44,10 @@ Result<std::vector<FieldSource>> boundariesIn(const QString& path, const JobCont
 
 }  // namespace
 
-bool holdsProject(const QString& path) {
-    if (path.endsWith(QLatin1String{kProjectExtension}, Qt::CaseInsensitive)) {
-        return true;
-    }
-    const auto start = fileStart(path.toStdU16String(), 4096);
-    return start && isProject(*start);
-}
-
 Reading readFiles(const QStringList& paths, const QString& fieldId, const JobContext& job) {
     Reading reading;
     for (const QString& path : paths) {
-        if (!path.startsWith(QLatin1Char(':')) && holdsProject(path)) {
+        if (!path.startsWith(QLatin1Char(':')) && holdsProject(path.toStdU16String())) {
             auto project = readProject(path.toStdU16String());
             if (!project) {
                 reading.error = project.error();

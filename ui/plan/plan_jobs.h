@@ -33,9 +33,6 @@ struct Reading {
     std::optional<Error> error;
 };
 
-/// What a file is: its extension says so where it is ours, otherwise how it begins.
-bool holdsProject(const QString& path);
-
 /// Reads files of any kind, in their order, up to the first that cannot be read.
 Reading readFiles(const QStringList& paths, const QString& fieldId, const JobContext& job);
 

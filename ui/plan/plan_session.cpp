@@ -185,7 +185,7 @@ void PlanSession::openUrls(const QList<QUrl>& urls) {
 }
 
 bool PlanSession::isProjectFile(const QUrl& url) const {
-    return url.isLocalFile() && holdsProject(url.toLocalFile());
+    return url.isLocalFile() && holdsProject(url.toLocalFile().toStdU16String());
 }
 
 void PlanSession::openSample(int index) {

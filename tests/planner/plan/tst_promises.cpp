@@ -4,6 +4,7 @@
 #include "planner/io/plan_reader.h"
 #include "planner/machine/machine_library.h"
 #include "planner/plan/advice.h"
+#include "planner/plan/as_asked.h"
 #include "planner/plan/method_registry.h"
 #include "planner/plan/plan.h"
 #include "planner/plan/quicker_choice.h"
@@ -72,6 +73,7 @@ private slots:
     void widthHoldsItsPasses();
     void simplerIsTakenWhereQuicker_data();
     void simplerIsTakenWhereQuicker();
+    void ownOrderKeepsItsSwaths();
     void adviceMends();
 };
 
@@ -229,11 +231,33 @@ void TestPromises::simplerIsTakenWhereQuicker() {
     }
 }
 
+// Numbers of an order are those of the swaths that these choices lay, also where others would be quicker.
+void TestPromises::ownOrderKeepsItsSwaths() {
+    Given given{{"headland.method", "per-edge"}};
+    Settings settings;
+    applySetting(settings, "headland.method", "per-edge").value();
+    const auto asked = planAsAsked({.field = std::make_shared<const Field>(Field::create(rectangle()).value()),
+                                    .machine = findMachine("cultivator").value(),
+                                    .settings = settings},
+                                   {});
+    VERIFY_RESULT(asked);
+    QVERIFY(!planned(rectangle(), "cultivator", given).value()->instead.empty());
+    std::string order;
+    for (const Swath& swath : (*asked)->swaths.swaths) {
+        order += (order.empty() ? "" : ",") + std::to_string(swath.number);
+    }
+    given.emplace_back("route.method", "custom");
+    given.emplace_back("route.order", order);
+    const auto plan = planned(rectangle(), "cultivator", given);
+    VERIFY_RESULT(plan);
+    QVERIFY((*plan)->instead.empty());
+    QCOMPARE((*plan)->swaths.swaths, (*asked)->swaths.swaths);
+}
+
 void TestPromises::adviceMends() {
-    // A cultivator leaves more than 1 % at the corners of a field of 0.7 ha, and this setting says that it may.
+    // Without a headland a cultivator has no room to turn in.
     const FieldSource small = test::fieldSourceFromLocal({test::centredRectangle(100.0, 70.0)}, kCentre);
-    const auto plan = planned(small, "cultivator", {{"headland.driven", "true"}, {"swaths.ends", "centre"}, {"swaths.last_pass", "overlap"},
-                                                    {"headland.method", "none"}});
+    const auto plan = planned(small, "cultivator", {{"swaths.ends", "centre"}, {"headland.method", "none"}});
     VERIFY_RESULT(plan);
     QVERIFY(!(*plan)->drivable());
     const auto advised = withAdvice(*plan);
