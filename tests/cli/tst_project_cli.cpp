@@ -155,6 +155,16 @@ private slots:
         QCOMPARE(machines, (QMap<QString, QString>{{"North", nameOf("power-harrow-drill")}, {"South", nameOf("cultivator")}}));
     }
 
+    // Whatever a plan is written with, it can be read as a field again.
+    void aPlanIsAField() {
+        const Answer plan = furrowCli({"plan", sampleField("slanted_field"), "--quiet", "--set", "field.margin_m=0.5", "--set",
+                                       "swaths.last_pass=gap", "--format", "geojson", "--out", at("margin")});
+        QVERIFY2(plan.status == 0 || plan.status == 1, plan.error.constData());
+        const Answer fields = furrowCli({"list", "fields", at("margin/plan.geojson"), "--json"});
+        QVERIFY2(fields.status == 0, fields.error.constData());
+        QCOMPARE(fields.json()["fields"].toArray().size(), 1);
+    }
+
     // A second plan in a folder replaces the first as a whole; files of others stay.
     void aFolderHoldsOnePlan() {
         const auto plan = [&](const QString& formats, const QStringList& more) {
