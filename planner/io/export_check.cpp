@@ -30,6 +30,8 @@ constexpr double kAreaSlackM2 = 6.0;
 constexpr double kFarM = 10'000.0;
 constexpr double kSamePlaceM = 0.5;
 constexpr double kSameSwathEndM = 1e-3;
+// Of what is shorter nothing can be recorded, and nobody drives it.
+constexpr Length kShortestPath = metres(5.0);
 constexpr double kWidthSlackM = 0.0011;
 
 /// What the files of a format have to hold of the fields that are meant.
@@ -487,7 +489,8 @@ void ofPaths(Looking& looking) {
 }
 
 void pathIsThere(Looking& looking) {
-    if (looking.job.plan == nullptr || (looking.format.carries & kPath) == 0) {
+    if (looking.job.plan == nullptr || (looking.format.carries & kPath) == 0 ||
+        looking.job.plan->path.length() < kShortestPath) {
         return;
     }
     looking.looked = true;

@@ -4,13 +4,15 @@
 #include "planner/io/geojson_shapes.h"
 
 #include <algorithm>
+#include <iterator>
+#include <utility>
 
 namespace furrow {
 
 namespace {
 
-// What is missed is told on a grid of this size, without pieces that are smaller.
-constexpr Length kPlain = metres(5e-3);
+// What is missed is told on a grid of one of these sizes, without pieces that are smaller.
+constexpr Length kPlain[] = {metres(5e-3), metres(0.02), metres(0.05)};
 constexpr Area kCrumb = squareMetres(0.01);
 
 class PlanWriter {
@@ -129,15 +131,49 @@ private:
     }
 
     void addLeftOnPurpose() {
-        for (const Polygon& polygon : plan_.leftOnPurpose) {
+        for (const Polygon& polygon : plain(plan_.leftOnPurpose)) {
             add("left_on_purpose", {{"area_m2", area(polygon).si()}}, polygonGeometry({frame_.toGeo(polygon)}));
         }
     }
 
+    /// With all coordinates on a grid; a union of one polygon would leave it as it is.
+    static Result<MultiPolygon> snapped(const MultiPolygon& polygons, Length grid) {
+        const Bounds box = bounds(polygons);
+        const Point rim{1.0, 1.0};
+        const Point low = box.min - rim;
+        const Point high = box.max + rim;
+        return intersection(polygons, {{.outer = {low, {high.x, low.y}, high, {low.x, high.y}}, .holes = {}}}, {}, grid);
+    }
+
+    /// Still sound when it is read in longitude and latitude, into whatever frame.
+    bool survivesWriting(const Polygon& polygon) const {
+        const GeoPolygon geo = frame_.toGeo(polygon);
+        const auto frame = LocalFrame::centredOn(geo.outer.front());
+        const auto invalid = frame ? findInvalidPlace({frame->toLocal(geo)}, {}) : std::unexpected(frame.error());
+        return invalid && !*invalid;
+    }
+
+    /// Traced outlines touch and cross themselves by centimetres and have hairs that rounding turns inside out, which
+    /// other programs refuse: on the finest grid that leaves none of these.
+    MultiPolygon plain(const MultiPolygon& traced) const {
+        MultiPolygon written;
+        for (const Polygon& polygon : traced) {
+            const auto mended = madeValid({polygon}, {});
+            MultiPolygon best = mended ? *mended : MultiPolygon{polygon};
+            for (const Length grid : kPlain) {
+                auto onGrid = mended ? snapped(*mended, grid) : mended;
+                if (onGrid && std::ranges::all_of(*onGrid, [this](const Polygon& piece) { return survivesWriting(piece); })) {
+                    best = *std::move(onGrid);
+                    break;
+                }
+            }
+            std::ranges::move(best, std::back_inserter(written));
+        }
+        return written;
+    }
+
     void addMissed() {
-        // Traced outlines touch themselves and have hairs that rounding turns inside out, which other programs refuse.
-        const auto plain = unionOf(plan_.audit.missedAreas, {}, kPlain);
-        for (const Polygon& polygon : plain ? *plain : plan_.audit.missedAreas) {
+        for (const Polygon& polygon : plain(plan_.audit.missedAreas)) {
             if (area(polygon) > kCrumb) {
                 add("missed", {{"area_m2", area(polygon).si()}}, polygonGeometry({frame_.toGeo(polygon)}));
             }

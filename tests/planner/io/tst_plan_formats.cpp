@@ -426,6 +426,35 @@ private slots:
         QVERIFY(std::ranges::none_of(lines, [](const GuidanceLine& line) { return line.name == "Headland 99"; }));
     }
 
+    // A ring of missed land whose inner side was traced 4 cm beyond its outer one.
+    void missedLandIsWrittenWithoutCrossings() {
+        Plan traced = plan();
+        const Point at = traced.path.segments.front().samples.front().position;
+        const auto ring = [at](std::initializer_list<Point> points) {
+            Ring moved;
+            for (const Point& point : points) {
+                moved.push_back(at + point);
+            }
+            return moved;
+        };
+        traced.audit.missedAreas = {{.outer = ring({{0.0, 0.0}, {20.0, 0.0}, {20.0, 10.0}, {0.0, 10.0}}),
+                                     .holes = {ring({{2.0, 2.0}, {2.0, 8.0}, {20.04, 5.0}})}}};
+        const QTemporaryDir folder;
+        const std::vector<std::string_view> formats{"geojson"};
+        const auto files = writePlanFolder(traced, folder.path().toStdString(), formats);
+        VERIFY_RESULT(files);
+        QVERIFY2(files->checks.problems.empty(), files->checks.problems.empty() ? "" : files->checks.problems.front().c_str());
+        double missedM2 = 0.0;
+        const QJsonDocument json = QJsonDocument::fromJson(
+            QByteArray::fromStdString(bytesOf(folder.filePath("plan.geojson").toStdString())));
+        for (const QJsonValue& feature : json["features"].toArray()) {
+            const QJsonObject properties = feature["properties"].toObject();
+            missedM2 += properties["kind"].toString() == "missed" ? properties["area_m2"].toDouble() : 0.0;
+        }
+        // 200 m² less a triangle of 6 by 18 m.
+        COMPARE_WITHIN(missedM2, 200.0 - 54.12, 0.1);
+    }
+
     void everyTerminalGetsFiles() {
         std::set<std::string_view> ids;
         for (const Terminal& terminal : terminals()) {
