@@ -230,7 +230,7 @@ SweepOutcome SweepBench::judged(const SweepChange& change, const Settings& setti
     }
     const bool mustBeTold = std::ranges::any_of(
         change.changed, [](const SweepSetting& setting) { return setting.value.mustBeTold; });
-    if (mustBeTold && std::ranges::none_of((*made)->findings,
+    if (mustBeTold && std::ranges::none_of((*advised)->findings,
                                            [&](const Finding& finding) { return tells(finding, change); })) {
         outcome.verdict = SweepVerdict::Failed;
         outcome.reason = "nothing is said of a value that cannot be obeyed";
