@@ -134,6 +134,37 @@ std::vector<std::string> namesOf(std::span<const NamedField> fields) {
     return names;
 }
 
+std::string degreesText(double value) {
+    return std::format("{:.10f}", value);
+}
+
+GeoPoint asWritten(GeoPoint point) {
+    return {std::stod(degreesText(point.lonDeg)), std::stod(degreesText(point.latDeg))};
+}
+
+GeoPolygon asWritten(GeoPolygon polygon) {
+    std::ranges::transform(polygon.outer, polygon.outer.begin(),
+                           [](GeoPoint point) { return asWritten(point); });
+    for (GeoRing& hole : polygon.holes) {
+        std::ranges::transform(hole, hole.begin(), [](GeoPoint point) { return asWritten(point); });
+    }
+    return polygon;
+}
+
+/// With the coordinates that a file of it has, so that furrow-cli plans the very same field.
+FieldSource asWritten(FieldSource source) {
+    for (GeoPolygon& part : source.parts) {
+        part = asWritten(std::move(part));
+    }
+    for (Obstacle& obstacle : source.obstacles) {
+        obstacle.outline = asWritten(std::move(obstacle.outline));
+    }
+    for (Gate& gate : source.gates) {
+        gate.position = asWritten(gate.position);
+    }
+    return source;
+}
+
 std::string ringText(const GeoRing& ring) {
     std::string text = "[";
     for (std::size_t i = 0; i <= ring.size(); ++i) {
@@ -165,7 +196,7 @@ FieldSource sweepField(std::string_view shape, const Machine& machine) {
     for (const std::span<const NamedField> fields :
          {std::span<const NamedField>{kFields}, std::span<const NamedField>{kSmallFields}}) {
         if (const auto found = std::ranges::find(fields, shape, &NamedField::name); found != fields.end()) {
-            return found->made(machine.operatingWidth().si());
+            return asWritten(found->made(machine.operatingWidth().si()));
         }
     }
     return {};
