@@ -12,17 +12,6 @@ namespace furrow::test {
 
 namespace {
 
-/// How far a place is from all edges; negative outside.
-double insideM(const MultiPolygon& area, Point place) {
-    double nearest = std::numeric_limits<double>::infinity();
-    bool inside = false;
-    forEachEdge(area, [&](Point a, Point b) {
-        nearest = std::min(nearest, distanceToSegment(place, a, b));
-        inside ^= meetsRay(place, a, b);
-    });
-    return inside ? nearest : -nearest;
-}
-
 std::pair<Point, Point> longestEdge(const SweepSite& site) {
     std::pair<Point, Point> longest;
     for (const Polygon& polygon : site.field->boundary()) {
@@ -52,6 +41,16 @@ std::string placeText(const SweepSite& site, Point point) {
 }
 
 }  // namespace
+
+double insideM(const MultiPolygon& area, Point place) {
+    double nearest = std::numeric_limits<double>::infinity();
+    bool inside = false;
+    forEachEdge(area, [&](Point a, Point b) {
+        nearest = std::min(nearest, distanceToSegment(place, a, b));
+        inside ^= meetsRay(place, a, b);
+    });
+    return inside ? nearest : -nearest;
+}
 
 Point middleOf(const SweepSite& site) {
     constexpr int kSteps = 24;

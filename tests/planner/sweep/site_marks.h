@@ -6,6 +6,9 @@ namespace furrow::test {
 
 // Places, lines and files made for one field, in its local frame and in metres.
 
+/// How far a place is from all edges; negative outside.
+double insideM(const MultiPolygon& area, Point place);
+
 /// The place that is farthest from every edge, of those on a grid.
 Point middleOf(const SweepSite& site);
 

@@ -83,6 +83,17 @@ std::vector<SweepValue> lines(std::string_view method) {
                  [](const SweepSite& site) { return lineText(site, throughMiddle(site, 33.0, 40.0)); })};
 }
 
+/// Lines that end up to an operating width short are drawn on: there is none where the field has no room for
+/// more.
+std::optional<std::string> endingInTheField(const SweepSite& site) {
+    constexpr double kReachM = 8.0;
+    constexpr double kWidths = 5.0;  // headlands are up to three
+    const Polyline line = throughMiddle(site, 60.0, kReachM);
+    const double roomM = insideM(site.field->drivable(), middleOf(site)) - kReachM;
+    return roomM < kWidths * site.machine.operatingWidth().si() ? std::nullopt
+                                                                : std::optional{lineText(site, line)};
+}
+
 std::vector<SweepValue> splits() {
     return {made("across the middle",
                  [](const SweepSite& site) { return lineText(site, throughMiddle(site, 90.0, 3000.0)); }),
@@ -92,9 +103,7 @@ std::vector<SweepValue> splits() {
                                         lineText(site, throughMiddle(site, 90.0, 3000.0)).substr(11),
                                         lineText(site, throughMiddle(site, 10.0, 3000.0)).substr(11));
                  }),
-            made(
-                "ends in the field",
-                [](const SweepSite& site) { return lineText(site, throughMiddle(site, 60.0, 8.0)); }, true)};
+            made("ends in the field", endingInTheField, true)};
 }
 
 std::vector<SweepValue> places() {

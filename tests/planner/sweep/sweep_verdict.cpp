@@ -21,6 +21,9 @@ namespace {
 // A finding that is still there is one of its kind no farther from its place than this, or two operating
 // widths.
 constexpr double kNearM = 10.0;
+// A setting that makes more of what blocks with default settings than so many times as much is at fault
+// itself.
+constexpr int kAsMany = 2;
 
 constexpr std::array<std::pair<SweepVerdict, std::string_view>, 6> kNames{
     {{SweepVerdict::Drivable, "drivable"},
@@ -212,6 +215,7 @@ SweepOutcome SweepBench::judged(const SweepChange& change, const Settings& setti
         return outcome;
     }
     const auto standardKinds = blockingKinds(site_.standard.get());
+    const auto kinds = blockingKinds(advised->get());
     outcome.standardBlocking = countOf(standardKinds);
     outcome.verdict = SweepVerdict::Drivable;
     for (const Finding& finding : (*advised)->findings) {
@@ -221,7 +225,8 @@ SweepOutcome SweepBench::judged(const SweepChange& change, const Settings& setti
         ++outcome.blocking;
         if (tells(finding, change)) {
             outcome.verdict = std::max(outcome.verdict, SweepVerdict::Told);
-        } else if (standardKinds.contains(finding.kind)) {
+        } else if (const auto had = standardKinds.find(finding.kind);
+                   had != standardKinds.end() && kinds.at(finding.kind) <= kAsMany * had->second) {
             outcome.verdict = std::max(outcome.verdict, SweepVerdict::DefaultToo);
         } else if (outcome.verdict != SweepVerdict::Failed) {
             outcome.verdict = SweepVerdict::Failed;

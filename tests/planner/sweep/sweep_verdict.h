@@ -12,7 +12,7 @@ enum class SweepVerdict {
     Drivable,
     Refused,     ///< with the setting, or as it is with default settings
     Told,        ///< blocked by findings that name the setting
-    DefaultToo,  ///< blocked by findings of kinds that block it with default settings, too
+    DefaultToo,  ///< blocked by findings of kinds that block it with default settings, too, about as often
     Failed,
     LeftOut,  ///< there is no such value at this site
 };
