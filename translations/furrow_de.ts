@@ -1344,8 +1344,16 @@
         <translation>%1 je Spur ergibt über eine Million Spuren</translation>
     </message>
     <message>
+        <source>%1 for transport is wider than the machine at work, %2</source>
+        <translation>%1 für den Transport ist breiter als die Maschine bei der Arbeit, %2</translation>
+    </message>
+    <message>
         <source>%1 in one piece are not worked.</source>
         <translation>%1 an einem Stück werden nicht bearbeitet.</translation>
+    </message>
+    <message>
+        <source>%1 is %2 wide; this machine is %3 wide for transport.</source>
+        <translation>%1 ist %2 breit; diese Maschine ist für den Transport %3 breit.</translation>
     </message>
     <message>
         <source>%1 is not a whole number</source>
@@ -3038,6 +3046,10 @@
         <translation>Überfahrtgeschwindigkeit</translation>
     </message>
     <message>
+        <source>Transport width</source>
+        <translation>Transportbreite</translation>
+    </message>
+    <message>
         <source>Trapezoids</source>
         <translation>Trapeze</translation>
     </message>
@@ -3176,6 +3188,10 @@
     <message>
         <source>Width the tractor occupies, wheels included.</source>
         <translation>Breite, die der Schlepper mit Rädern einnimmt.</translation>
+    </message>
+    <message>
+        <source>Width while folded for the road, through gates and on ways in and out; the raised width where it is not given.</source>
+        <translation>Breite, wenn für die Straße geklappt, durch Zufahrten und auf Wegen hinein und hinaus; ohne Angabe die Breite im ausgehobenen Zustand.</translation>
     </message>
     <message>
         <source>Width while lifted or folded for a turn; the operating width where it is not given.</source>
@@ -3652,6 +3668,10 @@
     <message>
         <source>give it the field that it lies in, or remove it from the file</source>
         <translation>geben Sie ihm den Schlag, in dem es liegt, oder entfernen Sie es aus der Datei</translation>
+    </message>
+    <message>
+        <source>give its width while it is folded</source>
+        <translation>die Breite im geklappten Zustand angeben</translation>
     </message>
     <message>
         <source>give less than the operating width</source>

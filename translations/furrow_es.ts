@@ -1344,8 +1344,16 @@
         <translation>%1 por pasada dan más de un millón de pasadas</translation>
     </message>
     <message>
+        <source>%1 for transport is wider than the machine at work, %2</source>
+        <translation>%1 para el transporte es más ancho que la máquina trabajando, %2</translation>
+    </message>
+    <message>
         <source>%1 in one piece are not worked.</source>
         <translation>%1 de una pieza quedan sin trabajar.</translation>
+    </message>
+    <message>
+        <source>%1 is %2 wide; this machine is %3 wide for transport.</source>
+        <translation>%1 mide %2 de ancho; esta máquina mide %3 de ancho para el transporte.</translation>
     </message>
     <message>
         <source>%1 is not a whole number</source>
@@ -3038,6 +3046,10 @@
         <translation>Velocidad de traslado</translation>
     </message>
     <message>
+        <source>Transport width</source>
+        <translation>Ancho de transporte</translation>
+    </message>
+    <message>
         <source>Trapezoids</source>
         <translation>Trapecios</translation>
     </message>
@@ -3176,6 +3188,10 @@
     <message>
         <source>Width the tractor occupies, wheels included.</source>
         <translation>Ancho que ocupa el tractor, ruedas incluidas.</translation>
+    </message>
+    <message>
+        <source>Width while folded for the road, through gates and on ways in and out; the raised width where it is not given.</source>
+        <translation>Ancho plegado para la carretera, por las entradas y en los recorridos de entrada y salida; si no se indica, el ancho levantado.</translation>
     </message>
     <message>
         <source>Width while lifted or folded for a turn; the operating width where it is not given.</source>
@@ -3652,6 +3668,10 @@
     <message>
         <source>give it the field that it lies in, or remove it from the file</source>
         <translation>indique la parcela en la que está, o quítelo del archivo</translation>
+    </message>
+    <message>
+        <source>give its width while it is folded</source>
+        <translation>indique su ancho plegado</translation>
     </message>
     <message>
         <source>give less than the operating width</source>

@@ -1344,8 +1344,16 @@
         <translation>%1 par passage donne plus d&apos;un million de passages</translation>
     </message>
     <message>
+        <source>%1 for transport is wider than the machine at work, %2</source>
+        <translation>%1 pour le transport, c’est plus large que la machine au travail, %2</translation>
+    </message>
+    <message>
         <source>%1 in one piece are not worked.</source>
         <translation>%1 d&apos;un seul tenant ne sont pas travaillés.</translation>
+    </message>
+    <message>
+        <source>%1 is %2 wide; this machine is %3 wide for transport.</source>
+        <translation>%1 fait %2 de large ; cette machine fait %3 de large pour le transport.</translation>
     </message>
     <message>
         <source>%1 is not a whole number</source>
@@ -3038,6 +3046,10 @@
         <translation>Vitesse de trajet</translation>
     </message>
     <message>
+        <source>Transport width</source>
+        <translation>Largeur de transport</translation>
+    </message>
+    <message>
         <source>Trapezoids</source>
         <translation>Trapèzes</translation>
     </message>
@@ -3176,6 +3188,10 @@
     <message>
         <source>Width the tractor occupies, wheels included.</source>
         <translation>Largeur qu&apos;occupe le tracteur, roues comprises.</translation>
+    </message>
+    <message>
+        <source>Width while folded for the road, through gates and on ways in and out; the raised width where it is not given.</source>
+        <translation>Largeur une fois replié pour la route, aux entrées de parcelle et sur les trajets d’entrée et de sortie ; sans indication, la largeur relevé.</translation>
     </message>
     <message>
         <source>Width while lifted or folded for a turn; the operating width where it is not given.</source>
@@ -3652,6 +3668,10 @@
     <message>
         <source>give it the field that it lies in, or remove it from the file</source>
         <translation>indiquez la parcelle où il se trouve, ou retirez-le du fichier</translation>
+    </message>
+    <message>
+        <source>give its width while it is folded</source>
+        <translation>indiquer sa largeur une fois replié</translation>
     </message>
     <message>
         <source>give less than the operating width</source>

@@ -1344,8 +1344,16 @@
         <translation>%1 per werkgang geeft meer dan een miljoen werkgangen</translation>
     </message>
     <message>
+        <source>%1 for transport is wider than the machine at work, %2</source>
+        <translation>%1 voor transport is breder dan de machine aan het werk, %2</translation>
+    </message>
+    <message>
         <source>%1 in one piece are not worked.</source>
         <translation>%1 aan één stuk wordt niet bewerkt.</translation>
+    </message>
+    <message>
+        <source>%1 is %2 wide; this machine is %3 wide for transport.</source>
+        <translation>%1 is %2 breed; deze machine is voor transport %3 breed.</translation>
     </message>
     <message>
         <source>%1 is not a whole number</source>
@@ -3038,6 +3046,10 @@
         <translation>Verplaatssnelheid</translation>
     </message>
     <message>
+        <source>Transport width</source>
+        <translation>Transportbreedte</translation>
+    </message>
+    <message>
         <source>Trapezoids</source>
         <translation>Trapezia</translation>
     </message>
@@ -3176,6 +3188,10 @@
     <message>
         <source>Width the tractor occupies, wheels included.</source>
         <translation>Breedte die de trekker inneemt, wielen inbegrepen.</translation>
+    </message>
+    <message>
+        <source>Width while folded for the road, through gates and on ways in and out; the raised width where it is not given.</source>
+        <translation>Breedte als het voor de weg is opgeklapt, door inritten en op wegen erin en eruit; zonder opgave de geheven breedte.</translation>
     </message>
     <message>
         <source>Width while lifted or folded for a turn; the operating width where it is not given.</source>
@@ -3652,6 +3668,10 @@
     <message>
         <source>give it the field that it lies in, or remove it from the file</source>
         <translation>geef het perceel op waarin het ligt, of verwijder het uit het bestand</translation>
+    </message>
+    <message>
+        <source>give its width while it is folded</source>
+        <translation>geef de breedte in opgeklapte toestand</translation>
     </message>
     <message>
         <source>give less than the operating width</source>

@@ -1344,8 +1344,16 @@
         <translation>%1 por passada dão mais de um milhão de passadas</translation>
     </message>
     <message>
+        <source>%1 for transport is wider than the machine at work, %2</source>
+        <translation>%1 para transporte é mais largo que a máquina em trabalho, %2</translation>
+    </message>
+    <message>
         <source>%1 in one piece are not worked.</source>
         <translation>%1 em um só pedaço não são trabalhados.</translation>
+    </message>
+    <message>
+        <source>%1 is %2 wide; this machine is %3 wide for transport.</source>
+        <translation>%1 tem %2 de largura; esta máquina tem %3 de largura para transporte.</translation>
     </message>
     <message>
         <source>%1 is not a whole number</source>
@@ -3038,6 +3046,10 @@
         <translation>Velocidade de deslocamento</translation>
     </message>
     <message>
+        <source>Transport width</source>
+        <translation>Largura de transporte</translation>
+    </message>
+    <message>
         <source>Trapezoids</source>
         <translation>Trapézios</translation>
     </message>
@@ -3176,6 +3188,10 @@
     <message>
         <source>Width the tractor occupies, wheels included.</source>
         <translation>Largura que o trator ocupa, rodas incluídas.</translation>
+    </message>
+    <message>
+        <source>Width while folded for the road, through gates and on ways in and out; the raised width where it is not given.</source>
+        <translation>Largura dobrado para a estrada, nas entradas e nos trajetos de entrada e saída; sem indicação, a largura levantado.</translation>
     </message>
     <message>
         <source>Width while lifted or folded for a turn; the operating width where it is not given.</source>
@@ -3652,6 +3668,10 @@
     <message>
         <source>give it the field that it lies in, or remove it from the file</source>
         <translation>indique o talhão em que está, ou remova-o do arquivo</translation>
+    </message>
+    <message>
+        <source>give its width while it is folded</source>
+        <translation>informe a largura dobrado</translation>
     </message>
     <message>
         <source>give less than the operating width</source>

@@ -273,8 +273,7 @@ public:
         : footprint_{footprint}, meter_{meter}, smallest_{smallest} {}
 
     /// Ends early, with something, where the job is stopped.
-    SegmentClearance run(const SegmentMotion& motion, bool down, const JobContext& job) {
-        const FootprintPart& implement = down ? footprint_.lowered : footprint_.raised;
+    SegmentClearance run(const SegmentMotion& motion, const FootprintPart& implement, const JobContext& job) {
         for (const auto* states : {&motion.turnOnTheSpot, &motion.states}) {
             for (std::size_t i = 1; i < states->size() && !job.stopRequested(); ++i) {
                 const MotionState& a = (*states)[i - 1];
@@ -437,8 +436,10 @@ Result<ClearanceReport> measureClearance(const AuditInput& input, const std::vec
         auto segments = parallelMap<SegmentClearance>(
             motions.size(),
             [&](std::size_t i) {
-                return SegmentSweep{footprint, meter, smallest}.run(
-                    motions[i], input.segments[i].implementDown, look);
+                const FootprintPart& implement = input.segments[i].implementDown         ? footprint.lowered
+                                                 : isWayInOrOut(input.segments, i) ? footprint.folded
+                                                                                   : footprint.raised;
+                return SegmentSweep{footprint, meter, smallest}.run(motions[i], implement, look);
             },
             look);
         if (!segments) {

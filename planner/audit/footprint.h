@@ -19,6 +19,7 @@ struct Footprint {
     FootprintPart tractor;
     FootprintPart raised;
     FootprintPart lowered;
+    FootprintPart folded;  ///< for transport
 };
 
 Footprint footprintOf(const Machine& machine);

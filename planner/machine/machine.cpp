@@ -34,6 +34,7 @@ Result<Machine> Machine::create(const MachineSpec& spec) {
     const Requirement requirements[] = {
         {"operating_width_m", implement.operatingWidth.si()},
         {"raised_width_m", implement.raisedWidth.value_or(metres(1.0)).si()},
+        {"transport_width_m", implement.transportWidth.value_or(metres(1.0)).si()},
         {"vehicle_width_m", tractor.width.si()},
         {"vehicle_length_m", tractor.length.si()},
         {"rear_overhang_m", tractor.rearOverhang.si(), true},
@@ -59,6 +60,13 @@ Result<Machine> Machine::create(const MachineSpec& spec) {
                 refused(requirement.key, message("{} cannot be worked with", requirement.value),
                         requirement.mayBeZero ? "give a number of 0 or more" : "give a number above 0"));
         }
+    }
+    const Length widest = std::max({implement.operatingWidth, implement.raisedWidth.value_or(Length{}), tractor.width});
+    if (implement.transportWidth.value_or(widest) > widest) {
+        return std::unexpected(refused("transport_width_m",
+                                       message("{:.2f} m for transport is wider than the machine at work, {:.2f} m",
+                                               implement.transportWidth->si(), widest.si()),
+                                       "give its width while it is folded"));
     }
     for (const double offset :
          {implement.offset.si(), implement.hitchOffset.si(), implement.lateralOffset.si()}) {
@@ -115,6 +123,20 @@ Length Machine::runIn() const {
 Length Machine::turningWidth() const {
     return std::max(spec_.tractor.width,
                     spec_.implement.raisedWidth.value_or(spec_.implement.operatingWidth));
+}
+
+Length Machine::transportWidth() const {
+    const Implement& implement = spec_.implement;
+    const Length raised = implement.raisedWidth.value_or(implement.operatingWidth);
+    return std::max(spec_.tractor.width, implement.transportWidth.value_or(raised));
+}
+
+Machine Machine::folded() const {
+    Machine other = *this;
+    if (spec_.implement.transportWidth) {
+        other.spec_.implement.raisedWidth = spec_.implement.transportWidth;
+    }
+    return other;
 }
 
 Length Machine::workingFootprintWidth() const {

@@ -42,6 +42,9 @@ struct Implement {
     Length operatingWidth = metres(2.5);
     /// Width while it is lifted or folded for a turn; the operating width where it is not given.
     std::optional<Length> raisedWidth;
+    /// Width while it is folded for the road, through gates and on ways in and out; the raised width where it is not
+    /// given. No more than the machine is at work.
+    std::optional<Length> transportWidth;
     Mounting mounting = Mounting::Mounted;
     /// From the fixed axle to the hitch, negative behind the axle.
     Length hitchOffset = metres(-1.0);
@@ -111,6 +114,10 @@ public:
     Length runIn() const;
     /// Width of tractor and raised implement, whichever is more.
     Length turningWidth() const;
+    /// Width of tractor and implement folded for transport, whichever is more.
+    Length transportWidth() const;
+    /// The same machine with its implement folded: as wide as for transport where this one is as wide as raised.
+    Machine folded() const;
     /// Width of tractor and lowered implement, whichever is more.
     Length workingFootprintWidth() const;
     /// What it occupies while turning, counter-clockwise, reference point at the origin, nose to +x. A

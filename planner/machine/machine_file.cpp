@@ -255,6 +255,9 @@ constexpr MachineKey kKeys[] = {
     number<kImplement, &Implement::raisedWidth>(
         "raised_width_m", "Raised width", "m", {0.1, 60.0},
         "Width while lifted or folded for a turn; the operating width where it is not given."),
+    number<kImplement, &Implement::transportWidth>(
+        "transport_width_m", "Transport width", "m", {0.1, 60.0},
+        "Width while folded for the road, through gates and on ways in and out; the raised width where it is not given."),
     mounting(),
     number<kImplement, &Implement::hitchOffset>(
         "implement_hitch_offset_m", "Hitch offset", "m", {-20.0, 20.0},

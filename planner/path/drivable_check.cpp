@@ -192,6 +192,7 @@ Result<std::vector<BlockedConnection>> blockedConnections(const Path& path, cons
     const BoundaryDistance drivableEdges{drivableArea, reach};
     const BoundaryDistance landEdges{landArea, reach};
     const Shapes shapes{machine};
+    const Shapes folded{machine.folded()};
     struct Connection {
         std::size_t segment;
         std::vector<RigState> states;
@@ -214,7 +215,8 @@ Result<std::vector<BlockedConnection>> blockedConnections(const Path& path, cons
             const PathSegment& segment = path.segments[index];
             auto found = segment.kind == SegmentKind::HeadlandPass
                              ? farthestAlong(states, shapes, drivableEdges, landEdges, job)
-                             : farthestOnWay(states, shapes, segment.implementDown, drivable, land);
+                             : farthestOnWay(states, isWayInOrOut(path.segments, index) ? folded : shapes,
+                                             segment.implementDown, drivable, land);
             if (found) {
                 found->segment = index;
             }

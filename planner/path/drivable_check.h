@@ -16,7 +16,7 @@ struct BlockedConnection {
 };
 
 /// Connections and headland passes whose footprint leaves the drivable area: of connections the outline of tractor
-/// and raised implement at every sample and the track of each of its corners; of passes, which are long, the
+/// and raised implement, folded on ways in and out, at every sample and the track of each of its corners; of passes, which are long, the
 /// outline with the implement down every half metre.
 /// @param drivable  of drivableArea
 /// Cost: about 20 microseconds for each sample of a connection. Cancelled.

@@ -8,6 +8,7 @@
 #include <cmath>
 #include <limits>
 #include <numbers>
+#include <span>
 
 namespace furrow {
 
@@ -18,8 +19,9 @@ constexpr int kDiscCorners = 64;
 // How far the machine drives straight in or out.
 constexpr Length kStraight = metres(2.0);
 constexpr double kStepM = 0.1;
-// Headings that are tried, to both sides of straight.
-constexpr double kAsideDeg[] = {0.0, 15.0, -15.0, 30.0, -30.0, 45.0, -45.0, 60.0, -60.0, 90.0, -90.0, 135.0, -135.0, 180.0};
+// Headings that are tried, to both sides of straight: across the boundary, and any where that fits nowhere.
+constexpr double kAcrossDeg[] = {0.0, 15.0, -15.0, 30.0, -30.0, 45.0, -45.0};
+constexpr double kAsideDeg[] = {60.0, -60.0, 90.0, -90.0, 135.0, -135.0, 180.0};
 // From a gate no farther in than so many lengths of the machine.
 constexpr double kLengthsIn = 2.0;
 
@@ -56,20 +58,25 @@ std::optional<Leg> straightAt(const RoutePlace& place, const Field& field, const
     const double mostM = place.gate ? kLengthsIn * rig.machine().spec().tractor.length.si() : 0.0;
     const Point onward = drivenIn ? inward : Point{-inward.x, -inward.y};
     const TurnPiece straight{.length = kStraight, .curvature = {}};
-    for (double m = 0.0; m <= mostM; m += kStepM) {
-        for (const double aside : kAsideDeg) {
-            const Angle heading = radians(std::atan2(onward.y, onward.x)) + degrees(aside);
-            const Point near = place.position + m * inward;
-            const Pose start{.position = drivenIn ? near : near - kStraight.si() * direction(heading.si()), .heading = heading};
-            if (rig.outsideM(Rig::inLine(start)) <= kTouchingM && rig.driven(Rig::inLine(start), straight)) {
-                return Leg{.kind = SegmentKind::Transfer,
-                           .number = 0,
-                           .line = {.type = {}, .start = start, .pieces = {straight}},
-                           .implementDown = false};
+    const auto nearest = [&](std::span<const double> headings) -> std::optional<Leg> {
+        for (double m = 0.0; m <= mostM; m += kStepM) {
+            for (const double aside : headings) {
+                const Angle heading = radians(std::atan2(onward.y, onward.x)) + degrees(aside);
+                const Point near = place.position + m * inward;
+                const Pose start{.position = drivenIn ? near : near - kStraight.si() * direction(heading.si()),
+                                 .heading = heading};
+                if (rig.outsideM(Rig::inLine(start)) <= kTouchingM && rig.driven(Rig::inLine(start), straight)) {
+                    return Leg{.kind = SegmentKind::Transfer,
+                               .number = 0,
+                               .line = {.type = {}, .start = start, .pieces = {straight}},
+                               .implementDown = false};
+                }
             }
         }
-    }
-    return std::nullopt;
+        return std::nullopt;
+    };
+    const auto across = nearest(kAcrossDeg);
+    return across ? across : nearest(kAsideDeg);
 }
 
 }  // namespace

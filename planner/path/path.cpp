@@ -113,6 +113,12 @@ const PathSegment* Path::workAfter(std::size_t segment) const {
     return nullptr;
 }
 
+bool isWayInOrOut(std::span<const PathSegment> segments, std::size_t segment) {
+    const auto works = [](const PathSegment& one) { return one.implementDown; };
+    return !works(segments[segment]) && (std::ranges::none_of(segments.first(segment), works) ||
+                                         std::ranges::none_of(segments.subspan(segment), works));
+}
+
 Message nameOf(const PathSegment& segment) {
     return passName(segment.kind, segment.number);
 }

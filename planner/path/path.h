@@ -6,6 +6,7 @@
 #include "planner/units/quantity.h"
 
 #include <optional>
+#include <span>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -50,6 +51,10 @@ struct PathSegment {
 /// "swath 3", "headland pass 1": how findings name a stretch.
 Message nameOf(const PathSegment& segment);
 Message passName(SegmentKind kind, int number);
+
+/// Whether a segment is on the way in before all work or on the way out after it: there the implement is folded for
+/// transport. Cost: O(segments).
+bool isWayInOrOut(std::span<const PathSegment> segments, std::size_t segment);
 
 /// The whole drivable line; consecutive segments share their end and start.
 struct Path {

@@ -156,6 +156,24 @@ void addAuditFindings(Plan& plan) {
     std::ranges::move(added, std::back_inserter(plan.findings));
 }
 
+/// Where ways from and to gates meet them: on these the implement is folded.
+struct GateWays {
+    std::optional<Pose> in;
+    std::optional<Pose> out;
+
+    static GateWays of(const std::vector<Leg>& legs) {
+        GateWays gates;
+        if (!legs.empty() && legs.front().kind == SegmentKind::Transfer) {
+            gates.in = legs.front().line.end();
+        }
+        if (!legs.empty() && legs.back().kind == SegmentKind::Transfer) {
+            gates.out = legs.back().line.start;
+        }
+        return gates;
+    }
+    bool leads(const Pose& leaving, const Pose& arriving) const { return leaving == in || arriving == out; }
+};
+
 /// The ways in and out, and what is to be said where there is none.
 std::vector<Finding> addGateWays(std::vector<Leg>& legs, const std::array<std::optional<RoutePlace>, 2>& places,
                                  const Field& field, const Rig& rig) {
@@ -163,21 +181,34 @@ std::vector<Finding> addGateWays(std::vector<Leg>& legs, const std::array<std::o
     if (legs.empty()) {
         return findings;
     }
-    const auto tell = [&](const RoutePlace& place, std::string_view said) {
-        const Message name = place.gate && !place.gate->name.empty() ? Message{place.gate->name} : Message{"this place"};
+    const auto nameOfPlace = [](const RoutePlace& place) {
+        return place.gate && !place.gate->name.empty() ? Message{place.gate->name} : Message{"this place"};
+    };
+    const auto tell = [&](const RoutePlace& place, Message text) {
         findings.push_back({.severity = Severity::Blocking,
                             .kind = "gate",
                             .place = place.position,
-                            .text = message(said, name),
+                            .text = std::move(text),
                             .suggestion = place.gate ? "Make the gate wider, or take another." : "Choose another place."});
     };
+    const Length width = rig.machine().transportWidth();
+    const auto isNarrow = [&](const RoutePlace& place) {
+        return place.gate && place.gate->width > Length{} && place.gate->width < width;
+    };
+    for (const auto& place : places) {
+        const bool isSaid = place && std::ranges::contains(findings, place->position, &Finding::place);
+        if (place && isNarrow(*place) && !isSaid) {
+            tell(*place, message("{} is {:.2f} m wide; this machine is {:.2f} m wide for transport.",
+                                 nameOfPlace(*place).capitalised(), place->gate->width.si(), width.si()));
+        }
+    }
     if (const auto& start = places[0]) {
         const auto in = wayIn(*start, field, rig, legs.front().line.start.position);
-        in ? static_cast<void>(legs.insert(legs.begin(), *in)) : tell(*start, "The machine does not get in at {}.");
+        in ? static_cast<void>(legs.insert(legs.begin(), *in)) : tell(*start, message("The machine does not get in at {}.", nameOfPlace(*start)));
     }
     if (const auto& end = places[1]) {
         const auto out = wayOut(*end, field, rig, legs.back().line.end().position);
-        out ? legs.push_back(*out) : tell(*end, "The machine does not get out at {}.");
+        out ? legs.push_back(*out) : tell(*end, message("The machine does not get out at {}.", nameOfPlace(*end)));
     }
     return findings;
 }
@@ -418,8 +449,10 @@ Result<void> driveStage(Plan& plan, const MultiPolygon& drivable, const JobConte
         return std::unexpected(ground.error());
     }
     const auto fitting = std::make_shared<FittingWays>(*ground, machine, *travel);
-    RememberedWays ways{[fitting](const Pose& leaving, const Pose& arriving, const JobContext& part, SearchEffort effort) {
-        return fitting->between(leaving, arriving, part, effort);
+    const auto folded = std::make_shared<FittingWays>(*ground, machine.folded(), *travel);
+    GateWays gates;
+    RememberedWays ways{[&](const Pose& leaving, const Pose& arriving, const JobContext& part, SearchEffort effort) {
+        return (gates.leads(leaving, arriving) ? folded : fitting)->between(leaving, arriving, part, effort);
     }};
     auto [legs, passedOver] = liftedOver(layOut(plan, drivable), field.passable(), machine, machine.spec().implement.length);
     if (std::ranges::none_of(legs, &Leg::implementDown)) {
@@ -431,7 +464,8 @@ Result<void> driveStage(Plan& plan, const MultiPolygon& drivable, const JobConte
     }
     plan.leftOnPurpose = std::move(*onPurpose);
     const ChosenTurns chosen{plan, *fitting};
-    const std::vector<Finding> gateFindings = addGateWays(legs, places, field, Rig{*open, machine});
+    const std::vector<Finding> gateFindings = addGateWays(legs, places, field, Rig{*open, machine.folded()});
+    gates = GateWays::of(legs);
     if (auto driven = drive(plan, legs, ways, chosen, *ground, job.part(0.0, 0.8)); !driven) {
         return std::unexpected(driven.error());
     }

@@ -16,8 +16,9 @@ namespace furrow {
 namespace {
 
 /// What decides a plan and what people know of their machine.
-constexpr std::array<std::string_view, 6> kShownKeys{"operating_width_m",  "vehicle_width_m",   "min_turning_radius_m",
-                                                     "raised_width_m", "working_speed_mps", "turning_speed_mps"};
+constexpr std::array<std::string_view, 7> kShownKeys{"operating_width_m", "vehicle_width_m",   "min_turning_radius_m",
+                                                     "raised_width_m",    "transport_width_m", "working_speed_mps",
+                                                     "turning_speed_mps"};
 
 QuantityText::Kind quantityOf(const MachineKey& key) {
     return key.unit == "m/s" ? QuantityText::Speed : key.unit == "m" ? QuantityText::Length : QuantityText::Number;
@@ -35,6 +36,10 @@ std::optional<double> impliedNumber(const MachineKey& key, const Machine& machin
     }
     if (key.key == "raised_width_m") {
         return machine.operatingWidth().si();
+    }
+    if (key.key == "transport_width_m") {
+        const Implement& implement = machine.spec().implement;
+        return implement.raisedWidth.value_or(implement.operatingWidth).si();
     }
     return std::nullopt;
 }

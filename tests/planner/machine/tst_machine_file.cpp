@@ -4,6 +4,7 @@
 #include <QTemporaryDir>
 #include <QTest>
 
+#include <format>
 #include <fstream>
 #include <set>
 
@@ -27,6 +28,8 @@ private slots:
     void findsMachines_data();
     void findsMachines();
     void unknownMachineListsTheKnown();
+    void transportWidth();
+    void libraryFolds();
 };
 
 void TestMachineFile::readsEveryKey() {
@@ -215,7 +218,7 @@ void TestMachineFile::keysGetAndSet() {
             QVERIFY2(std::holds_alternative<std::monostate>(key.get(spec)), name.c_str());
         }
     }
-    QCOMPARE(seen.size(), 34U);
+    QCOMPARE(seen.size(), 35U);
 }
 
 void TestMachineFile::paperRobotComesFirst() {
@@ -252,6 +255,34 @@ void TestMachineFile::unknownMachineListsTheKnown() {
     QVERIFY(!machine && machine.error().code == ErrorCode::Usage);
     QVERIFY(machine.error().remedy.contains("did you mean 'agbot'?"));
     QVERIFY(machine.error().remedy.contains("trailed-sprayer"));
+}
+
+// Folded for transport: as given; as wide as raised where it is not; never narrower than the tractor.
+void TestMachineFile::transportWidth() {
+    const auto machine = [](std::string_view more) {
+        return parseMachine(std::format(R"({{"operating_width_m": 12, "raised_width_m": 6, "vehicle_width_m": 2.75, "min_turning_radius_m": 6{}}})", more), "drill");
+    };
+    QCOMPARE(machine("").value().transportWidth().si(), 6.0);
+    QVERIFY(machine("").value().folded() == machine("").value());
+    const Machine folding = machine(R"(, "transport_width_m": 3)").value();
+    QCOMPARE(folding.transportWidth().si(), 3.0);
+    QCOMPARE(folding.folded().turningWidth().si(), 3.0);
+    QCOMPARE(folding.folded().operatingWidth().si(), 12.0);
+    QVERIFY(parseMachine(machineJson(folding.spec()), "again").value() == folding);
+    QCOMPARE(machine(R"(, "transport_width_m": 2)").value().transportWidth().si(), 2.75);
+    for (const char* refused : {"0", "-3", "12.5"}) {
+        const auto bad = machine(std::format(R"(, "transport_width_m": {})", refused));
+        QVERIFY(!bad);
+        QCOMPARE(bad.error().code, ErrorCode::InputRefused);
+        QVERIFY(bad.error().where.contains("transport_width_m"));
+    }
+}
+
+// What folds in reality says so in the library; nothing is wider on the road than 3.5 m.
+void TestMachineFile::libraryFolds() {
+    for (const Machine& machine : machineLibrary()) {
+        QVERIFY2(machine.transportWidth() <= metres(3.5), machine.id().c_str());
+    }
 }
 
 QTEST_APPLESS_MAIN(TestMachineFile)

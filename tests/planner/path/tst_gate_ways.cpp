@@ -28,12 +28,13 @@ std::shared_ptr<const Field> fieldWithGate(Length width) {
 }
 
 Result<std::shared_ptr<const Plan>> planned(const std::shared_ptr<const Field>& field,
-                                            std::initializer_list<std::pair<const char*, const char*>> given = {}) {
+                                            std::initializer_list<std::pair<const char*, const char*>> given = {},
+                                            std::string_view machine = "agbot") {
     Settings settings;
     for (const auto& [key, value] : given) {
         applySetting(settings, key, value).value();
     }
-    return makePlan({.field = field, .machine = findMachine("agbot").value(), .settings = settings});
+    return makePlan({.field = field, .machine = findMachine(machine).value(), .settings = settings});
 }
 
 }  // namespace
@@ -68,6 +69,37 @@ private slots:
         for (const Finding& finding : (*plan)->findings) {
             QVERIFY2(finding.severity == Severity::Note || finding.kind == "missed", finding.text.c_str());
         }
+    }
+
+    // A gate of 4 m, a drill of 12 m that is folded to 3 m. Its tail ends 3.5 m behind the axle, and the disc of 2 m that
+    // is open at the gate holds its corners, 1.5 m aside, sqrt(2² - 1.5²) m beyond the boundary: 2.18 m are left. As
+    // wide as it is raised it would have to be inside as a whole.
+    void foldsForTheGate() {
+        const auto field = fieldWithGate(metres(4.0));
+        const auto plan = planned(field, {}, "mounted-drill");
+        VERIFY_RESULT(plan);
+        QVERIFY2((*plan)->drivable(), (*plan)->findings.front().text.c_str());
+        const Point gate = field->frame().toLocal(field->source().gates.front().position);
+        const std::vector<PathSegment>& segments = (*plan)->path.segments;
+        QCOMPARE_LT(distance(segments.front().samples.front().position, gate), 2.3);
+        QCOMPARE_GT(distance(segments.front().samples.front().position, gate), 2.1);
+        QCOMPARE_LT((*plan)->audit.outside.value().si(), 1e-2);
+    }
+
+    // The cultivator is folded to 3 m: a gate of 2.5 m is told with both numbers, once, and nothing about headlands.
+    void aGateThatIsTooNarrow() {
+        const auto plan = planned(fieldWithGate(metres(2.5)), {}, "cultivator");
+        VERIFY_RESULT(plan);
+        int told = 0;
+        for (const Finding& finding : (*plan)->findings) {
+            if (finding.severity == Severity::Blocking) {
+                QCOMPARE(finding.kind, std::string{"gate"});
+                QCOMPARE(std::string{finding.text}, std::string{"West is 2.50 m wide; this machine is 3.00 m wide for transport."});
+                QVERIFY(!std::string{finding.suggestion}.contains("headland"));
+                ++told;
+            }
+        }
+        QCOMPARE(told, 1);
     }
 
     void byNameOrPoint() {
