@@ -1762,10 +1762,6 @@
         <translation>Bogen, Gerade, Bogen; für Spuren, die mindestens zwei Wenderadien auseinander liegen.</translation>
     </message>
     <message>
-        <source>Choose the best that fits, or a machine that can.</source>
-        <translation>Die beste passende Wendung wählen oder eine Maschine, die es kann.</translation>
-    </message>
-    <message>
         <source>Choose the best that fits, which takes the quickest everywhere.</source>
         <translation>Die beste passende Wendung wählen: sie nimmt überall die schnellste.</translation>
     </message>
@@ -5001,24 +4997,8 @@
         <translation>Die Spuren verlaufen entlang der längsten oder einer anderen langen Kante des Schlags, wo das höchstens so viel mehr kostet als die beste Richtung; 0 nimmt die beste, wie sie auch liegt.</translation>
     </message>
     <message>
-        <source>&quot;%1&quot;: &quot;%2&quot; is planned instead of &quot;%3&quot;, since it is %4 s quicker here</source>
-        <translation>„%1“: Geplant ist „%2“ statt „%3“, denn das ist hier %4 s schneller</translation>
-    </message>
-    <message>
-        <source>&quot;%1&quot;: &quot;%2&quot; is planned instead of &quot;%3&quot;, which cannot be driven here</source>
-        <translation>„%1“: Geplant ist „%2“ statt „%3“, das hier nicht fahrbar ist</translation>
-    </message>
-    <message>
         <source>%1 are out of this machine&apos;s reach; the largest piece, %2, lies here.</source>
         <translation>%1 kann diese Maschine nicht erreichen; das größte Stück, %2, liegt hier.</translation>
-    </message>
-    <message>
-        <source>%1 are planned, since as driven they are %2 s quicker than the heading that the search estimates to be the quickest</source>
-        <translation>%1 sind geplant, denn gefahren sind sie %2 s schneller als die Richtung, die die Suche für die schnellste hält</translation>
-    </message>
-    <message>
-        <source>%1 are planned, since the quickest heading cannot be driven here</source>
-        <translation>%1 sind geplant, denn die schnellste Richtung ist hier nicht fahrbar</translation>
     </message>
     <message>
         <source>%1 within %2 of the centre: tighter than this machine can follow, left out</source>
@@ -5086,6 +5066,30 @@
     <message>
         <source>on</source>
         <translation>ein</translation>
+    </message>
+    <message>
+        <source>&quot;%1&quot;: &quot;%2&quot; is planned instead of &quot;%3&quot;: %4</source>
+        <translation>„%1“: Geplant ist „%2“ statt „%3“: %4</translation>
+    </message>
+    <message>
+        <source>%1 are planned instead of the heading with the best estimate: %2</source>
+        <translation>%1 sind statt der Richtung mit der besten Schätzung geplant: %2</translation>
+    </message>
+    <message>
+        <source>less stands in its way</source>
+        <translation>es steht weniger im Weg</translation>
+    </message>
+    <message>
+        <source>it is %1 s quicker</source>
+        <translation>das ist %1 s schneller</translation>
+    </message>
+    <message>
+        <source>the margin and the obstacles that may be driven on leave nothing to work</source>
+        <translation>der Rand und die befahrbaren Hindernisse lassen nichts zu bearbeiten</translation>
+    </message>
+    <message>
+        <source>make them smaller, or delete some of them</source>
+        <translation>sie verkleinern oder einige löschen</translation>
     </message>
 </context>
 <context>

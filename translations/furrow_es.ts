@@ -1762,10 +1762,6 @@
         <translation>Arco, recta, arco; para pasadas separadas al menos dos radios de giro.</translation>
     </message>
     <message>
-        <source>Choose the best that fits, or a machine that can.</source>
-        <translation>Elija el mejor giro que quepa, o una máquina que pueda.</translation>
-    </message>
-    <message>
         <source>Choose the best that fits, which takes the quickest everywhere.</source>
         <translation>Elija el mejor giro que quepa: toma en todas partes el más rápido.</translation>
     </message>
@@ -5001,24 +4997,8 @@
         <translation>Las pasadas siguen el lado más largo de la parcela, u otro largo, donde no cuesta más que esto por encima de la mejor dirección; 0 toma la mejor, sea cual sea.</translation>
     </message>
     <message>
-        <source>&quot;%1&quot;: &quot;%2&quot; is planned instead of &quot;%3&quot;, since it is %4 s quicker here</source>
-        <translation>«%1»: se planifica «%2» en lugar de «%3», porque aquí es %4 s más rápido</translation>
-    </message>
-    <message>
-        <source>&quot;%1&quot;: &quot;%2&quot; is planned instead of &quot;%3&quot;, which cannot be driven here</source>
-        <translation>«%1»: se planifica «%2» en lugar de «%3», que aquí no se puede recorrer</translation>
-    </message>
-    <message>
         <source>%1 are out of this machine&apos;s reach; the largest piece, %2, lies here.</source>
         <translation>%1 quedan fuera del alcance de esta máquina; el trozo más grande, %2, está aquí.</translation>
-    </message>
-    <message>
-        <source>%1 are planned, since as driven they are %2 s quicker than the heading that the search estimates to be the quickest</source>
-        <translation>%1 están planificadas, porque recorridas son %2 s más rápidas que la dirección estimada como la más rápida</translation>
-    </message>
-    <message>
-        <source>%1 are planned, since the quickest heading cannot be driven here</source>
-        <translation>%1 están planificadas, porque la dirección más rápida no se puede recorrer aquí</translation>
     </message>
     <message>
         <source>%1 within %2 of the centre: tighter than this machine can follow, left out</source>
@@ -5086,6 +5066,30 @@
     <message>
         <source>on</source>
         <translation>activado</translation>
+    </message>
+    <message>
+        <source>&quot;%1&quot;: &quot;%2&quot; is planned instead of &quot;%3&quot;: %4</source>
+        <translation>«%1»: se planifica «%2» en lugar de «%3»: %4</translation>
+    </message>
+    <message>
+        <source>%1 are planned instead of the heading with the best estimate: %2</source>
+        <translation>%1 están planificadas en lugar de la dirección con la mejor estimación: %2</translation>
+    </message>
+    <message>
+        <source>less stands in its way</source>
+        <translation>hay menos que lo impida</translation>
+    </message>
+    <message>
+        <source>it is %1 s quicker</source>
+        <translation>es %1 s más rápido</translation>
+    </message>
+    <message>
+        <source>the margin and the obstacles that may be driven on leave nothing to work</source>
+        <translation>el margen y los obstáculos transitables no dejan nada que trabajar</translation>
+    </message>
+    <message>
+        <source>make them smaller, or delete some of them</source>
+        <translation>hágalos más pequeños o elimine algunos</translation>
     </message>
 </context>
 <context>

@@ -1762,10 +1762,6 @@
         <translation>Arc, droite, arc ; pour des passages distants d&apos;au moins deux rayons de braquage.</translation>
     </message>
     <message>
-        <source>Choose the best that fits, or a machine that can.</source>
-        <translation>Choisir le meilleur demi-tour possible, ou une machine qui le peut.</translation>
-    </message>
-    <message>
         <source>Choose the best that fits, which takes the quickest everywhere.</source>
         <translation>Choisir le meilleur demi-tour possible : il prend partout le plus rapide.</translation>
     </message>
@@ -5001,24 +4997,8 @@
         <translation>Les passages suivent le plus long côté de la parcelle, ou un autre long, là où cela ne coûte pas plus que cela de plus que la meilleure orientation ; 0 prend la meilleure, quelle qu&apos;elle soit.</translation>
     </message>
     <message>
-        <source>&quot;%1&quot;: &quot;%2&quot; is planned instead of &quot;%3&quot;, since it is %4 s quicker here</source>
-        <translation>« %1 » : « %2 » est planifié au lieu de « %3 », car c’est plus rapide de %4 s ici</translation>
-    </message>
-    <message>
-        <source>&quot;%1&quot;: &quot;%2&quot; is planned instead of &quot;%3&quot;, which cannot be driven here</source>
-        <translation>« %1 » : « %2 » est planifié au lieu de « %3 », impossible à parcourir ici</translation>
-    </message>
-    <message>
         <source>%1 are out of this machine&apos;s reach; the largest piece, %2, lies here.</source>
         <translation>%1 sont hors de portée de cette machine ; le plus grand morceau, %2, se trouve ici.</translation>
-    </message>
-    <message>
-        <source>%1 are planned, since as driven they are %2 s quicker than the heading that the search estimates to be the quickest</source>
-        <translation>%1 sont planifiés, car parcourus ils sont plus rapides de %2 s que la direction estimée la plus rapide</translation>
-    </message>
-    <message>
-        <source>%1 are planned, since the quickest heading cannot be driven here</source>
-        <translation>%1 sont planifiés, car la direction la plus rapide est impossible à parcourir ici</translation>
     </message>
     <message>
         <source>%1 within %2 of the centre: tighter than this machine can follow, left out</source>
@@ -5086,6 +5066,30 @@
     <message>
         <source>on</source>
         <translation>activé</translation>
+    </message>
+    <message>
+        <source>&quot;%1&quot;: &quot;%2&quot; is planned instead of &quot;%3&quot;: %4</source>
+        <translation>« %1 » : « %2 » est planifié au lieu de « %3 » : %4</translation>
+    </message>
+    <message>
+        <source>%1 are planned instead of the heading with the best estimate: %2</source>
+        <translation>%1 sont planifiés au lieu de la direction à la meilleure estimation : %2</translation>
+    </message>
+    <message>
+        <source>less stands in its way</source>
+        <translation>moins d’obstacles s’y opposent</translation>
+    </message>
+    <message>
+        <source>it is %1 s quicker</source>
+        <translation>c’est plus rapide de %1 s</translation>
+    </message>
+    <message>
+        <source>the margin and the obstacles that may be driven on leave nothing to work</source>
+        <translation>la marge et les obstacles franchissables ne laissent rien à travailler</translation>
+    </message>
+    <message>
+        <source>make them smaller, or delete some of them</source>
+        <translation>réduisez-les ou supprimez-en quelques-uns</translation>
     </message>
 </context>
 <context>

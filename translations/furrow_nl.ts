@@ -1762,10 +1762,6 @@
         <translation>Boog, recht, boog; voor werkgangen minstens twee draaistralen uit elkaar.</translation>
     </message>
     <message>
-        <source>Choose the best that fits, or a machine that can.</source>
-        <translation>Kies de beste die past, of een machine die het kan.</translation>
-    </message>
-    <message>
         <source>Choose the best that fits, which takes the quickest everywhere.</source>
         <translation>Kies de beste die past: die neemt overal de snelste.</translation>
     </message>
@@ -5001,24 +4997,8 @@
         <translation>De werkgangen lopen langs de langste of een andere lange zijde van het perceel waar dat hoogstens zoveel meer kost dan de beste richting; 0 neemt de beste, hoe die ook ligt.</translation>
     </message>
     <message>
-        <source>&quot;%1&quot;: &quot;%2&quot; is planned instead of &quot;%3&quot;, since it is %4 s quicker here</source>
-        <translation>&quot;%1&quot;: &quot;%2&quot; is gepland in plaats van &quot;%3&quot;, want dat is hier %4 s sneller</translation>
-    </message>
-    <message>
-        <source>&quot;%1&quot;: &quot;%2&quot; is planned instead of &quot;%3&quot;, which cannot be driven here</source>
-        <translation>&quot;%1&quot;: &quot;%2&quot; is gepland in plaats van &quot;%3&quot;, dat hier niet te rijden is</translation>
-    </message>
-    <message>
         <source>%1 are out of this machine&apos;s reach; the largest piece, %2, lies here.</source>
         <translation>%1 kan deze machine niet bereiken; het grootste stuk, %2, ligt hier.</translation>
-    </message>
-    <message>
-        <source>%1 are planned, since as driven they are %2 s quicker than the heading that the search estimates to be the quickest</source>
-        <translation>%1 zijn gepland, want gereden zijn ze %2 s sneller dan de richting die de zoektocht als snelste schat</translation>
-    </message>
-    <message>
-        <source>%1 are planned, since the quickest heading cannot be driven here</source>
-        <translation>%1 zijn gepland, want de snelste richting is hier niet te rijden</translation>
     </message>
     <message>
         <source>%1 within %2 of the centre: tighter than this machine can follow, left out</source>
@@ -5086,6 +5066,30 @@
     <message>
         <source>on</source>
         <translation>aan</translation>
+    </message>
+    <message>
+        <source>&quot;%1&quot;: &quot;%2&quot; is planned instead of &quot;%3&quot;: %4</source>
+        <translation>&quot;%1&quot;: &quot;%2&quot; is gepland in plaats van &quot;%3&quot;: %4</translation>
+    </message>
+    <message>
+        <source>%1 are planned instead of the heading with the best estimate: %2</source>
+        <translation>%1 zijn gepland in plaats van de richting met de beste schatting: %2</translation>
+    </message>
+    <message>
+        <source>less stands in its way</source>
+        <translation>er staat minder in de weg</translation>
+    </message>
+    <message>
+        <source>it is %1 s quicker</source>
+        <translation>dat is %1 s sneller</translation>
+    </message>
+    <message>
+        <source>the margin and the obstacles that may be driven on leave nothing to work</source>
+        <translation>de marge en de berijdbare obstakels laten niets over om te bewerken</translation>
+    </message>
+    <message>
+        <source>make them smaller, or delete some of them</source>
+        <translation>maak ze kleiner of verwijder er enkele</translation>
     </message>
 </context>
 <context>

@@ -1762,10 +1762,6 @@
         <translation>Arco, reta, arco; para passadas separadas por pelo menos dois raios de giro.</translation>
     </message>
     <message>
-        <source>Choose the best that fits, or a machine that can.</source>
-        <translation>Escolha a melhor que couber, ou uma máquina que consiga.</translation>
-    </message>
-    <message>
         <source>Choose the best that fits, which takes the quickest everywhere.</source>
         <translation>Escolha a melhor que couber: ela usa em toda parte a mais rápida.</translation>
     </message>
@@ -5001,24 +4997,8 @@
         <translation>As passadas seguem o lado mais longo do talhão, ou outro longo, onde isso não custa mais do que isto acima da melhor direção; 0 usa a melhor, seja qual for.</translation>
     </message>
     <message>
-        <source>&quot;%1&quot;: &quot;%2&quot; is planned instead of &quot;%3&quot;, since it is %4 s quicker here</source>
-        <translation>&quot;%1&quot;: planeja-se &quot;%2&quot; em vez de &quot;%3&quot;, pois aqui é %4 s mais rápido</translation>
-    </message>
-    <message>
-        <source>&quot;%1&quot;: &quot;%2&quot; is planned instead of &quot;%3&quot;, which cannot be driven here</source>
-        <translation>&quot;%1&quot;: planeja-se &quot;%2&quot; em vez de &quot;%3&quot;, que não pode ser percorrido aqui</translation>
-    </message>
-    <message>
         <source>%1 are out of this machine&apos;s reach; the largest piece, %2, lies here.</source>
         <translation>%1 estão fora do alcance desta máquina; o maior pedaço, %2, fica aqui.</translation>
-    </message>
-    <message>
-        <source>%1 are planned, since as driven they are %2 s quicker than the heading that the search estimates to be the quickest</source>
-        <translation>%1 são planejadas, pois percorridas são %2 s mais rápidas que a direção estimada como a mais rápida</translation>
-    </message>
-    <message>
-        <source>%1 are planned, since the quickest heading cannot be driven here</source>
-        <translation>%1 são planejadas, pois a direção mais rápida não pode ser percorrida aqui</translation>
     </message>
     <message>
         <source>%1 within %2 of the centre: tighter than this machine can follow, left out</source>
@@ -5086,6 +5066,30 @@
     <message>
         <source>on</source>
         <translation>ligado</translation>
+    </message>
+    <message>
+        <source>&quot;%1&quot;: &quot;%2&quot; is planned instead of &quot;%3&quot;: %4</source>
+        <translation>&quot;%1&quot;: planeja-se &quot;%2&quot; em vez de &quot;%3&quot;: %4</translation>
+    </message>
+    <message>
+        <source>%1 are planned instead of the heading with the best estimate: %2</source>
+        <translation>%1 são planejadas em vez da direção com a melhor estimativa: %2</translation>
+    </message>
+    <message>
+        <source>less stands in its way</source>
+        <translation>há menos impedimentos</translation>
+    </message>
+    <message>
+        <source>it is %1 s quicker</source>
+        <translation>é %1 s mais rápido</translation>
+    </message>
+    <message>
+        <source>the margin and the obstacles that may be driven on leave nothing to work</source>
+        <translation>a margem e os obstáculos transitáveis não deixam nada para trabalhar</translation>
+    </message>
+    <message>
+        <source>make them smaller, or delete some of them</source>
+        <translation>diminua-os ou exclua alguns</translation>
     </message>
 </context>
 <context>

@@ -46,12 +46,12 @@ bool isBetter(const Plan& other, const Plan& plan) {
 /// Why a plan is better than another.
 Message reasonFor(const Plan& better, const Plan& other) {
     return better.blockingCount() < other.blockingCount()
-               ? Message{"with less in its way"}
-               : message("{:.0f} s quicker with all that is missed", (timeForAll(other) - timeForAll(better)).si());
+               ? Message{"less stands in its way"}
+               : message("it is {:.0f} s quicker", (timeForAll(other) - timeForAll(better)).si());
 }
 
 Message takenInstead(const Parameter& parameter, const SimplerChoice& choice, const Message& reason) {
-    return message("\"{}\": \"{}\" is planned instead of \"{}\", {}", parameter.name, choiceName(parameter, choice.simpler),
+    return message("\"{}\": \"{}\" is planned instead of \"{}\": {}", parameter.name, choiceName(parameter, choice.simpler),
                    choiceName(parameter, choice.chosen), reason);
 }
 
@@ -82,7 +82,7 @@ std::vector<HeadingCandidate> headingsToTry(const Plan& plan) {
 Message anotherHeading(const HeadingCandidate& taken, const Message& reason) {
     const Message line = taken.alongLongestEdge ? Message{"Swaths along the longest edge"}
                                                 : message("Swaths at a bearing of {:.1f} degrees", lineBearingDeg(taken.heading));
-    return message("{} are planned instead of the heading that the search estimates to be the quickest, {}", line, reason);
+    return message("{} are planned instead of the heading with the best estimate: {}", line, reason);
 }
 
 /// The plan of another heading where that is better as driven.
