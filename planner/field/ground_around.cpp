@@ -22,12 +22,15 @@ Result<MultiPolygon> obstaclesOf(const Field& field, const MultiPolygon& free, c
         [&](const MultiPolygon& land) { return difference(land, free, job); });
 }
 
-Result<MultiPolygon> groundAround(const Field& field, const MultiPolygon& obstacles, const JobContext& job) {
+Result<MultiPolygon> groundAround(const Field& field, const JobContext& job) {
     const Bounds box = bounds(field.boundary());
     const double farM = std::max(box.width(), box.height()) + kFarM;
     const Point low = box.min - Point{farM, farM};
     const Point high = box.max + Point{farM, farM};
-    return difference({{.outer = {low, {high.x, low.y}, high, {low.x, high.y}}, .holes = {}}}, obstacles, job);
+    const MultiPolygon around{{.outer = {low, {high.x, low.y}, high, {low.x, high.y}}, .holes = {}}};
+    return obstaclesOf(field, field.drivable(), job).and_then([&](const MultiPolygon& obstacles) {
+        return difference(around, obstacles, job);
+    });
 }
 
 }  // namespace furrow

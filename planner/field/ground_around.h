@@ -8,7 +8,8 @@ namespace furrow {
 /// with their buffers, and the field's holes. Cost: a GEOS overlay.
 Result<MultiPolygon> obstaclesOf(const Field& field, const MultiPolygon& free, const JobContext& job);
 
-/// Where a machine may be that may leave the field: everything in and far around it but these obstacles.
-Result<MultiPolygon> groundAround(const Field& field, const MultiPolygon& obstacles, const JobContext& job);
+/// Where a machine may be that may leave the field: everything in and far around it but what may not be driven on.
+/// Cost: a GEOS overlay.
+Result<MultiPolygon> groundAround(const Field& field, const JobContext& job);
 
 }  // namespace furrow

@@ -156,61 +156,57 @@ void addAuditFindings(Plan& plan) {
     std::ranges::move(added, std::back_inserter(plan.findings));
 }
 
-/// Where ways from and to gates meet them: on these the implement is folded.
+/// The ways in and out. On them, and on the ways from and to them, the implement is folded.
 struct GateWays {
-    std::optional<Pose> in;
-    std::optional<Pose> out;
+    std::optional<Pose> in;   ///< where the way in ends
+    std::optional<Pose> out;  ///< where the way out begins
+    std::vector<Finding> findings;  ///< where there is none, and why
 
-    static GateWays of(const std::vector<Leg>& legs) {
-        GateWays gates;
-        if (!legs.empty() && legs.front().kind == SegmentKind::Transfer) {
-            gates.in = legs.front().line.end();
-        }
-        if (!legs.empty() && legs.back().kind == SegmentKind::Transfer) {
-            gates.out = legs.back().line.start;
-        }
-        return gates;
-    }
     bool leads(const Pose& leaving, const Pose& arriving) const { return leaving == in || arriving == out; }
 };
 
-/// The ways in and out, and what is to be said where there is none.
-std::vector<Finding> addGateWays(std::vector<Leg>& legs, const std::array<std::optional<RoutePlace>, 2>& places,
-                                 const Field& field, const Rig& rig) {
-    std::vector<Finding> findings;
-    if (legs.empty()) {
-        return findings;
-    }
+/// Puts the ways in and out before and behind legs, of which there is one at least.
+GateWays addGateWays(std::vector<Leg>& legs, const std::array<std::optional<RoutePlace>, 2>& places, const Field& field,
+                     const Rig& rig) {
+    GateWays gates;
     const auto nameOfPlace = [](const RoutePlace& place) {
         return place.gate && !place.gate->name.empty() ? Message{place.gate->name} : Message{"this place"};
     };
     const auto tell = [&](const RoutePlace& place, Message text) {
-        findings.push_back({.severity = Severity::Blocking,
-                            .kind = "gate",
-                            .place = place.position,
-                            .text = std::move(text),
-                            .suggestion = place.gate ? "Make the gate wider, or take another." : "Choose another place."});
+        gates.findings.push_back({.severity = Severity::Blocking,
+                                  .kind = "gate",
+                                  .place = place.position,
+                                  .text = std::move(text),
+                                  .suggestion = place.gate ? "Make the gate wider, or take another." : "Choose another place."});
     };
     const Length width = rig.machine().transportWidth();
     const auto isNarrow = [&](const RoutePlace& place) {
         return place.gate && place.gate->width > Length{} && place.gate->width < width;
     };
     for (const auto& place : places) {
-        const bool isSaid = place && std::ranges::contains(findings, place->position, &Finding::place);
+        const bool isSaid = place && std::ranges::contains(gates.findings, place->position, &Finding::place);
         if (place && isNarrow(*place) && !isSaid) {
             tell(*place, message("{} is {:.2f} m wide; this machine is {:.2f} m wide for transport.",
                                  nameOfPlace(*place).capitalised(), place->gate->width.si(), width.si()));
         }
     }
     if (const auto& start = places[0]) {
-        const auto in = wayIn(*start, field, rig, legs.front().line.start.position);
-        in ? static_cast<void>(legs.insert(legs.begin(), *in)) : tell(*start, message("The machine does not get in at {}.", nameOfPlace(*start)));
+        if (const auto in = wayIn(*start, field, rig, legs.front().line.start.position)) {
+            gates.in = in->line.end();
+            legs.insert(legs.begin(), *in);
+        } else {
+            tell(*start, message("The machine does not get in at {}.", nameOfPlace(*start)));
+        }
     }
     if (const auto& end = places[1]) {
-        const auto out = wayOut(*end, field, rig, legs.back().line.end().position);
-        out ? legs.push_back(*out) : tell(*end, message("The machine does not get out at {}.", nameOfPlace(*end)));
+        if (const auto out = wayOut(*end, field, rig, legs.back().line.end().position)) {
+            gates.out = out->line.start;
+            legs.push_back(*out);
+        } else {
+            tell(*end, message("The machine does not get out at {}.", nameOfPlace(*end)));
+        }
     }
-    return findings;
+    return gates;
 }
 
 /// Marks what leaves the field and tells it, a way in several gears once, at its worst place.
@@ -442,14 +438,13 @@ Result<void> driveStage(Plan& plan, const MultiPolygon& drivable, const JobConte
     if (!travel) {
         return std::unexpected(travel.error());
     }
-    const auto ground = settings.flag(kStayInside) ? open : obstaclesOf(field, field.drivable(), job).and_then([&](const MultiPolygon& obstacles) {
-        return groundAround(field, obstacles, job);
-    });
+    const auto ground = settings.flag(kStayInside) ? open : groundAround(field, job);
     if (!ground) {
         return std::unexpected(ground.error());
     }
     const auto fitting = std::make_shared<FittingWays>(*ground, machine, *travel);
-    const auto folded = std::make_shared<FittingWays>(*ground, machine.folded(), *travel);
+    const bool folds = machine.spec().implement.transportWidth && std::ranges::any_of(places, &std::optional<RoutePlace>::has_value);
+    const auto folded = folds ? std::make_shared<FittingWays>(*ground, machine.folded(), *travel) : fitting;
     GateWays gates;
     RememberedWays ways{[&](const Pose& leaving, const Pose& arriving, const JobContext& part, SearchEffort effort) {
         return (gates.leads(leaving, arriving) ? folded : fitting)->between(leaving, arriving, part, effort);
@@ -464,15 +459,14 @@ Result<void> driveStage(Plan& plan, const MultiPolygon& drivable, const JobConte
     }
     plan.leftOnPurpose = std::move(*onPurpose);
     const ChosenTurns chosen{plan, *fitting};
-    const std::vector<Finding> gateFindings = addGateWays(legs, places, field, Rig{*open, machine.folded()});
-    gates = GateWays::of(legs);
+    gates = addGateWays(legs, places, field, Rig{*open, machine.folded()});
     if (auto driven = drive(plan, legs, ways, chosen, *ground, job.part(0.0, 0.8)); !driven) {
         return std::unexpected(driven.error());
     }
     if (auto finished = finish(plan, legs, ways, chosen, *ground, job.part(0.8, 1.0)); !finished) {
         return std::unexpected(finished.error());
     }
-    plan.findings.insert(plan.findings.end(), gateFindings.begin(), gateFindings.end());
+    std::ranges::move(gates.findings, std::back_inserter(plan.findings));
     return {};
 }
 

@@ -146,9 +146,7 @@ Result<GroundForEnds> groundForEnds(const Plan& plan, const MultiPolygon& workab
     const Machine& machine = plan.request.machine;
     const Field& field = plan.field();
     if (plan.headland.passes == 0 && !plan.request.settings.flag(kStayInside)) {
-        return obstaclesOf(field, field.drivable(), job)
-            .and_then([&](const MultiPolygon& obstacles) { return groundAround(field, obstacles, job); })
-            .transform([](const MultiPolygon& ground) { return GroundForEnds{ground, ground, true}; });
+        return groundAround(field, job).transform([](const MultiPolygon& ground) { return GroundForEnds{ground, ground, true}; });
     }
     const Length outermost = plan.margin + (plan.headland.passes > 1 ? uncutEdge(machine) + machine.operatingWidth() : Length{});
     return eroded(workable, outermost, kArcTolerance, job).transform([&](MultiPolygon&& working) {
