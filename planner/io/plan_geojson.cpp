@@ -131,7 +131,12 @@ private:
     }
 
     void addLeftOnPurpose() {
-        for (const Polygon& polygon : plain(plan_.leftOnPurpose)) {
+        MultiPolygon written;
+        for (const Polygon& polygon : plan_.leftOnPurpose) {
+            // As it was drawn, to the last digit, wherever that can be read again.
+            std::ranges::move(survivesWriting(polygon) ? MultiPolygon{polygon} : plain({polygon}), std::back_inserter(written));
+        }
+        for (const Polygon& polygon : written) {
             add("left_on_purpose", {{"area_m2", area(polygon).si()}}, polygonGeometry({frame_.toGeo(polygon)}));
         }
     }

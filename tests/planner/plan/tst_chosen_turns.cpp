@@ -1,4 +1,5 @@
 #include "planner/machine/machine_library.h"
+#include "planner/plan/advice.h"
 #include "planner/plan/general_parameters.h"
 #include "planner/plan/method_registry.h"
 #include "planner/plan/plan.h"
@@ -101,7 +102,9 @@ private slots:
         const auto notes = found(**plan, "turn-kind");
         if (id == "straight" && !driven.spec().tractor.canTurnInPlace) {
             // Nothing but what was asked for is in the way, and the finding brings what mends it.
-            const auto jumps = found(**plan, "heading-jump");
+            const auto advised = withAdvice(*plan, {});
+            VERIFY_RESULT(advised);
+            const auto jumps = found(**advised, "heading-jump");
             QCOMPARE(jumps.size(), std::size_t{1});
             QCOMPARE(std::ranges::count((*plan)->findings, Severity::Blocking, &Finding::severity), 1);
             QVERIFY(std::string{jumps.front()->text}.contains("path.method"));

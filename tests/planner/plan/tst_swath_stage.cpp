@@ -115,7 +115,7 @@ private slots:
         QVERIFY(told != p.findings.end());
         QCOMPARE(told->severity, Severity::Note);
         const QString missing = QString::number(0.5 * heightM, 'f', 1);
-        QVERIFY2(told->text.contains("split line 3 ends " + missing.toStdString() + " m short"), told->text.c_str());
+        QVERIFY2(told->text.contains("Split line 3 ends " + missing.toStdString() + " m short"), told->text.c_str());
         QVERIFY(told->text.contains("decomposition.split"));
         // A swath goes on beyond the line: together they are as long as without.
         const auto whole = planOf(field, {{"swaths.method", "fixed"}, {"swaths.angle_deg", "0"}});
@@ -146,7 +146,7 @@ private slots:
         VERIFY_RESULT(plan);
         const auto told = std::ranges::find((*plan)->findings, "decomposition.split", &Finding::kind);
         QVERIFY(told != (*plan)->findings.end());
-        QVERIFY2(told->text.contains("split line 1 lies outside of the mainland"), told->text.c_str());
+        QVERIFY2(told->text.contains("Split line 1 lies outside of the mainland"), told->text.c_str());
     }
 
     // Nothing is worth lowering the implement for that is shorter than it: a triangle's tip, whatever cuts the swaths.
