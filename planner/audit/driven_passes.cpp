@@ -29,14 +29,6 @@ std::vector<Point> pointsAlong(const Polyline& line) {
     return points;
 }
 
-bool isLeftOnPurpose(const AuditInput& input, Point point) {
-    return std::ranges::any_of(input.leftOnPurpose, [point](const Polygon& polygon) {
-        bool inside = false;
-        forEachEdge({polygon}, [&](Point from, Point to) { inside = inside != meetsRay(point, from, to); });
-        return inside;
-    });
-}
-
 /// Where tractor and implement go in one segment.
 class Track {
 public:
@@ -89,7 +81,7 @@ std::vector<double> drivenShares(const AuditInput& input, const std::vector<Segm
         const double near = 0.25 * pass.width.si();
         const auto [first, last] = numbered.equal_range(pass.number);
         std::vector<Point> points = pointsAlong(pass.line);
-        std::erase_if(points, [&](Point point) { return isLeftOnPurpose(input, point); });
+        std::erase_if(points, [&](Point point) { return isInside(input.leftOnPurpose, point); });
         const auto seen = std::ranges::count_if(points, [&](Point point) {
             return std::any_of(first, last,
                                [&](const auto& each) { return tracks[each.second].passes(point, near); }) ||

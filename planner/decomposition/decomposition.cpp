@@ -106,16 +106,6 @@ std::vector<Polyline> cutsOf(const MultiPolygon& mainland, bool atEveryCorner, L
     return cuts;
 }
 
-bool isIn(const Polygon& polygon, Point point) {
-    bool inside = false;
-    forEachEdge({polygon}, [&](Point a, Point b) {
-        if (meetsRay(point, a, b)) {
-            inside = !inside;
-        }
-    });
-    return inside;
-}
-
 double distanceTo(const Polygon& polygon, Point point) {
     double nearest = std::numeric_limits<double>::infinity();
     forEachEdge({polygon}, [&](Point a, Point b) { nearest = std::min(nearest, distanceToSegment(point, a, b)); });
@@ -151,7 +141,7 @@ std::vector<std::size_t> homesOf(const SwathSet& swaths, const LevelFrame& frame
     std::vector<std::size_t> homes;
     for (const Swath& swath : swaths.swaths) {
         const Point middle = frame.to(0.5 * (swath.start + swath.end));
-        auto home = std::ranges::find_if(cells, [&](const Polygon& cell) { return isIn(cell, middle); });
+        auto home = std::ranges::find_if(cells, [&](const Polygon& cell) { return isInside(cell, middle); });
         if (home == cells.end()) {
             // On an edge, or drawn out beyond it.
             home = std::ranges::min_element(cells, {}, [&](const Polygon& cell) { return distanceTo(cell, middle); });

@@ -14,12 +14,6 @@ constexpr double kTouchingM = 1e-3;
 // Drawn on, a line reaches this far across what it ends on, so that it is cut through.
 constexpr double kAcrossM = 1e-3;
 
-bool isInside(const MultiPolygon& mainland, Point point) {
-    bool inside = false;
-    forEachEdge(mainland, [&](Point a, Point b) { inside ^= meetsRay(point, a, b); });
-    return inside;
-}
-
 /// How far ahead of a point a segment is met; infinite where it is not.
 double aheadM(Point from, Point along, Point a, Point b) {
     const auto [ahead, behind] = toMeeting(from, along, a, b - a);

@@ -1,27 +1,11 @@
 #include "planner/editing/shape_hit.h"
 
 #include "planner/geometry/segment.h"
+
 #include <algorithm>
 #include <limits>
 
 namespace furrow {
-
-namespace {
-
-/// Even-odd; whoever asks has looked at the edges before.
-bool isInside(const std::vector<Point>& ring, Point place) {
-    bool inside = false;
-    for (std::size_t i = 0, j = ring.size() - 1; i < ring.size(); j = i++) {
-        const Point a = ring[i];
-        const Point b = ring[j];
-        if (meetsRay(place, a, b)) {
-            inside = !inside;
-        }
-    }
-    return inside;
-}
-
-}  // namespace
 
 std::optional<ShapeHit> hitAt(const FieldShape& shape, Point place, Length reach) {
     std::optional<ShapeHit> best;

@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <iterator>
 #include <mutex>
 #include <utility>
 
@@ -318,13 +319,30 @@ Result<MultiPolygon> intersection(const MultiPolygon& a, const MultiPolygon& b, 
 }
 
 Result<MultiPolygon> unionOf(const MultiPolygon& polygons, const JobContext& job, Length grid) {
-    const Geometry input = toGeos(polygons);
-    return run(job,
-               [&] {
-                   return grid > metres(0.0) ? GEOSUnaryUnionPrec_r(handle(), input.get(), grid.si())
-                                             : GEOSUnaryUnion_r(handle(), input.get());
-               })
-        .transform([](const Geometry& result) { return fromGeos(result.get()); });
+    const auto together = [&](const MultiPolygon& parts) {
+        const Geometry input = toGeos(parts);
+        return run(job,
+                   [&] {
+                       return grid > metres(0.0) ? GEOSUnaryUnionPrec_r(handle(), input.get(), grid.si())
+                                                 : GEOSUnaryUnion_r(handle(), input.get());
+                   })
+            .transform([](const Geometry& result) { return fromGeos(result.get()); });
+    };
+    return together(polygons).or_else([&](const Error& error) -> Result<MultiPolygon> {
+        if (error.code == ErrorCode::Cancelled) {
+            return std::unexpected(error);
+        }
+        // One of them crosses itself. Each by itself, since what two of them share belongs to the union.
+        MultiPolygon sound;
+        for (const Polygon& polygon : polygons) {
+            const auto mended = validOf(toGeos(MultiPolygon{polygon}), job);
+            if (!mended) {
+                return std::unexpected(mended.error());
+            }
+            std::ranges::move(fromGeos(mended->get()), std::back_inserter(sound));
+        }
+        return together(sound);
+    });
 }
 
 Result<MultiPolygon> cutAlong(const MultiPolygon& polygons, const std::vector<Polyline>& lines, const JobContext& job) {

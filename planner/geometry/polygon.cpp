@@ -1,5 +1,7 @@
 #include "planner/geometry/polygon.h"
 
+#include "planner/geometry/segment.h"
+
 #include <algorithm>
 
 namespace furrow {
@@ -55,6 +57,26 @@ double lengthM(std::span<const Point> line) {
         sum += distance(line[i - 1], line[i]);
     }
     return sum;
+}
+
+bool isInside(std::span<const Point> ring, Point point) {
+    bool inside = false;
+    for (std::size_t i = 0; i < ring.size(); ++i) {
+        inside ^= meetsRay(point, ring[i], ring[i + 1 == ring.size() ? 0 : i + 1]);
+    }
+    return inside;
+}
+
+bool isInside(const Polygon& polygon, Point point) {
+    bool inside = isInside(polygon.outer, point);
+    for (const Ring& hole : polygon.holes) {
+        inside ^= isInside(hole, point);
+    }
+    return inside;
+}
+
+bool isInside(const MultiPolygon& polygons, Point point) {
+    return std::ranges::any_of(polygons, [point](const Polygon& polygon) { return isInside(polygon, point); });
 }
 
 std::size_t vertexCount(const MultiPolygon& polygons) {

@@ -47,6 +47,11 @@ Bounds bounds(const MultiPolygon& polygons);
 
 double lengthM(std::span<const Point> line);
 
+/// Even-odd; of a point on an edge either answer. Cost: one look at each edge.
+bool isInside(std::span<const Point> ring, Point point);
+bool isInside(const Polygon& polygon, Point point);
+bool isInside(const MultiPolygon& polygons, Point point);
+
 std::size_t vertexCount(const MultiPolygon& polygons);
 
 /// Calls `visit(from, to)` for every edge of every ring, in order.

@@ -52,14 +52,6 @@ constexpr std::size_t kExitSteps = 4;
 // Swept land is put together from pieces so long.
 constexpr double kSweptM = 0.75;
 
-bool isInRing(Point place, const std::array<Point, 4>& ring) {
-    bool inside = false;
-    for (std::size_t i = 0; i < ring.size(); ++i) {
-        inside ^= meetsRay(place, ring[i], ring[(i + 1) % ring.size()]);
-    }
-    return inside;
-}
-
 std::vector<Point> placesIn(const Polygon& piece) {
     const Bounds box = bounds({piece});
     const double stepM = std::sqrt(area(piece).si() / kPlaces);
@@ -309,7 +301,7 @@ private:
             const double reachM = 0.5 * widthM_ + 2.0 * look_.si();
             const bool isBeside = distance(mean_, middle) < reachM + farthestM_;
             for (std::size_t i = 0; isBeside && i < places_.size(); ++i) {
-                if (isWorked_[i] == 0 && distance(places_[i], middle) < reachM && isInRing(places_[i], ring)) {
+                if (isWorked_[i] == 0 && distance(places_[i], middle) < reachM && isInside(ring, places_[i])) {
                     isWorked_[i] = 1;
                     ++worked_;
                     lastUse_ = states_.size();

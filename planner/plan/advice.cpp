@@ -71,9 +71,17 @@ bool hasNear(const std::vector<Finding>& findings, const Finding& wanted, double
     });
 }
 
+std::ptrdiff_t blockingOfKind(const Plan& plan, std::string_view kind) {
+    return std::ranges::count_if(plan.findings, [kind](const Finding& finding) {
+        return finding.severity == Severity::Blocking && finding.kind == kind;
+    });
+}
+
 bool isBlockedAnew(const Plan& changed, const Plan& plan, double nearM) {
     return std::ranges::any_of(changed.findings, [&](const Finding& finding) {
-        return finding.severity == Severity::Blocking && !hasNear(plan.findings, finding, nearM);
+        return finding.severity == Severity::Blocking &&
+               (!hasNear(plan.findings, finding, nearM) ||
+                blockingOfKind(changed, finding.kind) > blockingOfKind(plan, finding.kind));
     });
 }
 

@@ -65,7 +65,7 @@ bool leadsBetweenParts(const DrivenParts& parts, const Path& path, std::size_t s
            parts.separate(before->samples.back().position, after->samples.front().position);
 }
 
-Finding blockedFinding(const Path& path, const BlockedConnection& blocked, const Headland& headland, const DrivenParts& parts) {
+Finding blockedFinding(const Path& path, const BlockedConnection& blocked, const DrivenParts& parts) {
     const Message way = nameOfWay(path, blocked.segment);
     if (leadsBetweenParts(parts, path, blocked.segment)) {
         return {.severity = Severity::Blocking,
@@ -84,9 +84,7 @@ Finding blockedFinding(const Path& path, const BlockedConnection& blocked, const
     return {.severity = Severity::Blocking,
             .kind = "outside",
             .place = blocked.place,
-            .text = message("{} leaves the field by {:.2f} m.", way, blocked.outside.si()),
-            .suggestion = headland.narrowed ? Message{"The field is too narrow for this machine to turn in: take a smaller machine."}
-                                            : Message{}};
+            .text = message("{} leaves the field by {:.2f} m.", way, blocked.outside.si())};
 }
 
 /// What ways are that are no turns between swaths: the chosen kind is kept where nothing has to fit.
@@ -236,7 +234,7 @@ Result<void> checkWays(Plan& plan, const MultiPolygon& drivable, const JobContex
             plan.findings.pop_back();
         }
         worst = connection;
-        plan.findings.push_back(blockedFinding(plan.path, connection, plan.headland, *parts));
+        plan.findings.push_back(blockedFinding(plan.path, connection, *parts));
     }
     return {};
 }

@@ -9,6 +9,7 @@
 #include "planner/plan/general_parameters.h"
 #include "planner/plan/method_registry.h"
 #include "planner/plan/quicker_choice.h"
+#include "planner/plan/reasons.h"
 #include "planner/plan/round_stage.h"
 #include "planner/plan/swath_stage.h"
 #include "planner/swaths/methods.h"
@@ -82,7 +83,9 @@ Result<void> checkThatItFits(const Field& field, const Machine& machine, Length 
         Error{.code = ErrorCode::InputRefused,
               .what = std::move(what),
               .where = field.source().origin.empty() ? field.name() : field.source().origin,
-              .remedy = "choose a smaller machine or check the boundary's coordinate system",
+              .remedy = margin > Length{}
+                            ? message("choose a smaller machine or a smaller margin ({})", kMargin.key)
+                            : Message{"choose a smaller machine or check the boundary's coordinate system"},
               .place = middleOf(field.source().parts)});
 }
 
@@ -256,6 +259,7 @@ Result<std::shared_ptr<const Plan>> makePlan(const PlanRequest& request, const J
     if (!plan) {
         return std::unexpected(plan.error());
     }
+    addReasons(**plan);
     addNotes(**plan);
     (*plan)->timings.total = seconds(std::chrono::duration<double>(Clock::now() - begin).count());
     job.report(1.0);

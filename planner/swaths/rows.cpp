@@ -111,6 +111,19 @@ std::vector<Row> between(const std::vector<Row>& rows) {
     return kept;
 }
 
+Error noRowLeft(bool areSkipped) {
+    if (areSkipped) {
+        return {.code = ErrorCode::InputRefused,
+                .what = "no row is left in the mainland",
+                .where = std::string{kSkipRows.key},
+                .remedy = "skip fewer rows"};
+    }
+    return {.code = ErrorCode::InputRefused,
+            .what = "no row lies in the mainland",
+            .where = std::string{kRows.key},
+            .remedy = "check that the rows belong to this field, or choose a narrower headland"};
+}
+
 Result<SwathSet> alongRows(const SwathTask& task, const JobContext& job) {
     if (job.stopRequested()) {
         return std::unexpected(cancelled());
@@ -126,7 +139,7 @@ Result<SwathSet> alongRows(const SwathTask& task, const JobContext& job) {
         rows = between(rows);
     }
     const std::vector<int> skipped = task.settings.numbers(kSkipRows);
-    std::erase_if(rows, [&](const Row& row) { return std::ranges::contains(skipped, row.number); });
+    const auto skippedRows = std::erase_if(rows, [&](const Row& row) { return std::ranges::contains(skipped, row.number); });
     const MainlandEdges edges{task.mainland};
     const Length radius = swathRadius(task.machine);
     std::vector<SwathLine> lines;
@@ -136,6 +149,9 @@ Result<SwathSet> alongRows(const SwathTask& task, const JobContext& job) {
                 lines.push_back({static_cast<int>(i), std::move(part), rows[i].number - 1});
             }
         }
+    }
+    if (lines.empty()) {
+        return std::unexpected(noRowLeft(skippedRows > 0));
     }
     auto set = swathsOnLines(lines, task, job);
     if (!set) {

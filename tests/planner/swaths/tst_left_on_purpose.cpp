@@ -92,6 +92,16 @@ private slots:
         COMPARE_WITHIN(area(set->leftOnPurpose).si(), 80.0 * 15.0, 1e-3);
     }
 
+    void noRowIsLeft() {
+        const MultiPolygon mainland{test::rectangle(80.0, 20.0)};
+        const auto allSkipped = run(kRowsMethod, mainland, {{&kSkipRows, "1,2"}}, rowsAt({5.0, 10.0}, -5.0, 90.0));
+        QVERIFY(!allSkipped);
+        QCOMPARE(allSkipped.error().where.text(), std::string{kSkipRows.key});
+        const auto elsewhere = run(kRowsMethod, mainland, {}, rowsAt({500.0, 505.0}, -5.0, 90.0));
+        QVERIFY(!elsewhere);
+        QCOMPARE(elsewhere.error().where.text(), std::string{kRows.key});
+    }
+
     // Beside a straight guide the parallels of a curve leave what straight ones do.
     void theGapBesideACurve() {
         const Field& field = test::anyField();

@@ -53,7 +53,7 @@ constexpr OnceBroken kOnceBroken[] = {
     {"rectangle", "cultivator", "path.method="},      {"rectangle", "cultivator", "headland."},
     {"rectangle", "cultivator", "route.traversal="},  {"rectangle", "cultivator", "swaths.rows"},
     {"wet-spot", "cultivator", "headland.method="},   {"headland-pond", "field-robot", "headland.method="},
-    {"pond", "cultivator", "decomposition."},
+    {"pond", "cultivator", "decomposition."},         {"slanted", "spreader", "swaths.elevation="},
 };
 
 /// Every value on a small field with a small machine, what once was broken, and a few of all others that are

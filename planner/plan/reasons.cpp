@@ -1,0 +1,102 @@
+#include "planner/plan/reasons.h"
+
+#include "planner/geometry/polygon.h"
+#include "planner/headland/finishing_passes.h"
+#include "planner/headland/headland_passes.h"
+#include "planner/headland/methods.h"
+#include "planner/headland/turning_room.h"
+#include "planner/plan/general_parameters.h"
+#include "planner/plan/method_registry.h"
+#include "planner/swaths/methods.h"
+
+#include <algorithm>
+#include <optional>
+
+namespace furrow {
+
+namespace {
+
+/// The setting that says how wide the headland is; nothing where the planner chooses.
+const Parameter* headlandSetting(const Settings& settings) {
+    const Parameter& method = *stageMethod("headland");
+    if (settings.choice(method) != "constant") {
+        return &method;
+    }
+    for (const Parameter* parameter : {&kHeadlandWidth, &kHeadlandPasses}) {
+        if (settings.isSet(*parameter)) {
+            return parameter;
+        }
+    }
+    return nullptr;
+}
+
+/// A setting that was given and says which way swaths run, or how long they are.
+const Parameter* swathSetting(const Settings& settings) {
+    const auto setsSwaths = [&](const Parameter* parameter) {
+        return settings.isSet(*parameter) && (parameter == &kSplit || parameter->key.starts_with("swaths."));
+    };
+    const auto all = allParameters();
+    const auto found = std::ranges::find_if(all, setsSwaths);
+    return found == all.end() ? nullptr : *found;
+}
+
+Message tooNarrow(const Plan& plan) {
+    if (const Parameter* const swaths = swathSetting(plan.request.settings)) {
+        return message("The field is too narrow for this machine to turn in: take a smaller machine, or let the swaths run along "
+                       "the field ({}).",
+                       swaths->key);
+    }
+    if (plan.margin > Length{}) {
+        return message("The field is too narrow for this machine to turn in: take a smaller machine or a smaller margin ({}).",
+                       kMargin.key);
+    }
+    return "The field is too narrow for this machine to turn in: take a smaller machine.";
+}
+
+Message whyOutside(const Plan& plan) {
+    const Settings& settings = plan.request.settings;
+    const Parameter* const headland = headlandSetting(settings);
+    if (plan.headland.passes == 0 && headland != nullptr) {
+        return message("Without a headland ({}) there is no room to turn.", headland->key);
+    }
+    const Length room = plan.margin + roomForTurns(plan.request.machine, turnMethod(settings), settings.choice(kEnds) == "full");
+    if (!plan.headland.narrowed) {
+        return headland != nullptr && plan.headland.width < room
+                   ? message("A turn of this machine needs {:.1f} m of headland; it is {:.1f} m ({}).", room.si(),
+                             plan.headland.width.si(), headland->key)
+                   : Message{};
+    }
+    return tooNarrow(plan);
+}
+
+Message whyMissed(const Plan& plan, Point place) {
+    const Settings& settings = plan.request.settings;
+    const Parameter& method = *stageMethod("swaths");
+    if (plan.headland.passes > 0 && !settings.flag(kHeadlandDriven)) {
+        return message("No passes are driven in the headland ({}).", kHeadlandDriven.key);
+    }
+    if (settings.isSet(method) && isInside(plan.headland.mainland, place)) {
+        return message("The chosen swaths ({}) do not reach it.", method.key);
+    }
+    return settings.flag(kHeadlandFinish) ? Message{}
+                                          : message("No passes finish what others leave ({}).", kHeadlandFinish.key);
+}
+
+}  // namespace
+
+void addReasons(Plan& plan) {
+    std::optional<Message> outside;
+    for (Finding& finding : plan.findings) {
+        if (finding.severity != Severity::Blocking || !finding.suggestion.text().empty()) {
+            continue;
+        }
+        if (finding.kind == "outside") {
+            outside = outside ? outside : whyOutside(plan);
+            finding.suggestion = *outside;
+        } else if (finding.kind == "missed") {
+            finding.suggestion = whyMissed(plan, finding.place);
+        }
+    }
+}
+
+}  // namespace furrow
