@@ -5091,6 +5091,66 @@
         <source>make them smaller, or delete some of them</source>
         <translation>sie verkleinern oder einige löschen</translation>
     </message>
+    <message>
+        <source>Without a headland (%1) there is no room to turn.</source>
+        <translation>Ohne Vorgewende (%1) ist kein Platz zum Wenden.</translation>
+    </message>
+    <message>
+        <source>A turn of this machine needs %1 of headland; it is %2 (%3).</source>
+        <translation>Eine Wendung dieser Maschine braucht %1 Vorgewende; es sind %2 (%3).</translation>
+    </message>
+    <message>
+        <source>The field is too narrow for this machine to turn in: take a smaller machine, or let the swaths run along the field (%1).</source>
+        <translation>Der Schlag ist zum Wenden mit dieser Maschine zu schmal: eine kleinere Maschine nehmen, oder die Spuren längs des Schlags legen (%1).</translation>
+    </message>
+    <message>
+        <source>The field is too narrow for this machine to turn in: take a smaller machine or a smaller margin (%1).</source>
+        <translation>Der Schlag ist zum Wenden mit dieser Maschine zu schmal: eine kleinere Maschine oder einen kleineren Randabstand nehmen (%1).</translation>
+    </message>
+    <message>
+        <source>No passes are driven in the headland (%1).</source>
+        <translation>Im Vorgewende wird nicht gefahren (%1).</translation>
+    </message>
+    <message>
+        <source>The chosen swaths (%1) do not reach it.</source>
+        <translation>Die gewählten Spuren (%1) reichen nicht bis dorthin.</translation>
+    </message>
+    <message>
+        <source>No passes finish what others leave where the machine may leave the field (%1).</source>
+        <translation>Wo die Maschine den Schlag verlassen darf (%1), werden Reste nicht nachgearbeitet.</translation>
+    </message>
+    <message>
+        <source>No passes finish what others leave (%1).</source>
+        <translation>Reste werden nicht nachgearbeitet (%1).</translation>
+    </message>
+    <message>
+        <source>choose a smaller machine or a smaller margin (%1)</source>
+        <translation>eine kleinere Maschine oder einen kleineren Randabstand wählen (%1)</translation>
+    </message>
+    <message>
+        <source>no row is left in the mainland</source>
+        <translation>in der Innenfläche bleibt keine Reihe übrig</translation>
+    </message>
+    <message>
+        <source>skip fewer rows</source>
+        <translation>weniger Reihen auslassen</translation>
+    </message>
+    <message>
+        <source>no row lies in the mainland</source>
+        <translation>in der Innenfläche liegt keine Reihe</translation>
+    </message>
+    <message>
+        <source>check that the rows belong to this field, or choose a narrower headland</source>
+        <translation>prüfen, ob die Reihen zu diesem Schlag gehören, oder ein schmaleres Vorgewende wählen</translation>
+    </message>
+    <message>
+        <source>Quickest</source>
+        <translation>Schnellste</translation>
+    </message>
+    <message>
+        <source>The kind below with which the whole plan takes the least time.</source>
+        <translation>Die Art, mit der der ganze Plan am wenigsten Zeit braucht.</translation>
+    </message>
 </context>
 <context>
     <name>PreferencesDialog</name>

@@ -5091,6 +5091,66 @@
         <source>make them smaller, or delete some of them</source>
         <translation>hágalos más pequeños o elimine algunos</translation>
     </message>
+    <message>
+        <source>Without a headland (%1) there is no room to turn.</source>
+        <translation>Sin cabecera (%1) no hay sitio para girar.</translation>
+    </message>
+    <message>
+        <source>A turn of this machine needs %1 of headland; it is %2 (%3).</source>
+        <translation>Un giro de esta máquina necesita %1 de cabecera; tiene %2 (%3).</translation>
+    </message>
+    <message>
+        <source>The field is too narrow for this machine to turn in: take a smaller machine, or let the swaths run along the field (%1).</source>
+        <translation>La parcela es demasiado estrecha para girar con esta máquina: tome una más pequeña, o trace las pasadas a lo largo de la parcela (%1).</translation>
+    </message>
+    <message>
+        <source>The field is too narrow for this machine to turn in: take a smaller machine or a smaller margin (%1).</source>
+        <translation>La parcela es demasiado estrecha para girar con esta máquina: tome una más pequeña o un margen menor (%1).</translation>
+    </message>
+    <message>
+        <source>No passes are driven in the headland (%1).</source>
+        <translation>No se dan vueltas en la cabecera (%1).</translation>
+    </message>
+    <message>
+        <source>The chosen swaths (%1) do not reach it.</source>
+        <translation>Las pasadas elegidas (%1) no llegan hasta allí.</translation>
+    </message>
+    <message>
+        <source>No passes finish what others leave where the machine may leave the field (%1).</source>
+        <translation>Donde la máquina puede salir de la parcela (%1), no se repasa lo que queda.</translation>
+    </message>
+    <message>
+        <source>No passes finish what others leave (%1).</source>
+        <translation>No se repasa lo que queda (%1).</translation>
+    </message>
+    <message>
+        <source>choose a smaller machine or a smaller margin (%1)</source>
+        <translation>elija una máquina más pequeña o un margen menor (%1)</translation>
+    </message>
+    <message>
+        <source>no row is left in the mainland</source>
+        <translation>no queda ninguna hilera en el interior de la parcela</translation>
+    </message>
+    <message>
+        <source>skip fewer rows</source>
+        <translation>omita menos hileras</translation>
+    </message>
+    <message>
+        <source>no row lies in the mainland</source>
+        <translation>no hay ninguna hilera en el interior de la parcela</translation>
+    </message>
+    <message>
+        <source>check that the rows belong to this field, or choose a narrower headland</source>
+        <translation>compruebe que las hileras son de esta parcela, o elija una cabecera más estrecha</translation>
+    </message>
+    <message>
+        <source>Quickest</source>
+        <translation>Lo más rápido</translation>
+    </message>
+    <message>
+        <source>The kind below with which the whole plan takes the least time.</source>
+        <translation>El tipo con el que el plan entero lleva menos tiempo.</translation>
+    </message>
 </context>
 <context>
     <name>PreferencesDialog</name>

@@ -5091,6 +5091,66 @@
         <source>make them smaller, or delete some of them</source>
         <translation>réduisez-les ou supprimez-en quelques-uns</translation>
     </message>
+    <message>
+        <source>Without a headland (%1) there is no room to turn.</source>
+        <translation>Sans fourrière (%1), il n’y a pas la place de tourner.</translation>
+    </message>
+    <message>
+        <source>A turn of this machine needs %1 of headland; it is %2 (%3).</source>
+        <translation>Un demi-tour de cette machine demande %1 de fourrière ; il y en a %2 (%3).</translation>
+    </message>
+    <message>
+        <source>The field is too narrow for this machine to turn in: take a smaller machine, or let the swaths run along the field (%1).</source>
+        <translation>La parcelle est trop étroite pour tourner avec cette machine : prenez une machine plus petite, ou faites courir les passages le long de la parcelle (%1).</translation>
+    </message>
+    <message>
+        <source>The field is too narrow for this machine to turn in: take a smaller machine or a smaller margin (%1).</source>
+        <translation>La parcelle est trop étroite pour tourner avec cette machine : prenez une machine plus petite ou une marge plus petite (%1).</translation>
+    </message>
+    <message>
+        <source>No passes are driven in the headland (%1).</source>
+        <translation>Aucun tour n’est fait dans la fourrière (%1).</translation>
+    </message>
+    <message>
+        <source>The chosen swaths (%1) do not reach it.</source>
+        <translation>Les passages choisis (%1) n’y arrivent pas.</translation>
+    </message>
+    <message>
+        <source>No passes finish what others leave where the machine may leave the field (%1).</source>
+        <translation>Là où la machine peut sortir de la parcelle (%1), les restes ne sont pas repris.</translation>
+    </message>
+    <message>
+        <source>No passes finish what others leave (%1).</source>
+        <translation>Les restes ne sont pas repris (%1).</translation>
+    </message>
+    <message>
+        <source>choose a smaller machine or a smaller margin (%1)</source>
+        <translation>choisissez une machine plus petite ou une marge plus petite (%1)</translation>
+    </message>
+    <message>
+        <source>no row is left in the mainland</source>
+        <translation>il ne reste aucun rang dans le plein champ</translation>
+    </message>
+    <message>
+        <source>skip fewer rows</source>
+        <translation>sautez moins de rangs</translation>
+    </message>
+    <message>
+        <source>no row lies in the mainland</source>
+        <translation>aucun rang ne se trouve dans le plein champ</translation>
+    </message>
+    <message>
+        <source>check that the rows belong to this field, or choose a narrower headland</source>
+        <translation>vérifiez que les rangs appartiennent à cette parcelle, ou choisissez une fourrière plus étroite</translation>
+    </message>
+    <message>
+        <source>Quickest</source>
+        <translation>Le plus rapide</translation>
+    </message>
+    <message>
+        <source>The kind below with which the whole plan takes the least time.</source>
+        <translation>Le type avec lequel le plan entier prend le moins de temps.</translation>
+    </message>
 </context>
 <context>
     <name>PreferencesDialog</name>

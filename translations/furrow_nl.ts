@@ -5091,6 +5091,66 @@
         <source>make them smaller, or delete some of them</source>
         <translation>maak ze kleiner of verwijder er enkele</translation>
     </message>
+    <message>
+        <source>Without a headland (%1) there is no room to turn.</source>
+        <translation>Zonder kopakker (%1) is er geen ruimte om te keren.</translation>
+    </message>
+    <message>
+        <source>A turn of this machine needs %1 of headland; it is %2 (%3).</source>
+        <translation>Een keerbeweging van deze machine vraagt %1 kopakker; het is %2 (%3).</translation>
+    </message>
+    <message>
+        <source>The field is too narrow for this machine to turn in: take a smaller machine, or let the swaths run along the field (%1).</source>
+        <translation>Het perceel is te smal om met deze machine te keren: neem een kleinere machine, of laat de werkgangen in de lengte van het perceel lopen (%1).</translation>
+    </message>
+    <message>
+        <source>The field is too narrow for this machine to turn in: take a smaller machine or a smaller margin (%1).</source>
+        <translation>Het perceel is te smal om met deze machine te keren: neem een kleinere machine of een kleinere marge (%1).</translation>
+    </message>
+    <message>
+        <source>No passes are driven in the headland (%1).</source>
+        <translation>Op de kopakker worden geen rondgangen gereden (%1).</translation>
+    </message>
+    <message>
+        <source>The chosen swaths (%1) do not reach it.</source>
+        <translation>De gekozen werkgangen (%1) komen er niet.</translation>
+    </message>
+    <message>
+        <source>No passes finish what others leave where the machine may leave the field (%1).</source>
+        <translation>Waar de machine het perceel mag verlaten (%1), worden resten niet nabewerkt.</translation>
+    </message>
+    <message>
+        <source>No passes finish what others leave (%1).</source>
+        <translation>Resten worden niet nabewerkt (%1).</translation>
+    </message>
+    <message>
+        <source>choose a smaller machine or a smaller margin (%1)</source>
+        <translation>kies een kleinere machine of een kleinere marge (%1)</translation>
+    </message>
+    <message>
+        <source>no row is left in the mainland</source>
+        <translation>er blijft geen rij over in de binnenakker</translation>
+    </message>
+    <message>
+        <source>skip fewer rows</source>
+        <translation>sla minder rijen over</translation>
+    </message>
+    <message>
+        <source>no row lies in the mainland</source>
+        <translation>er ligt geen rij in de binnenakker</translation>
+    </message>
+    <message>
+        <source>check that the rows belong to this field, or choose a narrower headland</source>
+        <translation>controleer of de rijen bij dit perceel horen, of kies een smallere kopakker</translation>
+    </message>
+    <message>
+        <source>Quickest</source>
+        <translation>Snelste</translation>
+    </message>
+    <message>
+        <source>The kind below with which the whole plan takes the least time.</source>
+        <translation>De soort waarmee het hele plan de minste tijd kost.</translation>
+    </message>
 </context>
 <context>
     <name>PreferencesDialog</name>

@@ -5091,6 +5091,66 @@
         <source>make them smaller, or delete some of them</source>
         <translation>diminua-os ou exclua alguns</translation>
     </message>
+    <message>
+        <source>Without a headland (%1) there is no room to turn.</source>
+        <translation>Sem cabeceira (%1) não há espaço para manobrar.</translation>
+    </message>
+    <message>
+        <source>A turn of this machine needs %1 of headland; it is %2 (%3).</source>
+        <translation>Uma manobra desta máquina precisa de %1 de cabeceira; ela tem %2 (%3).</translation>
+    </message>
+    <message>
+        <source>The field is too narrow for this machine to turn in: take a smaller machine, or let the swaths run along the field (%1).</source>
+        <translation>O talhão é estreito demais para manobrar esta máquina: use uma menor, ou faça as passadas ao longo do talhão (%1).</translation>
+    </message>
+    <message>
+        <source>The field is too narrow for this machine to turn in: take a smaller machine or a smaller margin (%1).</source>
+        <translation>O talhão é estreito demais para manobrar esta máquina: use uma menor ou uma margem menor (%1).</translation>
+    </message>
+    <message>
+        <source>No passes are driven in the headland (%1).</source>
+        <translation>Nenhuma volta é feita na cabeceira (%1).</translation>
+    </message>
+    <message>
+        <source>The chosen swaths (%1) do not reach it.</source>
+        <translation>As passadas escolhidas (%1) não chegam até lá.</translation>
+    </message>
+    <message>
+        <source>No passes finish what others leave where the machine may leave the field (%1).</source>
+        <translation>Onde a máquina pode sair do talhão (%1), os restos não são retrabalhados.</translation>
+    </message>
+    <message>
+        <source>No passes finish what others leave (%1).</source>
+        <translation>Os restos não são retrabalhados (%1).</translation>
+    </message>
+    <message>
+        <source>choose a smaller machine or a smaller margin (%1)</source>
+        <translation>escolha uma máquina menor ou uma margem menor (%1)</translation>
+    </message>
+    <message>
+        <source>no row is left in the mainland</source>
+        <translation>não sobra nenhuma fileira no interior do talhão</translation>
+    </message>
+    <message>
+        <source>skip fewer rows</source>
+        <translation>pule menos fileiras</translation>
+    </message>
+    <message>
+        <source>no row lies in the mainland</source>
+        <translation>não há nenhuma fileira no interior do talhão</translation>
+    </message>
+    <message>
+        <source>check that the rows belong to this field, or choose a narrower headland</source>
+        <translation>verifique se as fileiras pertencem a este talhão, ou escolha uma cabeceira mais estreita</translation>
+    </message>
+    <message>
+        <source>Quickest</source>
+        <translation>Mais rápido</translation>
+    </message>
+    <message>
+        <source>The kind below with which the whole plan takes the least time.</source>
+        <translation>O tipo com o qual o plano inteiro leva menos tempo.</translation>
+    </message>
 </context>
 <context>
     <name>PreferencesDialog</name>

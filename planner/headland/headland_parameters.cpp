@@ -17,10 +17,11 @@ constexpr Choice kDirections[] = {
     {"clockwise", "Clockwise", "Seen from above, turning right at corners."},
 };
 constexpr Choice kCornerKinds[] = {
-    {"rounded", "Rounded",
+    {kQuickestCorner, "Quickest", "The kind below with which the whole plan takes the least time."},
+    {kRoundedCorner, "Rounded",
      "The outermost pass goes round with the machine's radius where little is left; others reach into corners."},
-    {"loop", "Loop", "Straight into the corner and on after a loop, where there is room for it."},
-    {"reverse", "Reverse", "Straight into the corner and back into it on the next side."},
+    {kLoopCorner, "Loop", "Straight into the corner and on after a loop, where there is room for it."},
+    {kReverseCorner, "Reverse", "Straight into the corner and back into it on the next side."},
 };
 
 }  // namespace

@@ -49,7 +49,7 @@ constexpr Length kBesideEdge = metres(0.02);
 
 CornerMethod cornerMethod(const Settings& settings) {
     const std::string id = settings.choice(kHeadlandCorner);
-    return id == "loop" ? CornerMethod::Loop : id == "reverse" ? CornerMethod::Reverse : CornerMethod::Rounded;
+    return id == kLoopCorner ? CornerMethod::Loop : id == kReverseCorner ? CornerMethod::Reverse : CornerMethod::Rounded;
 }
 
 /// From the edge to the line of every pass, outermost first.

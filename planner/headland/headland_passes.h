@@ -9,6 +9,11 @@ extern const Parameter kHeadlandOrder;
 extern const Parameter kHeadlandWhen;
 extern const Parameter kHeadlandDirection;
 extern const Parameter kHeadlandCorner;
+/// Its choices. Which is the quickest is seen on whole plans only; until then corners are rounded.
+inline constexpr std::string_view kQuickestCorner = "quickest";
+inline constexpr std::string_view kRoundedCorner = "rounded";
+inline constexpr std::string_view kLoopCorner = "loop";
+inline constexpr std::string_view kReverseCorner = "reverse";
 
 /// Adds the drivable passes to a headland whose width and number of passes are known, unless the strip is kept
 /// for turning only. Each runs half a footprint and one operating width more for every pass outside of it from

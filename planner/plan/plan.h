@@ -57,7 +57,8 @@ struct Plan {
     AuditReport audit;
     /// Of the planner and the audit; what both found is told once.
     std::vector<Finding> findings;
-    /// What was planned instead of a choice that promises time and is slower here, each with a note.
+    /// What was used where the quickest was asked for, or a choice that promises time and is slower here; the latter with
+    /// a note.
     std::vector<SettingChange> instead;
     std::vector<Note> notes;
     StageTimings timings;

@@ -1,6 +1,7 @@
 #include "planner/plan/quicker_choice.h"
 
 #include "planner/decomposition/decomposition.h"
+#include "planner/headland/headland_passes.h"
 #include "planner/plan/as_asked.h"
 #include "planner/plan/method_registry.h"
 #include "planner/route/methods.h"
@@ -8,8 +9,9 @@
 #include "planner/units/angle.h"
 
 #include <algorithm>
-#include <iterator>
+#include <optional>
 #include <utility>
+#include <vector>
 
 namespace furrow {
 
@@ -85,20 +87,89 @@ Message anotherHeading(const HeadingCandidate& taken, const Message& reason) {
     return message("{} are planned instead of the heading with the best estimate: {}", line, reason);
 }
 
-/// The plan of another heading where that is better as driven.
-Result<std::shared_ptr<Plan>> withBestHeading(std::shared_ptr<Plan> best, const PlanRequest& request, const JobContext& job) {
-    const std::shared_ptr<Plan> searched = best;
-    for (const HeadingCandidate& candidate : headingsToTry(*searched)) {
-        auto other = planAsAsked(along(request, candidate.heading), job.quiet());
-        if (!other && other.error().code == ErrorCode::Cancelled) {
-            return other;
+/// The best plan so far, and the settings that it was made with.
+struct Best {
+    PlanRequest request;
+    std::shared_ptr<Plan> plan;
+    std::vector<SettingChange> instead;
+    std::vector<Note> notes;
+};
+
+/// Takes the plan with other settings where it is better as driven: whether it did, and why. One that cannot be made is no
+/// better. Cancelled.
+Result<std::optional<Message>> takeIfBetter(Best& best, PlanRequest other, const JobContext& job) {
+    auto plan = planAsAsked(other, job.quiet());
+    if (!plan && plan.error().code == ErrorCode::Cancelled) {
+        return std::unexpected(plan.error());
+    }
+    if (!plan || !isBetter(**plan, *best.plan)) {
+        return std::nullopt;
+    }
+    Message reason = reasonFor(**plan, *best.plan);
+    best.plan = std::move(*plan);
+    best.request = std::move(other);
+    return reason;
+}
+
+Result<void> tryHeadings(Best& best, const JobContext& job) {
+    const Best searched = best;
+    for (const HeadingCandidate& candidate : headingsToTry(*searched.plan)) {
+        const auto taken = takeIfBetter(best, along(searched.request, candidate.heading), job);
+        if (!taken) {
+            return std::unexpected(taken.error());
         }
-        if (other && isBetter(**other, *best)) {
-            best = std::move(*other);
-            best->notes = {{anotherHeading(candidate, reasonFor(*best, *searched)), "instead", {}}};
+        if (*taken) {
+            best.notes = {{anotherHeading(candidate, reasonFor(*best.plan, *searched.plan)), "instead", {}}};
         }
     }
-    return best;
+    return {};
+}
+
+Result<void> trySimpler(Best& best, const SimplerChoice& choice, const JobContext& job) {
+    const Parameter& parameter = **findParameter(choice.key);
+    if (best.request.settings.choice(parameter) != choice.chosen) {
+        return {};
+    }
+    PlanRequest simpler = best.request;
+    if (auto set = simpler.settings.setText(parameter, choice.simpler); !set) {
+        return set;
+    }
+    const auto taken = takeIfBetter(best, std::move(simpler), job);
+    if (!taken) {
+        return std::unexpected(taken.error());
+    }
+    if (*taken) {
+        best.notes.push_back({takenInstead(parameter, choice, **taken), "instead", {}});
+        best.instead.push_back({std::string{choice.key}, std::string{choice.simpler}});
+    }
+    return {};
+}
+
+/// Those that reach into corners are much alike: the second is tried where the first is no better.
+Result<void> tryCorners(Best& best, const JobContext& job) {
+    if (best.request.settings.choice(kHeadlandCorner) != kQuickestCorner || best.plan->headland.rings.empty()) {
+        return {};
+    }
+    std::string_view corner = kRoundedCorner;
+    for (const std::string_view other : {kLoopCorner, kReverseCorner}) {
+        if (!best.plan->drivable() || corner != kRoundedCorner) {
+            break;
+        }
+        PlanRequest request = best.request;
+        request.settings.set(kHeadlandCorner, std::string{other}).value();
+        const auto taken = takeIfBetter(best, std::move(request), job);
+        if (!taken) {
+            return std::unexpected(taken.error());
+        }
+        corner = *taken ? other : corner;
+    }
+    best.instead.push_back({std::string{kHeadlandCorner.key}, std::string{corner}});
+    return {};
+}
+
+/// An order of one's own names the swaths of just these choices.
+bool hasOwnOrder(const Settings& settings) {
+    return routeMethod(settings) == kCustomMethod.run;
 }
 
 }  // namespace
@@ -110,46 +181,28 @@ Duration timeForAll(const Plan& plan) {
 }
 
 Result<std::shared_ptr<Plan>> quickestChoice(const PlanRequest& request, const JobContext& job) {
-    auto best = planAsAsked(request, job);
-    // An order of one's own names the swaths of just these choices.
-    const bool hasOwnOrder = routeMethod(request.settings) == kCustomMethod.run;
-    if (!best || request.draft || hasOwnOrder) {
-        return best;
+    auto asked = planAsAsked(request, job);
+    if (!asked || request.draft) {
+        return asked;
     }
-    const bool perCell = request.settings.choice(kCellHeading) == "per-cell";
-    if (!perCell) {
-        best = withBestHeading(std::move(*best), request, job);
-        if (!best) {
-            return best;
+    Best best{.request = request, .plan = std::move(*asked), .instead = {}, .notes = {}};
+    Result<void> tried;
+    if (!hasOwnOrder(request.settings)) {
+        if (request.settings.choice(kCellHeading) != "per-cell") {
+            tried = tryHeadings(best, job);
         }
-    }
-    PlanRequest tried = request;
-    std::vector<SettingChange> instead;
-    std::vector<Note> notes;
-    for (const SimplerChoice& choice : kSimplerChoices) {
-        const Parameter& parameter = **findParameter(choice.key);
-        if (tried.settings.choice(parameter) != choice.chosen) {
-            continue;
-        }
-        PlanRequest simpler = tried;
-        if (auto set = simpler.settings.setText(parameter, choice.simpler); !set) {
-            return std::unexpected(set.error());
-        }
-        auto other = planAsAsked(simpler, job.quiet());
-        if (!other && other.error().code == ErrorCode::Cancelled) {
-            return std::unexpected(other.error());
-        }
-        if (other && isBetter(**other, **best)) {
-            notes.push_back({takenInstead(parameter, choice, reasonFor(**other, **best)), "instead", {}});
-            instead.push_back({std::string{choice.key}, std::string{choice.simpler}});
-            tried = std::move(simpler);
-            best = std::move(other);
+        for (const SimplerChoice& choice : kSimplerChoices) {
+            tried = tried.and_then([&] { return trySimpler(best, choice, job); });
         }
     }
-    (*best)->request = request;
-    (*best)->instead = std::move(instead);
-    std::ranges::move(notes, std::back_inserter((*best)->notes));
-    return best;
+    tried = tried.and_then([&] { return tryCorners(best, job); });
+    if (!tried) {
+        return std::unexpected(tried.error());
+    }
+    best.plan->request = request;
+    best.plan->instead = std::move(best.instead);
+    best.plan->notes = std::move(best.notes);
+    return std::move(best.plan);
 }
 
 }  // namespace furrow

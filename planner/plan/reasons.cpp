@@ -1,6 +1,7 @@
 #include "planner/plan/reasons.h"
 
 #include "planner/geometry/polygon.h"
+#include "planner/geometry/segment.h"
 #include "planner/headland/finishing_passes.h"
 #include "planner/headland/headland_passes.h"
 #include "planner/headland/methods.h"
@@ -10,6 +11,7 @@
 #include "planner/swaths/methods.h"
 
 #include <algorithm>
+#include <limits>
 #include <optional>
 
 namespace furrow {
@@ -69,14 +71,25 @@ Message whyOutside(const Plan& plan) {
     return tooNarrow(plan);
 }
 
+/// In the mainland, or no farther from it than swaths reach.
+bool isAtMainland(const Plan& plan, Point place) {
+    double nearestM = std::numeric_limits<double>::infinity();
+    forEachEdge(plan.headland.mainland,
+                [&](Point a, Point b) { nearestM = std::min(nearestM, distanceToSegment(place, a, b)); });
+    return nearestM < plan.request.machine.operatingWidth().si() || isInside(plan.headland.mainland, place);
+}
+
 Message whyMissed(const Plan& plan, Point place) {
     const Settings& settings = plan.request.settings;
     const Parameter& method = *stageMethod("swaths");
     if (plan.headland.passes > 0 && !settings.flag(kHeadlandDriven)) {
         return message("No passes are driven in the headland ({}).", kHeadlandDriven.key);
     }
-    if (settings.isSet(method) && isInside(plan.headland.mainland, place)) {
+    if (settings.isSet(method) && isAtMainland(plan, place)) {
         return message("The chosen swaths ({}) do not reach it.", method.key);
+    }
+    if (plan.headland.passes > 0 && !settings.flag(kStayInside)) {
+        return message("No passes finish what others leave where the machine may leave the field ({}).", kStayInside.key);
     }
     return settings.flag(kHeadlandFinish) ? Message{}
                                           : message("No passes finish what others leave ({}).", kHeadlandFinish.key);

@@ -73,6 +73,8 @@ private slots:
     void widthHoldsItsPasses();
     void simplerIsTakenWhereQuicker_data();
     void simplerIsTakenWhereQuicker();
+    void quickestCornersAreTaken_data();
+    void quickestCornersAreTaken();
     void ownOrderKeepsItsSwaths();
     void adviceMends();
 };
@@ -227,11 +229,36 @@ void TestPromises::simplerIsTakenWhereQuicker() {
         VERIFY_RESULT(plain);
         QVERIFY(timeForAll(**asked) <= 1.005 * timeForAll(**plain));
         const bool isNoted = std::ranges::contains((*asked)->findings, "instead", &Finding::kind);
-        QCOMPARE(isNoted, !(*asked)->instead.empty());
+        QCOMPARE(isNoted, std::ranges::contains((*asked)->instead, key.toStdString(), &SettingChange::key));
     }
 }
 
 // Numbers of an order are those of the swaths that these choices lay, also where others would be quicker.
+void TestPromises::quickestCornersAreTaken_data() {
+    QTest::addColumn<QString>("machine");
+    for (const char* machine : {"agbot", "cultivator", "mounted-drill", "combine"}) {
+        QTest::newRow(machine) << machine;
+    }
+}
+
+void TestPromises::quickestCornersAreTaken() {
+    QFETCH(QString, machine);
+    const auto plan = planned(rectangle(), machine.toStdString(), {});
+    VERIFY_RESULT(plan);
+    const auto taken = std::ranges::find((*plan)->instead, "headland.corner", &SettingChange::key);
+    QVERIFY(taken != (*plan)->instead.end());
+    for (const char* corner : {"rounded", "loop", "reverse"}) {
+        const auto other = planned(rectangle(), machine.toStdString(), {{"headland.corner", corner}});
+        VERIFY_RESULT(other);
+        const bool isNoBetter = !(*other)->drivable() || timeForAll(**plan) <= timeForAll(**other) + seconds(1e-3);
+        // Of the two that reach into corners the first that is quicker than rounding is good enough.
+        QVERIFY2(isNoBetter || (corner == std::string_view{"reverse"} && taken->value == "loop"), corner);
+        if (taken->value == corner) {
+            QCOMPARE((*plan)->path.duration().si(), (*other)->path.duration().si());
+        }
+    }
+}
+
 void TestPromises::ownOrderKeepsItsSwaths() {
     Given given{{"headland.method", "per-edge"}};
     Settings settings;

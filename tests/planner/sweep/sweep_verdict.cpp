@@ -215,9 +215,14 @@ SweepOutcome SweepBench::judged(const SweepChange& change, const Settings& setti
         return outcome;
     }
     const auto standardKinds = blockingKinds(site_.standard.get());
-    const auto kinds = blockingKinds(advised->get());
     outcome.standardBlocking = countOf(standardKinds);
     outcome.verdict = SweepVerdict::Drivable;
+    std::map<std::string, int> untold;
+    for (const Finding& finding : (*advised)->findings) {
+        if (finding.severity == Severity::Blocking && !tells(finding, change)) {
+            ++untold[finding.kind];
+        }
+    }
     for (const Finding& finding : (*advised)->findings) {
         if (finding.severity != Severity::Blocking) {
             continue;
@@ -226,7 +231,7 @@ SweepOutcome SweepBench::judged(const SweepChange& change, const Settings& setti
         if (tells(finding, change)) {
             outcome.verdict = std::max(outcome.verdict, SweepVerdict::Told);
         } else if (const auto had = standardKinds.find(finding.kind);
-                   had != standardKinds.end() && kinds.at(finding.kind) <= kAsMany * had->second) {
+                   had != standardKinds.end() && untold.at(finding.kind) <= kAsMany * had->second) {
             outcome.verdict = std::max(outcome.verdict, SweepVerdict::DefaultToo);
         } else if (outcome.verdict != SweepVerdict::Failed) {
             outcome.verdict = SweepVerdict::Failed;
