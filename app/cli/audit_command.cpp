@@ -1,6 +1,7 @@
 #include "app/cli/audit_command.h"
 
 #include "app/cli/exit_status.h"
+#include "app/cli/finding_line.h"
 #include "app/cli/machine_argument.h"
 #include "app/cli/terminal.h"
 #include "planner/audit/audit.h"
@@ -62,11 +63,7 @@ void printReport(const WrittenPlan& plan, const AuditReport& report) {
         std::println("Findings     none");
     }
     for (std::size_t i = 0; i < report.findings.size(); ++i) {
-        const Finding& finding = report.findings[i].finding;
-        const GeoPoint place = plan.frame.toGeo(finding.place);
-        std::println("  {} {:3}  {}{}{} ({:.6f}, {:.6f})", finding.severity == Severity::Blocking ? "!" : " ",
-                     i + 1, finding.text.text(), finding.suggestion.empty() ? "" : " ", finding.suggestion.text(),
-                     place.lonDeg, place.latDeg);
+        std::println("{}", findingLine(i + 1, report.findings[i].finding, plan.frame));
     }
 }
 

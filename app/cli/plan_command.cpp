@@ -2,6 +2,7 @@
 
 #include "app/cli/exit_status.h"
 #include "app/cli/export_arguments.h"
+#include "app/cli/finding_line.h"
 #include "app/cli/planning_arguments.h"
 #include "app/cli/terminal.h"
 #include "planner/io/plan_folder.h"
@@ -74,16 +75,13 @@ void printPlan(const Plan& plan, const WrittenFiles& written, const Terminal* te
     std::println("Covered   {:.2f} % of the field · {:.0f} m² missed · {:.0f} m² worked twice",
                  100.0 * plan.audit.coveredShare.value_or(0.0), plan.audit.missed.value_or(Area{}).si(),
                  plan.audit.overlap.value_or(Area{}).si());
-    const auto blocking = std::ranges::count(plan.findings, Severity::Blocking, &Finding::severity);
+    const auto blocking = plan.blockingCount();
     std::println("Drivable  {}", plan.drivable() ? std::string{"yes"}
                                                  : std::format("no, {} in the way",
                                                                counted(blocking, "finding stands", "findings stand")));
     constexpr std::size_t kMostShown = 10;
     for (std::size_t i = 0; i < std::min(plan.findings.size(), kMostShown); ++i) {
-        const Finding& finding = plan.findings[i];
-        const GeoPoint place = plan.field().frame().toGeo(finding.place);
-        std::println("  {} {:3}  {} {} ({:.6f}, {:.6f})", finding.severity == Severity::Blocking ? "!" : " ",
-                     i + 1, finding.text.text(), finding.suggestion.text(), place.lonDeg, place.latDeg);
+        std::println("{}", findingLine(i + 1, plan.findings[i], plan.field().frame()));
     }
     if (plan.findings.size() > kMostShown) {
         std::println("       and {} more in summary.json", plan.findings.size() - kMostShown);

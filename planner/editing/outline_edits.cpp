@@ -1,7 +1,6 @@
 #include "planner/editing/outline_edits.h"
 
 #include "planner/editing/shape_hit.h"
-#include "planner/geometry/segment.h"
 
 #include <algorithm>
 #include <cmath>
@@ -32,23 +31,6 @@ Point slid(Point end, Point beyond, Point along, Point sideways) {
     const double share = dot(sideways, left) / dot(beside, left);
     // Beyond its other end the edge beside it would point the other way.
     return share < 1.0 ? end + share * beside : end + sideways;
-}
-
-void thin(const Polyline& line, std::size_t first, std::size_t last, double toleranceM, std::vector<bool>& kept) {
-    double farthest = toleranceM;
-    std::size_t split = 0;
-    for (std::size_t i = first + 1; i < last; ++i) {
-        const double away = distanceToSegment(line[i], line[first], line[last]);
-        if (away > farthest) {
-            farthest = away;
-            split = i;
-        }
-    }
-    if (split != 0) {
-        kept[split] = true;
-        thin(line, first, split, toleranceM, kept);
-        thin(line, split, last, toleranceM, kept);
-    }
 }
 
 }  // namespace
@@ -129,22 +111,6 @@ Angle cornerAngle(const Outline& outline, std::size_t vertex) {
     const double turn = leftInside ? std::atan2(cross(after, before), dot(after, before))
                                    : std::atan2(cross(before, after), dot(before, after));
     return radians(turn < 0.0 ? turn + 2.0 * std::numbers::pi : turn);
-}
-
-Polyline thinned(const Polyline& line, Length tolerance) {
-    if (line.size() < 3) {
-        return line;
-    }
-    std::vector<bool> kept(line.size(), false);
-    kept.front() = kept.back() = true;
-    thin(line, 0, line.size() - 1, tolerance.si(), kept);
-    Polyline result;
-    for (std::size_t i = 0; i < line.size(); ++i) {
-        if (kept[i]) {
-            result.push_back(line[i]);
-        }
-    }
-    return result;
 }
 
 }  // namespace furrow

@@ -31,8 +31,4 @@ GeoRing turnedRing(GeoRing places, const LocalFrame& frame, bool counterClockwis
 /// Angle inside a ring at a vertex, or between the two edges of a line, in [0, 2 pi).
 Angle cornerAngle(const Outline& outline, std::size_t vertex);
 
-/// A line drawn by hand without the points that are closer to it than the tolerance (Douglas and Peucker 1973).
-/// Ends stay.
-Polyline thinned(const Polyline& line, Length tolerance);
-
 }  // namespace furrow

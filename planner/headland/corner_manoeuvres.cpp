@@ -208,6 +208,14 @@ std::vector<PassStretch> withCorners(const Turn& closed, CornerMethod method, co
         work(line.pieces[next]);
     }
     std::erase_if(stretches, [](const PassStretch& stretch) { return stretch.line.pieces.empty(); });
+    if (stretches.size() > 1 && stretches.front().working && stretches.back().working) {
+        // Where the line closes there is no corner.
+        Turn& across = stretches.front().line;
+        const Turn& closing = stretches.back().line;
+        across.start = closing.start;
+        across.pieces.insert(across.pieces.begin(), closing.pieces.begin(), closing.pieces.end());
+        stretches.pop_back();
+    }
     return stretches;
 }
 

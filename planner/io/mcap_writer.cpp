@@ -1,4 +1,5 @@
 #include "planner/io/byte_writer.h"
+#include "planner/io/checksum.h"
 #include "planner/io/nav_path.h"
 
 #include <array>
@@ -63,26 +64,6 @@ float64 y
 float64 z
 float64 w
 )";
-
-/// The checksum of zip files (ISO 3309), which MCAP uses too.
-std::uint32_t crc32(std::string_view bytes) {
-    static const std::array<std::uint32_t, 256> table = [] {
-        std::array<std::uint32_t, 256> made{};
-        for (std::uint32_t i = 0; i < 256; ++i) {
-            std::uint32_t value = i;
-            for (int bit = 0; bit < 8; ++bit) {
-                value = (value & 1) != 0 ? 0xEDB88320U ^ (value >> 1) : value >> 1;
-            }
-            made[i] = value;
-        }
-        return made;
-    }();
-    std::uint32_t crc = 0xFFFFFFFFU;
-    for (const char byte : bytes) {
-        crc = table[(crc ^ static_cast<unsigned char>(byte)) & 0xFF] ^ (crc >> 8);
-    }
-    return crc ^ 0xFFFFFFFFU;
-}
 
 void addText(ByteWriter& out, std::string_view text) {
     out.integer(static_cast<std::uint32_t>(text.size()));
@@ -162,7 +143,7 @@ std::string mcapOf(const std::vector<NavPath>& paths) {
     chunk.integer(first);
     chunk.integer(last);
     chunk.integer(static_cast<std::uint64_t>(records.size()));
-    chunk.integer(crc32(records));
+    chunk.integer(crc32Of(records));
     addText(chunk, "");  // not compressed
     chunk.integer(static_cast<std::uint64_t>(records.size()));
     chunk.bytes(records);

@@ -1,6 +1,7 @@
 #include "planner/io/rosbag_storage.h"
 
 #include "planner/io/byte_reader.h"
+#include "planner/io/checksum.h"
 
 #include <lz4frame.h>
 #include <sqlite3.h>
@@ -55,25 +56,6 @@ enum Opcode : std::uint8_t {
 
 std::string_view stringIn(ByteReader& bytes) {
     return bytes.take(bytes.integer<std::uint32_t>());
-}
-
-std::uint32_t crc32Of(std::string_view bytes) {
-    static const std::array<std::uint32_t, 256> table = [] {
-        std::array<std::uint32_t, 256> made{};
-        for (std::uint32_t i = 0; i < made.size(); ++i) {
-            std::uint32_t value = i;
-            for (int bit = 0; bit < 8; ++bit) {
-                value = (value & 1U) != 0 ? 0xEDB88320U ^ (value >> 1U) : value >> 1U;
-            }
-            made[i] = value;
-        }
-        return made;
-    }();
-    std::uint32_t crc = 0xFFFFFFFFU;
-    for (const char byte : bytes) {
-        crc = table[(crc ^ static_cast<unsigned char>(byte)) & 0xFFU] ^ (crc >> 8U);
-    }
-    return ~crc;
 }
 
 std::optional<std::string> fromZstd(std::string_view packed, std::size_t size) {

@@ -1,9 +1,12 @@
 #include "planner/swaths/guide_curve.h"
 
+#include "planner/geometry/simplify.h"
+
 #include <algorithm>
 #include <cmath>
 #include <limits>
 #include <numbers>
+#include <span>
 
 namespace furrow {
 
@@ -26,30 +29,6 @@ Polyline withoutCloseOnes(std::span<const Point> line) {
         }
     }
     return kept;
-}
-
-void addSimplified(std::span<const Point> line, double toleranceM, Polyline& kept) {
-    const Point way = line.back() - line.front();
-    const double lengthM = std::max(norm(way), 1e-12);
-    std::size_t farthest = 0;
-    double mostM = toleranceM;
-    for (std::size_t i = 1; i + 1 < line.size(); ++i) {
-        const Point off = line[i] - line.front();
-        const double along = dot(way, off) / lengthM;
-        // Beyond the ends of a loop that nearly closes the chord says nothing.
-        const double awayM = along < 0.0 ? norm(off) : along > lengthM ? distance(line[i], line.back())
-                                                                       : std::abs(cross(way, off)) / lengthM;
-        if (awayM > mostM) {
-            mostM = awayM;
-            farthest = i;
-        }
-    }
-    if (farthest == 0) {
-        kept.push_back(line.front());
-        return;
-    }
-    addSimplified(line.first(farthest + 1), toleranceM, kept);
-    addSimplified(line.subspan(farthest), toleranceM, kept);
 }
 
 /// How far along a + s (b - a) it meets c to d; nothing where it does not.
@@ -147,18 +126,8 @@ std::vector<GuideLine> rounded(const GuideLine& line, Length radius, Angle sharp
 
 }  // namespace
 
-Polyline simplifiedLine(std::span<const Point> line, Length tolerance) {
-    Polyline kept;
-    if (line.size() < 3) {
-        return {line.begin(), line.end()};
-    }
-    addSimplified(line, tolerance.si(), kept);
-    kept.push_back(line.back());
-    return kept;
-}
-
 Result<GuideLine> guideCurve(const Polyline& points, Length radius, Length reach, std::string_view where) {
-    const Polyline line = simplifiedLine(withoutCloseOnes(points), kSimplified);
+    const Polyline line = simplified(withoutCloseOnes(points), kSimplified);
     if (line.size() < 2) {
         return std::unexpected(Error{.code = ErrorCode::Usage,
                                      .what = "a curve needs at least two points that differ",
@@ -185,7 +154,7 @@ Result<GuideLine> guideCurve(const Polyline& points, Length radius, Length reach
 }
 
 std::vector<GuideLine> followedLine(const Polyline& points, Length radius) {
-    const Polyline line = simplifiedLine(withoutCloseOnes(points), kSimplified);
+    const Polyline line = simplified(withoutCloseOnes(points), kSimplified);
     return line.size() < 2 ? std::vector<GuideLine>{}
                            : rounded(guideLineThrough(line, radius, kGentle), radius, kSharpestBend);
 }

@@ -3,14 +3,9 @@
 #include "planner/core/result.h"
 #include "planner/swaths/guide_line.h"
 
-#include <span>
 #include <string_view>
 
 namespace furrow {
-
-/// The line without points that make less than `tolerance` of difference (Douglas & Peucker 1973,
-/// doi 10.3138/FM57-6770-U75U-7727). At least its ends.
-Polyline simplifiedLine(std::span<const Point> line, Length tolerance);
 
 /// What a machine can follow of a line that was drawn or recorded: within 15 cm of it where it bends gently, rounded
 /// with the radius where it bends more sharply; drawn out straight at both ends by `reach`, or as far as it does not

@@ -1,6 +1,7 @@
 #include "ui/edit/field_editor.h"
 
 #include "planner/editing/outline_edits.h"
+#include "planner/geometry/simplify.h"
 #include "planner/plan/plan_hit.h"
 #include "planner/project/project_edits.h"
 #include "ui/plan/plan_session.h"
@@ -210,7 +211,7 @@ void FieldEditor::drag(const Pointer& pointer) {
 void FieldEditor::release(const Pointer& pointer) {
     if (grip_ == Grip::Trace) {
         // Half the reach of the pointer is what a hand cannot do better anyway.
-        const Polyline line = thinned(frame_->toLocal(draft_), 0.5 * pointer.reach);
+        const Polyline line = simplified(frame_->toLocal(draft_), 0.5 * pointer.reach);
         draft_ = frame_->toGeo(line);
         endGrip();
         emit draftChanged();

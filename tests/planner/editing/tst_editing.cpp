@@ -1,6 +1,7 @@
 #include "planner/editing/outline_edits.h"
 #include "planner/editing/shape_hit.h"
 #include "planner/editing/snapping.h"
+#include "planner/geometry/simplify.h"
 #include "planner/units/angle.h"
 #include "tests/support/result_check.h"
 
@@ -224,10 +225,10 @@ private slots:
             line.push_back({i * 1.0, (i % 2) * 0.2});
         }
         line.push_back({100, 50});
-        const Polyline thin = thinned(line, metres(0.5));
+        const Polyline thin = simplified(line, metres(0.5));
         QCOMPARE(thin.size(), std::size_t{3});
         QVERIFY(thin[1] == (Point{100, 0}));
-        QCOMPARE(thinned({{0, 0}, {1, 1}}, metres(5)).size(), std::size_t{2});
+        QCOMPARE(simplified({{0, 0}, {1, 1}}, metres(5)).size(), std::size_t{2});
     }
     void aShapeFollowsAChange() {
         const auto before = FieldShape::of(field(), {});
