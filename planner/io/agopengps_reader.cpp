@@ -1,5 +1,6 @@
 #include "planner/io/agopengps_reader.h"
 
+#include "planner/core/separated_text.h"
 #include "planner/core/text_file.h"
 #include "planner/io/agopengps_plane.h"
 #include "planner/io/file_error.h"
@@ -23,15 +24,9 @@ constexpr double kFarthestM = 200'000.0;
 constexpr int kAbMode = 2;
 
 std::vector<std::string_view> partsOf(std::string_view line) {
-    std::vector<std::string_view> parts;
-    while (true) {
-        const std::size_t comma = line.find(',');
-        parts.push_back(trimmed(line.substr(0, comma)));
-        if (comma == std::string_view::npos) {
-            return parts;
-        }
-        line.remove_prefix(comma + 1);
-    }
+    std::vector<std::string_view> parts = cellsOf(line, ',');
+    std::ranges::transform(parts, parts.begin(), [](std::string_view part) { return trimmed(part); });
+    return parts;
 }
 
 /// One file, line by line; the first line says what it is.

@@ -18,28 +18,6 @@ std::optional<double> decimalIn(std::string_view text) {
     return good ? std::optional{value} : std::nullopt;
 }
 
-std::string_view nextLine(std::string_view& text) {
-    const std::size_t end = text.find('\n');
-    std::string_view line = text.substr(0, end);
-    text.remove_prefix(end == std::string_view::npos ? text.size() : end + 1);
-    if (line.ends_with('\r')) {
-        line.remove_suffix(1);
-    }
-    return line;
-}
-
-std::vector<std::string_view> cellsOf(std::string_view line, char separator) {
-    std::vector<std::string_view> cells;
-    while (true) {
-        const std::size_t end = line.find(separator);
-        cells.push_back(line.substr(0, end));
-        if (end == std::string_view::npos) {
-            return cells;
-        }
-        line.remove_prefix(end + 1);
-    }
-}
-
 Message badLine(std::size_t number) {
     return message("line {} is not as this format has it", number);
 }

@@ -112,12 +112,6 @@ ContentFinder findPathMessage;
 /// The whole text as a number; nothing for anything else, "nan" among it.
 std::optional<double> decimalIn(std::string_view text);
 
-/// Takes the first line from a text, without its end.
-std::string_view nextLine(std::string_view& text);
-
-/// Between separators.
-std::vector<std::string_view> cellsOf(std::string_view line, char separator);
-
 /// "line 12 is not as this format has it"
 Message badLine(std::size_t number);
 /// "this is no KML"

@@ -1,3 +1,4 @@
+#include "planner/core/separated_text.h"
 #include "planner/io/agopengps_plane.h"
 #include "planner/io/export_content.h"
 #include "planner/io/export_job.h"

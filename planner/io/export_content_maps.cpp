@@ -1,3 +1,4 @@
+#include "planner/core/separated_text.h"
 #include "planner/io/export_content.h"
 #include "planner/io/export_job.h"
 #include "planner/io/gdal_writer.h"

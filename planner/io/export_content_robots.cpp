@@ -1,3 +1,4 @@
+#include "planner/core/separated_text.h"
 #include "planner/io/byte_reader.h"
 #include "planner/io/export_content.h"
 #include "planner/io/export_job.h"

@@ -1,3 +1,4 @@
+#include "planner/core/separated_text.h"
 #include "planner/io/export_content.h"
 #include "planner/io/export_job.h"
 
@@ -56,28 +57,10 @@ std::vector<GeoPolygon> polygonsIn(std::string_view wkt) {
     return polygons;
 }
 
-/// Cells in quotes, a quote in them doubled.
-std::vector<std::string> quotedCells(std::string_view line) {
-    std::vector<std::string> cells(1);
-    bool quoted = false;
-    for (std::size_t i = 0; i < line.size(); ++i) {
-        if (line[i] == '"' && quoted && i + 1 < line.size() && line[i + 1] == '"') {
-            cells.back() += line[++i];
-        } else if (line[i] == '"') {
-            quoted = !quoted;
-        } else if (line[i] == ',' && !quoted) {
-            cells.emplace_back();
-        } else {
-            cells.back() += line[i];
-        }
-    }
-    return cells;
-}
-
 void readBoundaries(std::string_view text, FoundContent& found) {
     nextLine(text);
     for (std::size_t number = 2; !text.empty(); ++number) {
-        const std::vector<std::string> cells = quotedCells(nextLine(text));
+        const std::vector<std::string> cells = quotedCellsOf(nextLine(text), ',');
         std::vector<GeoPolygon> polygons = cells.size() == 3 ? polygonsIn(cells[2]) : std::vector<GeoPolygon>{};
         if (polygons.empty()) {
             found.faults.push_back(badLine(number));

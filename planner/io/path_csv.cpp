@@ -1,5 +1,6 @@
 #include "planner/io/path_csv.h"
 
+#include "planner/core/separated_text.h"
 #include "planner/io/plan_json.h"
 
 #include <algorithm>
@@ -13,29 +14,6 @@
 namespace furrow {
 
 namespace {
-
-std::vector<std::string_view> cellsOf(std::string_view line) {
-    std::vector<std::string_view> cells;
-    while (true) {
-        const std::size_t comma = line.find(',');
-        cells.push_back(line.substr(0, comma));
-        if (comma == std::string_view::npos) {
-            return cells;
-        }
-        line.remove_prefix(comma + 1);
-    }
-}
-
-/// Takes the first line from a text.
-std::string_view takeLine(std::string_view& text) {
-    const std::size_t end = text.find('\n');
-    std::string_view line = text.substr(0, end);
-    text.remove_prefix(end == std::string_view::npos ? text.size() : end + 1);
-    if (line.ends_with('\r')) {
-        line.remove_suffix(1);
-    }
-    return line;
-}
 
 enum Column {
     kS,
@@ -60,7 +38,7 @@ public:
     explicit PathTable(const std::string& where) : where_{where} {}
 
     Result<void> readHeader(std::string_view line) {
-        const std::vector<std::string_view> names = cellsOf(line);
+        const std::vector<std::string_view> names = cellsOf(line, ',');
         for (std::size_t i = 0; i < kColumns.size(); ++i) {
             const auto found = std::ranges::find(names, kColumns[i]);
             if (found == names.end()) {
@@ -74,7 +52,7 @@ public:
 
     Result<void> readRow(std::string_view line, std::size_t number) {
         const Message place = message("{}, line {}", where_, number);
-        const std::vector<std::string_view> cells = cellsOf(line);
+        const std::vector<std::string_view> cells = cellsOf(line, ',');
         std::array<double, kNumbers> value{};
         for (std::size_t i = 0; i < value.size(); ++i) {
             const std::string_view cell = at_[i] < cells.size() ? cells[at_[i]] : std::string_view{};
@@ -141,11 +119,11 @@ std::string pathCsv(const Plan& plan) {
 
 Result<Path> readPathCsv(std::string_view text, const std::string& where) {
     PathTable table{where};
-    if (auto header = table.readHeader(takeLine(text)); !header) {
+    if (auto header = table.readHeader(nextLine(text)); !header) {
         return std::unexpected(header.error());
     }
     for (std::size_t number = 2; !text.empty(); ++number) {
-        const std::string_view line = takeLine(text);
+        const std::string_view line = nextLine(text);
         if (line.empty()) {
             continue;
         }

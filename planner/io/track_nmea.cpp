@@ -1,5 +1,7 @@
 #include "planner/io/track_formats.h"
 
+#include "planner/core/separated_text.h"
+
 #include <array>
 #include <charconv>
 #include <cmath>
@@ -35,18 +37,6 @@ std::optional<std::string_view> sentenceIn(std::string_view line, bool& damaged)
     std::from_chars(digits.data(), digits.data() + digits.size(), stated, 16);
     damaged = stated != sum;
     return damaged ? std::nullopt : std::optional{sentence.substr(0, star)};
-}
-
-Fields fieldsOf(std::string_view sentence) {
-    Fields fields;
-    while (true) {
-        const std::size_t comma = sentence.find(',');
-        fields.push_back(sentence.substr(0, comma));
-        if (comma == std::string_view::npos) {
-            return fields;
-        }
-        sentence.remove_prefix(comma + 1);
-    }
 }
 
 /// "4134.4979" with two (latitude) or three digits of degrees before the minutes.
@@ -187,7 +177,7 @@ Result<TrackFile> nmeaTracks(std::string_view text, const std::string& where, co
             continue;
         }
         ++sentences;
-        const auto sample = isRmc ? fromRmc(fieldsOf(*sentence)) : fromGga(fieldsOf(*sentence));
+        const auto sample = isRmc ? fromRmc(cellsOf(*sentence, ',')) : fromGga(cellsOf(*sentence, ','));
         if (sample) {
             (isRmc ? rmc : gga).push_back(*sample);
         } else {

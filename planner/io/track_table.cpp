@@ -1,3 +1,4 @@
+#include "planner/core/separated_text.h"
 #include "planner/io/track_formats.h"
 #include "planner/units/angle.h"
 
@@ -17,7 +18,6 @@ constexpr double kInchM = 0.0254;
 
 // How far down the header may stand; what is above it says whose file it is.
 constexpr std::size_t kMostPreambleLines = 50;
-constexpr std::size_t kMostColumns = 1000;
 
 enum class Meaning { None, Lon, Lat, X, Y, Time, Speed, Bearing, Heading, Implement };
 
@@ -98,28 +98,6 @@ Column columnNamed(std::string_view header) {
     return found == std::ranges::end(kWords) ? Column{} : found->column;
 }
 
-/// The cells of one line; quotes hold separators together, a quote inside them is doubled.
-std::vector<std::string> cellsOf(std::string_view line, char separator) {
-    std::vector<std::string> cells(1);
-    bool quoted = false;
-    for (std::size_t i = 0; i < line.size(); ++i) {
-        const char letter = line[i];
-        if (letter == '"' && quoted && i + 1 < line.size() && line[i + 1] == '"') {
-            cells.back() += line[++i];
-        } else if (letter == '"') {
-            quoted = !quoted;
-        } else if (letter == separator && !quoted) {
-            if (cells.size() == kMostColumns) {
-                return cells;
-            }
-            cells.emplace_back();
-        } else {
-            cells.back() += letter;
-        }
-    }
-    return cells;
-}
-
 /// Where each meaning stands; -1 where it does not.
 struct Layout {
     char separator = ',';
@@ -137,7 +115,7 @@ constexpr char kSeparators[] = {',', ';', '\t'};
 
 std::optional<Layout> layoutOf(std::string_view header, char separator) {
     Layout layout{.separator = separator};
-    const std::vector<std::string> cells = cellsOf(header, separator);
+    const std::vector<std::string> cells = quotedCellsOf(header, separator);
     for (std::size_t i = 0; i < cells.size(); ++i) {
         const Column column = columnNamed(cells[i]);
         int& place = layout.at[static_cast<std::size_t>(column.meaning)];
@@ -149,7 +127,7 @@ std::optional<Layout> layoutOf(std::string_view header, char separator) {
 
 /// lon,lat,flow,time,cycle(s),distance(in),swath(in),moisture ... without a header.
 std::optional<Layout> yieldMonitorLayout(std::string_view firstLine) {
-    const std::vector<std::string> cells = cellsOf(firstLine, ',');
+    const std::vector<std::string> cells = quotedCellsOf(firstLine, ',');
     if (cells.size() < 8) {
         return std::nullopt;
     }
@@ -258,7 +236,7 @@ private:
     }
 
     Result<void> readRow(std::string_view line, std::size_t number) {
-        const std::vector<std::string> cells = cellsOf(line, layout_.separator);
+        const std::vector<std::string> cells = quotedCellsOf(line, layout_.separator);
         const std::string_view first = cell(cells, first_);
         const std::string_view second = cell(cells, second_);
         if (first.empty() || second.empty()) {

@@ -1,0 +1,48 @@
+#include "planner/core/separated_text.h"
+
+namespace furrow {
+
+std::string_view nextLine(std::string_view& text) {
+    const std::size_t end = text.find('\n');
+    std::string_view line = text.substr(0, end);
+    text.remove_prefix(end == std::string_view::npos ? text.size() : end + 1);
+    if (line.ends_with('\r')) {
+        line.remove_suffix(1);
+    }
+    return line;
+}
+
+std::vector<std::string_view> cellsOf(std::string_view line, char separator) {
+    std::vector<std::string_view> cells;
+    while (true) {
+        const std::size_t end = line.find(separator);
+        cells.push_back(line.substr(0, end));
+        if (end == std::string_view::npos) {
+            return cells;
+        }
+        line.remove_prefix(end + 1);
+    }
+}
+
+std::vector<std::string> quotedCellsOf(std::string_view line, char separator, std::size_t most) {
+    std::vector<std::string> cells(1);
+    bool quoted = false;
+    for (std::size_t i = 0; i < line.size(); ++i) {
+        const char letter = line[i];
+        if (letter == '"' && quoted && i + 1 < line.size() && line[i + 1] == '"') {
+            cells.back() += line[++i];
+        } else if (letter == '"') {
+            quoted = !quoted;
+        } else if (letter == separator && !quoted) {
+            if (cells.size() == most) {
+                return cells;
+            }
+            cells.emplace_back();
+        } else {
+            cells.back() += letter;
+        }
+    }
+    return cells;
+}
+
+}  // namespace furrow

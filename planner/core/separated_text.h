@@ -1,0 +1,21 @@
+#pragma once
+
+#include <cstddef>
+#include <string>
+#include <string_view>
+#include <vector>
+
+namespace furrow {
+
+/// Takes the first line from a text, without its end.
+std::string_view nextLine(std::string_view& text);
+
+/// Between separators, as they stand there; at least one.
+std::vector<std::string_view> cellsOf(std::string_view line, char separator);
+
+/// The same where quotes hold separators together and a quote inside them is doubled.
+///
+/// @param most  what comes after so many cells is left out
+std::vector<std::string> quotedCellsOf(std::string_view line, char separator, std::size_t most = 1000);
+
+}  // namespace furrow
