@@ -60,13 +60,18 @@ private slots:
         QTest::addColumn<QString>("machine");
         QTest::addColumn<QString>("field");
         QTest::addColumn<double>("allowedM");
+        QTest::addColumn<QString>("traversal");
         for (const char* operation : {"sowing", "spraying", "spreading", "mowing", "harvest"}) {
             for (const char* machine : {"agbot", "planter"}) {
                 QTest::addRow("%s, %s, rectangle", operation, machine)
-                    << operation << machine << "POLYGON((0 0, 400 0, 400 250, 0 250, 0 0))" << 20.0;
+                    << operation << machine << "POLYGON((0 0, 400 0, 400 250, 0 250, 0 0))" << 20.0 << "headland";
                 QTest::addRow("%s, %s, L", operation, machine)
-                    << operation << machine << "POLYGON((0 0, 400 0, 400 120, 180 120, 180 300, 0 300, 0 0))" << 20.0;
+                    << operation << machine << "POLYGON((0 0, 400 0, 400 120, 180 120, 180 300, 0 300, 0 0))" << 20.0 << "headland";
             }
+        }
+        for (const char* machine : {"agbot", "planter", "cultivator"}) {
+            QTest::addRow("along the boundary, %s", machine)
+                << "sowing" << machine << "POLYGON((0 0, 400 0, 400 120, 180 120, 180 300, 0 300, 0 0))" << 20.0 << "boundary";
         }
     }
     // A headland of 18 m leads from everywhere to the gate.
@@ -75,9 +80,10 @@ private slots:
         QFETCH(QString, machine);
         QFETCH(QString, field);
         QFETCH(double, allowedM);
+        QFETCH(QString, traversal);
         Settings settings;
         for (const auto& [key, text] : {std::pair<std::string_view, std::string>{"operation.kind", operation.toStdString()},
-                                        {"route.traversal", "headland"},
+                                        {"route.traversal", traversal.toStdString()},
                                         {"headland.width_m", "18"}}) {
             applySetting(settings, key, text).value();
         }
