@@ -55,11 +55,15 @@ Message tooNarrow(const Plan& plan) {
     return "The field is too narrow for this machine to turn in: take a smaller machine.";
 }
 
+Message noHeadland(const Parameter& setting) {
+    return message("Without a headland ({}) there is no room to turn.", setting.key);
+}
+
 Message whyOutside(const Plan& plan) {
     const Settings& settings = plan.request.settings;
     const Parameter* const headland = headlandSetting(settings);
     if (plan.headland.passes == 0 && headland != nullptr) {
-        return message("Without a headland ({}) there is no room to turn.", headland->key);
+        return noHeadland(*headland);
     }
     const Length room = plan.margin + roomForTurns(plan.request.machine, turnMethod(settings), settings.choice(kEnds) == "full");
     if (!plan.headland.narrowed) {
@@ -82,6 +86,9 @@ bool isAtMainland(const Plan& plan, Point place) {
 Message whyMissed(const Plan& plan, Point place) {
     const Settings& settings = plan.request.settings;
     const Parameter& method = *stageMethod("swaths");
+    if (const Parameter* const headland = headlandSetting(settings); plan.headland.passes == 0 && headland != nullptr) {
+        return noHeadland(*headland);
+    }
     if (plan.headland.passes > 0 && !settings.flag(kHeadlandDriven)) {
         return message("No passes are driven in the headland ({}).", kHeadlandDriven.key);
     }
