@@ -127,7 +127,7 @@ void addBatchCommand(CLI::App& app, std::function<int()>& run) {
         "Writes a folder for each field (summary.json, and what --format names) and batch.jsonl with one line\n"
         "for each, as soon as it is done. Of several shards each has its own, batch-I-of-N.jsonl. Fields of a\n"
         "project have the machine and settings of their plans. A folder holds one batch: other fields, another\n"
-        "machine or other settings need another folder. --resume takes more files, and plans what is missing.\n"
+        "machine or other settings need another folder. --resume goes on: it plans what is missing, of more files, too.\n"
         "\n"
         "Exit status: 0 every field has a drivable plan, 1 some have not, 2 wrong usage, 3 input refused,\n"
         "4 could not read or write, 130 cancelled.");

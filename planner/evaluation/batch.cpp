@@ -7,7 +7,10 @@
 #include "planner/jobs/parallel.h"
 #include "planner/plan/plan.h"
 
+#include <fcntl.h>
 #include <nlohmann/json.hpp>
+#include <sys/file.h>
+#include <unistd.h>
 
 #include <algorithm>
 #include <array>
@@ -166,6 +169,28 @@ private:
     std::filesystem::path path_;
     std::ofstream file_;
     std::mutex mutex_;
+};
+
+/// Held while a batch writes to its record: two at once would overwrite each other's lines.
+class RecordLock {
+public:
+    explicit RecordLock(const std::filesystem::path& path) : file_{::open(path.c_str(), O_RDWR | O_CREAT | O_CLOEXEC, 0666)} {
+        isTaken_ = file_ >= 0 && ::flock(file_, LOCK_EX | LOCK_NB) != 0 && errno == EWOULDBLOCK;
+    }
+    ~RecordLock() {
+        if (file_ >= 0) {
+            ::close(file_);
+        }
+    }
+    RecordLock(const RecordLock&) = delete;
+    RecordLock& operator=(const RecordLock&) = delete;
+
+    /// By another run. Where no file can be made here, writing says so.
+    bool isTaken() const { return isTaken_; }
+
+private:
+    int file_;
+    bool isTaken_ = false;
 };
 
 struct BatchField {
@@ -371,8 +396,17 @@ Result<void> checkFolder(const BatchTask& task, const std::vector<BatchField>& f
             if (record.run != run) {
                 return other(record, "the folder holds a batch of another machine, other settings, formats or an older version");
             }
-            if (entry.path().filename() == own.filename() && !std::ranges::contains(fields, record.key, &BatchField::key)) {
+            if (entry.path().filename() != own.filename()) {
+                continue;
+            }
+            if (!std::ranges::contains(fields, record.key, &BatchField::key)) {
                 return other(record, "the folder holds a batch of other fields, or this one was changed since");
+            }
+            if (!task.resume) {
+                return std::unexpected(Error{.code = ErrorCode::Usage,
+                                             .what = "the folder holds this batch, or a part of it",
+                                             .where = task.out.string(),
+                                             .remedy = "go on with it by --resume, or choose another folder for --out"});
             }
         }
     }
@@ -393,6 +427,13 @@ Result<BatchReport> runBatch(const BatchTask& task, const JobContext& job) {
     std::error_code failed;
     std::filesystem::create_directories(task.out, failed);
     const std::filesystem::path path = batchRecordPath(task.out, task.shard);
+    const RecordLock held{path};
+    if (held.isTaken()) {
+        return std::unexpected(Error{.code = ErrorCode::Usage,
+                                     .what = "another run is writing to this folder",
+                                     .where = task.out.string(),
+                                     .remedy = "wait for it, or choose another folder for --out"});
+    }
     std::vector<BatchRecord> records = task.resume ? recordsIn(path) : std::vector<BatchRecord>{};
     RecordFile file;
     if (const auto opened = file.open(path, records); !opened) {

@@ -16,6 +16,10 @@
 #include <QTemporaryDir>
 #include <QTest>
 
+#include <fcntl.h>
+#include <sys/file.h>
+#include <unistd.h>
+
 #include <algorithm>
 #include <cmath>
 #include <set>
@@ -185,6 +189,29 @@ private slots:
         QCOMPARE(json["narrow"]["fields"].toInt(), 1);
     }
 
+    // What was planned is neither planned again nor overwritten unasked.
+    void theSameAgainIsRefused() {
+        const QByteArray before = read(at("whole", "batch.jsonl"));
+        QVERIFY(!before.isEmpty());
+        const auto again = runBatch(taskInto("whole"), {});
+        QVERIFY(!again);
+        QVERIFY2(again.error().remedy.text().contains("--resume"), again.error().line().c_str());
+        QCOMPARE(read(at("whole", "batch.jsonl")), before);
+    }
+
+    void oneRunAtATime() {
+        BatchTask task = taskInto("locked");
+        std::filesystem::create_directories(task.out);
+        const int other = ::open(batchRecordPath(task.out, task.shard).c_str(), O_RDWR | O_CREAT, 0666);
+        QVERIFY(other >= 0 && ::flock(other, LOCK_EX | LOCK_NB) == 0);
+        task.resume = true;
+        const auto second = runBatch(task, {});
+        QVERIFY(!second);
+        QCOMPARE(second.error().what.text(), std::string{"another run is writing to this folder"});
+        ::close(other);
+        QVERIFY(runBatch(task, {}).has_value());
+    }
+
     void resumePlansWhatIsMissing() {
         QVERIFY(runBatch(taskInto("resumed"), {}).has_value());
         QList<QByteArray> lines = linesOf(at("resumed"));
@@ -227,15 +254,6 @@ private slots:
             QCOMPARE(linesOf(at("cut")).size(), 4);
             QCOMPARE(records("cut").keys(), (QList<int>{1, 2, 3, 4}));
         }
-    }
-
-    void withoutResumeAllIsPlannedAgain() {
-        QVERIFY(runBatch(taskInto("again"), {}).has_value());
-        const QString first = folderOf("again", "four-00001");
-        QVERIFY(QDir{first}.removeRecursively());
-        QVERIFY(runBatch(taskInto("again"), {}).has_value());
-        QVERIFY(QFile::exists(first + "/summary.json"));
-        QCOMPARE(linesOf(at("again")).size(), 4);
     }
 
     // Two farms, two machines' exports: the same name in two folders, and the same stem with another extension.
