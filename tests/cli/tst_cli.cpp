@@ -223,7 +223,7 @@ private slots:
             return QStringList{"batch", input, "--out", folder_.filePath(folder)} + more;
         };
         QTest::newRow("a batch") << batch(two, "batch", {}) << 0 << "planned 2 (100.0 %)";
-        QTest::newRow("a batch with totals for programs") << batch(two, "batch", {"--json"}) << 0 << "\"fields\": 2";
+        QTest::newRow("a batch with totals for programs") << batch(two, "batch-json", {"--json"}) << 0 << "\"fields\": 2";
         QTest::newRow("a batch with a field that is refused") << batch(bowTie, "refused", {}) << 1 << "planned 0 (0.0 %)";
         QTest::newRow("half of a batch") << batch(two, "half", {"--shard", "2/2"}) << 0 << "batch-2-of-2.jsonl";
         for (const char* shard : {"3/2", "0/2", "2", "1/0", "1/2/3", "a/b", "-1/2"}) {
