@@ -119,7 +119,8 @@ Result<void> tryHeadings(Best& best, const JobContext& job) {
             return std::unexpected(taken.error());
         }
         if (*taken) {
-            best.notes = {{anotherHeading(candidate, reasonFor(*best.plan, *searched.plan)), "instead", {}}};
+            best.notes = searched.notes;
+            best.notes.push_back({anotherHeading(candidate, reasonFor(*best.plan, *searched.plan)), "instead", {}});
         }
     }
     return {};
@@ -188,11 +189,12 @@ Result<std::shared_ptr<Plan>> quickestChoice(const PlanRequest& request, const J
     Best best{.request = request, .plan = std::move(*asked), .instead = {}, .notes = {}};
     Result<void> tried;
     if (!hasOwnOrder(request.settings)) {
-        if (request.settings.choice(kCellHeading) != "per-cell") {
-            tried = tryHeadings(best, job);
-        }
+        // What is simpler first, so that from there on all is as if that had been asked for.
         for (const SimplerChoice& choice : kSimplerChoices) {
             tried = tried.and_then([&] { return trySimpler(best, choice, job); });
+        }
+        if (best.request.settings.choice(kCellHeading) != "per-cell") {
+            tried = tried.and_then([&] { return tryHeadings(best, job); });
         }
     }
     tried = tried.and_then([&] { return tryCorners(best, job); });
