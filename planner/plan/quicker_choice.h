@@ -12,7 +12,7 @@ namespace furrow {
 /// `decomposition.heading=per-cell`, and other headings that the search by time found: along the longest edge where its
 /// estimate is near the best, and all of them where the best cannot be driven. An order of one's own keeps its swaths.
 /// With `headland.corner=quickest` a drivable plan is compared with those that reach into the corners of the headland.
-/// What was taken instead stands in Plan::instead, and a note says so.
+/// What was taken stands in Plan::instead; a note says so, but for corners, of which none was asked for.
 /// Cost: a plan for each. Errors: of the plan as asked. Cancelled.
 Result<std::shared_ptr<Plan>> quickestChoice(const PlanRequest& request, const JobContext& job);
 

@@ -32,14 +32,14 @@ const Parameter* headlandSetting(const Settings& settings) {
     return nullptr;
 }
 
-/// A setting that was given and says which way swaths run, or how long they are.
+/// A setting that was given and decides which way swaths run, or how long they are.
 const Parameter* swathSetting(const Settings& settings) {
-    const auto setsSwaths = [&](const Parameter* parameter) {
-        return settings.isSet(*parameter) && (parameter == &kSplit || parameter->key.starts_with("swaths."));
-    };
-    const auto all = allParameters();
-    const auto found = std::ranges::find_if(all, setsSwaths);
-    return found == all.end() ? nullptr : *found;
+    for (const Parameter* parameter : {stageMethod("swaths"), &kObjective, &kSplit}) {
+        if (settings.isSet(*parameter)) {
+            return parameter;
+        }
+    }
+    return nullptr;
 }
 
 Message tooNarrow(const Plan& plan) {
