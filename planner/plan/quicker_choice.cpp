@@ -9,7 +9,6 @@
 #include "planner/units/angle.h"
 
 #include <algorithm>
-#include <optional>
 #include <utility>
 #include <vector>
 
@@ -95,20 +94,19 @@ struct Best {
     std::vector<Note> notes;
 };
 
-/// Takes the plan with other settings where it is better as driven: whether it did, and why. One that cannot be made is no
-/// better. Cancelled.
-Result<std::optional<Message>> takeIfBetter(Best& best, PlanRequest other, const JobContext& job) {
+/// Takes the plan with other settings where it is better as driven: whether it did. One that cannot be made is no better.
+/// Cancelled.
+Result<bool> takeIfBetter(Best& best, PlanRequest other, const JobContext& job) {
     auto plan = planAsAsked(other, job.quiet());
     if (!plan && plan.error().code == ErrorCode::Cancelled) {
         return std::unexpected(plan.error());
     }
     if (!plan || !isBetter(**plan, *best.plan)) {
-        return std::nullopt;
+        return false;
     }
-    Message reason = reasonFor(**plan, *best.plan);
     best.plan = std::move(*plan);
     best.request = std::move(other);
-    return reason;
+    return true;
 }
 
 Result<void> tryHeadings(Best& best, const JobContext& job) {
@@ -135,12 +133,13 @@ Result<void> trySimpler(Best& best, const SimplerChoice& choice, const JobContex
     if (auto set = simpler.settings.setText(parameter, choice.simpler); !set) {
         return set;
     }
+    const std::shared_ptr<Plan> before = best.plan;
     const auto taken = takeIfBetter(best, std::move(simpler), job);
     if (!taken) {
         return std::unexpected(taken.error());
     }
     if (*taken) {
-        best.notes.push_back({takenInstead(parameter, choice, **taken), "instead", {}});
+        best.notes.push_back({takenInstead(parameter, choice, reasonFor(*best.plan, *before)), "instead", {}});
         best.instead.push_back({std::string{choice.key}, std::string{choice.simpler}});
     }
     return {};
