@@ -122,6 +122,11 @@ Error nothingWorked(const Field& field) {
             .place = middleOf(field.source().parts)};
 }
 
+/// Never told: a quicker plan is there.
+Error tooSlow(const Field& field) {
+    return {.code = ErrorCode::InputRefused, .what = "the path takes longer than another", .where = field.name()};
+}
+
 /// Wet spots and what is passed over beside them, and what the swaths leave.
 Result<MultiPolygon> landLeftOnPurpose(const Plan& plan, MultiPolygon passedOver, const JobContext& job) {
     std::ranges::copy(plan.field().passable(), std::back_inserter(passedOver));
@@ -242,7 +247,7 @@ Result<void> checkWays(Plan& plan, const MultiPolygon& drivable, const JobContex
 /// The path over these legs, checked and audited, with what both find. Where no way leads from one to the next they are
 /// put in another order.
 Result<void> drive(Plan& plan, std::vector<Leg>& legs, RememberedWays& ways, const ChosenTurns& chosen,
-                   const MultiPolygon& drivable, const JobContext& job) {
+                   const MultiPolygon& drivable, std::optional<Duration> atMost, const JobContext& job) {
     const Settings& settings = plan.request.settings;
     const Machine& machine = plan.request.machine;
     const bool fits = settings.flag(kStayInside);
@@ -275,6 +280,9 @@ Result<void> drive(Plan& plan, std::vector<Leg>& legs, RememberedWays& ways, con
     }
     if (!path) {
         return std::unexpected(path.error());
+    }
+    if (atMost && path->duration() > *atMost) {
+        return std::unexpected(tooSlow(plan.field()));
     }
     plan.path = std::move(*path);
     plan.findings.clear();
@@ -394,7 +402,7 @@ Result<void> finish(Plan& plan, std::vector<Leg> legs, RememberedWays& ways, con
             }
             continue;
         }
-        if (auto driven = drive(finished, more.legs, ways, chosen, drivable, part.part(0.2, 1.0)); !driven) {
+        if (auto driven = drive(finished, more.legs, ways, chosen, drivable, {}, part.part(0.2, 1.0)); !driven) {
             return driven;
         }
         if (finished.blockingCount() > plan.blockingCount() || outsideCount(finished) > outsideCount(plan)) {
@@ -413,7 +421,7 @@ Result<void> finish(Plan& plan, std::vector<Leg> legs, RememberedWays& ways, con
 
 }  // namespace
 
-Result<void> driveStage(Plan& plan, const MultiPolygon& drivable, const JobContext& job) {
+Result<void> driveStage(Plan& plan, const MultiPolygon& drivable, std::optional<Duration> atMost, const JobContext& job) {
     const Field& field = plan.field();
     const Machine& machine = plan.request.machine;
     const Settings& settings = plan.request.settings;
@@ -458,7 +466,7 @@ Result<void> driveStage(Plan& plan, const MultiPolygon& drivable, const JobConte
     plan.leftOnPurpose = std::move(*onPurpose);
     const ChosenTurns chosen{plan, *fitting};
     gates = addGateWays(legs, places, field, Rig{*open, machine.folded()});
-    if (auto driven = drive(plan, legs, ways, chosen, *ground, job.part(0.0, 0.8)); !driven) {
+    if (auto driven = drive(plan, legs, ways, chosen, *ground, atMost, job.part(0.0, 0.8)); !driven) {
         return std::unexpected(driven.error());
     }
     if (auto finished = finish(plan, legs, ways, chosen, *ground, job.part(0.8, 1.0)); !finished) {

@@ -173,8 +173,8 @@ Result<LaidSwaths> layOutRound(Plan& plan, std::vector<Ring> obstacles, const Mu
 
 /// All stages, with swaths that go round these obstacles or as many of them as they can.
 Result<std::shared_ptr<Plan>> plannedRound(const PlanRequest& request, std::vector<Ring> obstacles,
-                                           const MultiPolygon& drivable, Length margin, const JobContext& job) {
-    const Settings& settings = request.settings;
+                                           const MultiPolygon& drivable, Length margin, std::optional<Duration> atMost,
+                                           const JobContext& job) {
     auto plan = std::make_shared<Plan>(Plan{.request = request, .margin = margin});
     const auto laid = layOutRound(*plan, std::move(obstacles), drivable, job);
     if (!laid) {
@@ -189,17 +189,13 @@ Result<std::shared_ptr<Plan>> plannedRound(const PlanRequest& request, std::vect
         if (auto cut = cutOutGoneRound(*plan, job); !cut) {
             return std::unexpected(cut.error());
         }
-        RouteTask task{.swaths = plan->swaths, .machine = request.machine, .turn = turnMethod(settings), .settings = settings};
-        for (const Cell& cell : plan->cells.cells) {
-            task.cells.push_back(cell.swaths);
-        }
-        return routeMethod(settings)(task, job.part(0.82, 0.85));
+        return routeMethod(request.settings)(routeTask(*plan), job.part(0.82, 0.85));
     });
     if (!route) {
         return std::unexpected(route.error());
     }
     plan->route = std::move(*route);
-    if (auto driven = driveStage(*plan, drivable, job.part(0.85, 1.0)); !driven) {
+    if (auto driven = driveStage(*plan, drivable, atMost, job.part(0.85, 1.0)); !driven) {
         return std::unexpected(driven.error());
     }
     return plan;
@@ -253,6 +249,18 @@ AuditInput auditInput(const Plan& plan) {
     return input;
 }
 
+RouteTask routeTask(const Plan& plan) {
+    const PlanRequest& request = plan.request;
+    RouteTask task{.swaths = plan.swaths,
+                   .machine = request.machine,
+                   .turn = turnMethod(request.settings),
+                   .settings = request.settings};
+    for (const Cell& cell : plan.cells.cells) {
+        task.cells.push_back(cell.swaths);
+    }
+    return task;
+}
+
 Result<std::shared_ptr<const Plan>> makePlan(const PlanRequest& request, const JobContext& job) {
     const Clock::time_point begin = Clock::now();
     auto plan = quickestChoice(request, job);
@@ -266,7 +274,7 @@ Result<std::shared_ptr<const Plan>> makePlan(const PlanRequest& request, const J
     return std::shared_ptr<const Plan>{std::move(*plan)};
 }
 
-Result<std::shared_ptr<Plan>> planAsAsked(const PlanRequest& request, const JobContext& job) {
+Result<std::shared_ptr<Plan>> planAsAsked(const PlanRequest& request, const JobContext& job, std::optional<Duration> atMost) {
     const Field& field = *request.field;
     const Machine& machine = request.machine;
     const Length margin = request.settings.length(kMargin).value_or(field.source().boundaryAccuracy);
@@ -279,7 +287,7 @@ Result<std::shared_ptr<Plan>> planAsAsked(const PlanRequest& request, const JobC
         return std::unexpected(drivable.error());
     }
     const std::vector<Ring> small = smallObstacles(field, roundUpTo(request.settings, machine));
-    auto best = plannedRound(request, small, *drivable, margin, job.part(0.0, small.empty() ? 1.0 : kFirstTry));
+    auto best = plannedRound(request, small, *drivable, margin, atMost, job.part(0.0, small.empty() ? 1.0 : kFirstTry));
     if (!best) {
         return std::unexpected(best.error());
     }
@@ -293,7 +301,7 @@ Result<std::shared_ptr<Plan>> planAsAsked(const PlanRequest& request, const JobC
         if (fewer.size() == blocked.swaths.goneRound.size()) {
             continue;
         }
-        auto other = plannedRound(request, fewer, *drivable, margin, job.quiet());
+        auto other = plannedRound(request, fewer, *drivable, margin, atMost, job.quiet());
         if (!other && other.error().code == ErrorCode::Cancelled) {
             return std::unexpected(other.error());
         }

@@ -5,10 +5,14 @@
 #include "planner/plan/as_asked.h"
 #include "planner/plan/method_registry.h"
 #include "planner/route/methods.h"
+#include "planner/route/patterns.h"
 #include "planner/swaths/methods.h"
 #include "planner/units/angle.h"
 
 #include <algorithm>
+#include <array>
+#include <iterator>
+#include <optional>
 #include <utility>
 #include <vector>
 
@@ -28,10 +32,13 @@ constexpr SimplerChoice kSimplerChoices[] = {
     {"decomposition.heading", "per-cell", "common"},
 };
 
-// A heading whose estimate is slower by more is not the quickest as driven either.
-constexpr double kNearTime = 1.05;
 constexpr Angle kSameHeading = degrees(0.01);
+// Other headings of the search that are driven where the best one blocks.
 constexpr std::size_t kMostHeadings = 2;
+// Patterns that every driver knows, and that have the fewest long ways.
+constexpr std::array kPlainPatterns{&kBoustrophedonMethod, &kSnakeMethod};
+// Free-space turns are too short by this share of the path at most, seen over real fields.
+constexpr double kNearPattern = 0.1;
 
 std::string_view choiceName(const Parameter& parameter, std::string_view id) {
     return std::ranges::find(parameter.choices, id, &Choice::id)->name;
@@ -62,18 +69,13 @@ PlanRequest along(PlanRequest request, Angle heading) {
     return request;
 }
 
-/// Headings that the search found near the best: along the longest edge where that is not much slower by the estimate;
-/// all of them where the best one cannot be driven.
+/// Headings that a search by time found, other than the one it took: along the longest edge, which estimates and turns as
+/// driven may tell apart otherwise; more of them where the plan cannot be driven.
 std::vector<HeadingCandidate> headingsToTry(const Plan& plan) {
     std::vector<HeadingCandidate> headings;
-    const std::vector<HeadingCandidate>& all = plan.swaths.candidates;
-    if (all.empty()) {
-        return headings;
-    }
-    const Duration quickest = std::ranges::min_element(all, {}, [](const auto& each) { return each.figures.time; })->figures.time;
-    for (const HeadingCandidate& each : all) {
-        const bool isNear = each.alongLongestEdge && each.figures.time < kNearTime * quickest;
-        if (angleBetweenLines(each.heading, plan.swaths.heading) > kSameHeading && (isNear || !plan.drivable()) && headings.size() < kMostHeadings) {
+    for (const HeadingCandidate& each : plan.swaths.candidates) {
+        const bool isWanted = each.alongLongestEdge || (!plan.drivable() && headings.size() < kMostHeadings);
+        if (isWanted && angleBetweenLines(each.heading, plan.swaths.heading) > kSameHeading) {
             headings.push_back(each);
         }
     }
@@ -88,7 +90,8 @@ Message anotherHeading(const HeadingCandidate& taken, const Message& reason) {
 
 /// The best plan so far, and the settings that it was made with.
 struct Best {
-    PlanRequest request;
+    PlanRequest asked;    ///< before anything was decided
+    PlanRequest request;  ///< as the plan has it
     std::shared_ptr<Plan> plan;
     std::vector<SettingChange> instead;
     std::vector<Note> notes;
@@ -97,7 +100,7 @@ struct Best {
 /// Takes the plan with other settings where it is better as driven: whether it did. One that cannot be made is no better.
 /// Cancelled.
 Result<bool> takeIfBetter(Best& best, PlanRequest other, const JobContext& job) {
-    auto plan = planAsAsked(other, job.quiet());
+    auto plan = planAsAsked(other, job.quiet(), best.plan->drivable() ? std::optional{timeForAll(*best.plan)} : std::nullopt);
     if (!plan && plan.error().code == ErrorCode::Cancelled) {
         return std::unexpected(plan.error());
     }
@@ -124,35 +127,46 @@ Result<void> tryHeadings(Best& best, const JobContext& job) {
     return {};
 }
 
-Result<void> trySimpler(Best& best, const SimplerChoice& choice, const JobContext& job) {
-    const Parameter& parameter = **findParameter(choice.key);
-    if (best.request.settings.choice(parameter) != choice.chosen) {
+/// Patterns that the route by estimated turns passed over.
+Result<void> tryPatterns(Best& best, const JobContext& job) {
+    if (routeMethod(best.request.settings) != kOptimisedMethod.run || !best.plan->drivable()) {
         return {};
     }
-    PlanRequest simpler = best.request;
-    if (auto set = simpler.settings.setText(parameter, choice.simpler); !set) {
-        return set;
-    }
-    const std::shared_ptr<Plan> before = best.plan;
-    const auto taken = takeIfBetter(best, std::move(simpler), job);
-    if (!taken) {
-        return std::unexpected(taken.error());
-    }
-    if (*taken) {
-        best.notes.push_back({takenInstead(parameter, choice, reasonFor(*best.plan, *before)), "instead", {}});
-        best.instead.push_back({std::string{choice.key}, std::string{choice.simpler}});
+    const Best searched = best;
+    const RouteTask task = routeTask(*searched.plan);
+    const Duration estimate = turningTime(searched.plan->route.steps, task);
+    const Duration near = estimate + kNearPattern * searched.plan->path.duration();
+    for (const Method<RoutePlanner>* const pattern : kPlainPatterns) {
+        const auto route = pattern->run(task, job.quiet());
+        if (!route) {
+            return std::unexpected(route.error());
+        }
+        if (*route == searched.plan->route || turningTime(route->steps, task) > near) {
+            continue;
+        }
+        PlanRequest request = searched.plan->swaths.candidates.empty() ? searched.request
+                                                                       : along(searched.request, searched.plan->swaths.heading);
+        request.settings.set(*stageMethod("route"), std::string{pattern->info.id}).value();
+        const auto taken = takeIfBetter(best, std::move(request), job);
+        if (!taken) {
+            return std::unexpected(taken.error());
+        }
+        if (*taken) {
+            best.instead = searched.instead;
+            best.instead.push_back({std::string{stageMethod("route")->key}, std::string{pattern->info.id}});
+        }
     }
     return {};
 }
 
-/// Those that reach into corners are much alike: the second is tried where the first is no better.
+/// Those that reach into corners are worth it where the plan can be driven.
 Result<void> tryCorners(Best& best, const JobContext& job) {
     if (best.request.settings.choice(kHeadlandCorner) != kQuickestCorner || best.plan->headland.rings.empty()) {
         return {};
     }
     std::string_view corner = kRoundedCorner;
     for (const std::string_view other : {kLoopCorner, kReverseCorner}) {
-        if (!best.plan->drivable() || corner != kRoundedCorner) {
+        if (!best.plan->drivable()) {
             break;
         }
         PlanRequest request = best.request;
@@ -172,6 +186,55 @@ bool hasOwnOrder(const Settings& settings) {
     return routeMethod(settings) == kCustomMethod.run;
 }
 
+/// The plan as asked, with what is left to the planner decided by the time of the driven path. Cancelled.
+Result<Best> improved(const PlanRequest& request, const JobContext& job) {
+    auto asked = planAsAsked(request, job, {});
+    if (!asked) {
+        return std::unexpected(asked.error());
+    }
+    Best best{.asked = request, .request = request, .plan = std::move(*asked), .instead = {}, .notes = {}};
+    if (request.draft) {
+        return best;
+    }
+    const std::vector<HeadingCandidate> candidates = best.plan->swaths.candidates;
+    Result<void> tried;
+    if (!hasOwnOrder(request.settings) && request.settings.choice(kCellHeading) != "per-cell") {
+        tried = tryHeadings(best, job);
+    }
+    tried = tried.and_then([&] { return tryPatterns(best, job); }).and_then([&] { return tryCorners(best, job); });
+    if (!tried) {
+        return std::unexpected(tried.error());
+    }
+    best.plan->swaths.candidates = candidates;
+    return best;
+}
+
+/// Takes the plan with the simpler choice where that is quicker, each as good as it gets. Cancelled.
+Result<void> trySimpler(Best& best, const SimplerChoice& choice, const JobContext& job) {
+    const Parameter& parameter = **findParameter(choice.key);
+    if (best.asked.settings.choice(parameter) != choice.chosen) {
+        return {};
+    }
+    PlanRequest simpler = best.asked;
+    if (auto set = simpler.settings.setText(parameter, choice.simpler); !set) {
+        return set;
+    }
+    auto other = improved(simpler, job.quiet());
+    if (!other && other.error().code == ErrorCode::Cancelled) {
+        return std::unexpected(other.error());
+    }
+    if (!other || !isBetter(*other->plan, *best.plan)) {
+        return {};
+    }
+    other->notes.push_back({takenInstead(parameter, choice, reasonFor(*other->plan, *best.plan)), "instead", {}});
+    other->instead.push_back({std::string{choice.key}, std::string{choice.simpler}});
+    std::ranges::copy_if(best.instead, std::back_inserter(other->instead), [](const SettingChange& change) {
+        return std::ranges::contains(kSimplerChoices, change.key, &SimplerChoice::key);
+    });
+    best = std::move(*other);
+    return {};
+}
+
 }  // namespace
 
 Duration timeForAll(const Plan& plan) {
@@ -181,29 +244,23 @@ Duration timeForAll(const Plan& plan) {
 }
 
 Result<std::shared_ptr<Plan>> quickestChoice(const PlanRequest& request, const JobContext& job) {
-    auto asked = planAsAsked(request, job);
-    if (!asked || request.draft) {
-        return asked;
+    auto best = improved(request, job);
+    if (!best) {
+        return std::unexpected(best.error());
     }
-    Best best{.request = request, .plan = std::move(*asked), .instead = {}, .notes = {}};
     Result<void> tried;
-    if (!hasOwnOrder(request.settings)) {
-        // What is simpler first, so that from there on all is as if that had been asked for.
+    if (!request.draft && !hasOwnOrder(request.settings)) {
         for (const SimplerChoice& choice : kSimplerChoices) {
-            tried = tried.and_then([&] { return trySimpler(best, choice, job); });
-        }
-        if (best.request.settings.choice(kCellHeading) != "per-cell") {
-            tried = tried.and_then([&] { return tryHeadings(best, job); });
+            tried = tried.and_then([&] { return trySimpler(*best, choice, job); });
         }
     }
-    tried = tried.and_then([&] { return tryCorners(best, job); });
     if (!tried) {
         return std::unexpected(tried.error());
     }
-    best.plan->request = request;
-    best.plan->instead = std::move(best.instead);
-    best.plan->notes = std::move(best.notes);
-    return std::move(best.plan);
+    best->plan->request = request;
+    best->plan->instead = std::move(best->instead);
+    best->plan->notes = std::move(best->notes);
+    return std::move(best->plan);
 }
 
 }  // namespace furrow
