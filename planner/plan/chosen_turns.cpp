@@ -31,10 +31,11 @@ Message whyNot(const Method<TurnPlanner>& kind, const Machine& machine, int outs
 
 }  // namespace
 
-ChosenTurns::ChosenTurns(const Plan& plan, const FittingWays& ways) : kind_{turnKind(plan.request.settings)}, ways_{ways} {
-    for (std::size_t cell = 0; cell < plan.cells.cells.size(); ++cell) {
-        for (const std::size_t swath : plan.cells.cells[cell].swaths) {
-            cellOfSwath_[plan.swaths.swaths[swath].number] = cell;
+ChosenTurns::ChosenTurns(const Settings& settings, const SwathSet& swaths, const Decomposition& cells, const FittingWays& ways)
+    : kind_{turnKind(settings)}, ways_{ways} {
+    for (std::size_t cell = 0; cell < cells.cells.size(); ++cell) {
+        for (const std::size_t swath : cells.cells[cell].swaths) {
+            cellOfSwath_[swaths.swaths[swath].number] = cell;
         }
     }
 }

@@ -3,7 +3,7 @@
 #include "planner/path/finding.h"
 #include "planner/path/fitting_ways.h"
 #include "planner/path/path_builder.h"
-#include "planner/plan/plan.h"
+#include "planner/plan/stages.h"
 #include "planner/settings/method.h"
 
 #include <map>
@@ -17,7 +17,7 @@ namespace furrow {
 class ChosenTurns {
 public:
     /// Keeps what it is made from.
-    ChosenTurns(const Plan& plan, const FittingWays& ways);
+    ChosenTurns(const Settings& settings, const SwathSet& swaths, const Decomposition& cells, const FittingWays& ways);
 
     /// The turn from one leg to the next of the chosen kind, where it belongs and fits.
     std::optional<Turn> between(const Leg& leaving, const Leg& arriving) const;

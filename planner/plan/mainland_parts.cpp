@@ -6,7 +6,8 @@
 
 namespace furrow {
 
-PartCollector::PartCollector(const SwathSet& common) : laid_{.swaths = common, .parts = {}} {
+PartCollector::PartCollector(const SwathSet& common, const MultiPolygon& mainland)
+    : laid_{.swaths = common, .parts = {}, .mainland = mainland} {
     laid_.swaths.swaths.clear();
     laid_.swaths.totalLength = {};
 }
@@ -27,10 +28,10 @@ void PartCollector::add(MultiPolygon outline, SwathSet set, std::optional<Angle>
     laid_.parts.push_back(std::move(part));
 }
 
-SwathSet setOf(const LaidSwaths& laid, const MainlandPart& part) {
-    SwathSet set = laid.swaths;
-    set.heading = part.heading.value_or(laid.swaths.heading);
-    const auto first = laid.swaths.swaths.begin() + static_cast<std::ptrdiff_t>(part.firstSwath);
+SwathSet setOf(const SwathSet& all, const MainlandPart& part) {
+    SwathSet set = all;
+    set.heading = part.heading.value_or(all.heading);
+    const auto first = all.swaths.begin() + static_cast<std::ptrdiff_t>(part.firstSwath);
     set.swaths.assign(first, first + static_cast<std::ptrdiff_t>(part.swathCount));
     return set;
 }

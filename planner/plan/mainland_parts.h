@@ -1,6 +1,6 @@
 #pragma once
 
-#include "planner/plan/swath_stage.h"
+#include "planner/plan/stages.h"
 
 #include <optional>
 
@@ -9,8 +9,9 @@ namespace furrow {
 /// The parts of a mainland with their swaths one after the other in one set.
 class PartCollector {
 public:
-    /// @param common  whose figures and notes the set begins with
-    explicit PartCollector(const SwathSet& common);
+    /// @param common    whose figures and notes the set begins with
+    /// @param mainland  that the parts tile
+    PartCollector(const SwathSet& common, const MultiPolygon& mainland);
 
     /// @param heading  of its own; its straight swaths then get lines of their own
     void add(MultiPolygon outline, SwathSet set, std::optional<Angle> heading);
@@ -22,7 +23,7 @@ private:
 };
 
 /// The swaths of one part in a set of their own, as the methods read them.
-SwathSet setOf(const LaidSwaths& laid, const MainlandPart& part);
+SwathSet setOf(const SwathSet& all, const MainlandPart& part);
 
 /// Of the chosen swath method. Errors: those of the method.
 Result<SwathSet> swathsByMethod(const PlanRequest& request, const MultiPolygon& mainland, const JobContext& job);

@@ -2,6 +2,7 @@
 
 #include "planner/decomposition/cell_cost.h"
 #include "planner/geometry/geos_bridge.h"
+#include "planner/plan/cell_stage.h"
 #include "planner/plan/mainland_parts.h"
 #include "planner/plan/method_registry.h"
 #include "planner/swaths/curved_swaths.h"
@@ -57,17 +58,17 @@ void append(MultiPolygon& all, const MultiPolygon& more) {
 
 class HeadingChooser {
 public:
-    HeadingChooser(const Plan& plan, const SwathSet& common, const std::vector<MultiPolygon>& pieces,
-                   const EndsDrawnOut& withEnds, const JobContext& job)
-        : plan_{plan}, common_{common}, pieces_{pieces}, withEnds_{withEnds}, job_{job} {}
+    HeadingChooser(const PlanRequest& request, const MultiPolygon& mainland, const SwathSet& common,
+                   const std::vector<MultiPolygon>& pieces, const EndsDrawnOut& withEnds, const JobContext& job)
+        : request_{request}, mainland_{mainland}, common_{common}, pieces_{pieces}, withEnds_{withEnds}, job_{job} {}
 
     Result<LaidSwaths> chosen() {
         if (auto divided = divide(); !divided) {
             return std::unexpected(divided.error());
         }
         if (cells_.size() < 2) {
-            PartCollector collector{common_};
-            collector.add(plan_.headland.mainland, common_, {});
+            PartCollector collector{common_, mainland_};
+            collector.add(mainland_, common_, {});
             return collector.take();
         }
         isOwn_.assign(cells_.size(), false);
@@ -89,13 +90,11 @@ public:
     }
 
 private:
-    const PlanRequest& request() const { return plan_.request; }
-
     Result<void> divide() {
         for (std::size_t piece = 0; piece < pieces_.size(); ++piece) {
             const SwathSet inside = pieces_.size() == 1 ? common_ : cutTo(common_, pieces_[piece]);
-            const auto cells = decompositionMethod(request().settings)(
-                {.mainland = pieces_[piece], .swaths = inside, .machine = request().machine, .settings = request().settings}, job_);
+            const auto cells = decompositionMethod(request_.settings)(
+                {.mainland = pieces_[piece], .swaths = inside, .machine = request_.machine, .settings = request_.settings}, job_);
             if (!cells) {
                 return std::unexpected(cells.error());
             }
@@ -135,14 +134,14 @@ private:
         if (!land) {
             return std::unexpected(land.error());
         }
-        auto swaths = land->empty() ? Result<SwathSet>{} : swathsByMethod(request(), *land, job_);
+        auto swaths = land->empty() ? Result<SwathSet>{} : swathsByMethod(request_, *land, job_);
         if (!swaths && swaths.error().code == ErrorCode::Cancelled) {
             return std::unexpected(swaths.error());
         }
         if (!swaths || swaths->swaths.empty() || isCommon(swaths->heading)) {
             return std::optional<LaidSwaths>{};
         }
-        const Duration working = seconds(lengthM(cells_[cell].swaths) / request().machine.spec().tractor.workingSpeed.si());
+        const Duration working = seconds(lengthM(cells_[cell].swaths) / request_.machine.spec().tractor.workingSpeed.si());
         isOwn_[cell] = true;
         own_.push_back({std::move(*land), std::move(*swaths)});
         auto with = laid();
@@ -182,7 +181,7 @@ private:
             append(others, own.outline);
         }
         return unionOf(wanted, job_, kSnapGrid)
-            .and_then([&](const MultiPolygon& all) { return intersection(all, plan_.headland.mainland, job_, kSnapGrid); })
+            .and_then([&](const MultiPolygon& all) { return intersection(all, mainland_, job_, kSnapGrid); })
             .and_then([&](const MultiPolygon& all) -> Result<MultiPolygon> {
                 if (others.empty()) {
                     return all;
@@ -192,14 +191,14 @@ private:
                 });
             })
             .transform([this](MultiPolygon land) {
-                const double widthM = request().machine.operatingWidth().si();
+                const double widthM = request_.machine.operatingWidth().si();
                 std::erase_if(land, [&](const Polygon& piece) { return area(piece).si() < kSmallPiece * widthM * widthM; });
                 return land;
             });
     }
 
     Result<LaidSwaths> laid() const {
-        PartCollector collector{common_};
+        PartCollector collector{common_, mainland_};
         MultiPolygon taken;
         for (const OwnCell& own : own_) {
             append(taken, own.outline);
@@ -229,7 +228,7 @@ private:
         if (own_.empty()) {
             return all;
         }
-        const auto covered = coverageOf(all.swaths, plan_.headland.mainland, job_);
+        const auto covered = coverageOf(all.swaths, mainland_, job_);
         if (!covered) {
             return std::unexpected(covered.error());
         }
@@ -258,7 +257,7 @@ private:
             return std::unexpected(laid.error());
         }
         const LaidSwaths& drawn = *laid;
-        const auto cells = cellStage(request(), drawn, job_);
+        const auto cells = cellsOf(request_, drawn, job_);
         if (!cells) {
             return std::unexpected(cells.error());
         }
@@ -268,18 +267,19 @@ private:
         }
         Groups groups(dealt.size());
         std::iota(groups.begin(), groups.end(), std::size_t{0});
-        const Duration turning = CellCost{drawn.swaths, request().machine, std::move(dealt)}.of(groups);
-        const Machine& machine = request().machine;
-        const auto covered = coverageOf(drawn.swaths, plan_.headland.mainland, job_);
+        const Duration turning = CellCost{drawn.swaths, request_.machine, std::move(dealt)}.of(groups);
+        const Machine& machine = request_.machine;
+        const auto covered = coverageOf(drawn.swaths, mainland_, job_);
         if (!covered) {
             return std::unexpected(covered.error());
         }
-        const double missedM = (1.0 - covered->share) * area(plan_.headland.mainland).si() / machine.operatingWidth().si();
+        const double missedM = (1.0 - covered->share) * area(mainland_).si() / machine.operatingWidth().si();
         const double workedM = drawn.swaths.totalLength.si() + kPiecemealFactor * missedM;
         return Estimate{.time = turning + seconds(workedM / machine.spec().tractor.workingSpeed.si()), .coverage = covered->share};
     }
 
-    const Plan& plan_;
+    const PlanRequest& request_;
+    const MultiPolygon& mainland_;
     const SwathSet& common_;
     const std::vector<MultiPolygon>& pieces_;
     const EndsDrawnOut& withEnds_;
@@ -291,9 +291,9 @@ private:
 
 }  // namespace
 
-Result<LaidSwaths> withOwnHeadings(const Plan& plan, const SwathSet& common, const std::vector<MultiPolygon>& pieces,
-                                   const EndsDrawnOut& withEnds, const JobContext& job) {
-    return HeadingChooser{plan, common, pieces, withEnds, job}.chosen();
+Result<LaidSwaths> withOwnHeadings(const PlanRequest& request, const MultiPolygon& mainland, const SwathSet& common,
+                                   const std::vector<MultiPolygon>& pieces, const EndsDrawnOut& withEnds, const JobContext& job) {
+    return HeadingChooser{request, mainland, common, pieces, withEnds, job}.chosen();
 }
 
 }  // namespace furrow

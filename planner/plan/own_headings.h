@@ -1,6 +1,6 @@
 #pragma once
 
-#include "planner/plan/swath_stage.h"
+#include "planner/plan/stages.h"
 
 #include <functional>
 #include <vector>
@@ -19,7 +19,7 @@ using EndsDrawnOut = std::function<Result<LaidSwaths>(LaidSwaths)>;
 /// @param withEnds draws out ends, for the estimate
 /// @return one part for each piece, and one more for each cell with a heading of its own. Cancelled.
 /// Cost: the swath method and one estimate for each cell.
-Result<LaidSwaths> withOwnHeadings(const Plan& plan, const SwathSet& common, const std::vector<MultiPolygon>& pieces,
-                                   const EndsDrawnOut& withEnds, const JobContext& job);
+Result<LaidSwaths> withOwnHeadings(const PlanRequest& request, const MultiPolygon& mainland, const SwathSet& common,
+                                   const std::vector<MultiPolygon>& pieces, const EndsDrawnOut& withEnds, const JobContext& job);
 
 }  // namespace furrow

@@ -3,12 +3,13 @@
 #include "planner/geometry/boundary_distance.h"
 #include "planner/geometry/geos_bridge.h"
 #include "planner/headland/headland_passes.h"
-#include "planner/plan/swath_stage.h"
 #include "planner/route/way_round.h"
 #include "planner/swaths/curved_swaths.h"
 #include "planner/swaths/mainland_edges.h"
 
 #include <algorithm>
+#include <iterator>
+#include <utility>
 
 namespace furrow {
 
@@ -41,78 +42,70 @@ Length roundUpTo(const Settings& settings, const Machine& machine) {
     return settings.length(kRoundUpTo).value_or(std::max(machine.operatingWidth(), kSmallForAll));
 }
 
-bool eraseOutside(std::vector<Ring>& obstacles, const Plan& plan) {
-    if (obstacles.empty()) {
-        return false;
+std::vector<Ring> insideMainland(const std::vector<Ring>& obstacles, const MultiPolygon& mainland, Length margin, const Machine& machine) {
+    std::vector<Ring> inside = obstacles;
+    if (inside.empty()) {
+        return inside;
     }
-    const MultiPolygon& mainland = plan.headland.mainland;
-    const Length clear = plan.margin + std::max(Length{}, uncutEdge(plan.request.machine)) + kSwing;
+    const Length clear = margin + std::max(Length{}, uncutEdge(machine)) + kSwing;
     const MainlandEdges edges{mainland};
     const BoundaryDistance distance{mainland, clear};
-    return std::erase_if(obstacles, [&](const Ring& ring) {
-               return !std::ranges::all_of(
-                   ring, [&](Point point) { return edges.contains(point) && !distance.insideM(point); });
-           }) > 0;
+    std::erase_if(inside, [&](const Ring& ring) {
+        return !std::ranges::all_of(ring, [&](Point point) { return edges.contains(point) && !distance.insideM(point); });
+    });
+    return inside;
 }
 
-Result<bool> roundStage(Plan& plan, std::vector<Ring>& obstacles, const MultiPolygon& drivable, const JobContext& job) {
+Result<RoundedSwaths> roundStage(LaidSwaths laid, std::span<const Ring> obstacles, const LayTask& task, const JobContext& job) {
     if (obstacles.empty()) {
-        return false;
+        return RoundedSwaths{std::move(laid), {}};
     }
-    const auto refused = leadRound(
-        plan.swaths,
-        {.drivable = drivable, .obstacles = obstacles, .machine = plan.request.machine, .margin = plan.margin}, job);
+    SwathSet round = laid.swaths;
+    auto refused = leadRound(round,
+                             {.drivable = task.ground.drivable,
+                              .obstacles = obstacles,
+                              .machine = task.request.machine,
+                              .margin = task.ground.margin},
+                             job);
     if (!refused) {
         return std::unexpected(refused.error());
     }
     if (!refused->empty()) {
-        for (auto index = refused->rbegin(); index != refused->rend(); ++index) {
-            obstacles.erase(obstacles.begin() + static_cast<std::ptrdiff_t>(*index));
-        }
-        return true;
+        return RoundedSwaths{std::move(laid), *std::move(refused)};
     }
-    plan.swaths.goneRound = obstacles;
-    const auto covered = coverageOf(cutTo(plan.swaths, plan.headland.mainland),
-                                    withHoles(plan.headland.mainland, obstacles), job);
+    round.goneRound.assign(obstacles.begin(), obstacles.end());
+    MultiPolygon without = withHoles(laid.mainland, round.goneRound);
+    const auto covered = coverageOf(cutTo(round, laid.mainland), without, job);
     if (!covered) {
         return std::unexpected(covered.error());
     }
-    plan.swaths.coverage = covered->share;
-    plan.swaths.overlap = covered->overlap;
-    plan.swaths.proved = false;
-    return false;
+    round.coverage = covered->share;
+    round.overlap = covered->overlap;
+    round.proved = false;
+    auto onPurpose = withoutGoneRound(round.leftOnPurpose, round, job);
+    if (!onPurpose) {
+        return std::unexpected(onPurpose.error());
+    }
+    round.leftOnPurpose = *std::move(onPurpose);
+    laid.beforeRound = std::exchange(laid.swaths, std::move(round));
+    laid.mainland = std::move(without);
+    return RoundedSwaths{std::move(laid), {}};
 }
 
-Result<void> cutOutGoneRound(Plan& plan, const JobContext& job) {
-    const std::vector<Ring>& obstacles = plan.swaths.goneRound;
-    if (obstacles.empty()) {
-        return {};
+Result<MultiPolygon> withoutGoneRound(const MultiPolygon& polygons, const SwathSet& swaths, const JobContext& job) {
+    if (polygons.empty() || swaths.goneRound.empty()) {
+        return polygons;
     }
     MultiPolygon outlines;
-    std::ranges::transform(obstacles, std::back_inserter(outlines), outlineOf);
-    std::vector<MultiPolygon*> cut{&plan.swaths.leftOnPurpose};
-    std::ranges::transform(plan.cells.cells, std::back_inserter(cut), [](Cell& cell) { return &cell.outline; });
-    for (MultiPolygon* const area : cut) {
-        if (area->empty()) {
-            continue;
-        }
-        auto left = difference(*area, outlines, job, kSnapGrid);
-        if (!left) {
-            return std::unexpected(left.error());
-        }
-        *area = std::move(*left);
-    }
-    plan.headland.mainland = withHoles(std::move(plan.headland.mainland), obstacles);
-    plan.headland.mainlandRatio = area(plan.headland.mainland) / area(plan.field().workable());
-    return {};
+    std::ranges::transform(swaths.goneRound, std::back_inserter(outlines), outlineOf);
+    return difference(polygons, outlines, job, kSnapGrid);
 }
 
-std::vector<Ring> awayFromBlocking(const Plan& plan) {
-    const Machine& machine = plan.request.machine;
+std::vector<Ring> awayFromBlocking(const SwathSet& swaths, std::span<const Finding> findings, const Machine& machine) {
     const double nearM = (kNearRadii * machine.minTurningRadius() + kNearWidths * machine.operatingWidth()).si();
-    std::vector<Ring> away = plan.swaths.goneRound;
+    std::vector<Ring> away = swaths.goneRound;
     std::erase_if(away, [&](const Ring& ring) {
-        return std::ranges::any_of(plan.findings, [&](const Finding& finding) {
+        return std::ranges::any_of(findings, [&](const Finding& finding) {
             return finding.severity == Severity::Blocking && distance(finding.place, ring.front()) < nearM;
         });
     });

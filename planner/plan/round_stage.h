@@ -1,7 +1,8 @@
 #pragma once
 
-#include "planner/plan/plan.h"
+#include "planner/plan/swath_stage.h"
 
+#include <span>
 #include <vector>
 
 namespace furrow {
@@ -12,21 +13,17 @@ extern const Parameter kRoundUpTo;
 /// As given; otherwise the operating width, but no less than 1.5 m.
 Length roundUpTo(const Settings& settings, const Machine& machine);
 
-/// Takes out the obstacles that do not lie inside a plan's mainland, clear of what its headland passes take; says
-/// whether there were any.
-bool eraseOutside(std::vector<Ring>& obstacles, const Plan& plan);
+/// The obstacles that lie inside a mainland, clear of the headland passes beside it.
+std::vector<Ring> insideMainland(const std::vector<Ring>& obstacles, const MultiPolygon& mainland, Length margin, const Machine& machine);
 
-/// Leads the swaths of a plan round obstacles that its headland and swaths were laid without, and measures what they
-/// cover then. Those that are refused are taken out of the list: the plan has to be laid out again, with them.
-///
-/// @param drivable  where the machine may be
-/// @return whether any was refused. Cancelled.
-Result<bool> roundStage(Plan& plan, std::vector<Ring>& obstacles, const MultiPolygon& drivable, const JobContext& job);
+/// Leads swaths round obstacles that headland and swaths were laid without, and measures what they cover then. Where one
+/// is refused the headland has to be laid again, with it. Cancelled.
+Result<RoundedSwaths> roundStage(LaidSwaths laid, std::span<const Ring> obstacles, const LayTask& task, const JobContext& job);
 
-/// Cuts what swaths go round out of the mainland, the cells and what is left on purpose. Cancelled.
-Result<void> cutOutGoneRound(Plan& plan, const JobContext& job);
+/// Polygons without the obstacles that swaths go round. Cancelled.
+Result<MultiPolygon> withoutGoneRound(const MultiPolygon& polygons, const SwathSet& swaths, const JobContext& job);
 
 /// The obstacles that swaths go round, but for those near which something blocks the plan; all where there is none.
-std::vector<Ring> awayFromBlocking(const Plan& plan);
+std::vector<Ring> awayFromBlocking(const SwathSet& swaths, std::span<const Finding> findings, const Machine& machine);
 
 }  // namespace furrow

@@ -37,19 +37,20 @@ Note noteOf(const SplitFault& fault, const LocalFrame& frame) {
     return {.text = text, .where = std::string{kSplit.key}, .place = frame.toGeo(fault.place)};
 }
 
-Result<std::vector<MultiPolygon>> piecesBetweenSplits(const Plan& plan, std::vector<Note>& notes, const JobContext& job) {
-    const MultiPolygon& mainland = plan.headland.mainland;
+Result<std::vector<MultiPolygon>> piecesBetweenSplits(const PlanRequest& request, const MultiPolygon& mainland,
+                                                      std::vector<Note>& notes, const JobContext& job) {
+    const LocalFrame& frame = request.field->frame();
     std::vector<Polyline> drawn;
-    for (const std::vector<GeoPoint>& line : plan.request.settings.lines(kSplit)) {
-        drawn.push_back(plan.field().frame().toLocal(line));
+    for (const std::vector<GeoPoint>& line : request.settings.lines(kSplit)) {
+        drawn.push_back(frame.toLocal(line));
     }
     if (drawn.empty()) {
         return std::vector<MultiPolygon>{mainland};
     }
     // By hand nobody ends a line on an edge that is not drawn before the plan.
-    const SplitLines cuts = drawnThrough(std::move(drawn), mainland, plan.request.machine.operatingWidth());
+    const SplitLines cuts = drawnThrough(std::move(drawn), mainland, request.machine.operatingWidth());
     for (const SplitFault& fault : cuts.faults) {
-        notes.push_back(noteOf(fault, plan.field().frame()));
+        notes.push_back(noteOf(fault, frame));
     }
     const auto pieces = cutAlong(mainland, cuts.lines, job);
     if (!pieces) {
@@ -63,7 +64,7 @@ Result<std::vector<MultiPolygon>> piecesBetweenSplits(const Plan& plan, std::vec
 }
 
 LaidSwaths laidInParts(const MultiPolygon& mainland, const SwathSet& common, const std::vector<MultiPolygon>& pieces) {
-    PartCollector collector{common};
+    PartCollector collector{common, mainland};
     if (pieces.size() == 1) {
         collector.add(mainland, common, {});
         return collector.take();
@@ -99,7 +100,7 @@ Result<void> drawOut(LaidSwaths& laid, const MultiPolygon& mainland, const EndRo
     Length total;
     Area overlap;
     for (const MainlandPart& part : laid.parts) {
-        SwathSet set = setOf(laid, part);
+        SwathSet set = setOf(laid.swaths, part);
         set.endOverlap = {};
         drawOutEnds(set, part.heading ? part.outline : *common, room, machine);
         std::ranges::copy(set.swaths, laid.swaths.swaths.begin() + static_cast<std::ptrdiff_t>(part.firstSwath));
@@ -112,12 +113,13 @@ Result<void> drawOut(LaidSwaths& laid, const MultiPolygon& mainland, const EndRo
 }
 
 /// With ends, and without swaths that are too short even with theirs.
-Result<LaidSwaths> withoutShortOnes(LaidSwaths laid, const Plan& plan, const EndsDrawnOut& withEnds, const JobContext& job) {
+Result<LaidSwaths> withoutShortOnes(LaidSwaths laid, const PlanRequest& request, const EndsDrawnOut& withEnds,
+                                    const JobContext& job) {
     auto drawn = withEnds(laid);
     if (!drawn) {
         return drawn;
     }
-    const Length least = minSwathLength(plan.request.settings, plan.request.machine);
+    const Length least = minSwathLength(request.settings, request.machine);
     const std::vector<bool> areShort = shortOnes(drawn->swaths, least);
     if (std::ranges::find(areShort, true) == areShort.end()) {
         return drawn;
@@ -130,7 +132,7 @@ Result<LaidSwaths> withoutShortOnes(LaidSwaths laid, const Plan& plan, const End
         part.swathCount -= static_cast<std::size_t>(gone);
         first += part.swathCount;
     }
-    return leaveOut(areShort, least, plan.headland.mainland, laid.swaths, job).and_then([&] { return withEnds(std::move(laid)); });
+    return leaveOut(areShort, least, laid.mainland, laid.swaths, job).and_then([&] { return withEnds(std::move(laid)); });
 }
 
 struct GroundForEnds {
@@ -141,16 +143,14 @@ struct GroundForEnds {
 
 /// Inside the outermost pass where there are more. Without any, and with a machine that may leave the field, everywhere
 /// but over obstacles.
-Result<GroundForEnds> groundForEnds(const Plan& plan, const MultiPolygon& workable, const MultiPolygon& drivable,
-                                    const JobContext& job) {
-    const Machine& machine = plan.request.machine;
-    const Field& field = plan.field();
-    if (plan.headland.passes == 0 && !plan.request.settings.flag(kStayInside)) {
-        return groundAround(field, job).transform([](const MultiPolygon& ground) { return GroundForEnds{ground, ground, true}; });
+Result<GroundForEnds> groundForEnds(const LayTask& task, const JobContext& job) {
+    const Machine& machine = task.request.machine;
+    if (task.passes == 0 && !task.request.settings.flag(kStayInside)) {
+        return groundAround(*task.request.field, job).transform([](const MultiPolygon& ground) { return GroundForEnds{ground, ground, true}; });
     }
-    const Length outermost = plan.margin + (plan.headland.passes > 1 ? uncutEdge(machine) + machine.operatingWidth() : Length{});
-    return eroded(workable, outermost, kArcTolerance, job).transform([&](MultiPolygon&& working) {
-        return GroundForEnds{std::move(working), drivable, false};
+    const Length outermost = task.ground.margin + (task.passes > 1 ? uncutEdge(machine) + machine.operatingWidth() : Length{});
+    return eroded(task.workable, outermost, kArcTolerance, job).transform([&](MultiPolygon&& working) {
+        return GroundForEnds{std::move(working), task.ground.drivable, false};
     });
 }
 
@@ -186,21 +186,20 @@ Result<std::vector<Pose>> swathEnds(const PlanRequest& request, const MultiPolyg
     });
 }
 
-Result<LaidSwaths> layStage(const Plan& plan, const MultiPolygon& workable, const MultiPolygon& drivable,
-                            const JobContext& job) {
-    const PlanRequest& request = plan.request;
-    auto common = swathsByMethod(request, plan.headland.mainland, job);
+Result<LaidSwaths> layStage(const LayTask& task, const JobContext& job) {
+    const PlanRequest& request = task.request;
+    auto common = swathsByMethod(request, task.mainland, job);
     if (!common) {
         return std::unexpected(common.error());
     }
     markTramlines(*common, request.settings);
-    const auto pieces = piecesBetweenSplits(plan, common->notes, job);
+    const auto pieces = piecesBetweenSplits(request, task.mainland, common->notes, job);
     if (!pieces) {
         return std::unexpected(pieces.error());
     }
     const bool drawsOut = request.settings.choice(kEnds) == "full";
-    const auto ground = drawsOut ? groundForEnds(plan, workable, drivable, job)
-                                 : Result<GroundForEnds>{GroundForEnds{plan.headland.mainland, drivable, false}};
+    const auto ground = drawsOut ? groundForEnds(task, job)
+                                 : Result<GroundForEnds>{GroundForEnds{task.mainland, task.ground.drivable, false}};
     if (!ground) {
         return std::unexpected(ground.error());
     }
@@ -210,74 +209,16 @@ Result<LaidSwaths> layStage(const Plan& plan, const MultiPolygon& workable, cons
                        .drawsIn = ground->drawsIn};
     const auto withEnds = [&](LaidSwaths set) -> Result<LaidSwaths> {
         if (drawsOut || hasOwnHeadings(set)) {
-            if (auto drawn = drawOut(set, plan.headland.mainland, room, request.machine, job); !drawn) {
+            if (auto drawn = drawOut(set, task.mainland, room, request.machine, job); !drawn) {
                 return std::unexpected(drawn.error());
             }
         }
         return set;
     };
     const bool ownHeadings = request.settings.choice(kCellHeading) == "per-cell" && !common->isCurved();
-    auto laid = ownHeadings ? withOwnHeadings(plan, *common, *pieces, withEnds, job)
-                            : Result<LaidSwaths>{laidInParts(plan.headland.mainland, *common, *pieces)};
-    return laid ? withoutShortOnes(std::move(*laid), plan, withEnds, job) : laid;
-}
-
-namespace {
-
-/// One part after the other: the figures of a step are those of all parts.
-void append(DecompositionHistory& all, DecompositionHistory part) {
-    if (part.steps.empty()) {
-        return;
-    }
-    const std::size_t offset = all.pieces.size();
-    std::ranges::move(part.pieces, std::back_inserter(all.pieces));
-    if (all.steps.empty()) {
-        all.steps = std::move(part.steps);
-        return;
-    }
-    const auto add = [](DecompositionStep& sum, const DecompositionStep& more) {
-        sum.cells += more.cells;
-        sum.altitude += more.altitude;
-        sum.cost += more.cost;
-    };
-    const DecompositionStep before = all.steps.back();
-    for (DecompositionStep& step : all.steps) {
-        add(step, part.steps.front());
-    }
-    for (DecompositionStep& step : part.steps | std::views::drop(1)) {
-        add(step, before);
-        for (Join& join : step.joins) {
-            join.kept += offset;
-            join.gone += offset;
-        }
-        all.steps.push_back(std::move(step));
-    }
-}
-
-}  // namespace
-
-Result<Decomposition> cellStage(const PlanRequest& request, const LaidSwaths& laid, const JobContext& job) {
-    Decomposition all;
-    for (const MainlandPart& part : laid.parts) {
-        SwathSet set = setOf(laid, part);
-        if (part.heading) {
-            // Straight along a heading of their own.
-            std::ranges::for_each(set.swaths, [](Swath& swath) { swath.curve = {}; });
-        }
-        auto cells = decompositionMethod(request.settings)(
-            {.mainland = part.outline, .swaths = set, .machine = request.machine, .settings = request.settings}, job);
-        if (!cells) {
-            return std::unexpected(cells.error());
-        }
-        for (Cell& cell : cells->cells) {
-            cell.heading = set.heading;
-            std::ranges::for_each(cell.swaths, [&](std::size_t& swath) { swath += part.firstSwath; });
-            all.cells.push_back(std::move(cell));
-        }
-        all.altitude += cells->altitude;
-        append(all.history, std::move(cells->history));
-    }
-    return all;
+    auto laid = ownHeadings ? withOwnHeadings(request, task.mainland, *common, *pieces, withEnds, job)
+                            : Result<LaidSwaths>{laidInParts(task.mainland, *common, *pieces)};
+    return laid ? withoutShortOnes(std::move(*laid), request, withEnds, job) : laid;
 }
 
 }  // namespace furrow

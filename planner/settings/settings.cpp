@@ -128,6 +128,22 @@ std::optional<std::vector<GeoPoint>> parsedLine(const std::string& text) {
 
 }  // namespace
 
+void SettingReads::addValue(const Parameter& parameter) {
+    const std::scoped_lock lock{mutex_};
+    values_.insert(&parameter);
+}
+
+void SettingReads::addGiven(const Parameter& parameter) {
+    const std::scoped_lock lock{mutex_};
+    given_.insert(&parameter);
+}
+
+bool SettingReads::areEqualIn(const Settings& a, const Settings& b) const {
+    const std::scoped_lock lock{mutex_};
+    return std::ranges::all_of(values_, [&](const Parameter* each) { return a.value(*each) == b.value(*each); }) &&
+           std::ranges::all_of(given_, [&](const Parameter* each) { return a.isSet(*each) == b.isSet(*each); });
+}
+
 Result<void> Settings::set(const Parameter& parameter, const SettingValue& value) {
     const auto wrongKind = [&](const Message& wanted) {
         return std::unexpected(refused(parameter, message("'{}' is not {}", settingText(value), wanted),
@@ -231,7 +247,16 @@ void Settings::clear(const Parameter& parameter) {
     }
 }
 
+Settings Settings::writingDown(std::shared_ptr<SettingReads> reads) const {
+    Settings listening = *this;
+    listening.listener_.reads = std::move(reads);
+    return listening;
+}
+
 SettingValue Settings::value(const Parameter& parameter) const {
+    if (listener_.reads) {
+        listener_.reads->addValue(parameter);
+    }
     if (const auto found = given_.find(parameter.key); found != given_.end()) {
         return found->second;
     }
@@ -246,6 +271,9 @@ const Operation& Settings::operation() const {
 }
 
 bool Settings::isSet(const Parameter& parameter) const {
+    if (listener_.reads) {
+        listener_.reads->addGiven(parameter);
+    }
     return given_.contains(parameter.key);
 }
 

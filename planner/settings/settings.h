@@ -6,7 +6,10 @@
 #include "planner/units/quantity.h"
 
 #include <map>
+#include <memory>
+#include <mutex>
 #include <optional>
+#include <set>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -14,6 +17,23 @@
 namespace furrow {
 
 struct Operation;
+
+class Settings;
+
+/// Which settings a stage asked for while it ran: on others its result does not depend. Several threads may ask.
+class SettingReads {
+public:
+    void addValue(const Parameter& parameter);
+    void addGiven(const Parameter& parameter);
+
+    /// Whether both answer all that was asked alike.
+    bool areEqualIn(const Settings& a, const Settings& b) const;
+
+private:
+    mutable std::mutex mutex_;
+    std::set<const Parameter*> values_;
+    std::set<const Parameter*> given_;  ///< asked whether they were given
+};
 
 /// The settings that differ from their defaults. What has been set fits its parameter: kind, range, choice.
 class Settings {
@@ -49,11 +69,21 @@ public:
     std::string place(const Parameter& parameter) const;
     std::vector<int> numbers(const Parameter& parameter) const;
 
+    /// The same settings; they and their copies write down what they are asked for.
+    Settings writingDown(std::shared_ptr<SettingReads> reads) const;
+
     friend bool operator==(const Settings&, const Settings&) = default;
 
 private:
+    /// No part of the value: two settings are equal whoever listens.
+    struct Listener {
+        std::shared_ptr<SettingReads> reads;
+        friend bool operator==(const Listener&, const Listener&) { return true; }
+    };
+
     std::optional<double> number(const Parameter& parameter) const;
     std::map<std::string, SettingValue, std::less<>> given_;
+    Listener listener_;
 };
 
 /// A value as text: "24", "auto", "true", "dubins".

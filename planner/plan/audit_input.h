@@ -1,0 +1,25 @@
+#pragma once
+
+#include "planner/plan/stages.h"
+
+#include <span>
+
+namespace furrow {
+
+/// The parts of a plan that an audit reads.
+struct AuditedParts {
+    const PlanRequest& request;
+    Length margin;
+    const Headland& headland;
+    std::span<const HeadlandPass> finishing;  ///< passes that the headland does not have
+    const MultiPolygon& mainland;
+    const SwathSet& swaths;
+    const Route& route;
+    const Path& path;
+    const MultiPolygon& leftOnPurpose;
+};
+
+/// Points into the path, which must outlive it.
+AuditInput auditInput(const AuditedParts& plan);
+
+}  // namespace furrow

@@ -1,0 +1,146 @@
+#include "planner/plan/finish_stage.h"
+
+#include "planner/geometry/geos_bridge.h"
+#include "planner/headland/finishing_passes.h"
+#include "planner/headland/headland_passes.h"
+#include "planner/path/headland_order.h"
+#include "planner/plan/general_parameters.h"
+#include "planner/plan/stopwatch.h"
+
+#include <algorithm>
+#include <iterator>
+#include <optional>
+#include <ranges>
+#include <utility>
+
+namespace furrow {
+
+namespace {
+
+// Short passes are added until no more than this is left: below the limits from which the audit blocks a plan.
+constexpr double kMayStayShare = 0.009;
+constexpr Area kMayStayInOnePiece = squareMetres(95.0);
+constexpr int kFinishingRounds = 6;
+// A segment that begins where a pass does is that pass.
+constexpr double kSamePlaceM = 1e-6;
+
+std::ptrdiff_t blockingIn(const Driven& driven) {
+    return std::ranges::count(driven.findings, Severity::Blocking, &Finding::severity);
+}
+
+/// Ways and passes that leave where the machine may be.
+std::ptrdiff_t outsideIn(const Driven& driven) {
+    return std::ranges::count(driven.path.segments, false, &PathSegment::drivable);
+}
+
+bool leavesTooMuch(const Driven& driven) {
+    return std::ranges::contains(driven.findings, "missed", &Finding::kind);
+}
+
+/// Of these passes, those that leave where the machine may be, or whose ways in or out do.
+std::vector<HeadlandPass> leadingOutside(const Path& path, const std::vector<HeadlandPass>& passes) {
+    std::vector<HeadlandPass> outside;
+    const auto begins = [](const PathSegment* segment, const HeadlandPass& pass) {
+        return segment != nullptr && distance(segment->samples.front().position, pass.stretches.front().line.start.position) < kSamePlaceM;
+    };
+    for (const HeadlandPass& pass : passes) {
+        const auto isOutside = [&](std::size_t i) {
+            const PathSegment& segment = path.segments[i];
+            return !segment.drivable &&
+                   (begins(&segment, pass) ||
+                    (!segment.implementDown && (begins(path.workBefore(i), pass) || begins(path.workAfter(i), pass))));
+        };
+        if (std::ranges::any_of(std::views::iota(std::size_t{0}, path.segments.size()), isOutside)) {
+            outside.push_back(pass);
+        }
+    }
+    return outside;
+}
+
+/// Beside obstacles that swaths stop short of, too, where there is no headland.
+bool mayFinish(const DriveTask& task) {
+    const Settings& settings = task.request.settings;
+    return settings.flag(kHeadlandFinish) &&
+           (settings.flag(kStayInside) ? !task.headland.rings.empty() : task.headland.passes == 0);
+}
+
+/// Passes on full lock, for machines that cannot reverse.
+Result<std::optional<FullLockPasses>> fullLockPasses(const DriveTask& task, const Rig& lowered, const std::vector<Leg>& legs,
+                                                     RememberedWays& ways, const MultiPolygon& ground, const JobContext& job) {
+    const Machine& machine = task.request.machine;
+    if (canReverse(machine) || machine.spec().tractor.canTurnInPlace) {
+        return std::optional<FullLockPasses>{};
+    }
+    // A copy: the legs of later rounds are others, and places are asked for among these.
+    return FullLockPasses::of(ground, lowered, [&legs, &ways, job](const Turn& line) { return placeFor(line, legs, ways, job).access; }, job)
+        .transform([](FullLockPasses&& made) { return std::optional{std::move(made)}; });
+}
+
+}  // namespace
+
+Result<Driven> finishStage(const DriveTask& task, Driven driven, std::vector<Leg> legs, const PathOverLegs& path,
+                           RememberedWays& ways, const MultiPolygon& ground, const JobContext& job) {
+    if (!mayFinish(task) || !leavesTooMuch(driven)) {
+        return driven;
+    }
+    const Rig lowered{ground, task.request.machine, ImplementAt::Lowered};
+    auto bends = fullLockPasses(task, lowered, legs, ways, ground, job);
+    if (!bends) {
+        return std::unexpected(bends.error());
+    }
+    const MultiPolygon& workable = task.request.field->workable();
+    const Length margin = task.ground.margin;
+    const auto land = margin > Length{} ? eroded(workable, margin, kArcTolerance, job) : Result<MultiPolygon>{workable};
+    if (!land) {
+        return std::unexpected(land.error());
+    }
+    std::vector<PassStretch> refused;
+    const auto refuse = [&refused](const HeadlandPass& pass) { refused.push_back(pass.stretches.front()); };
+    for (int round = 0; round < kFinishingRounds && leavesTooMuch(driven); ++round) {
+        Stopwatch watch;
+        const JobContext part = job.part(static_cast<double>(round) / kFinishingRounds, (round + 1.0) / kFinishingRounds);
+        const Area hairs = driven.audit.left - area(driven.audit.leftAreas);
+        const auto passes = finishingPasses({.workable = *land,
+                                             .left = driven.audit.leftAreas,
+                                             .mayStay = kMayStayShare * driven.audit.workable - hairs,
+                                             .mayStayInOnePiece = kMayStayInOnePiece,
+                                             .lowered = lowered,
+                                             .bends = *bends ? &**bends : nullptr,
+                                             .leftOnPurpose = driven.leftOnPurpose,
+                                             .refused = refused},
+                                            part.part(0.0, 0.2));
+        if (!passes) {
+            return std::unexpected(passes.error());
+        }
+        FinishedLegs more = withFinishingPasses(legs, *passes, ways, part);
+        std::ranges::for_each(more.refused, refuse);
+        driven.driving += watch.lap();
+        if (more.put.empty()) {
+            if (more.refused.empty()) {
+                break;
+            }
+            continue;
+        }
+        std::vector<HeadlandPass> finishing = driven.finishing;
+        finishing.insert(finishing.end(), more.put.begin(), more.put.end());
+        auto finished = path.drive(more.legs, std::move(finishing), {}, part.part(0.2, 1.0));
+        if (!finished) {
+            return finished;
+        }
+        finished->driving += driven.driving;
+        finished->auditing += driven.auditing;
+        if (blockingIn(*finished) > blockingIn(driven) || outsideIn(*finished) > outsideIn(driven)) {
+            const std::vector<HeadlandPass> outside = leadingOutside(finished->path, more.put);
+            if (outside.empty()) {
+                break;
+            }
+            std::ranges::for_each(outside, refuse);
+            continue;
+        }
+        driven = *std::move(finished);
+        legs = std::move(more.legs);
+    }
+    return driven;
+}
+
+}  // namespace furrow

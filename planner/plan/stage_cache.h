@@ -1,0 +1,53 @@
+#pragma once
+
+#include "planner/plan/stage_memo.h"
+#include "planner/plan/stages.h"
+
+#include <memory>
+#include <vector>
+
+namespace furrow {
+
+/// What the headland is made from, beside the request.
+struct HeadlandInputs {
+    std::shared_ptr<const Ground> ground;
+    std::vector<Ring> filled;  ///< obstacles that it is laid without, since swaths go round them
+
+    friend bool operator==(const HeadlandInputs&, const HeadlandInputs&) = default;
+};
+
+/// What swaths are laid in.
+struct SwathInputs {
+    std::shared_ptr<const Ground> ground;
+    std::vector<Ring> round;  ///< obstacles that swaths go round
+    MultiPolygon mainland;
+    int passes = 0;  ///< of the headland
+
+    friend bool operator==(const SwathInputs&, const SwathInputs&) = default;
+};
+
+struct DriveInputs {
+    std::shared_ptr<const Ground> ground;
+    std::shared_ptr<const Headland> headland;
+    std::shared_ptr<const LaidSwaths> laid;
+    std::shared_ptr<const Ordered> ordered;
+    bool draft = false;
+
+    friend bool operator==(const DriveInputs&, const DriveInputs&) = default;
+};
+
+struct NoInputs {
+    friend bool operator==(const NoInputs&, const NoInputs&) = default;
+};
+
+/// The results of all stages that plans were made from lately: what does not depend on a change is not made again.
+/// Results are the same with a cache and without. Thread-safe.
+struct StageCache {
+    StageMemo<NoInputs, Ground> grounds;
+    StageMemo<HeadlandInputs, Headland> headlands;
+    StageMemo<SwathInputs, RoundedSwaths> swaths;
+    StageMemo<std::shared_ptr<const LaidSwaths>, Ordered> orders;
+    StageMemo<DriveInputs, Driven> drives;
+};
+
+}  // namespace furrow

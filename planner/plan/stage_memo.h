@@ -1,0 +1,66 @@
+#pragma once
+
+#include "planner/plan/plan_request.h"
+
+#include <deque>
+#include <memory>
+#include <mutex>
+#include <utility>
+
+namespace furrow {
+
+/// The last results of one stage with what they were made from. A stage whose inputs are equal is not run again: field,
+/// machine and guides, the settings that it asked for, and `Inputs`, what the stages before it made. May be asked by
+/// several threads at once.
+template <class Inputs, class Value>
+class StageMemo {
+public:
+    /// What was made before from the same, or what `make` makes now: Result<Value>(const PlanRequest&). Errors are not kept.
+    template <class Make>
+    Result<std::shared_ptr<const Value>> get(const PlanRequest& request, Inputs inputs, const Make& make) {
+        if (auto known = find(request, inputs)) {
+            return known;
+        }
+        const auto reads = std::make_shared<SettingReads>();
+        PlanRequest listening = request;
+        listening.settings = request.settings.writingDown(reads);
+        auto made = make(std::as_const(listening));
+        if (!made) {
+            return std::unexpected(made.error());
+        }
+        auto value = std::make_shared<const Value>(*std::move(made));
+        const std::scoped_lock lock{mutex_};
+        results_.push_front({.request = request, .reads = reads, .inputs = std::move(inputs), .value = value});
+        if (results_.size() > kMost) {
+            results_.pop_back();
+        }
+        return value;
+    }
+
+private:
+    // As many as the choices that are tried for one plan, and some plans before it.
+    static constexpr std::size_t kMost = 12;
+
+    struct Kept {
+        PlanRequest request;
+        std::shared_ptr<const SettingReads> reads;
+        Inputs inputs;
+        std::shared_ptr<const Value> value;
+    };
+
+    std::shared_ptr<const Value> find(const PlanRequest& request, const Inputs& inputs) const {
+        const std::scoped_lock lock{mutex_};
+        for (const Kept& kept : results_) {
+            if (kept.inputs == inputs && isSameButSettings(kept.request, request) &&
+                kept.reads->areEqualIn(kept.request.settings, request.settings)) {
+                return kept.value;
+            }
+        }
+        return nullptr;
+    }
+
+    mutable std::mutex mutex_;
+    std::deque<Kept> results_;
+};
+
+}  // namespace furrow
