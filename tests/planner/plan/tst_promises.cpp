@@ -126,9 +126,9 @@ void TestPromises::writtenPlanGivesAwayTheSame() {
         const auto report = audit(auditInput(*read));
         VERIFY_RESULT(report);
         QVERIFY((*plan)->audit.leftOnPurpose->si() > 1000.0);
-        // Places are written to 0.1 mm, along some 1.3 km of margin.
+        // Places in files are rounded, along 1.3 km of margin.
         COMPARE_WITHIN(report->leftOnPurpose->si(), (*plan)->audit.leftOnPurpose->si(), 0.3);
-        COMPARE_WITHIN(report->missed->si(), (*plan)->audit.missed->si(), 0.1);
+        COMPARE_WITHIN(report->missed->si(), (*plan)->audit.missed->si(), 0.3);
         QVERIFY(std::ranges::none_of(report->findings, [](const AuditFinding& found) {
             return found.finding.severity == Severity::Blocking;
         }));
