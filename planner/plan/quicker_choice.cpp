@@ -33,6 +33,8 @@ constexpr SimplerChoice kSimplerChoices[] = {
 };
 
 constexpr Angle kSameHeading = degrees(0.01);
+// With a path that is slower by more than this, order and corners do not make a heading the quickest.
+constexpr double kNearTime = 1.03;
 // Other headings of the search that are driven where the best one blocks.
 constexpr std::size_t kMostHeadings = 2;
 // Patterns that every driver knows, and that have the fewest long ways.
@@ -112,21 +114,6 @@ Result<bool> takeIfBetter(Best& best, PlanRequest other, const JobContext& job) 
     return true;
 }
 
-Result<void> tryHeadings(Best& best, const JobContext& job) {
-    const Best searched = best;
-    for (const HeadingCandidate& candidate : headingsToTry(*searched.plan)) {
-        const auto taken = takeIfBetter(best, along(searched.request, candidate.heading), job);
-        if (!taken) {
-            return std::unexpected(taken.error());
-        }
-        if (*taken) {
-            best.notes = searched.notes;
-            best.notes.push_back({anotherHeading(candidate, reasonFor(*best.plan, *searched.plan)), "instead", {}});
-        }
-    }
-    return {};
-}
-
 /// Patterns that the route by estimated turns passed over.
 Result<void> tryPatterns(Best& best, const JobContext& job) {
     if (routeMethod(best.request.settings) != kOptimisedMethod.run || !best.plan->drivable()) {
@@ -186,26 +173,57 @@ bool hasOwnOrder(const Settings& settings) {
     return routeMethod(settings) == kCustomMethod.run;
 }
 
+/// Order and corners, for the swaths of this plan. Cancelled.
+Result<void> decideOrderAndCorners(Best& best, const JobContext& job) {
+    return tryPatterns(best, job).and_then([&] { return tryCorners(best, job); });
+}
+
+/// Takes the plan along another heading, with its own order and corners, where that is quicker. Cancelled.
+Result<void> tryHeading(Best& best, const PlanRequest& asked, const HeadingCandidate& candidate, std::optional<Duration> atMost,
+                        const JobContext& job) {
+    const PlanRequest request = along(asked, candidate.heading);
+    auto plan = planAsAsked(request, job.quiet(), atMost);
+    if (!plan) {
+        return plan.error().code == ErrorCode::Cancelled ? Result<void>{std::unexpected(plan.error())} : Result<void>{};
+    }
+    Best other{.asked = asked, .request = request, .plan = *std::move(plan), .instead = {}, .notes = {}};
+    if (auto decided = decideOrderAndCorners(other, job); !decided) {
+        return decided;
+    }
+    if (isBetter(*other.plan, *best.plan)) {
+        other.notes.push_back({anotherHeading(candidate, reasonFor(*other.plan, *best.plan)), "instead", {}});
+        best = std::move(other);
+    }
+    return {};
+}
+
 /// The plan as asked, with what is left to the planner decided by the time of the driven path. Cancelled.
 Result<Best> improved(const PlanRequest& request, const JobContext& job) {
-    auto asked = planAsAsked(request, job, {});
+    auto asked = planAsAsked(request, job);
     if (!asked) {
         return std::unexpected(asked.error());
     }
-    Best best{.asked = request, .request = request, .plan = std::move(*asked), .instead = {}, .notes = {}};
+    Best best{.asked = request, .request = request, .plan = *asked, .instead = {}, .notes = {}};
     if (request.draft) {
         return best;
     }
-    const std::vector<HeadingCandidate> candidates = best.plan->swaths.candidates;
+    const Plan& plain = **asked;
     Result<void> tried;
-    if (!hasOwnOrder(request.settings) && request.settings.choice(kCellHeading) != "per-cell") {
-        tried = tryHeadings(best, job);
+    if (!hasOwnOrder(request.settings)) {
+        tried = decideOrderAndCorners(best, job);
+    } else {
+        tried = tryCorners(best, job);
     }
-    tried = tried.and_then([&] { return tryPatterns(best, job); }).and_then([&] { return tryCorners(best, job); });
+    if (!hasOwnOrder(request.settings) && request.settings.choice(kCellHeading) != "per-cell") {
+        const auto atMost = plain.drivable() ? std::optional{kNearTime * timeForAll(plain)} : std::nullopt;
+        for (const HeadingCandidate& candidate : headingsToTry(plain)) {
+            tried = tried.and_then([&] { return tryHeading(best, request, candidate, atMost, job); });
+        }
+    }
     if (!tried) {
         return std::unexpected(tried.error());
     }
-    best.plan->swaths.candidates = candidates;
+    best.plan->swaths.candidates = plain.swaths.candidates;
     return best;
 }
 
