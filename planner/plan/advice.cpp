@@ -87,7 +87,7 @@ bool isBlockedAnew(const Plan& changed, const Plan& plan, double nearM) {
 
 }  // namespace
 
-Result<std::shared_ptr<const Plan>> withAdvice(const std::shared_ptr<const Plan>& plan, const JobContext& job) {
+Result<std::shared_ptr<const Plan>> withAdvice(const std::shared_ptr<const Plan>& plan, const JobContext& job, StageCache* cache) {
     if (plan->drivable() || plan->request.draft) {
         return plan;
     }
@@ -104,7 +104,7 @@ Result<std::shared_ptr<const Plan>> withAdvice(const std::shared_ptr<const Plan>
         if (!request.settings.setText(*change.parameter, change.value)) {
             continue;
         }
-        const auto changed = makePlan(request, job.quiet());
+        const auto changed = makePlan(request, job.quiet(), cache);
         if (!changed && changed.error().code == ErrorCode::Cancelled) {
             return std::unexpected(changed.error());
         }

@@ -71,7 +71,6 @@ Result<std::optional<FullLockPasses>> fullLockPasses(const DriveTask& task, cons
     if (canReverse(machine) || machine.spec().tractor.canTurnInPlace) {
         return std::optional<FullLockPasses>{};
     }
-    // A copy: the legs of later rounds are others, and places are asked for among these.
     return FullLockPasses::of(ground, lowered, [&legs, &ways, job](const Turn& line) { return placeFor(line, legs, ways, job).access; }, job)
         .transform([](FullLockPasses&& made) { return std::optional{std::move(made)}; });
 }

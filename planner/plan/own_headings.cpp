@@ -5,6 +5,7 @@
 #include "planner/plan/cell_stage.h"
 #include "planner/plan/mainland_parts.h"
 #include "planner/plan/method_registry.h"
+#include "planner/plan/swath_stage.h"
 #include "planner/swaths/curved_swaths.h"
 #include "planner/units/angle.h"
 

@@ -1,45 +1,8 @@
 #pragma once
 
-#include "planner/audit/audit.h"
-#include "planner/decomposition/decomposition.h"
-#include "planner/field/field.h"
-#include "planner/headland/headland.h"
-#include "planner/machine/machine.h"
-#include "planner/path/finding.h"
-#include "planner/path/path.h"
-#include "planner/route/route.h"
-#include "planner/settings/settings.h"
-#include "planner/swaths/guide_data.h"
-#include "planner/swaths/swath.h"
-
-#include <cstddef>
-#include <cstdint>
-#include <memory>
-#include <string>
-#include <vector>
+#include "planner/plan/stage_runner.h"
 
 namespace furrow {
-
-/// Everything a plan follows from.
-struct PlanRequest {
-    std::shared_ptr<const Field> field;
-    Machine machine;
-    Settings settings;
-    /// What swaths.rows and swaths.elevation name, read.
-    std::shared_ptr<const GuideData> guides = {};
-    /// Only to be looked at: the path is not audited. See draftOf.
-    bool draft = false;
-};
-
-/// Wall time of each stage.
-struct StageTimings {
-    Duration headland;
-    Duration swaths;
-    Duration route;
-    Duration path;
-    Duration audit;
-    Duration total;
-};
 
 /// One field, one machine, one set of settings, planned. Immutable; the same request gives an equal
 /// plan whatever the thread count (timings aside).
@@ -71,9 +34,11 @@ struct Plan {
 /// What the audit reads of a plan. Points into it: the plan must outlive it.
 AuditInput auditInput(const Plan& plan);
 
-/// Plans a field: headland, swaths, route, path, audit, in this order; choices that promise time are compared with
-/// simpler ones (quickestChoice).
+/// Plans a field: headland, swaths, cells and route, path, audit, in this order; choices that promise time are compared
+/// with simpler ones (quickestChoice).
+///
+/// @param cache  of plans before this one; the plan is the same without
 /// Errors: those of the stages; InputRefused where the machine fits nowhere in the field. Cancelled.
-Result<std::shared_ptr<const Plan>> makePlan(const PlanRequest& request, const JobContext& job = {});
+Result<std::shared_ptr<const Plan>> makePlan(const PlanRequest& request, const JobContext& job = {}, StageCache* cache = nullptr);
 
 }  // namespace furrow

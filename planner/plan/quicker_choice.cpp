@@ -2,8 +2,8 @@
 
 #include "planner/decomposition/decomposition.h"
 #include "planner/headland/headland_passes.h"
-#include "planner/plan/as_asked.h"
 #include "planner/plan/method_registry.h"
+#include "planner/plan/order_stage.h"
 #include "planner/route/methods.h"
 #include "planner/route/patterns.h"
 #include "planner/swaths/methods.h"
@@ -13,6 +13,7 @@
 #include <array>
 #include <iterator>
 #include <optional>
+#include <string>
 #include <utility>
 #include <vector>
 
@@ -33,8 +34,8 @@ constexpr SimplerChoice kSimplerChoices[] = {
 };
 
 constexpr Angle kSameHeading = degrees(0.01);
-// With a path that is slower by more than this, order and corners do not make a heading the quickest.
-constexpr double kNearTime = 1.03;
+// With a path that is slower by more than this, other corners do not make a heading or an order the quickest.
+constexpr double kNearTime = 1.02;
 // Other headings of the search that are driven where the best one blocks.
 constexpr std::size_t kMostHeadings = 2;
 // Patterns that every driver knows, and that have the fewest long ways.
@@ -46,18 +47,22 @@ std::string_view choiceName(const Parameter& parameter, std::string_view id) {
     return std::ranges::find(parameter.choices, id, &Choice::id)->name;
 }
 
-bool isBetter(const Plan& other, const Plan& plan) {
+Duration timeOf(const PlannedStages& plan) {
+    return timeForAll(plan.request.machine, plan.driven->path, plan.driven->audit);
+}
+
+bool isBetter(const PlannedStages& other, const PlannedStages& plan) {
     if (other.blockingCount() != plan.blockingCount()) {
         return other.blockingCount() < plan.blockingCount();
     }
-    return timeForAll(other) < timeForAll(plan);
+    return timeOf(other) < timeOf(plan);
 }
 
 /// Why a plan is better than another.
-Message reasonFor(const Plan& better, const Plan& other) {
+Message reasonFor(const PlannedStages& better, const PlannedStages& other) {
     return better.blockingCount() < other.blockingCount()
                ? Message{"less stands in its way"}
-               : message("it is {:.0f} s quicker", (timeForAll(other) - timeForAll(better)).si());
+               : message("it is {:.0f} s quicker", (timeOf(other) - timeOf(better)).si());
 }
 
 Message takenInstead(const Parameter& parameter, const SimplerChoice& choice, const Message& reason) {
@@ -73,11 +78,12 @@ PlanRequest along(PlanRequest request, Angle heading) {
 
 /// Headings that a search by time found, other than the one it took: along the longest edge, which estimates and turns as
 /// driven may tell apart otherwise; more of them where the plan cannot be driven.
-std::vector<HeadingCandidate> headingsToTry(const Plan& plan) {
+std::vector<HeadingCandidate> headingsToTry(const PlannedStages& plan) {
+    const SwathSet& swaths = plan.laidOut.laid->swaths;
     std::vector<HeadingCandidate> headings;
-    for (const HeadingCandidate& each : plan.swaths.candidates) {
+    for (const HeadingCandidate& each : swaths.candidates) {
         const bool isWanted = each.alongLongestEdge || (!plan.drivable() && headings.size() < kMostHeadings);
-        if (isWanted && angleBetweenLines(each.heading, plan.swaths.heading) > kSameHeading) {
+        if (isWanted && angleBetweenLines(each.heading, swaths.heading) > kSameHeading) {
             headings.push_back(each);
         }
     }
@@ -90,82 +96,8 @@ Message anotherHeading(const HeadingCandidate& taken, const Message& reason) {
     return message("{} are planned instead of the heading with the best estimate: {}", line, reason);
 }
 
-/// The best plan so far, and the settings that it was made with.
-struct Best {
-    PlanRequest asked;    ///< before anything was decided
-    PlanRequest request;  ///< as the plan has it
-    std::shared_ptr<Plan> plan;
-    std::vector<SettingChange> instead;
-    std::vector<Note> notes;
-};
-
-/// Takes the plan with other settings where it is better as driven: whether it did. One that cannot be made is no better.
-/// Cancelled.
-Result<bool> takeIfBetter(Best& best, PlanRequest other, const JobContext& job) {
-    auto plan = planAsAsked(other, job.quiet(), best.plan->drivable() ? std::optional{timeForAll(*best.plan)} : std::nullopt);
-    if (!plan && plan.error().code == ErrorCode::Cancelled) {
-        return std::unexpected(plan.error());
-    }
-    if (!plan || !isBetter(**plan, *best.plan)) {
-        return false;
-    }
-    best.plan = std::move(*plan);
-    best.request = std::move(other);
-    return true;
-}
-
-/// Patterns that the route by estimated turns passed over.
-Result<void> tryPatterns(Best& best, const JobContext& job) {
-    if (routeMethod(best.request.settings) != kOptimisedMethod.run || !best.plan->drivable()) {
-        return {};
-    }
-    const Best searched = best;
-    const RouteTask task = routeTask(*searched.plan);
-    const Duration estimate = turningTime(searched.plan->route.steps, task);
-    const Duration near = estimate + kNearPattern * searched.plan->path.duration();
-    for (const Method<RoutePlanner>* const pattern : kPlainPatterns) {
-        const auto route = pattern->run(task, job.quiet());
-        if (!route) {
-            return std::unexpected(route.error());
-        }
-        if (*route == searched.plan->route || turningTime(route->steps, task) > near) {
-            continue;
-        }
-        PlanRequest request = searched.plan->swaths.candidates.empty() ? searched.request
-                                                                       : along(searched.request, searched.plan->swaths.heading);
-        request.settings.set(*stageMethod("route"), std::string{pattern->info.id}).value();
-        const auto taken = takeIfBetter(best, std::move(request), job);
-        if (!taken) {
-            return std::unexpected(taken.error());
-        }
-        if (*taken) {
-            best.instead = searched.instead;
-            best.instead.push_back({std::string{stageMethod("route")->key}, std::string{pattern->info.id}});
-        }
-    }
-    return {};
-}
-
-/// Those that reach into corners are worth it where the plan can be driven.
-Result<void> tryCorners(Best& best, const JobContext& job) {
-    if (best.request.settings.choice(kHeadlandCorner) != kQuickestCorner || best.plan->headland.rings.empty()) {
-        return {};
-    }
-    std::string_view corner = kRoundedCorner;
-    for (const std::string_view other : {kLoopCorner, kReverseCorner}) {
-        if (!best.plan->drivable()) {
-            break;
-        }
-        PlanRequest request = best.request;
-        request.settings.set(kHeadlandCorner, std::string{other}).value();
-        const auto taken = takeIfBetter(best, std::move(request), job);
-        if (!taken) {
-            return std::unexpected(taken.error());
-        }
-        corner = *taken ? other : corner;
-    }
-    best.instead.push_back({std::string{kHeadlandCorner.key}, std::string{corner}});
-    return {};
+bool isCancelled(const auto& result) {
+    return !result && result.error().code == ErrorCode::Cancelled;
 }
 
 /// An order of one's own names the swaths of just these choices.
@@ -173,62 +105,165 @@ bool hasOwnOrder(const Settings& settings) {
     return routeMethod(settings) == kCustomMethod.run;
 }
 
-/// Order and corners, for the swaths of this plan. Cancelled.
-Result<void> decideOrderAndCorners(Best& best, const JobContext& job) {
-    return tryPatterns(best, job).and_then([&] { return tryCorners(best, job); });
+/// The best plan so far.
+struct Best {
+    PlanRequest asked;    ///< before anything was decided
+    PlannedStages plan;   ///< whose request has all that was decided
+    std::vector<HeadingCandidate> headings = {};  ///< of the search
+    std::vector<SettingChange> instead = {};
+    std::vector<Note> notes = {};
+};
+
+/// Compares plans by their stages.
+class Chooser {
+public:
+    Chooser(StageRunner& runner, const JobContext& job) : runner_{runner}, quiet_{job.quiet()} {}
+
+    /// The plan as asked, with what is left to the planner decided by the time of the driven path. Cancelled.
+    Result<Best> improved(const PlanRequest& request, const JobContext& job);
+
+    /// Takes the plan with the simpler choice where that is quicker, each as good as it gets. Cancelled.
+    Result<void> trySimpler(Best& best, const SimplerChoice& choice);
+
+private:
+    Result<bool> takeIfBetter(Best& best, const PlanRequest& other);
+    Result<void> tryPattern(Best& best, const PlanRequest& pattern, Duration atMost);
+    Result<void> tryCorners(Best& best);
+    Result<void> decideOrderAndCorners(Best& best);
+    Result<void> tryHeading(Best& best, const HeadingCandidate& candidate, std::optional<Duration> atMost);
+
+    StageRunner& runner_;
+    JobContext quiet_;
+};
+
+/// Takes the plan with other settings where it is better as driven: whether it did. One that cannot be made is no better.
+/// Cancelled.
+Result<bool> Chooser::takeIfBetter(Best& best, const PlanRequest& other) {
+    auto plan = runner_.run(other, best.plan.drivable() ? std::optional{timeOf(best.plan)} : std::nullopt, quiet_);
+    if (isCancelled(plan)) {
+        return std::unexpected(plan.error());
+    }
+    if (!plan || !isBetter(*plan, best.plan)) {
+        return false;
+    }
+    best.plan = *std::move(plan);
+    return true;
 }
 
-/// Takes the plan along another heading, with its own order and corners, where that is quicker. Cancelled.
-Result<void> tryHeading(Best& best, const PlanRequest& asked, const HeadingCandidate& candidate, std::optional<Duration> atMost,
-                        const JobContext& job) {
-    const PlanRequest request = along(asked, candidate.heading);
-    auto plan = planAsAsked(request, job.quiet(), atMost);
+/// Those that reach into corners are worth it where the plan can be driven.
+Result<void> Chooser::tryCorners(Best& best) {
+    if (best.plan.request.settings.choice(kHeadlandCorner) != kQuickestCorner || best.plan.laidOut.headland->rings.empty()) {
+        return {};
+    }
+    std::string_view corner = kRoundedCorner;
+    for (const std::string_view other : {kLoopCorner, kReverseCorner}) {
+        if (!best.plan.drivable()) {
+            break;
+        }
+        PlanRequest request = best.plan.request;
+        request.settings.set(kHeadlandCorner, std::string{other}).value();
+        const auto isTaken = takeIfBetter(best, request);
+        if (!isTaken) {
+            return std::unexpected(isTaken.error());
+        }
+        corner = *isTaken ? other : corner;
+    }
+    best.instead.push_back({std::string{kHeadlandCorner.key}, std::string{corner}});
+    return {};
+}
+
+/// Orders that the route by estimated turns passed over, and that are about as quick by its estimate.
+Result<std::vector<PlanRequest>> patternsToTry(const PlannedStages& plan, const JobContext& job) {
+    std::vector<PlanRequest> requests;
+    if (routeMethod(plan.request.settings) != kOptimisedMethod.run || !plan.drivable()) {
+        return requests;
+    }
+    const Route& taken = plan.ordered->route;
+    const RouteTask task = routeTask(plan.request, plan.laidOut.laid->swaths, plan.ordered->cells);
+    const Duration near = turningTime(taken.steps, task) + kNearPattern * plan.driven->path.duration();
+    for (const Method<RoutePlanner>* const pattern : kPlainPatterns) {
+        const auto route = pattern->run(task, job);
+        if (!route) {
+            return std::unexpected(route.error());
+        }
+        if (*route != taken && turningTime(route->steps, task) <= near) {
+            requests.push_back(plan.request);
+            requests.back().settings.set(*stageMethod("route"), std::string{pattern->info.id}).value();
+        }
+    }
+    return requests;
+}
+
+/// For the swaths of this plan. An order of one's own stays.
+Result<void> Chooser::decideOrderAndCorners(Best& best) {
+    const PlannedStages plain = best.plan;
+    const auto patterns = patternsToTry(plain, quiet_);
+    if (!patterns) {
+        return std::unexpected(patterns.error());
+    }
+    Result<void> tried = tryCorners(best);
+    for (const PlanRequest& pattern : *patterns) {
+        tried = tried.and_then([&] { return tryPattern(best, pattern, kNearTime * timeOf(plain)); });
+    }
+    return tried;
+}
+
+/// Takes the plan in another order, with its own corners, where that is quicker. Cancelled.
+Result<void> Chooser::tryPattern(Best& best, const PlanRequest& pattern, Duration atMost) {
+    auto plan = runner_.run(pattern, atMost, quiet_);
     if (!plan) {
-        return plan.error().code == ErrorCode::Cancelled ? Result<void>{std::unexpected(plan.error())} : Result<void>{};
+        return isCancelled(plan) ? Result<void>{std::unexpected(plan.error())} : Result<void>{};
     }
-    Best other{.asked = asked, .request = request, .plan = *std::move(plan), .instead = {}, .notes = {}};
-    if (auto decided = decideOrderAndCorners(other, job); !decided) {
-        return decided;
+    Best other{.asked = best.asked, .plan = *std::move(plan), .headings = best.headings};
+    if (auto tried = tryCorners(other); !tried) {
+        return tried;
     }
-    if (isBetter(*other.plan, *best.plan)) {
-        other.notes.push_back({anotherHeading(candidate, reasonFor(*other.plan, *best.plan)), "instead", {}});
+    if (isBetter(other.plan, best.plan)) {
+        const Parameter& route = *stageMethod("route");
+        other.instead.push_back({std::string{route.key}, pattern.settings.choice(route)});
         best = std::move(other);
     }
     return {};
 }
 
-/// The plan as asked, with what is left to the planner decided by the time of the driven path. Cancelled.
-Result<Best> improved(const PlanRequest& request, const JobContext& job) {
-    auto asked = planAsAsked(request, job);
+/// Takes the plan along another heading, with its own order and corners, where that is quicker. Cancelled.
+Result<void> Chooser::tryHeading(Best& best, const HeadingCandidate& candidate, std::optional<Duration> atMost) {
+    auto plan = runner_.run(along(best.asked, candidate.heading), atMost, quiet_);
+    if (!plan) {
+        return isCancelled(plan) ? Result<void>{std::unexpected(plan.error())} : Result<void>{};
+    }
+    Best other{.asked = best.asked, .plan = *std::move(plan), .headings = best.headings};
+    if (auto decided = decideOrderAndCorners(other); !decided) {
+        return decided;
+    }
+    if (isBetter(other.plan, best.plan)) {
+        other.notes.push_back({anotherHeading(candidate, reasonFor(other.plan, best.plan)), "instead", {}});
+        best = std::move(other);
+    }
+    return {};
+}
+
+Result<Best> Chooser::improved(const PlanRequest& request, const JobContext& job) {
+    auto asked = runner_.run(request, {}, job);
     if (!asked) {
         return std::unexpected(asked.error());
     }
-    Best best{.asked = request, .request = request, .plan = *asked, .instead = {}, .notes = {}};
+    Best best{.asked = request, .plan = *asked, .headings = asked->laidOut.laid->swaths.candidates};
     if (request.draft) {
         return best;
     }
-    const Plan& plain = **asked;
-    Result<void> tried;
-    if (!hasOwnOrder(request.settings)) {
-        tried = decideOrderAndCorners(best, job);
-    } else {
-        tried = tryCorners(best, job);
-    }
-    if (!hasOwnOrder(request.settings) && request.settings.choice(kCellHeading) != "per-cell") {
-        const auto atMost = plain.drivable() ? std::optional{kNearTime * timeForAll(plain)} : std::nullopt;
-        for (const HeadingCandidate& candidate : headingsToTry(plain)) {
-            tried = tried.and_then([&] { return tryHeading(best, request, candidate, atMost, job); });
+    Result<void> tried = decideOrderAndCorners(best);
+    const bool hasOneHeading = request.settings.choice(kCellHeading) != "per-cell";
+    if (!hasOwnOrder(request.settings) && hasOneHeading) {
+        const auto atMost = asked->drivable() ? std::optional{kNearTime * timeOf(*asked)} : std::nullopt;
+        for (const HeadingCandidate& candidate : headingsToTry(*asked)) {
+            tried = tried.and_then([&] { return tryHeading(best, candidate, atMost); });
         }
     }
-    if (!tried) {
-        return std::unexpected(tried.error());
-    }
-    best.plan->swaths.candidates = plain.swaths.candidates;
-    return best;
+    return tried.transform([&] { return std::move(best); });
 }
 
-/// Takes the plan with the simpler choice where that is quicker, each as good as it gets. Cancelled.
-Result<void> trySimpler(Best& best, const SimplerChoice& choice, const JobContext& job) {
+Result<void> Chooser::trySimpler(Best& best, const SimplerChoice& choice) {
     const Parameter& parameter = **findParameter(choice.key);
     if (best.asked.settings.choice(parameter) != choice.chosen) {
         return {};
@@ -237,48 +272,44 @@ Result<void> trySimpler(Best& best, const SimplerChoice& choice, const JobContex
     if (auto set = simpler.settings.setText(parameter, choice.simpler); !set) {
         return set;
     }
-    auto other = improved(simpler, job.quiet());
-    if (!other && other.error().code == ErrorCode::Cancelled) {
-        return std::unexpected(other.error());
+    auto other = improved(simpler, quiet_);
+    if (!other) {
+        return isCancelled(other) ? Result<void>{std::unexpected(other.error())} : Result<void>{};
     }
-    if (!other || !isBetter(*other->plan, *best.plan)) {
+    if (!isBetter(other->plan, best.plan)) {
         return {};
     }
-    other->notes.push_back({takenInstead(parameter, choice, reasonFor(*other->plan, *best.plan)), "instead", {}});
+    other->notes.push_back({takenInstead(parameter, choice, reasonFor(other->plan, best.plan)), "instead", {}});
     other->instead.push_back({std::string{choice.key}, std::string{choice.simpler}});
     std::ranges::copy_if(best.instead, std::back_inserter(other->instead), [](const SettingChange& change) {
         return std::ranges::contains(kSimplerChoices, change.key, &SimplerChoice::key);
     });
-    best = std::move(*other);
+    best = *std::move(other);
     return {};
 }
 
 }  // namespace
 
-Duration timeForAll(const Plan& plan) {
-    const Machine& machine = plan.request.machine;
-    const double missedM = plan.audit.missed.value_or(Area{}).si() / machine.operatingWidth().si();
-    return plan.path.duration() + seconds(missedM / machine.spec().tractor.workingSpeed.si());
+Duration timeForAll(const Machine& machine, const Path& path, const AuditReport& audit) {
+    const double missedM = audit.missed.value_or(Area{}).si() / machine.operatingWidth().si();
+    return path.duration() + seconds(missedM / machine.spec().tractor.workingSpeed.si());
 }
 
-Result<std::shared_ptr<Plan>> quickestChoice(const PlanRequest& request, const JobContext& job) {
-    auto best = improved(request, job);
+Result<QuickestChoice> quickestChoice(const PlanRequest& request, StageRunner& runner, const JobContext& job) {
+    Chooser chooser{runner, job};
+    auto best = chooser.improved(request, job);
     if (!best) {
         return std::unexpected(best.error());
     }
     Result<void> tried;
     if (!request.draft && !hasOwnOrder(request.settings)) {
         for (const SimplerChoice& choice : kSimplerChoices) {
-            tried = tried.and_then([&] { return trySimpler(*best, choice, job); });
+            tried = tried.and_then([&] { return chooser.trySimpler(*best, choice); });
         }
     }
-    if (!tried) {
-        return std::unexpected(tried.error());
-    }
-    best->plan->request = request;
-    best->plan->instead = std::move(best->instead);
-    best->plan->notes = std::move(best->notes);
-    return std::move(best->plan);
+    return tried.transform([&] {
+        return QuickestChoice{std::move(best->plan), std::move(best->instead), std::move(best->notes), std::move(best->headings)};
+    });
 }
 
 }  // namespace furrow

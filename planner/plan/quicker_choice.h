@@ -1,8 +1,16 @@
 #pragma once
 
-#include "planner/plan/plan.h"
+#include "planner/plan/stage_runner.h"
 
 namespace furrow {
+
+/// The stages of the plan that was chosen.
+struct QuickestChoice {
+    PlannedStages stages;
+    std::vector<SettingChange> instead;      ///< see Plan::instead
+    std::vector<Note> notes;                 ///< why
+    std::vector<HeadingCandidate> headings;  ///< of the search, of which one was taken
+};
 
 /// The plan as asked, with what is left to the planner, and what promises time, decided by the time of the driven path:
 /// what one plan leaves and the other does not counts as worked by itself; a plan with fewer blocking findings comes first.
@@ -16,10 +24,10 @@ namespace furrow {
 ///
 /// What was taken stands in Plan::instead; a note says so, but for orders and corners, of which none was asked for.
 /// Cost: a plan for each; those that are slower are not audited. Errors: of the plan as asked. Cancelled.
-Result<std::shared_ptr<Plan>> quickestChoice(const PlanRequest& request, const JobContext& job);
+Result<QuickestChoice> quickestChoice(const PlanRequest& request, StageRunner& runner, const JobContext& job);
 
 /// Seconds: the driven path, and what it leaves within the field worked by itself. Areas that are left on purpose cost
 /// nothing.
-Duration timeForAll(const Plan& plan);
+Duration timeForAll(const Machine& machine, const Path& path, const AuditReport& audit);
 
 }  // namespace furrow

@@ -1,3 +1,4 @@
+#include "planner/swaths/edge_preference.h"
 #include "planner/swaths/heading_search.h"
 #include "planner/swaths/methods.h"
 
@@ -7,19 +8,6 @@
 namespace furrow {
 
 namespace {
-
-/// The heading of the longest edge; of equally long ones the first.
-Angle longestEdgeHeading(const MultiPolygon& mainland) {
-    double longestM = -1.0;
-    Point edge;
-    forEachEdge(mainland, [&](Point from, Point to) {
-        if (const double lengthM = distance(from, to); lengthM > longestM) {
-            longestM = lengthM;
-            edge = to - from;
-        }
-    });
-    return radians(std::atan2(edge.y, edge.x));
-}
 
 Result<SwathSet> longestEdge(const SwathTask& task, const JobContext& job) {
     if (job.stopRequested()) {
@@ -64,6 +52,18 @@ Result<SwathSet> edge(const SwathTask& task, const JobContext& job) {
 constexpr const Parameter* kEdgeParameters[] = {&kEdge};
 
 }  // namespace
+
+Angle longestEdgeHeading(const MultiPolygon& mainland) {
+    double longestM = -1.0;
+    Point edge;
+    forEachEdge(mainland, [&](Point from, Point to) {
+        if (const double lengthM = distance(from, to); lengthM > longestM) {
+            longestM = lengthM;
+            edge = to - from;
+        }
+    });
+    return radians(std::atan2(edge.y, edge.x));
+}
 
 const Parameter kEdge{.key = "swaths.edge",
                       .name = "Edge",

@@ -105,9 +105,9 @@ Note noteOf(const PreferredHeading& preferred, SwathObjective objective) {
     return {.text = text, .where = std::string{kPreferEdge.key}, .place = {}};
 }
 
-/// The quickest that are apart from each other, and these two anyway.
+/// The quickest that are apart from each other, the chosen one, and those along the longest edges anyway.
 std::vector<HeadingCandidate> candidatesOf(std::vector<BestHeading> tried, const BestHeading& chosen,
-                                           const std::optional<BestHeading>& alongLongest) {
+                                           const std::vector<BestHeading>& alongLongest) {
     std::ranges::stable_sort(tried, {}, [](const BestHeading& heading) { return heading.figures.time; });
     tried.insert(tried.begin(), chosen);
     std::vector<HeadingCandidate> candidates;
@@ -116,15 +116,18 @@ std::vector<HeadingCandidate> candidatesOf(std::vector<BestHeading> tried, const
             return apartDeg(other.heading, heading.heading) < apart;
         });
         if (isNew) {
-            const bool isLongest = alongLongest && apartDeg(alongLongest->heading, heading.heading) < kSameDeg;
+            const bool isLongest = std::ranges::any_of(alongLongest, [&](const BestHeading& edge) {
+                return apartDeg(edge.heading, heading.heading) < kSameDeg;
+            });
             candidates.push_back({heading.heading, heading.figures, isLongest});
         }
     };
     for (std::size_t i = 0; i < tried.size() && candidates.size() < kMostCandidates; ++i) {
         add(tried[i], kApartDeg);
     }
-    if (alongLongest) {
-        add(*alongLongest, kSameDeg);
+    // First that of the field, which people see: along another one by fractions of a degree nobody wants to drive.
+    for (const BestHeading& edge : alongLongest) {
+        add(edge, &edge == &alongLongest.front() ? kSameDeg : kApartDeg);
     }
     std::ranges::stable_sort(candidates, {}, [](const HeadingCandidate& candidate) { return candidate.figures.time; });
     return candidates;
@@ -172,13 +175,19 @@ PreferredHeading preferEdges(const ScanLine& scanLine, const SwathTask& task, Sw
 Result<SwathSet> swathsOfBest(const ScanLine& scanLine, const SwathTask& task, SwathObjective objective, const BestHeading& best,
                               std::vector<BestHeading> tried, const JobContext& job) {
     const PreferredHeading preferred = preferEdges(scanLine, task, objective, best);
+    const Angle longest = normalisedSwathHeading(longestEdgeHeading(task.mainland));
     return swathsAlong(scanLine, task, preferred.chosen.heading, objective, job).transform([&](SwathSet set) {
         if (preferred.best) {
             set.notes.push_back(noteOf(preferred, objective));
         }
         if (objective == SwathObjective::Time) {
             tried.push_back(best);
-            set.candidates = candidatesOf(std::move(tried), preferred.chosen, preferred.longestEdge);
+            // The longest edge of the mainland may be another one than that of the field.
+            std::vector<BestHeading> edges{{longest, scanLine.figures(longest, objective)}};
+            if (preferred.longestEdge) {
+                edges.insert(edges.begin(), *preferred.longestEdge);
+            }
+            set.candidates = candidatesOf(std::move(tried), preferred.chosen, edges);
         }
         return set;
     });

@@ -16,6 +16,9 @@ struct LongEdge {
 /// Edges in a row that stay within 15 cm of one line are one. Cost: O(n log n).
 std::vector<LongEdge> longEdges(const MultiPolygon& boundary, Length least);
 
+/// Of the longest edge of a mainland, which the method `longest-edge` takes; of equally long ones the first. Cost: O(n).
+Angle longestEdgeHeading(const MultiPolygon& mainland);
+
 /// What a search takes in the end.
 struct PreferredHeading {
     BestHeading chosen;

@@ -53,7 +53,7 @@ Turn lineOf(const Swath& swath);
 struct HeadingCandidate {
     Angle heading;  ///< modulo pi
     HeadingFigures figures;
-    bool alongLongestEdge = false;  ///< of the field
+    bool alongLongestEdge = false;  ///< of the field or of the mainland
 };
 
 /// The swaths of one mainland and the figures of their heading.
@@ -74,7 +74,7 @@ struct SwathSet {
     MultiPolygon leftOnPurpose;
     int headingsTried = 1;
     /// Of a search by time: the quickest headings by its estimate, more than a degree apart from each other, quickest
-    /// first, and the one along the field's longest edge. The set's own is among them.
+    /// first, and those along the longest edges of field and mainland. The set's own is among them.
     std::vector<HeadingCandidate> candidates;
     /// Worked beyond the mainland's edge where ends were drawn out to the full width.
     Area endOverlap;

@@ -4,10 +4,10 @@
 #include "planner/io/plan_reader.h"
 #include "planner/machine/machine_library.h"
 #include "planner/plan/advice.h"
-#include "planner/plan/as_asked.h"
 #include "planner/plan/method_registry.h"
 #include "planner/plan/plan.h"
 #include "planner/plan/quicker_choice.h"
+#include "planner/plan/stage_cache.h"
 #include "tests/support/field_generator.h"
 #include "tests/support/result_check.h"
 #include "tests/support/scratch.h"
@@ -46,6 +46,10 @@ Result<std::shared_ptr<const Plan>> planned(const FieldSource& source, std::stri
     return makePlan({.field = std::make_shared<const Field>(Field::create(source).value()),
                      .machine = findMachine(machine).value(),
                      .settings = settings});
+}
+
+Duration timeForAll(const Plan& plan) {
+    return furrow::timeForAll(plan.request.machine, plan.path, plan.audit);
 }
 
 QByteArray blockingTexts(const Plan& plan) {
@@ -261,16 +265,18 @@ void TestPromises::ownOrderKeepsItsSwaths() {
     Given given{{"headland.method", "per-edge"}};
     Settings settings;
     applySetting(settings, "headland.method", "per-edge").value();
-    const auto asked = planAsAsked({.field = std::make_shared<const Field>(Field::create(rectangle()).value()),
-                                    .machine = findMachine("cultivator").value(),
-                                    .settings = settings},
-                                   {});
+    StageCache cache;
+    const auto asked = StageRunner{cache}.run({.field = std::make_shared<const Field>(Field::create(rectangle()).value()),
+                                               .machine = findMachine("cultivator").value(),
+                                               .settings = settings},
+                                              {}, {});
     VERIFY_RESULT(asked);
+    const std::vector<Swath>& swaths = asked->laidOut.laid->swaths.swaths;
     const auto quicker = planned(rectangle(), "cultivator", given);
     VERIFY_RESULT(quicker);
     QVERIFY(std::ranges::contains((*quicker)->instead, "headland.method", &SettingChange::key));
     std::string order;
-    for (const Swath& swath : (*asked)->swaths.swaths) {
+    for (const Swath& swath : swaths) {
         order += (order.empty() ? "" : ",") + std::to_string(swath.number);
     }
     given.emplace_back("route.method", "custom");
@@ -278,7 +284,7 @@ void TestPromises::ownOrderKeepsItsSwaths() {
     const auto plan = planned(rectangle(), "cultivator", given);
     VERIFY_RESULT(plan);
     QVERIFY(std::ranges::all_of((*plan)->instead, [](const SettingChange& change) { return change.key == "headland.corner"; }));
-    QCOMPARE((*plan)->swaths.swaths, (*asked)->swaths.swaths);
+    QCOMPARE((*plan)->swaths.swaths, swaths);
 }
 
 void TestPromises::adviceMends() {

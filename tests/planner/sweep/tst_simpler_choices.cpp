@@ -66,7 +66,7 @@ const std::vector<FieldSource>& sourcesIn(const QString& file) {
 
 /// Nothing where no plan can be driven by it.
 std::optional<double> timeS(const std::shared_ptr<const Plan>& plan) {
-    return plan && plan->drivable() ? std::optional{timeForAll(*plan).si()} : std::nullopt;
+    return plan && plan->drivable() ? std::optional{timeForAll(plan->request.machine, plan->path, plan->audit).si()} : std::nullopt;
 }
 
 std::string timeText(const std::optional<double>& time) {

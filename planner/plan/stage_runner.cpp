@@ -1,0 +1,170 @@
+#include "planner/plan/stage_runner.h"
+
+#include "planner/field/small_obstacles.h"
+#include "planner/geometry/geos_bridge.h"
+#include "planner/plan/drive_stage.h"
+#include "planner/plan/ground.h"
+#include "planner/plan/method_registry.h"
+#include "planner/plan/order_stage.h"
+#include "planner/plan/round_stage.h"
+#include "planner/plan/stopwatch.h"
+#include "planner/plan/swath_stage.h"
+#include "planner/swaths/methods.h"
+
+#include <algorithm>
+#include <ranges>
+#include <utility>
+
+namespace furrow {
+
+namespace {
+
+// Of the progress where obstacles may have to be planned once more.
+constexpr double kFirstTry = 0.95;
+
+/// Runs one stage and adds the time it took.
+template <class Run>
+auto timed(Duration& taken, const Run& run) {
+    Stopwatch watch;
+    auto result = run();
+    taken += watch.lap();
+    return result;
+}
+
+/// With new headlands along the obstacles that are not among these any more.
+std::vector<Ring> without(std::vector<Ring> obstacles, const std::vector<std::size_t>& refused) {
+    for (const std::size_t index : refused | std::views::reverse) {
+        obstacles.erase(obstacles.begin() + static_cast<std::ptrdiff_t>(index));
+    }
+    return obstacles;
+}
+
+}  // namespace
+
+std::ptrdiff_t PlannedStages::blockingCount() const {
+    return std::ranges::count(driven->findings, Severity::Blocking, &Finding::severity);
+}
+
+Result<std::shared_ptr<const Headland>> StageRunner::headland(const PlanRequest& request, const std::shared_ptr<const Ground>& ground,
+                                                              const std::vector<Ring>& filled, const MultiPolygon& workable,
+                                                              const JobContext& job) {
+    return cache_.headlands.get(request, {ground, filled}, [&](const PlanRequest& asking) {
+        const Settings& settings = asking.settings;
+        return timed(timings_.headland, [&] {
+            return headlandMethod(settings)(
+                {.field = *asking.field,
+                 .drivable = ground->drivable,
+                 .machine = asking.machine,
+                 .turn = turnMethod(settings),
+                 .settings = settings,
+                 .margin = ground->margin,
+                 .drawsOutEnds = settings.choice(kEnds) == "full",
+                 .swathEnds = [&](const MultiPolygon& mainland) { return swathEnds(asking, mainland, job); },
+                 .along = &workable},
+                job);
+        });
+    });
+}
+
+/// The headland is laid without the obstacles that swaths go round; one that swaths do not get round gets a headland after
+/// all.
+Result<LaidOut> StageRunner::laidOut(const PlanRequest& request, const std::shared_ptr<const Ground>& ground, std::vector<Ring> round,
+                                     const JobContext& job) {
+    for (JobContext part = job;; part = job.quiet()) {
+        const MultiPolygon workable = filled(request.field->drivable(), round);
+        const auto headland = this->headland(request, ground, round, workable, part.part(0.0, 0.12));
+        if (!headland) {
+            return std::unexpected(headland.error());
+        }
+        std::vector<Ring> inside = insideMainland(round, (*headland)->mainland, ground->margin, request.machine);
+        if (inside.size() < round.size()) {
+            round = std::move(inside);
+            continue;
+        }
+        const auto swaths =
+            cache_.swaths.get(request, {ground, round, (*headland)->mainland, (*headland)->passes}, [&](const PlanRequest& asking) {
+                const LayTask task{.request = asking,
+                                   .ground = *ground,
+                                   .workable = workable,
+                                   .mainland = (*headland)->mainland,
+                                   .passes = (*headland)->passes};
+                return timed(timings_.swaths, [&] {
+                    return layStage(task, part.part(0.12, 0.95)).and_then([&](LaidSwaths&& laid) {
+                        return roundStage(std::move(laid), round, task, part.part(0.95, 1.0));
+                    });
+                });
+            });
+        if (!swaths) {
+            return std::unexpected(swaths.error());
+        }
+        if ((*swaths)->refused.empty()) {
+            return LaidOut{*headland, {*swaths, &(*swaths)->laid}};
+        }
+        round = without(std::move(round), (*swaths)->refused);
+    }
+}
+
+Result<PlannedStages> StageRunner::plannedRound(const PlanRequest& request, const std::shared_ptr<const Ground>& ground,
+                                                std::vector<Ring> round, std::optional<Duration> atMost, const JobContext& job) {
+    auto laid = laidOut(request, ground, std::move(round), job.part(0.0, 0.8));
+    if (!laid) {
+        return std::unexpected(laid.error());
+    }
+    auto ordered = cache_.orders.get(request, laid->laid, [&](const PlanRequest& asking) {
+        return timed(timings_.route, [&] { return orderStage(asking, *laid->laid, job.part(0.8, 0.85)); });
+    });
+    if (!ordered) {
+        return std::unexpected(ordered.error());
+    }
+    auto driven =
+        cache_.drives.get(request, {ground, laid->headland, laid->laid, *ordered, request.draft}, [&](const PlanRequest& asking) {
+            const DriveTask task{.request = asking,
+                                 .ground = *ground,
+                                 .headland = *laid->headland,
+                                 .laid = *laid->laid,
+                                 .ordered = **ordered};
+            auto made = driveStage(task, atMost, job.part(0.85, 1.0));
+            if (made) {
+                timings_.path += made->driving;
+                timings_.audit += made->auditing;
+            }
+            return made;
+        });
+    if (!driven) {
+        return std::unexpected(driven.error());
+    }
+    return PlannedStages{request, ground, *std::move(laid), *std::move(ordered), *std::move(driven)};
+}
+
+Result<PlannedStages> StageRunner::run(const PlanRequest& request, std::optional<Duration> atMost, const JobContext& job) {
+    const auto ground = cache_.grounds.get(request, {}, [&](const PlanRequest& asking) { return groundOf(asking, job); });
+    if (!ground) {
+        return std::unexpected(ground.error());
+    }
+    const std::vector<Ring> small = smallObstacles(*request.field, roundUpTo(request.settings, request.machine));
+    auto best = plannedRound(request, *ground, small, atMost, job.part(0.0, small.empty() ? 1.0 : kFirstTry));
+    if (!best || request.draft) {
+        return best;
+    }
+    for (const bool isLast : {false, true}) {
+        const SwathSet& swaths = best->laidOut.laid->swaths;
+        if (best->drivable() || swaths.goneRound.empty()) {
+            break;
+        }
+        std::vector<Ring> fewer = isLast ? std::vector<Ring>{} : awayFromBlocking(swaths, best->driven->findings, request.machine);
+        if (fewer.size() == swaths.goneRound.size()) {
+            continue;
+        }
+        auto other = plannedRound(request, *ground, std::move(fewer), atMost, job.quiet());
+        if (!other && other.error().code == ErrorCode::Cancelled) {
+            return other;
+        }
+        // Headlands may leave nothing to work.
+        if (other && other->blockingCount() < best->blockingCount()) {
+            best = std::move(other);
+        }
+    }
+    return best;
+}
+
+}  // namespace furrow
