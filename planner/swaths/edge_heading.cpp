@@ -8,7 +8,7 @@ namespace furrow {
 
 namespace {
 
-/// The heading of the longest edge; of equally long ones the first.
+/// The heading of the longest edge. Of equal ones the first.
 Angle longestEdgeHeading(const MultiPolygon& mainland) {
     double longestM = -1.0;
     Point edge;
@@ -30,7 +30,7 @@ Result<SwathSet> longestEdge(const SwathTask& task, const JobContext& job) {
     });
 }
 
-/// Counted along every ring of the boundary, in the field's order.
+/// The heading of an edge, counted along every ring of the boundary, in the field's order.
 Result<Angle> edgeHeading(const Field& field, int number) {
     int count = 0;
     std::optional<Point> edge;
