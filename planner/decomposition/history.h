@@ -10,8 +10,8 @@ namespace furrow {
 /// The cell of each piece after a step.
 Groups cellsAt(const DecompositionHistory& history, std::size_t step);
 
-/// The outlines of all cells after a step, in the order of their first pieces. Cancelled. Cost: a GEOS union for each
-/// cell of several pieces.
+/// The outlines of all cells after a step, in the order of their first pieces. Cancelled. Cost: a GEOS union
+/// for each cell of several pieces.
 Result<std::vector<MultiPolygon>> outlinesAt(const DecompositionHistory& history, std::size_t step, const JobContext& job);
 
 /// The outlines of the two cells that became one in a step that lowered the cost. Empty for other steps.

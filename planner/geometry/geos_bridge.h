@@ -65,7 +65,7 @@ Result<MultiPolygon> madeValid(const MultiPolygon& polygons, const JobContext& j
 /// The points of a WKT LINESTRING or POINT. InputRefused: the text is something else.
 Result<std::vector<Point>> pointsOfWkt(const std::string& wkt);
 
-/// The lines of a WKT LINESTRING, MULTILINESTRING or a collection of these. InputRefused: the text is something else.
+/// The lines of a WKT LINESTRING, MULTILINESTRING or a collection of these. InputRefused: other text.
 Result<std::vector<Polyline>> linesOfWkt(const std::string& wkt);
 
 struct FarthestPoint {

@@ -17,7 +17,7 @@ int passesFor(Length room, const Machine& machine);
 
 /// The wanted headland, or less if the field is too narrow for it: fewer passes, finally none.
 /// @param wanted  its width, passes and strips; edges with a width in the field get that width
-/// InputRefused: nothing of the field is left. Cancelled. Cost: GEOS buffers for the mainland and for each pass.
+/// InputRefused: nothing of the field is left. Cancelled. Cost: GEOS buffers for the mainland and each pass.
 Result<Headland> headlandOf(Headland wanted, const HeadlandTask& task, const JobContext& job);
 
 }  // namespace furrow
