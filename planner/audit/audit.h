@@ -70,8 +70,7 @@ struct AuditReport {
     std::optional<Area> covered;               ///< part of it swept by the implement while down
     std::optional<double> coveredShare;        ///< covered / workable
     std::optional<double> coveredOfReachable;  ///< share of the reachable area that is covered
-    std::optional<Area> missed;                ///< part of the workable area not swept, and not left on
-                                               ///< purpose
+    std::optional<Area> missed;                ///< of the workable area, neither swept nor left on purpose
     /// The part of the margin and of other land left on purpose that is not swept: neither missed nor within
     /// reach.
     std::optional<Area> leftOnPurpose;
@@ -83,8 +82,7 @@ struct AuditReport {
     std::optional<Area> overlap;               ///< swept by at least two passes, inside the workable area
     MultiPolygon overlapAreas;                 ///< largest first
     std::optional<Area> overlapHeadland;       ///< part of it between headland passes and swaths
-    std::optional<Area> outside;            ///< swept by the footprint outside the drivable area, without
-                                            ///< gates
+    std::optional<Area> outside;            ///< swept by the footprint outside drivable area and gates
     std::optional<Length> minClearance;     ///< from the footprint to the edge of that area, negative outside
     std::optional<Curvature> maxCurvature;  ///< re-derived from the points, absolute
     std::optional<Curvature> maxCurvatureMismatch;  ///< between that and the stated curvature

@@ -71,8 +71,7 @@ private:
     double cellM_ = 1.0;
     std::size_t columns_ = 1;
     std::size_t rows_ = 1;
-    std::vector<std::uint32_t> cellStart_;  ///< first entry of cell i in cellEdges_; it ends at the next
-                                            ///< cell's
+    std::vector<std::uint32_t> cellStart_;  ///< first entry of each cell in cellEdges_, and the end
     std::vector<std::uint32_t> cellEdges_;
     std::vector<std::uint32_t> rowStart_;
     std::vector<std::uint32_t> rowEdges_;

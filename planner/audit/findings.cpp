@@ -251,7 +251,7 @@ private:
         }
     }
 
-    /// Reports land out of reach, too, although nothing can be done about it.
+    /// Reports land out of reach.
     void noteBeyondReach() {
         const SweptArea& swept = measured_.area;
         if (swept.beyondReach.empty() || area(swept.beyondReach.front()) <= kMissedPiece) {

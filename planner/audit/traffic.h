@@ -13,8 +13,8 @@ struct Traffic {
     std::size_t longestSegment = 0;
     int mostWheelPasses = 0;
     std::vector<Bounds> oftenSquares;  ///< these squares, neighbours in a row as one
-    double oftenDriven = 0.0;  ///< share of the workable area with more than kOftenPasses passages
-    double squareM = 0.0;      ///< side of the squares in which passages are counted
+    double oftenDriven = 0.0;          ///< share of the workable area with more than kOftenPasses passages
+    double squareM = 0.0;              ///< side of the squares in which passages are counted
 };
 
 inline constexpr int kOftenPasses = 3;

@@ -18,7 +18,7 @@ namespace furrow {
 namespace {
 
 constexpr int kHeadings = 48;
-// Number of steps on the way that is as long as the run-in.
+// Steps on the way that is as long as the run-in.
 constexpr int kWayPoses = 2;
 /// A smaller excess does not count, as everywhere in the audit.
 constexpr double kOutsideM = 2.0 * kChordErrorM;

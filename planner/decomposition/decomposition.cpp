@@ -145,7 +145,7 @@ std::vector<std::size_t> homesOf(const SwathSet& swaths, const LevelFrame& frame
         const Point middle = frame.to(0.5 * (swath.start + swath.end));
         auto home = std::ranges::find_if(cells, [&](const Polygon& cell) { return isInside(cell, middle); });
         if (home == cells.end()) {
-            // The middle lies on an edge, or the swath was extended beyond it.
+            // On an edge, or extended beyond it.
             home = std::ranges::min_element(cells, {}, [&](const Polygon& cell) { return distanceTo(cell, middle); });
         }
         homes.push_back(static_cast<std::size_t>(home - cells.begin()));

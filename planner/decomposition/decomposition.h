@@ -29,8 +29,7 @@ struct Join {
 
 /// One state between the cut pieces and the driven cells.
 struct DecompositionStep {
-    std::vector<Join> joins;  ///< that led to this step: one that lowered the cost, or all successive ones
-                              ///< with cells without swaths
+    std::vector<Join> joins;  ///< one that lowered the cost, or all successive ones with cells without swaths
     std::size_t cells = 0;
     Length altitude;  ///< sum of the cells' extents across the heading
     Duration cost;    ///< estimated cost of turns and of ways between cells: see CellCost
@@ -39,8 +38,7 @@ struct DecompositionStep {
 /// The history of the cells.
 struct DecompositionHistory {
     MultiPolygon pieces;                   ///< as cut, before any join
-    std::vector<DecompositionStep> steps;  ///< the cut pieces, then one step for each join; empty if no cost
-                                           ///< was estimated
+    std::vector<DecompositionStep> steps;  ///< as cut, then after each join; empty without an estimate
 };
 
 /// The mainland in cells.

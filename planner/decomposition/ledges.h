@@ -13,8 +13,7 @@ struct Ledge {
     bool isValley = false;  ///< both edges go up from it
     bool isPeak = false;    ///< both go down
     bool isInward = false;  ///< it points into the mainland
-    bool isCorner = false;  ///< the boundary turns a sharp or rounded corner here that belongs to no other
-                            ///< ledge
+    bool isCorner = false;  ///< the boundary turns a corner here, sharp or rounded, of no other ledge
 };
 
 /// The ledges of one ring, counter-clockwise outside and clockwise round holes. A bend drawn in edges shorter

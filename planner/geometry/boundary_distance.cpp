@@ -13,7 +13,7 @@ namespace furrow {
 
 namespace {
 
-// Limits the number of cells of large fields, which get larger cells.
+// Large fields get larger cells.
 constexpr double kMostCellsAcross = 500.0;
 // Cell size as a share of the reach. Smaller cells hold fewer edges that are not near, but there are more
 // cells.

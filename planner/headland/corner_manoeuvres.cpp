@@ -71,8 +71,7 @@ std::optional<Manoeuvre> manoeuvre(const Turn& line, const RoundedCorner& corner
     const Pose exit = poseBefore(line, corner.lastPiece + 1);
     const Point in = direction(entry.heading.si());
     const Point out = direction(exit.heading.si());
-    // From the start of the rounding to the meeting point of the sides, and from there to the end of the
-    // rounding.
+    // From the start of the rounding to the meeting point of the sides, and from there to its end.
     const auto [toCorner, fromCorner] = toMeeting(entry.position, in, exit.position, out);
     // The distance from the meeting point of the middles to that of the outer edges.
     const double width = machine.operatingWidth().si();
@@ -91,7 +90,7 @@ std::optional<Manoeuvre> manoeuvre(const Turn& line, const RoundedCorner& corner
         }
         return best;
     };
-    // On the next side the machine needs its run-in before the implement is lowered.
+    // On the next side it needs its run-in before the implement is lowered.
     const double runIn = machine.runIn().si();
     const double mostOnward = farthest(entry, 1.0, toCorner + beyond + lead);
     const double mostBack = farthest(exit, -1.0, fromCorner + beyond - lead + runIn);

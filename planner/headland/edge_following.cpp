@@ -152,8 +152,8 @@ public:
     /// drive.
     void solve() {
         settle();
-        // A station that has moved in more than its neighbours bends the line the other way. This demand has
-        // no least solution. Therefore both neighbours give a little, for several rounds.
+        // A station that has moved in more than its neighbours bends the line the other way. There is no
+        // least solution, so both neighbours give a little, for several rounds.
         for (int round = 0; round < kGivingRounds; ++round) {
             for (std::size_t i = 0; i < stations_.size(); ++i) {
                 const auto [meanM, sagM] = besideNeighbours(i);

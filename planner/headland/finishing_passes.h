@@ -19,8 +19,7 @@ struct FinishingTask {
     const Rig& lowered;            ///< implement down, in the drivable area
     FullLockPasses* bends = nullptr;  ///< for machines that cannot reverse
     std::span<const Polygon> leftOnPurpose = {};  ///< no pass works any of it
-    std::span<const PassStretch> refused = {};  ///< without a way in or out: neither these nor nearly equal
-                                                ///< ones are proposed
+    std::span<const PassStretch> refused = {};  ///< no way in or out; left out, with nearly equal ones
 };
 
 /// Short straight passes over the land left at corners and between other passes. Each runs along an edge or

@@ -46,8 +46,7 @@ struct Headland {
     std::vector<EdgeStrip> strips;  ///< of all edges if they differ; empty if all are the same
     MultiPolygon mainland;       ///< the field without headland, in metres
     double mainlandRatio = 0.0;  ///< A_r = area(mainland) / area(field)
-    std::vector<HeadlandPass> rings;  ///< to be driven, in the chosen direction; empty if the strip is only
-                                      ///< for turning
+    std::vector<HeadlandPass> rings;  ///< in the chosen direction; empty if the strip is only for turning
     Length uncutStrip;           ///< at most, along the boundary outside the outermost pass
     Area uncutCorners;           ///< where that pass is rounded
     std::vector<Note> notes;     ///< what was reduced, and why

@@ -37,8 +37,7 @@ constexpr double kMergedShare = 0.1;
 constexpr double kMostUncutShare = 0.004;
 // Largest area left at a corner between two passes.
 constexpr Area kMostUncutInside = squareMetres(50.0);
-// A pass with 16 stretches or more runs along an edge that is hard to follow. Another pass with half as many
-// stretches or fewer replaces it.
+// A pass of 16 stretches or more is replaced by one with half as many or fewer: its edge is hard to follow.
 constexpr std::size_t kManyStretches = 16;
 constexpr std::size_t kTimesFewer = 2;
 // Largest deviation of such a pass from its line, as a share of its width.

@@ -17,7 +17,7 @@ namespace {
 constexpr double kStraightM = 0.05;
 constexpr double kSameHeading = 1e-9;
 constexpr int kMostRounds = 4;
-// Distance from the middle of a swath to the points that stand for its sides, as a share of its width.
+// Distance from the middle of a swath to test points near its sides, as a share of its width.
 constexpr double kAlmostHalf = 0.45;
 
 double angleBetween(const Pose& leaving, const EdgeStrip& strip) {

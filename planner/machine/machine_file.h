@@ -28,7 +28,7 @@ struct MachineKey {
     /// values can be planned with.
     double min = 0.0;
     double max = 0.0;
-    bool mayBeMissing = false;  ///< has a meaning if not given; clearing restores that
+    bool mayBeMissing = false;                  ///< has a meaning if not given; clearing it restores that
     std::span<const std::string_view> choices;  ///< of a text; empty if any text is allowed
 
     /// In the unit of the key.

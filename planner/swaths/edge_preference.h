@@ -19,8 +19,7 @@ std::vector<LongEdge> longEdges(const MultiPolygon& boundary, Length least);
 /// The heading that a search finally takes.
 struct PreferredHeading {
     BestHeading chosen;
-    std::optional<BestHeading> best;         ///< the best heading, if an edge with a visibly different
-                                             ///< heading was preferred
+    std::optional<BestHeading> best;         ///< if an edge with a visibly different heading was preferred
     std::optional<BestHeading> longestEdge;  ///< of a field that has a long edge
 };
 

@@ -220,7 +220,7 @@ public:
     }
 
     /// The length by which a line with this end, along the drawer's direction, is extended.
-    /// @param most  largest length by which it may be shortened
+    /// @param most  by which it may be shortened
     Length beyond(Point end, Length most) {
         const double x = dot(along_, end);
         return metres(drawnOut({.x = x, .y = cross(along_, end), .ahead = 1.0}, most.si()) - x);

@@ -97,14 +97,13 @@ private:
     /// Area covered at least once, and at least twice, in square metres.
     std::pair<double, double> coveredAreas(const Walk& walk) const;
     HeadingFigures measure(SwathObjective objective, Walk& walk) const;
-    /// Figures of the layout with the best lines; `walk` is rotated.
+    /// Figures of the layout with the best lines. `walk` must be rotated.
     HeadingFigures linesOf(SwathObjective objective, Walk& walk) const;
     /// Time to and fro, with turns of the length `turnLength(from, to)` in metres.
     template <class TurnLength>
     Duration drivingTime(const Walk& walk, const TurnLength& turnLength) const;
     Duration missedTime(const HeadingFigures& figures) const;
-    /// The number and figures of the best layout. `walk` must be rotated; afterwards it holds any of the
-    /// layouts.
+    /// The number and figures of the best layout. Rotates `walk`, which afterwards holds any of the layouts.
     std::pair<int, HeadingFigures> best(Angle heading, SwathObjective objective, Walk& walk) const;
 
     // Rings one after the other; ringEnds_[i] is one past the last vertex of ring i.
