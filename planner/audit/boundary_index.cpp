@@ -8,13 +8,13 @@ namespace furrow {
 
 namespace {
 
-// Few edges get a fine grid all the same: most questions are then answered by an empty cell.
+// A few edges get a fine grid, too. An empty cell then answers most questions.
 constexpr double kFewestCells = 1024.0;
 constexpr double kMostCells = 65536.0;
-/// What lies on the line between two cells belongs to both.
+/// A point on the line between two cells belongs to both.
 constexpr double kCellSlackM = 1e-6;
 
-/// Turns counts, one behind their slot, into where each slot begins.
+/// Turns counts, stored one behind their slot, into the start of each slot.
 void accumulate(std::vector<std::uint32_t>& counts) {
     std::partial_sum(counts.begin(), counts.end(), counts.begin());
 }
@@ -49,7 +49,7 @@ void BoundaryIndex::forEachCell(const Edge& edge, Take&& take) const {
     const double slope = high.y > low.y ? (high.x - low.x) / (high.y - low.y) : 0.0;
     const std::size_t lastRow = row(high.y + kCellSlackM);
     for (std::size_t r = row(low.y - kCellSlackM); r <= lastRow; ++r) {
-        // Where the edge is between the lower and the upper side of the row.
+        // The part of the edge between the lower and the upper side of the row.
         const double from = bounds_.min.y + static_cast<double>(r) * cellM_ - kCellSlackM;
         const double to = from + cellM_ + 2.0 * kCellSlackM;
         const double a = low.y >= from ? low.x : low.x + slope * (from - low.y);
@@ -93,7 +93,7 @@ void BoundaryIndex::fillRows() {
     }
 }
 
-/// Cells without edges are inside or outside as a whole, as are those beside them.
+/// A cell without edges is inside or outside as a whole, and so are empty cells beside it.
 void BoundaryIndex::findInside() {
     cells_.assign(columns_ * rows_, Cell::Edges);
     for (std::size_t r = 0; r < rows_; ++r) {

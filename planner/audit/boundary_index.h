@@ -13,15 +13,16 @@ struct Edge {
     Point to;
 };
 
-/// The edges of an area in a grid, for questions about places near them. Immutable; any thread may ask.
+/// The edges of an area in a grid, for questions about nearby places. Immutable; thread-safe.
 class BoundaryIndex {
 public:
     explicit BoundaryIndex(const MultiPolygon& polygons);
 
-    /// Inside by even-odd; either answer on the edge. O(1) away from edges, O(edges in the row) near them.
+    /// Inside by the even-odd rule; on the edge either answer. O(1) away from edges, O(edges in the row) near
+    /// them.
     bool contains(Point point) const;
 
-    /// Calls `visit(edge)` for every edge that comes near the box, some more than once.
+    /// Calls `visit(edge)` for every edge near the box, for some edges more than once.
     template <class Visit>
     void visitNear(const Bounds& box, Visit&& visit) const {
         if (edges_.empty() || box.max.x < bounds_.min.x || box.min.x > bounds_.max.x ||
@@ -43,7 +44,7 @@ public:
 
     /// Whether a disc is inside and touches no edge.
     bool containsDisc(Point middle, double radius) const;
-    /// From the point to the nearest edge, however far it is. Infinite without any edge.
+    /// The distance to the nearest edge, at any range. Infinite without edges.
     double distance(Point point) const;
 
 private:
@@ -70,7 +71,7 @@ private:
     double cellM_ = 1.0;
     std::size_t columns_ = 1;
     std::size_t rows_ = 1;
-    std::vector<std::uint32_t> cellStart_;  ///< of cell i: cellEdges_[cellStart_[i]] up to the next one's
+    std::vector<std::uint32_t> cellStart_;  ///< first entry of each cell in cellEdges_, and the end
     std::vector<std::uint32_t> cellEdges_;
     std::vector<std::uint32_t> rowStart_;
     std::vector<std::uint32_t> rowEdges_;

@@ -19,18 +19,18 @@ namespace furrow {
 
 namespace {
 
-/// Straight steps are cut in halves down to this length while they may come too near to an edge.
+/// Straight steps that may come too near to an edge are halved down to this length.
 constexpr double kPieceM = 6.0;
-/// What reaches less deep into the footprint only touches it.
+/// An intrusion of smaller depth only touches the footprint.
 constexpr double kTouchingM = 1e-6;
-// Steps that turn get finer down to hulls that reach this far beyond what is swept.
+// Steps that turn are halved until their hulls reach at most this far beyond the swept area.
 constexpr double kFinestM = 0.002;
 // Longer than any machine.
 constexpr double kFarM = 1000.0;
-// An intrusion without any corner of the footprint outside: too small to measure, but there.
+// An intrusion without any corner of the footprint outside. It is too small to measure, but exists.
 constexpr double kLeastIntrusionM = 1e-3;
 
-/// A rectangle by its middle, the way it points and half its sizes.
+/// A rectangle from its middle, its direction and half its sizes.
 Ring rectangle(Point middle, Point nose, double halfLengthM, double halfWidthM) {
     const Point along = halfLengthM * nose;
     const Point left = halfWidthM * Point{-nose.y, nose.x};
@@ -51,7 +51,7 @@ struct Nearest {
     Point place;  ///< on the hull's side
 };
 
-/// From a hull to an edge that it does not cross, where that is less than what was found before.
+/// Lowers `nearest` to the distance from a hull to an edge that it does not cross, if that is less.
 void lower(Nearest& nearest, const Ring& hull, const Edge& edge) {
     double square = nearest.distance * nearest.distance;
     const double before = square;
@@ -83,8 +83,8 @@ public:
     /// Whether everything within a distance of a place is outside.
     bool isBeyond(Point middle, double radius) const { return !edges_.contains(middle) && edges_.distance(middle) > radius; }
 
-    /// Lowers `found` to the clearance of this convex piece where that is less and under `limit`. Whether
-    /// some of it may lie outside.
+    /// Lowers `found` to the clearance of this convex piece if that is less and under `limit`. Returns
+    /// whether some of it may lie outside.
     bool measure(const Ring& hull, double limit, SegmentClearance& found) const {
         Nearest nearest{.distance = limit, .place = {}};
         std::vector<Edge> intruding;
@@ -96,7 +96,7 @@ public:
             }
         });
         if (!intruding.empty() || !edges_.contains(hull.front())) {
-            // A corner on the edge itself may count as outside, and is not.
+            // A corner on the edge itself may count as outside, but is not.
             if (intruding.empty() && edges_.distance(hull.front()) < kTouchingM) {
                 nearest = {.distance = 0.0, .place = hull.front()};
             } else {
@@ -128,7 +128,7 @@ private:
             }
         };
         std::ranges::for_each(hull, consider);
-        // A side that runs through something is deepest in it between two crossings.
+        // A side that crosses an area outside is deepest in it between two crossings.
         for (std::size_t i = 0; i < hull.size(); ++i) {
             const Edge side{hull[i], hull[(i + 1) % hull.size()]};
             const Point along = side.to - side.from;
@@ -145,8 +145,8 @@ private:
                 consider(side.from + 0.5 * (crossings[k - 1] + crossings[k]) * along);
             }
         }
-        // Something small between the wheels: its middle is in it, unless it is bent. What reaches in from a side: in
-        // between an edge and whatever comes next across it.
+        // A small thing between the wheels: its middle lies in it, unless it is bent. A thing that reaches in
+        // from a side: the place between an edge and the next thing across it lies in it.
         Point sum;
         double inside = 0.0;
         for (const Edge& edge : intruding) {
@@ -172,7 +172,8 @@ private:
         }
     }
 
-    /// Half-way from a place in a convex piece to where it ends in a direction, or to the first edge before that.
+    /// Half-way from a place in a convex piece in a direction: to the end of the piece, or to the first edge
+    /// before it.
     static Point middleAcross(const Ring& hull, const std::vector<Edge>& edges, Point from, Point way) {
         const Edge ray{from, from + kFarM * way};
         const auto within = partInside(hull, ray);
@@ -193,7 +194,7 @@ private:
     BoundaryIndex land_;
 };
 
-/// Where a part is.
+/// The place of a part.
 struct Placed {
     Point middle;
     Point nose;
@@ -203,7 +204,7 @@ Placed placed(const FootprintPart& part, Point carrier, Point nose) {
     return {carrier + part.offsetM * nose, nose};
 }
 
-/// In the middle of the arc that joins two places.
+/// The place in the middle of the arc that joins two places.
 Placed halfWay(const Placed& a, const Placed& b) {
     const Point way = b.middle - a.middle;
     const Point sum = a.nose + b.nose;
@@ -213,8 +214,8 @@ Placed halfWay(const Placed& a, const Placed& b) {
     return {0.5 * (a.middle + b.middle) + bulge * Point{way.y, -way.x}, (1.0 / lengthOf(sum)) * sum};
 }
 
-/// How far the hull of both places reaches beyond what the part sweeps between them, at most: its corners
-/// turn by half of the angle to either side of the place in the middle, which lies on an arc.
+/// Upper bound of the distance by which the hull of both places exceeds the swept area between them. The
+/// corners turn by half the angle to either side of the middle place, which lies on an arc.
 double bridgedBy(const FootprintPart& part, const Placed& a, const Placed& b) {
     const double turn = std::abs(std::atan2(cross(a.nose, b.nose), dot(a.nose, b.nose)));
     return (0.5 * part.radius() + 0.125 * lengthOf(b.middle - a.middle)) * turn;
@@ -251,7 +252,7 @@ MultiPolygon gateDiscs(const std::vector<AuditGate>& gates) {
     return discs;
 }
 
-/// The least clearance that any segment has been found to have, at most; only ever falls.
+/// An upper bound of the least clearance of all segments. It only falls.
 class SmallestClearance {
 public:
     explicit SmallestClearance(double startM) : valueM_{startM} {}
@@ -272,7 +273,7 @@ public:
     SegmentSweep(const Footprint& footprint, const ClearanceMeter& meter, SmallestClearance& smallest)
         : footprint_{footprint}, meter_{meter}, smallest_{smallest} {}
 
-    /// Ends early, with something, where the job is stopped.
+    /// Ends early, with a partial result, if the job is stopped.
     SegmentClearance run(const SegmentMotion& motion, const FootprintPart& implement, const JobContext& job) {
         for (const auto* states : {&motion.turnOnTheSpot, &motion.states}) {
             for (std::size_t i = 1; i < states->size() && !job.stopRequested(); ++i) {
@@ -288,8 +289,8 @@ public:
     }
 
 private:
-    /// From one place to the next. The part stays in a disc; where that is free by more than the least
-    /// clearance known from anywhere on the path, the move changes nothing. What is outside always does.
+    /// A move from one place to the next. The part stays in a disc. If the disc is free by more than the
+    /// least known clearance of the path, the move changes nothing. Moves outside always count.
     void move(const FootprintPart& part, const Placed& a, const Placed& b) {
         const double way = lengthOf(b.middle - a.middle);
         const Point middle = 0.5 * (a.middle + b.middle);
@@ -297,7 +298,7 @@ private:
         if (meter_.isFree(middle, 0.5 * way + part.radius() + limit)) {
             return;
         }
-        // However far a path leads away, what of it is nowhere near the field is one piece.
+        // A part of the path that is nowhere near the field stays one piece, however long.
         if (way > kPieceM && a.nose == b.nose && !meter_.isBeyond(middle, 0.5 * way + part.radius())) {
             const Placed between{middle, a.nose};
             move(part, a, between);
@@ -307,8 +308,9 @@ private:
         Ring hull = hullOf(part, a, b);
         SegmentClearance step;
         const bool mayBeOutside = meter_.measure(hull, limit, step);
-        // Where it turns, a hull bridges what the side of the part goes round. That matters where it decides
-        // between inside and outside, and for the least clearance; what is farther outside stays there.
+        // In a turn, a hull also covers places that the side of the part goes round. This matters for the
+        // decision between inside and outside, and for the least clearance. A part farther outside stays
+        // outside.
         const double bridged = bridgedBy(part, a, b);
         const bool decides = mayBeOutside ? -step.clearanceM < bridged : step.clearanceM < limit;
         if (decides && bridged > kFinestM) {
@@ -360,9 +362,9 @@ Result<MultiPolygon> outlineOf(const LayeredPolygons& layers, Point along, const
         .transform([](std::vector<MeasuredRegion>&& regions) { return std::move(regions.front().polygons); });
 }
 
-/// The outline of what the suspects of one segment sweep. Each moves on by a few centimetres only: without
-/// what it shares with the one before there is little left that overlaps, and a few of them at a time are
-/// soon a polygon with few corners.
+/// The outline of the area that the suspects of one segment sweep. Each suspect moves on by a few centimetres
+/// only. Without the part that it shares with the one before, little overlap remains. A group of 16 soon
+/// becomes a polygon with few corners.
 Result<MultiPolygon> outlineOf(const SegmentClearance& segment, Point along, const JobContext& job) {
     constexpr std::size_t kAtATime = 16;
     LayeredPolygons outlines;
@@ -385,7 +387,7 @@ Result<MultiPolygon> outlineOf(const SegmentClearance& segment, Point along, con
     return outlineOf(outlines, along, job);
 }
 
-/// Of the area swept by what may lie outside, how much does.
+/// The part of the area swept by suspects that lies outside.
 Result<Area> areaOutside(const std::vector<SegmentClearance>& segments, const MultiPolygon& open, Point along,
                          const JobContext& job) {
     std::vector<const SegmentClearance*> suspects;
@@ -425,10 +427,10 @@ Result<ClearanceReport> measureClearance(const AuditInput& input, const std::vec
     const ClearanceMeter meter{*open, withoutHoles(*open)};
     const Footprint footprint = footprintOf(*input.machine);
     ClearanceReport report;
-    // Most plans come near the edge somewhere; only where none of it does is it worth looking farther.
+    // Most plans come near the edge somewhere. Only if no part does, the search goes farther.
     double begun = 0.0;
     for (double farthest = 2.0; farthest < 1e6; farthest *= 16.0) {
-        // Each time round half of what is left of the progress.
+        // Each round gets half of the remaining progress.
         const double done = 0.5 * (begun + 0.9);
         const JobContext look = job.part(begun, done);
         begun = done;

@@ -8,14 +8,14 @@
 
 namespace furrow {
 
-/// What the footprint of one segment comes to, against the edge of the drivable area.
+/// The result for the footprint of one segment against the edge of the drivable area.
 struct SegmentClearance {
-    /// Negative: that far outside, to what one step of a turn cuts off. Otherwise no less than the smallest of
-    /// the path.
+    /// Negative: the distance outside, exact except for one step of a turn. Otherwise no less than the
+    /// smallest clearance of the path.
     double clearanceM = std::numeric_limits<double>::infinity();
     Point place;              ///< where it is farthest outside
-    bool beyondLand = false;  ///< outside the outer boundary, not in something inside the field
-    /// Parts of the swept footprint that may lie outside, of the tractor and of the implement; they overlap.
+    bool beyondLand = false;  ///< outside the outer boundary, not in an obstacle inside the field
+    /// Parts of the swept footprint that may lie outside, of the tractor and of the implement. They overlap.
     std::array<std::vector<Ring>, 2> suspects;
 
     bool isSuspect() const { return !suspects[0].empty() || !suspects[1].empty(); }
@@ -27,10 +27,10 @@ struct ClearanceReport {
     Area outside;
 };
 
-/// Moves tractor and implement, each a rectangle, along every segment: raised width where the implement is
-/// up, operating width where it is down. Between two states a part sweeps the hull of both of its
-/// rectangles. `input.machine` must be there. The smallest clearance of the path, and all that is outside, do
-/// not depend on the thread count; the clearance of a segment that is neither does.
+/// Moves tractor and implement, each a rectangle, along every segment: raised width if the implement is up,
+/// operating width if it is down. Between two states a part sweeps the hull of both its rectangles.
+/// `input.machine` must exist. The smallest clearance of the path, and everything outside, do not depend on
+/// the thread count. The clearance of other segments does.
 Result<ClearanceReport> measureClearance(const AuditInput& input, const std::vector<SegmentMotion>& motions,
                                          const JobContext& job);
 

@@ -30,7 +30,7 @@ std::pair<Ring, Ring> cut(const Ring& ring, Point start, Point along) {
     return {std::move(left), std::move(right)};
 }
 
-// Andrew's monotone chain, over and back.
+// Andrew's monotone chain, forth and back.
 Ring hullAround(Ring points) {
     std::ranges::sort(points, [](Point a, Point b) { return a.x != b.x ? a.x < b.x : a.y < b.y; });
     Ring hull;

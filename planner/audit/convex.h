@@ -9,21 +9,21 @@
 
 namespace furrow {
 
-// What the audit asks of convex rings; the planner's own answers are not trusted here.
+// Operations on convex rings. The audit has its own, since it does not trust the planner's.
 
-/// The parts of a ring to the left and to the right of a line. Of a ring that is not convex, parts that come apart
-/// stay joined by edges with nothing between them.
+/// The parts of a ring to the left and to the right of a line. If the ring is not convex, separate parts stay
+/// joined by edges without area between them.
 std::pair<Ring, Ring> cut(const Ring& ring, Point start, Point along);
 
-/// Counter-clockwise.
+/// The convex hull, counter-clockwise.
 Ring hullAround(Ring points);
 
-/// The part of a segment, from 0 to 1, that is inside a convex counter-clockwise ring by more than
-/// `depthM`; nothing where none is.
+/// The part of a segment, from 0 to 1, that is more than `depthM` inside a convex counter-clockwise ring.
+/// Empty if there is none.
 std::optional<std::pair<double, double>> partInside(const Ring& hull, const Edge& edge, double depthM = 0.0);
 
-/// What of one convex ring lies outside another, as convex rings that do not overlap, counter-clockwise as
-/// both of them are.
+/// The parts of one convex ring outside another, as convex counter-clockwise rings that do not overlap. Both
+/// inputs are counter-clockwise.
 std::vector<Ring> partsOutside(Ring ring, const Ring& hull);
 
 }  // namespace furrow

@@ -12,18 +12,18 @@ namespace furrow {
 
 namespace {
 
-/// Heights that differ by less are one.
+/// Heights with a smaller difference are one.
 constexpr double kSameHeightM = 1e-9;
 /// Edges that change places by less only touch.
 constexpr double kTouchingM = 1e-9;
 constexpr double kLeastPieceM2 = 1e-3;
 constexpr std::size_t kRowsBetweenStopChecks = 256;
 
-/// An edge from low to high, in the frame of the sweep, where lines of equal y run along.
+/// An edge from low to high, in the frame of the sweep. Lines of equal y run along it.
 struct SweepEdge {
     Point low;
     Point high;
-    std::uint32_t firstHeight = 0;  ///< into the heights, where it begins
+    std::uint32_t firstHeight = 0;  ///< index of its beginning in the heights
     std::uint32_t lastHeight = 0;
     std::int8_t step = 1;  ///< of the depth, from its left to its right
     std::uint8_t layer = 0;
@@ -34,7 +34,7 @@ struct SweepEdge {
     }
 };
 
-/// An edge on the line that moves, between two heights.
+/// An edge on the moving line, between two heights.
 struct Crossed {
     const SweepEdge* edge;
     double lowX;
@@ -77,7 +77,8 @@ private:
         for (const LayeredPolygons::Edge& edge : polygons.edges()) {
             const Point from{dot(edge.from, along_), cross(along_, edge.from)};
             const Point to{dot(edge.to, along_), cross(along_, edge.to)};
-            // With the inside to the left of every edge, one that leads down is entered from its left.
+            // The inside is to the left of every edge. An edge that leads down is therefore entered from its
+            // left.
             edges_.push_back(from.y > to.y
                                  ? SweepEdge{.low = to, .high = from, .step = 1, .layer = edge.layer}
                                  : SweepEdge{.low = from, .high = to, .step = -1, .layer = edge.layer});
@@ -100,7 +101,7 @@ private:
             edge.lastHeight = heightOf(edge.high.y);
             edge.slope = (edge.high.x - edge.low.x) / (edge.high.y - edge.low.y);
         }
-        // What is left has a height, and a slope.
+        // The remaining edges have a height and a slope.
         std::erase_if(edges_, [](const SweepEdge& edge) { return edge.firstHeight == edge.lastHeight; });
         std::ranges::stable_sort(edges_, {}, &SweepEdge::firstHeight);
     }
@@ -123,7 +124,7 @@ private:
         measure(from, high);
     }
 
-    /// Puts the edges in their order in the middle; from row to row it hardly changes.
+    /// Sorts the edges by their order in the middle. From row to row it hardly changes.
     void place(double low, double high) {
         for (Crossed& each : line_) {
             each.lowX = each.edge->at(low);
@@ -149,7 +150,7 @@ private:
                 crossings_.push_back(low + (high - low) * (before / (before - after)));
             }
         };
-        // Two that cross are out of order, low or high, with all in between.
+        // Two edges that cross are out of order, low or high, and so are all edges in between.
         double farthestLow = -std::numeric_limits<double>::infinity();
         double farthestHigh = farthestLow;
         for (std::size_t i = 0; i < line_.size(); ++i) {
@@ -204,8 +205,8 @@ private:
         double area = 0.0;
         bool traced = false;
         RegionTracer tracer;
-        // Of the row at hand.
-        double width = 0.0;  ///< low and high, added
+        // Of the current row.
+        double width = 0.0;  ///< sum of low and high
         RegionTracer::Span begun;
         std::vector<RegionTracer::Span> spans;
     };
@@ -253,9 +254,9 @@ private:
     Point along_;
     std::uint32_t (*regionsAt_)(const Depths&);
     std::vector<Region> regions_;
-    std::vector<SweepEdge> edges_;  ///< in the order in which they begin
-    std::vector<double> heights_;   ///< where edges begin and end
-    std::vector<Crossed> line_;     ///< what the line crosses now, from left to right
+    std::vector<SweepEdge> edges_;  ///< in the order of their beginnings
+    std::vector<double> heights_;   ///< of the beginnings and ends of edges
+    std::vector<Crossed> line_;     ///< the edges that the line crosses now, from left to right
     std::vector<double> crossings_;
 };
 

@@ -12,7 +12,7 @@ namespace {
 
 constexpr int kPoints = 20;
 
-/// Evenly along a line, half a step from its ends.
+/// Points evenly along a line, half a step from its ends.
 std::vector<Point> pointsAlong(const Polyline& line) {
     const double whole = lengthM(line);
     std::vector<Point> points;
@@ -29,7 +29,7 @@ std::vector<Point> pointsAlong(const Polyline& line) {
     return points;
 }
 
-/// Where tractor and implement go in one segment.
+/// The tracks of tractor and implement in one segment.
 class Track {
 public:
     explicit Track(const SegmentMotion& motion) {
@@ -68,7 +68,8 @@ private:
 
 std::vector<double> drivenShares(const AuditInput& input, const std::vector<SegmentMotion>& motions) {
     std::vector<Track> tracks;
-    std::multimap<int, std::size_t> numbered;  // the path may be wrong: a number is only where to look first
+    std::multimap<int, std::size_t> numbered;  // the path may be wrong, so a number only tells where to look
+                                               // first
     for (std::size_t i = 0; i < motions.size(); ++i) {
         if (input.segments[i].implementDown) {
             numbered.emplace(input.segments[i].number, tracks.size());

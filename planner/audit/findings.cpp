@@ -12,7 +12,7 @@ namespace furrow {
 
 namespace {
 
-/// Outside by less than this may be a matter of drawing.
+/// A smaller excess may come from drawing.
 constexpr double kOutsideM = kChordErrorM;
 constexpr std::size_t kMostMissedPieces = 20;
 
@@ -251,7 +251,7 @@ private:
         }
     }
 
-    /// Land that nothing can be done about is told, too.
+    /// Reports land out of reach.
     void noteBeyondReach() {
         const SweptArea& swept = measured_.area;
         if (swept.beyondReach.empty() || area(swept.beyondReach.front()) <= kMissedPiece) {
@@ -314,7 +314,7 @@ private:
 
     void noteCrossedLanes() {
         const Traffic& traffic = measured_.traffic;
-        // One lane may be driven over at its end.
+        // The machine may drive over one lane at its end.
         if (traffic.onWorkedM + traffic.onUnworkedM > 1.5 * measured_.shape.operatingWidthM) {
             add(Severity::Note, "lanes-crossed", traffic.longestPlace,
                 message(
@@ -347,7 +347,7 @@ private:
     const AuditInput& input_;
     const Measurements& measured_;
     std::vector<AuditFinding> findings_;
-    std::set<std::size_t> found_;  ///< segments told to be outside
+    std::set<std::size_t> found_;  ///< segments reported as outside
 };
 
 }  // namespace

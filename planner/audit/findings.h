@@ -7,17 +7,17 @@
 
 namespace furrow {
 
-/// Everything that was measured, as far as it could be.
+/// All available measurements.
 struct Measurements {
     const std::vector<SegmentMotion>& motions;
     const MachineShape& shape;
     const SweptArea& area;
-    const ClearanceReport* clearance = nullptr;  ///< none without a machine
+    const ClearanceReport* clearance = nullptr;  ///< null without a machine
     const Kinematics& kinematics;
     const Traffic& traffic;
 };
 
-/// Puts what was measured into words: blocking ones first, each group in driving order.
+/// Puts the measurements into words: blocking ones first, each group in driving order.
 std::vector<AuditFinding> findingsOf(const AuditInput& input, const Measurements& measured);
 
 }  // namespace furrow

@@ -7,14 +7,15 @@ namespace furrow {
 
 /// A rectangle of the machine.
 struct FootprintPart {
-    double offsetM = 0.0;  ///< of its middle, ahead of what carries it
+    double offsetM = 0.0;  ///< of its middle, ahead of its carrier
     double halfLengthM = 0.0;
     double halfWidthM = 0.0;
 
     double radius() const { return lengthOf({halfLengthM, halfWidthM}); }
 };
 
-/// The tractor is carried by its own reference point, the implement by the middle of its working line.
+/// The carrier of the tractor is its own reference point. That of the implement is the middle of its working
+/// line.
 struct Footprint {
     FootprintPart tractor;
     FootprintPart raised;

@@ -11,13 +11,13 @@ namespace furrow {
 
 namespace {
 
-// Larger ones are breaks; smaller ones only show in the figures. Chords of samples are within 1 cm.
+// Larger ones are breaks. Smaller ones only appear in the figures. Chords of samples are within 1 cm.
 constexpr double kJumpM = 0.05;
 constexpr double kHeadingJumpRad = 0.02;
 constexpr double kNoJumpM = 1e-9;
-/// A next segment that begins farther away than this is not the next one: something in between is missing.
+/// If the next segment begins farther away, a segment in between is missing.
 constexpr double kGapM = 2.0;
-// Rounding of positions and headings, over shorter ways, drowns the curvature.
+// Over shorter ways, rounding of positions and headings hides the curvature.
 constexpr double kShortestWayM = 1e-3;
 constexpr double kCurvatureShare = 1.002;
 constexpr double kSpeedShare = 1.001;
@@ -26,12 +26,12 @@ double wrapped(double angle) {
     return std::remainder(angle, 2.0 * std::numbers::pi);
 }
 
-/// From one sample to the next, as the points alone tell it.
+/// The movement from one sample to the next, from the points only.
 struct Step {
     double wayM = 0.0;
     double turnRad = 0.0;
-    double jumpM = 0.0;        ///< between where the second point is and where the first one leads
-    double sidewaysRad = 0.0;  ///< between the way moved and the way the vehicle points
+    double jumpM = 0.0;        ///< between the second point and the place to which the first one leads
+    double sidewaysRad = 0.0;  ///< between the direction of movement and the heading of the vehicle
 
     bool standsStill() const { return wayM < 1e-9; }
 };
@@ -43,7 +43,7 @@ Step stepBetween(const PathSample& a, const PathSample& b, double gear) {
     const double chordShare = half > 1e-9 ? std::sin(half) / half : 1.0;
     const double driven = b.sM - a.sM;
     const double middle = a.headingRad + 0.5 * step.turnRad + (gear < 0.0 ? std::numbers::pi : 0.0);
-    // Where the curvature changes evenly the chord leads aside by a twelfth of its change.
+    // If the curvature changes evenly, the chord leads aside by a twelfth of its change.
     const double skew = -(b.curvature1pm - a.curvature1pm) * driven * gear / 12.0;
     const auto missBy = [&](double aside) {
         return lengthOf(chord - driven * chordShare * direction(middle + aside));
@@ -77,7 +77,7 @@ struct Limits {
         switch (segment.kind) {
             case SegmentKind::Swath:
             case SegmentKind::HeadlandPass: return tractor->workingSpeed.si();
-            // A curve is entered and left at the speed of what it joins.
+            // A curve is entered and left at the speed of the stretch that it joins.
             case SegmentKind::Turn: return std::max(tractor->turningSpeed, tractor->workingSpeed).si();
             default: return std::max(tractor->transferSpeed, tractor->workingSpeed).si();
         }
@@ -96,7 +96,7 @@ Limits limitsOf(const AuditInput& input) {
     if (tractor.maxCurvatureRate) {
         limits.rate1pm2 = tractor.maxCurvatureRate->si();
     } else if (tractor.steeringRateRadps) {
-        // curvature = tan(steering) / wheelbase, slowest to change with the wheels straight.
+        // curvature = tan(steering) / wheelbase; it changes slowest with the wheels straight.
         limits.rate1pm2 = *tractor.steeringRateRadps / tractor.wheelbase.si() / tractor.turningSpeed.si();
     }
     return limits;
@@ -190,8 +190,8 @@ private:
             return;
         }
         found_.maxHeadingJumpRad = std::max(found_.maxHeadingJumpRad, step.sidewaysRad);
-        // A sample off the line shows both ways; where the nose points along the chord all the same, or the
-        // way moved is not the way stated, it is the position that jumps.
+        // A sample off the line shows as both kinds. It is the position that jumps if the nose still points
+        // along the chord, or if the distance differs from the stated one.
         const bool sideways = step.sidewaysRad > kHeadingJumpRad && step.wayM > kJumpM;
         const double driven = b.sM - a.sM;
         const bool wayDiffers = std::abs(lengthOf(b.position - a.position) - driven) > kJumpM + 0.02 * driven;
@@ -229,7 +229,8 @@ private:
         const double time = b.tS - a.tS;
         const double way = b.sM - a.sM;
         const double fastest = std::max(a.speedMps, b.speedMps);
-        // Slower than both ends is for the machine's clock to know (lifting, waiting); faster is impossible.
+        // A step may be slower than both ends (lifting, waiting), which only the machine's clock knows.
+        // Faster is impossible.
         if (time < -1e-6 || way < -1e-6 || way > fastest * time * 1.01 + 1e-3) {
             found_.time.add(std::abs(time), a.position, index);
         }

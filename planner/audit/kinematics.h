@@ -4,7 +4,7 @@
 
 namespace furrow {
 
-/// One kind of trouble: how often, how bad at worst, and where that is.
+/// One kind of trouble: its count, its worst value, and the place of that.
 struct Trouble {
     int count = 0;
     double worst = 0.0;
@@ -21,21 +21,21 @@ struct Trouble {
     }
 };
 
-/// A place where the path does not go on where it was.
+/// A place where the path is not continuous.
 struct Break {
     enum class Kind {
-        Jump,         ///< the position is not where the sample before leads
+        Jump,         ///< the sample before leads to another position
         Gap,          ///< the next segment begins so far away that a connection is missing
-        Heading,      ///< the vehicle moves elsewhere than its nose (or rear) points
-        HeadingJump,  ///< the nose turns without any way being driven
+        Heading,      ///< the vehicle moves in another direction than its nose (or rear) points
+        HeadingJump,  ///< the nose turns without any distance driven
     };
     Kind kind;
-    std::size_t segment = 0;  ///< in which it is, or which begins there
+    std::size_t segment = 0;  ///< the segment that contains it, or that begins there
     Point place;
     double size = 0.0;  ///< m or rad
 };
 
-/// What the points say of the driving, re-derived from positions and headings alone.
+/// The driving, re-derived from positions and headings only.
 struct Kinematics {
     double maxCurvature1pm = 0.0;
     double maxMismatch1pm = 0.0;
@@ -49,7 +49,7 @@ struct Kinematics {
     Trouble rate;                                           ///< above the machine's, 1/m²
     Trouble speed;                                          ///< above the machine's, by m/s
     Trouble lateral;                                        ///< lateral acceleration, m/s²
-    Trouble time;                                           ///< runs backwards or against the speed, s
+    Trouble time;                                           ///< runs backwards or contradicts the speed, s
     Point reversedPlace;
 };
 

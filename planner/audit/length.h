@@ -6,8 +6,8 @@
 
 namespace furrow {
 
-/// Of a displacement within a field: without the care that std::hypot takes of lengths near the ends of the
-/// number range, and ten times as fast.
+/// The length of a displacement within a field. std::hypot also handles lengths near the ends of the number
+/// range; this is ten times as fast.
 inline double lengthOf(Point way) {
     return std::sqrt(dot(way, way));
 }

@@ -11,19 +11,19 @@ namespace furrow {
 
 namespace {
 
-// Longest step of a hitch on a curve, as a share of the trailing distance: the tractrix is then within a
+// Longest step of a hitch on a curve, as a share of the trailing distance. The tractrix is then within a
 // millimetre of the exact one.
 constexpr double kTrailingSteps = 0.04;
 constexpr int kMostSteps = 4000;
-// A path that spins on the spot for ever must not fill the memory.
+// A path that spins endlessly on the spot must not fill the memory.
 constexpr std::size_t kMostStates = 1'000'000;
 
 double wrapped(double angle) {
     return std::remainder(angle, 2.0 * std::numbers::pi);
 }
 
-/// Between two samples, by the cubic with their tangents: exact to the fourth order of their distance, and
-/// its direction is the heading also where the curvature changes evenly.
+/// Interpolates between two samples by the cubic with their tangents. It is exact to the fourth order of
+/// their distance. Its direction is the heading, also if the curvature changes evenly.
 class Interval {
 public:
     Interval(const PathSample& from, const PathSample& to, double sign)
@@ -113,20 +113,21 @@ private:
         return std::sqrt(8.0 * kChordErrorM / (radiusM + shape_.reachM + 1.0));
     }
 
-    /// States between the ends of a straight pull, dense while the implement still swings in behind: every
-    /// single step is exact, but the boom's ends draw curves.
+    /// Adds states between the ends of a straight pull, dense while the implement still swings in behind.
+    /// Every single step is exact, but the boom's ends draw curves.
     void pullStraight(const Interval& interval, SegmentMotion& motion) {
         const double trailing = *shape_.trailingM;
         double way = 0.0;
         while (motion.states.size() < kMostStates) {
             const double angle = std::abs(wrapped(trailedRad_ - headingRad_));
             const double aside = std::min(angle, 1.0) * trailing;
-            // Between two states everything is taken to move on an arc: over a long way little turning is a wide one.
+            // Between two states every movement counts as an arc. Over a long way, even a small turn makes a
+            // wide arc.
             const double bulge = 0.125 * (interval.length() - way) * angle;
             if (std::max(aside, bulge) < 0.5 * kChordErrorM) {
                 return;
             }
-            // The middle comes in as exp(-way / trailing) does.
+            // The middle comes in with exp(-way / trailing).
             double step = trailing * std::sqrt(4.0 * kChordErrorM / aside);
             if (angle > largestTurn()) {
                 step = std::min(step, -trailing * std::log(1.0 - largestTurn() / angle));
@@ -209,7 +210,7 @@ MachineShape shapeOf(const AuditInput& input) {
     shape.hitchOffsetM = implement.hitchOffset.si();
     shape.turnsOnTheSpot = tractor.canTurnInPlace;
     const double trailing = (implement.hitchOffset - implement.offset).si();
-    // What is hardly behind its hitch swings with it.
+    // An implement this close behind its hitch swings with it.
     if (implement.mounting == Mounting::Trailed && trailing > 0.05) {
         shape.trailingM = trailing;
     }

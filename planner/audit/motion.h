@@ -7,7 +7,7 @@
 
 namespace furrow {
 
-/// Where tractor and implement are at one instant.
+/// The place of tractor and implement at one instant.
 struct MotionState {
     Point position;  ///< of the reference point
     double headingRad = 0.0;
@@ -17,27 +17,27 @@ struct MotionState {
     Point implementNose;
 };
 
-/// The states of one segment, close enough that straight steps between them stay within kChordErrorM of the
-/// true curve everywhere on the machine. Exact copies of the samples among them.
+/// The states of one segment. They are close enough that straight steps between them stay within kChordErrorM
+/// of the true curve everywhere on the machine. They include exact copies of the samples.
 struct SegmentMotion {
     std::vector<MotionState> states;
-    /// Turns on the spot at its first state, from where the segment before has ended.
+    /// A turn on the spot at its first state, from the end of the segment before.
     std::vector<MotionState> turnOnTheSpot;
     double largestHitchAngleRad = 0.0;
     Point largestHitchAnglePlace;
 };
 
-/// Largest distance between a curve and the chords that stand for it, on any part of the machine, m.
+/// Largest distance between a curve and its chords, on any part of the machine, m.
 inline constexpr double kChordErrorM = 0.01;
 
-/// How the parts lie around the reference point.
+/// The places of the parts around the reference point.
 struct MachineShape {
     double operatingWidthM = 0.0;
     double implementOffsetM = 0.0;
     double lateralOffsetM = 0.0;
     double hitchOffsetM = 0.0;
-    std::optional<double> trailingM;  ///< from hitch to working line; empty where mounted
-    double reachM = 0.0;              ///< no part is farther from the reference point
+    std::optional<double> trailingM;  ///< from hitch to working line; empty if mounted
+    double reachM = 0.0;              ///< largest distance of any part from the reference point
     bool turnsOnTheSpot = false;
 };
 

@@ -12,9 +12,9 @@ namespace furrow {
 
 namespace {
 
-/// Ends that are nearer to each other are one node: far more than rounding, far less than anybody sees.
+/// Ends that are closer are one node. This is far more than rounding and far less than visible.
 constexpr double kSameNodeM = 1e-7;
-/// A bend that is flatter is none.
+/// A flatter bend is removed.
 constexpr double kFlatM = 1e-7;
 constexpr std::uint32_t kNone = std::numeric_limits<std::uint32_t>::max();
 
@@ -57,7 +57,7 @@ void RegionTracer::addRow(double low, double high, const std::vector<Span>& span
     height_ = high;
 }
 
-/// Tells what goes on from below.
+/// Links spans to those that they continue from below.
 std::vector<RegionTracer::Open> RegionTracer::rowOf(const std::vector<Span>& spans) {
     std::vector<Open> row;
     row.reserve(spans.size());
@@ -74,7 +74,8 @@ std::vector<RegionTracer::Open> RegionTracer::rowOf(const std::vector<Span>& spa
             next = from + 1;
         }
     }
-    // What begins or ends at the side of another needs a node there, which the other then has, too.
+    // A span that begins or ends at the side of another needs a node there. The other span then needs it,
+    // too.
     const auto breakTouched = [](std::vector<Open>& these, std::vector<Open>& others, double Span::*left, double Span::*right) {
         bool broken = false;
         for (std::size_t i = 1; i < these.size(); ++i) {
@@ -107,7 +108,7 @@ void RegionTracer::endAll() {
     below_.clear();
 }
 
-/// Makes the nodes at one height, closes the spans below it that end there and begins those above.
+/// Makes the nodes at one height. Closes the spans that end there from below and begins those above.
 void RegionTracer::join(double height, std::vector<Open>& above) {
     ends_.clear();
     for (Open& open : below_) {
@@ -123,7 +124,7 @@ void RegionTracer::join(double height, std::vector<Open>& above) {
         }
     }
     std::ranges::stable_sort(ends_, {}, &End::x);
-    // Counted, not only noted: where rounding puts the end of one span behind the start of the next, nodes
+    // The counts allow for rounding that puts the end of one span behind the start of the next. Nodes then
     // still have as many edges in as out.
     int under = 0;
     int over = 0;
@@ -186,8 +187,8 @@ void RegionTracer::unite(std::uint32_t a, std::uint32_t b) {
     parents_[std::max(a, b)] = std::min(a, b);
 }
 
-/// Walks along the edges, to the left at forks; a loop is closed as soon as a node comes up again, so that no
-/// ring touches itself.
+/// Walks along the edges, to the left at forks. A loop is closed as soon as a node repeats, so no ring
+/// touches itself.
 std::vector<std::pair<std::uint32_t, Ring>> RegionTracer::closeRings() {
     std::ranges::stable_sort(edges_, {}, &Edge::from);
     std::vector<std::uint32_t> first(nodes_.size() + 1, 0);

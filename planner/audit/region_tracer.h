@@ -7,15 +7,15 @@
 
 namespace furrow {
 
-/// Joins trapezoids to polygons: they come row by row, from low to high y, each row from left to right.
+/// Joins trapezoids to polygons. They come row by row, from low to high y, each row from left to right.
 ///
-/// Where two rows meet, the ends of their trapezoids become nodes, and what only one of them covers between
-/// two nodes becomes an edge. Every node then has as many edges in as out, so that rings always close,
-/// whatever rounding did to the coordinates.
+/// At the join of two rows, the ends of their trapezoids become nodes. A piece between two nodes that only
+/// one of the rows covers becomes an edge. Every node then has as many edges in as out. So rings always
+/// close, whatever the rounding of the coordinates.
 class RegionTracer {
 public:
-    /// Of a side that is not known to be part of any line. Between two that are, what goes on from row to row is one
-    /// trapezoid.
+    /// For a side that is not known to be part of any line. Between two known lines, spans that continue from
+    /// row to row are one trapezoid.
     static constexpr std::uint32_t kNoLine = ~0U;
 
     /// One trapezoid; x at its lower and upper side.
@@ -28,10 +28,10 @@ public:
         std::uint32_t rightLine = kNoLine;
     };
 
-    /// The next row, between two heights; not below what came before.
+    /// The next row, between two heights, not below the rows before.
     void addRow(double low, double high, const std::vector<Span>& spans);
 
-    /// Polygons of all rows, largest first; those under `leastAreaM2` are left out. Ends the tracing.
+    /// Polygons of all rows, largest first, without those under `leastAreaM2`. Ends the tracing.
     MultiPolygon finish(double leastAreaM2);
 
 private:
@@ -40,13 +40,13 @@ private:
         std::uint32_t to;
         std::uint32_t piece;  ///< any span of the connected piece
     };
-    /// A span of the row before, whose upper side waits for the next row.
+    /// A span of the row before. Its upper side waits for the next row.
     struct Open {
         Span span;
         std::uint32_t leftNode;
         std::uint32_t rightNode;
         std::uint32_t piece;
-        std::uint32_t same;  ///< where it goes on in the row at hand, or comes from in the row before
+        std::uint32_t same;  ///< its continuation in the current row, or its origin in the row before
     };
     struct End {
         double x;
@@ -66,7 +66,7 @@ private:
 
     double height_ = 0.0;
     std::vector<Open> below_;
-    std::vector<End> ends_;  ///< at the height where rows are joined
+    std::vector<End> ends_;  ///< at the height at which rows are joined
     std::vector<Point> nodes_;
     std::vector<Edge> edges_;
     std::vector<std::uint32_t> parents_;  ///< union-find over spans

@@ -37,7 +37,7 @@ Ring counterClockwise(Ring ring) {
     return ring;
 }
 
-/// The point of its own about which a line turns on its way from one place to the next; nothing where it does not.
+/// The point of the line itself about which it turns between two places. Empty if there is none.
 std::optional<Point> pivotOf(const WorkingLine& a, const WorkingLine& b) {
     const Point across = a.left - a.right;
     const Point acrossNext = b.left - b.right;
@@ -50,8 +50,8 @@ std::optional<Point> pivotOf(const WorkingLine& a, const WorkingLine& b) {
     return t > 0.0 && t < 1.0 && u > 0.0 && u < 1.0 ? std::optional{a.right + t * across} : std::nullopt;
 }
 
-/// What a line sweeps on its way from one place to the next: a quadrilateral, or two triangles where it
-/// turns about a point of its own or is folded over.
+/// The area that a line sweeps between two places: a quadrilateral, or two triangles if it turns about a
+/// point of its own or is folded over.
 std::vector<Ring> sweptBetween(const WorkingLine& a, const WorkingLine& b, const std::optional<Point>& pivot) {
     constexpr double kNoAreaM2 = 1e-12;
     std::vector<Ring> swept;
@@ -74,8 +74,9 @@ std::vector<Ring> sweptBetween(const WorkingLine& a, const WorkingLine& b, const
     return swept;
 }
 
-/// The same of many steps in a row, for layers of polygons. While a line turns about points of its own the triangles
-/// on either side lie side by side in fans: what adds up are their outlines, some hundred times fewer long edges.
+/// The same for many steps in a row, for layers of polygons. While a line turns about points of its own, the
+/// triangles on either side form fans. Only the outlines of the fans are added, with some hundred times fewer
+/// long edges.
 class FanOutlines {
 public:
     FanOutlines(LayeredPolygons& layers, std::size_t layer) : layers_{layers}, layer_{layer} {}
@@ -107,7 +108,7 @@ public:
     }
 
 private:
-    // The sum of the triangles (pivot, end, next end): sides on one line that are driven both ways fall away.
+    // The sum of the triangles (pivot, end, next end). Sides that are driven in both directions cancel out.
     void close() {
         if (pivots_.empty()) {
             return;
@@ -130,7 +131,7 @@ private:
     std::vector<Point> pivots_;
 };
 
-/// Chords of a turning line's ends: two thirds of the sagitta, on both sides.
+/// Error of the chords of a turning line's ends: two thirds of the sagitta, on both sides.
 double chordErrorM2(const SegmentMotion& motion, double widthM) {
     double sum = 0.0;
     for (std::size_t i = 1; i < motion.states.size(); ++i) {
@@ -191,9 +192,9 @@ std::uint32_t regionsAt(const Depths& depths) {
     return !reach ? missed | bit(kBeyond) : missed | (depths[kLaneEnd] > 0 ? bit(kEnds) : bit(kDropped));
 }
 
-/// Of the disc that has to fit where a machine can work: half as wide as its footprint. What cannot drive back out of
-/// a corner goes round it at best on full lock, and the outer end of its implement describes the edge of what it
-/// reaches.
+/// The radius of the disc that has to fit where a machine can work: half its footprint's width. A machine
+/// that cannot reverse out of a corner can at best go round it on full lock. The outer end of its implement
+/// then describes the edge of its reach.
 Length reachRadius(const Machine& machine, const MachineShape& shape) {
     const MachineSpec& spec = machine.spec();
     const Length half = 0.5 * machine.workingFootprintWidth();
@@ -208,13 +209,13 @@ Length reachRadius(const Machine& machine, const MachineShape& shape) {
     return half + metres(radiusM);
 }
 
-/// What may be driven on, less the margin.
+/// The drivable area less the margin.
 Result<MultiPolygon> withinMargin(const AuditInput& input, const JobContext& job) {
     return input.margin > Length{} ? eroded(input.drivable, input.margin, kArcTolerance, job)
                                    : Result<MultiPolygon>{input.drivable};
 }
 
-/// Where that disc fits without leaving this area.
+/// The area in which that disc fits.
 Result<MultiPolygon> reachable(const AuditInput& input, const MultiPolygon& area, const MachineShape& shape,
                                const JobContext& job) {
     const Length radius = reachRadius(*input.machine, shape);
@@ -222,8 +223,8 @@ Result<MultiPolygon> reachable(const AuditInput& input, const MultiPolygon& area
     return middles ? dilated(*middles, radius, metres(kReachToleranceM), job) : middles;
 }
 
-/// The lanes beyond the ends of the swaths and as far before them as the implement is from the axle: where
-/// the strip beside them is kept for turning, they are worked together with it.
+/// The lanes beyond the ends of the swaths, and before them by the distance of the implement from the axle.
+/// If the strip beside them is kept for turning, they are worked together with it.
 void addLaneEnds(const AuditInput& input, const MachineShape& shape, LayeredPolygons& layers) {
     constexpr double kSlackM = 2.0 * kChordErrorM;
     const double before = std::abs(shape.implementOffsetM) + kSlackM;
@@ -240,7 +241,7 @@ void addLaneEnds(const AuditInput& input, const MachineShape& shape, LayeredPoly
     }
 }
 
-/// Around everything.
+/// A ring around everything.
 Ring everywhere(const AuditInput& input) {
     const Bounds box = bounds(input.workable);
     return {box.min - Point{1.0, 1.0},
@@ -249,7 +250,7 @@ Ring everywhere(const AuditInput& input) {
             {box.min.x - 1.0, box.max.y + 1.0}};
 }
 
-/// What is swept, with its error bound.
+/// Adds the swept area, with its error bound.
 void addPasses(const AuditInput& input, const MachineShape& shape, const std::vector<SegmentMotion>& motions,
                LayeredPolygons& layers, SweptArea& result) {
     const double widthM = shape.operatingWidthM;
@@ -276,8 +277,9 @@ void addPasses(const AuditInput& input, const MachineShape& shape, const std::ve
     result.error = squareMetres(errorM2 + 2.0 * lengthM * input.positionRounding.si());
 }
 
-/// What hangs together by less than a hand's width is not one piece: corners that a pass leaves are joined by
-/// strips of millimetres along the whole boundary, or as wide as the vehicle keeps the implement away from it.
+/// Pieces joined by less than a hand's width are separate. Strips of millimetres along the boundary join the
+/// corners that a pass leaves. They can also be as wide as the distance that the vehicle keeps the implement
+/// away from the boundary.
 Length hairWidth(const AuditInput& input) {
     return kHairWidth + (input.machine ? 0.5 * (input.machine->workingFootprintWidth() - input.machine->operatingWidth())
                                        : Length{});
@@ -308,8 +310,8 @@ bool liesIn(const Polygon& part, const Polygon& whole) {
     return inner.min.x >= outer.min.x && inner.max.x <= outer.max.x && inner.min.y >= outer.min.y && inner.max.y <= outer.max.y;
 }
 
-/// Leaves of what was dropped only where the machine has room to work, if it is too much otherwise. What trails behind
-/// has more than its straight line to do so, and is judged by its disc alone.
+/// If too much was dropped, keeps only the parts with room for the machine to work. A trailed implement can
+/// work from more than a straight line, and is judged by its disc only.
 Result<void> keepWithRoom(const AuditInput& input, const MultiPolygon& within, const MachineShape& shape,
                           const JobContext& job, SweptArea& swept) {
     const bool tooMuch = swept.droppedArea > kMissedShare * area(input.workable) ||
@@ -325,7 +327,7 @@ Result<void> keepWithRoom(const AuditInput& input, const MultiPolygon& within, c
     const Area noRoom = area(swept.dropped) - area(*kept);
     swept.droppedArea = swept.droppedArea - noRoom;
     swept.beyondReachArea += noRoom;
-    // What of a piece was taken out is told at its place.
+    // A large piece that was taken out is reported at its place.
     for (const Polygon& piece : swept.dropped) {
         if (area(piece) > kMissedPiece && std::ranges::none_of(*kept, [&](const Polygon& left) { return liesIn(left, piece); })) {
             swept.beyondReach.push_back(piece);

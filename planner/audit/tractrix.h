@@ -7,9 +7,9 @@ namespace furrow {
 
 /// Heading of a trailed axle after its hitch has moved along a straight line.
 ///
-/// The axle stays `trailing` behind the hitch and does not slip sideways: its track is a tractrix, and the
-/// angle b between implement and pull obeys tan(b1/2) = tan(b0/2) exp(-way/trailing), exactly, pushed
-/// backwards too.
+/// The axle stays `trailing` behind the hitch and does not slip sideways, so its track is a tractrix. The
+/// angle b between implement and pull obeys tan(b1/2) = tan(b0/2) exp(-way/trailing). This is exact, also for
+/// pushing backwards.
 ///
 /// @param heading   from the axle to the hitch, before
 /// @param move      of the hitch

@@ -14,12 +14,12 @@ namespace {
 constexpr double kSquareM = 1.0;
 constexpr double kMostSquares = 1e6;
 constexpr double kMostStrips = 1e6;
-/// A wheel is followed no farther out of its grid than so many squares.
+/// A wheel is followed at most 1000 squares outside its grid.
 constexpr double kMostBeyond = 1000.0;
 /// From the tractor's side to the middle of its wheels.
 constexpr double kWheelInsetM = 0.25;
 
-/// Pieces of lanes in strips along the direction in which most of them lie.
+/// Pieces of lanes in strips along the main direction of the lanes.
 class LaneIndex {
 public:
     LaneIndex(const std::vector<SweptPiece>& pieces, Point along, double stripM)
@@ -30,7 +30,7 @@ public:
             firstY_ = std::min(firstY_, boxes_.back().min.y);
             lastY = std::max(lastY, boxes_.back().max.y);
         }
-        // However far a lane leads away.
+        // Limits the number of strips if a lane leads far away.
         stripM_ = std::max(stripM_, (lastY - firstY_) / kMostStrips);
         for (std::size_t i = 0; i < boxes_.size(); ++i) {
             const std::size_t last = stripAt(boxes_[i].max.y);
@@ -41,7 +41,7 @@ public:
         }
     }
 
-    /// Calls `visit(piece)` for every piece whose box meets that of the edge, some more than once.
+    /// Calls `visit(piece)` for every piece whose box meets that of the edge, for some more than once.
     template <class Visit>
     void visitNear(const Edge& edge, Visit&& visit) const {
         const Bounds box = boxOf({edge.from, edge.to});
@@ -100,7 +100,7 @@ public:
     CrossedLanes(const AuditInput& input, const std::vector<SegmentMotion>& motions, const LaneIndex& lanes)
         : input_{input}, motions_{motions}, lanes_{lanes} {}
 
-    /// Of a segment with the implement up, between two lanes.
+    /// Adds a segment with the implement up, between two lanes.
     void follow(std::size_t segment, Traffic& traffic) {
         const std::size_t before = neighbour(segment, -1);
         const std::size_t after = neighbour(segment, 1);
@@ -141,7 +141,7 @@ public:
     }
 
 private:
-    /// The next segment before or after it with the implement down.
+    /// The nearest segment before or after it with the implement down.
     std::size_t neighbour(std::size_t segment, int step) const {
         auto at = static_cast<std::ptrdiff_t>(segment) + step;
         const auto count = std::ssize(input_.segments);
@@ -158,7 +158,7 @@ private:
     Parts any_;
 };
 
-/// Squares over the field, each with the number of times that a wheel came over it.
+/// Squares over the field, each with its number of wheel passages.
 class WheelGrid {
 public:
     explicit WheelGrid(const Bounds& box) : corner_{box.min} {
@@ -171,7 +171,7 @@ public:
 
     double size() const { return sizeM_; }
 
-    /// A wheel rolls from one point to another; `wayM` is how far the machine has come.
+    /// Rolls a wheel from one point to another. `wayM` is the distance that the machine has driven.
     void roll(Point from, Point to, double wayM) {
         const double lengthM = lengthOf(to - from);
         Point a = (1.0 / sizeM_) * (from - corner_);
@@ -194,7 +194,7 @@ public:
         const std::ptrdiff_t stepRow = b.y > a.y ? 1 : -1;
         const Point perCell{1.0 / std::max(std::abs(b.x - a.x), 1e-12),
                             1.0 / std::max(std::abs(b.y - a.y), 1e-12)};
-        // Share of the way at which the next column and the next row begin.
+        // Shares of the way at which the next column and the next row begin.
         Point next{perCell.x * std::abs(static_cast<double>(column + (stepColumn > 0 ? 1 : 0)) - a.x),
                    perCell.y * std::abs(static_cast<double>(row + (stepRow > 0 ? 1 : 0)) - a.y)};
         const double partM = sizeM_ * lengthOf(b - a);
@@ -263,7 +263,7 @@ private:
             return;
         }
         Square& square = squares_[static_cast<std::size_t>(row * columns_ + column)];
-        // The other wheel, or the same one still there, is no passage of its own.
+        // The other wheel, or the same one still there, is not another passage.
         if (wayM - square.wayM > 3.0 * sizeM_) {
             ++square.passes;
         }

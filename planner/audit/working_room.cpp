@@ -18,23 +18,23 @@ namespace furrow {
 namespace {
 
 constexpr int kHeadings = 48;
-// Of the way as long as the run-in.
+// Steps on the way that is as long as the run-in.
 constexpr int kWayPoses = 2;
-/// Outside by less is not outside, as with everything that the audit looks at.
+/// A smaller excess does not count, as everywhere in the audit.
 constexpr double kOutsideM = 2.0 * kChordErrorM;
-/// Edges that are shorter do not say where a pass could run.
+/// Shorter edges give no direction for a pass.
 constexpr double kShortestEdgeM = 0.5;
 constexpr double kNoAreaM2 = 1e-9;
-/// Edges that point the same way but for less are one direction to try.
+/// Edges whose directions differ by less are one direction to try.
 constexpr double kSameWay = 0.01;
-/// A piece is looked at in about so many squares across.
+/// Approximate number of squares across a piece.
 constexpr double kSquaresAcross = 16.0;
 constexpr double kLargestSquareM = 1.5;
-/// What is larger has room somewhere, and so has the rest where so much of it is left.
+/// A larger piece has room somewhere. If that much has been tested, the rest is taken to have room, too.
 constexpr Area kLargestInDoubt = squareMetres(1000.0);
 constexpr Area kMostInDoubt = squareMetres(20'000.0);
 
-/// The centre of gravity of a ring; nothing of one without area.
+/// The centre of gravity of a ring. Empty if the ring has no area.
 std::optional<Point> middleOf(const Ring& ring) {
     double twice = 0.0;
     Point sum;
@@ -52,7 +52,7 @@ struct Rectangle {
     double halfWidthM = 0.0;
 };
 
-/// Of a part that is carried along an arc about its axle, so far from where it is.
+/// Adds the corners of a part after a move of `wayM` along an arc about its axle.
 void addCorners(const Rectangle& part, Point axle, double wayM, double curvature1pm, Ring& corners) {
     const double turn = wayM * curvature1pm;
     const Point nose{std::cos(turn), std::sin(turn)};
@@ -65,7 +65,7 @@ void addCorners(const Rectangle& part, Point axle, double wayM, double curvature
     }
 }
 
-/// For which s an edge meets a convex ring that is moved by s to -y; nothing where it never does.
+/// The values of s for which an edge meets a convex ring moved by s to -y. Empty if it never does.
 std::optional<std::pair<double, double>> meetingShifts(const Ring& ring, Edge edge) {
     if (edge.from.x > edge.to.x) {
         std::swap(edge.from, edge.to);
@@ -103,7 +103,7 @@ WorkingRoom::WorkingRoom(const MultiPolygon& drivable, const Machine& machine, c
     const Rectangle implement{.middle = {},
                               .halfLengthM = std::max(0.0, footprint.lowered.halfLengthM - kOutsideM),
                               .halfWidthM = footprint.lowered.halfWidthM - kOutsideM};
-    // What joins the two is thin.
+    // The connection of the two is thin.
     const Rectangle bar{.middle = {0.5 * axle.x, axle.y}, .halfLengthM = 0.5 * std::abs(axle.x), .halfWidthM = 0.0};
     const double runInM = machine.runIn().si();
     const double sharpest1pm = 1.0 / machine.minTurningRadius().si();
@@ -165,8 +165,8 @@ bool WorkingRoom::reaches(Point place) const {
     });
 }
 
-// The working line lies over the place wherever that is s to the left of its middle; each edge that meets a part for
-// some s rules out an interval of them.
+// The working line lies over the place if that is s to the left of its middle. Each edge that meets a part
+// for some s excludes an interval of s.
 bool WorkingRoom::reachesAhead(Point place, Point nose, const std::vector<Edge>& edges, const Sweep& sweep) const {
     std::vector<std::pair<double, double>> ruledOut;
     const Point left{-nose.y, nose.x};
@@ -192,7 +192,7 @@ bool WorkingRoom::reachesAhead(Point place, Point nose, const std::vector<Edge>&
 
 namespace {
 
-/// Squares over the parts of a polygon that are within reach, those side by side as one; nothing where all of it is.
+/// Squares over the parts of a polygon within reach, neighbours as one. Empty if all of it is within reach.
 std::optional<MultiPolygon> squaresWithRoom(const Polygon& polygon, const WorkingRoom& room, double sizeM) {
     const Bounds box = bounds({polygon});
     MultiPolygon squares;

@@ -14,14 +14,15 @@ namespace furrow {
 namespace {
 
 constexpr double kInfinite = std::numeric_limits<double>::infinity();
-// Ends of cells are matched with so many of those nearest to them first.
+// Number of nearest ends that each end of a cell is matched with.
 constexpr std::size_t kNearest = 14;
-// All ends of so few pieces are near each other, so that sequences are improved by exact ways; of up to so many by rough
-// ones. Not cells: estimates before and after a join could not be compared.
+// With up to 8 pieces, all ends are near each other, and exact ways improve the sequence. With up to 200,
+// rough ways do. Pieces are counted, not cells: otherwise estimates before and after a join could not be
+// compared.
 constexpr std::size_t kFew = kNearest / 2 + 1;
 constexpr std::size_t kMany = 200;
 constexpr int kMostRounds = 20;
-// A sequence that is quicker by less is the same.
+// A sequence that gains less counts as equal.
 constexpr double kSameS = 1e-6;
 
 }  // namespace
@@ -32,7 +33,7 @@ CellCost::CellCost(const SwathSet& swaths, const Machine& machine, std::vector<s
         Piece piece{.swaths = std::move(indices)};
         for (std::size_t i = 1; i < piece.swaths.size(); ++i) {
             for (const std::size_t side : {0U, 1U}) {
-                // Begun at a swath's start, the first turn is at its end, the second at the start of the next.
+                // From a swath's start, the first turn is at its end, the second at the start of the next.
                 const std::size_t at = (side + i) % 2;
                 piece.turning[side] += linkSeconds(2 * piece.swaths[i - 1] + at, 2 * piece.swaths[i] + at);
             }
@@ -51,7 +52,7 @@ double CellCost::linkSeconds(Port leaving, Port arriving) const {
     const auto pose = [this](Port port, bool isLeaving) {
         const Swath& swath = swaths_.swaths[port / 2];
         const bool isAtEnd = port % 2 == 1;
-        // Forwards where its end is left, or its start driven onto.
+        // Forwards if its end is left, or if its start is driven onto.
         const Angle along = swath.isCurved() ? lineOf(swath).start.heading : swaths_.heading;
         const Angle heading = isAtEnd == isLeaving ? along : along + degrees(180.0);
         return vehicleAt({.position = isAtEnd ? swath.end : swath.start, .heading = normalisedPoseHeading(heading)}, machine_);
@@ -127,7 +128,7 @@ void CellCost::findRoughSeconds() {
 }
 
 std::vector<CellCost::Cell> CellCost::cellsOf(const Groups& groups) const {
-    // In the order of their first pieces with swaths: others change nothing.
+    // In the order of their first pieces with swaths, since other pieces change nothing.
     std::vector<std::size_t> order;
     std::vector<std::size_t> first(pieces_.size(), pieces_.size());
     for (std::size_t piece = 0; piece < pieces_.size(); ++piece) {
@@ -152,7 +153,7 @@ std::vector<CellCost::Cell> CellCost::cellsOf(const Groups& groups) const {
         }
         Cell& cell = cells.back();
         for (const std::size_t side : {0U, 1U}) {
-            // After an odd number of swaths it stands at the other side, and goes on from there.
+            // After an odd number of swaths the machine is at the other side and continues from there.
             const std::size_t at = cell.across(side);
             cell.turning[side] += linkSeconds(2 * cell.lastSwath + at, 2 * piece.swaths.front() + at) + piece.turning[at];
         }
@@ -181,7 +182,7 @@ std::vector<CellCost::Visit> CellCost::sequenceOf(const std::vector<Cell>& cells
         endOfPiece[2 * cells[cell].lastPiece + 1] = 2 * cell + 1;
     }
     std::vector<std::size_t> partner(2 * cells.size(), kNone);
-    // The other end of the chain that an end is the end of.
+    // The other end of the chain of an end.
     std::vector<std::size_t> farEnd(2 * cells.size());
     for (std::size_t end = 0; end < farEnd.size(); ++end) {
         farEnd[end] = end ^ 1U;
@@ -206,7 +207,7 @@ std::vector<CellCost::Visit> CellCost::sequenceOf(const std::vector<Cell>& cells
             farEnd[last] = first;
         }
     }
-    // What is left are chains: from the first on to the nearest each.
+    // The matched cells form chains. Each chain is followed by the nearest one.
     std::vector<Visit> sequence;
     std::vector<bool> isDone(cells.size(), false);
     while (sequence.size() < cells.size()) {
@@ -326,7 +327,7 @@ void CellCost::improve(const std::vector<Cell>& cells, std::vector<Visit>& seque
                     tryOther(std::move(changed));
                     changed = sequence;
                 }
-                // One cell elsewhere, either way round.
+                // One cell at another place, in both directions.
                 const Visit visit = changed[i];
                 changed.erase(changed.begin() + static_cast<std::ptrdiff_t>(i));
                 changed.insert(changed.begin() + static_cast<std::ptrdiff_t>(k), visit);

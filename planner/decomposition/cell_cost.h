@@ -9,41 +9,43 @@
 
 namespace furrow {
 
-/// Which pieces are one cell: a cell for each piece, named by its first.
+/// The cell of each piece. A cell is named by its first piece.
 using Groups = std::vector<std::size_t>;
 
-/// Estimates how long turning takes where the mainland is driven cell after cell: to and fro within each, and from
-/// the end of one to the begin of the next, all by the shortest forward curves of free space at the speed for turns.
-/// Cells follow on each other quickest way first (greedy matching of their corners); then stretches of the sequence are
-/// turned round while that is quicker, and each cell begins at the side that suits its neighbours best.
+/// Estimates the time for turning if the mainland is driven cell after cell: to and fro within each cell, and
+/// from the end of one to the beginning of the next. All turns are the shortest forward curves of free space
+/// at the speed for turns. The sequence is first matched quickest way first (greedy matching of the cells'
+/// corners). Then stretches of it are reversed while that is quicker. Each cell begins at the side that suits
+/// its neighbours best.
 ///
-/// Measured on finished plans of fields with many holes, turns within cells take what such a curve takes, and ways
-/// between cells do within a sixth.
+/// Measured on finished plans of fields with many holes: turns within cells take the time of such a curve;
+/// ways between cells are within a sixth of it.
 class CellCost {
 public:
-    /// @param swaths  straight, in the heading of the set or along lines of their own
+    /// @param swaths  straight, in the heading of the set or along their own lines
     /// @param pieces  indices into the swaths, in their order; at most one swath of each line in a cell
     /// Cost: O(n²) for n pieces with swaths.
     CellCost(const SwathSet& swaths, const Machine& machine, std::vector<std::vector<std::size_t>> pieces);
 
-    /// Cost: O(n²) for up to 200 pieces, O(n) for more: their sequence is left as it was matched.
+    /// Cost: O(n²) for up to 200 pieces. O(n) for more: their sequence stays as matched.
     Duration of(const Groups& groups) const;
 
     bool isEmpty(std::size_t piece) const { return pieces_[piece].swaths.empty(); }
 
 private:
-    /// Where a swath is left or driven onto: 2 × swath + 1 at its end, 2 × swath at its start.
+    /// An end of a swath, for leaving it or driving onto it: 2 × swath + 1 at its end, 2 × swath at its
+    /// start.
     using Port = std::size_t;
-    /// The seconds that driving to and fro takes, by the side at which the first swath begins.
+    /// The seconds for driving to and fro, by the side at which the first swath begins.
     using BySide = std::array<double, 2>;
 
     struct Piece {
         std::vector<std::size_t> swaths;
         BySide turning{};
     };
-    /// A corner of a piece: 4 × piece, 2 more at its last swath, 1 more at the end of that swath.
+    /// A corner of a piece: 4 × piece, plus 2 at its last swath, plus 1 at the end of that swath.
     using Corner = std::size_t;
-    /// Between two corners of different pieces that are near each other.
+    /// A way between two corners of different pieces that are near each other.
     struct Link {
         double seconds;
         Corner from;
@@ -57,10 +59,10 @@ private:
         bool isOdd;
         BySide turning;
 
-        /// The side of the last swath that is reached from one of the first, or the other way round.
+        /// The side of the last swath that follows from a side of the first swath, or the reverse.
         std::size_t across(std::size_t side) const { return isOdd ? 1 - side : side; }
     };
-    /// A cell as it is driven in a sequence.
+    /// A cell in a sequence, with its direction.
     struct Visit {
         std::size_t cell;
         bool fromLast;
@@ -78,16 +80,16 @@ private:
     Corner left(const std::vector<Cell>& cells, const Visit& visit) const;
     double secondsOf(const std::vector<Cell>& cells, const std::vector<Visit>& sequence) const;
     static void turnRound(std::vector<Visit>& sequence, std::size_t first, std::size_t last);
-    /// By straight ways where ends are not near each other.
+    /// Uses straight ways if ends are not near each other.
     void improveRoughly(const std::vector<Cell>& cells, std::vector<Visit>& sequence) const;
-    /// By the ways themselves.
+    /// Uses the exact ways.
     void improve(const std::vector<Cell>& cells, std::vector<Visit>& sequence, double& seconds) const;
 
     const SwathSet& swaths_;
     const Machine& machine_;
     std::vector<Piece> pieces_;
     std::vector<Link> links_;  ///< the quickest first
-    /// Between all corners of pieces; empty where these are too many.
+    /// Between all corners of pieces. Empty if there are too many pieces.
     std::vector<double> roughSeconds_;
     bool areFew_ = true;
 };

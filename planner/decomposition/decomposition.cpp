@@ -19,16 +19,17 @@ namespace furrow {
 
 namespace {
 
-// Beside a ledge is looked this far above or below it.
+// Distance above or below a ledge at which its surroundings are tested.
 constexpr double kLevelM = 1e-6;
-// Edges that are shorter, or shorter than half a width, draw a bend: arcs of up to 100 m are drawn in such.
+// Edges shorter than this, or than half a width, belong to a bend. Arcs of up to 100 m are drawn in such
+// edges.
 constexpr Length kBend = metres(3.0);
-// Cuts reach this far across the edges they end on, so that they are cut through.
+// Cuts reach this far across the edges at their ends, so that the edges are cut through.
 constexpr double kAcrossM = 1e-4;
-// An edge that leaves a corner almost along the heading is this far from it on the next line at most.
+// Largest distance on the next line of an edge that leaves a corner almost along the heading.
 constexpr double kBesideM = 1e-3;
 
-/// Turned so that the swaths are level.
+/// A frame in which the swaths are level.
 class LevelFrame {
 public:
     explicit LevelFrame(Angle heading) : along_{direction(heading.si())} {}
@@ -58,8 +59,8 @@ private:
     Point along_;
 };
 
-/// From a ledge to the nearest edges to its left and right, on the side where the mainland is open: above it, or
-/// below where `side` is -1.
+/// Adds cuts from a ledge to the nearest edges on its left and right, on the side where the mainland is open:
+/// above it, or below if `side` is -1.
 void addCuts(const MultiPolygon& mainland, const Ledge& ledge, double side, std::vector<Polyline>& cuts) {
     const double probe = 0.5 * (ledge.left.y + ledge.right.y) + side * kLevelM;
     std::vector<double> crossings;
@@ -72,7 +73,7 @@ void addCuts(const MultiPolygon& mainland, const Ledge& ledge, double side, std:
     for (std::size_t i = 1; i < crossings.size(); i += 2) {
         const double left = crossings[i - 1];
         const double right = crossings[i];
-        // The stretch of mainland that the ledge lies in or at the end of.
+        // The stretch of mainland that contains the ledge, or ends at it.
         if (left > ledge.left.x + kBesideM || right < ledge.right.x - kBesideM) {
             continue;
         }
@@ -85,13 +86,14 @@ void addCuts(const MultiPolygon& mainland, const Ledge& ledge, double side, std:
     }
 }
 
-/// @param bend  edges that are shorter belong to one corner
+/// @param bend  shorter edges belong to one corner
 std::vector<Polyline> cutsOf(const MultiPolygon& mainland, bool atEveryCorner, Length bend) {
     std::vector<Polyline> cuts;
     const auto visit = [&](const Ring& ring) {
         for (const Ledge& ledge : ledgesOf(ring, bend)) {
             if (ledge.isInward && (ledge.isValley || ledge.isPeak)) {
-                // Below a valley that points inwards, as the lower end of an obstacle does, and above a peak.
+                // Below a valley that points inwards, for example the lower end of an obstacle, and above a
+                // peak.
                 addCuts(mainland, ledge, ledge.isValley ? -1.0 : 1.0, cuts);
             } else if (atEveryCorner && ledge.isCorner) {
                 addCuts(mainland, ledge, 1.0, cuts);
@@ -136,14 +138,14 @@ Result<LevelCells> levelCells(const MultiPolygon& mainland, bool atEveryCorner, 
     return level;
 }
 
-/// The cell that the middle of each swath lies in.
+/// The cell that contains the middle of each swath.
 std::vector<std::size_t> homesOf(const SwathSet& swaths, const LevelFrame& frame, const MultiPolygon& cells) {
     std::vector<std::size_t> homes;
     for (const Swath& swath : swaths.swaths) {
         const Point middle = frame.to(0.5 * (swath.start + swath.end));
         auto home = std::ranges::find_if(cells, [&](const Polygon& cell) { return isInside(cell, middle); });
         if (home == cells.end()) {
-            // On an edge, or drawn out beyond it.
+            // On an edge, or extended beyond it.
             home = std::ranges::min_element(cells, {}, [&](const Polygon& cell) { return distanceTo(cell, middle); });
         }
         homes.push_back(static_cast<std::size_t>(home - cells.begin()));
@@ -162,7 +164,7 @@ Result<Decomposition> onePiece(const DecompositionTask& task, const JobContext& 
     return whole;
 }
 
-/// The figures of cells at one time.
+/// The figures of the cells in one state.
 DecompositionStep stepOf(const MultiPolygon& levelPieces, const Groups& groups, const CellCost& cost) {
     DecompositionStep step{.joins = {}, .cells = 0, .altitude = {}, .cost = cost.of(groups)};
     std::vector<std::optional<Bounds>> boxes(levelPieces.size());
@@ -182,7 +184,8 @@ DecompositionStep stepOf(const MultiPolygon& levelPieces, const Groups& groups, 
     return step;
 }
 
-/// As cut first, then one for every join of two cells that are driven, and one for those of others between two of these.
+/// The steps: first the cut pieces, then one for every join of two driven cells, and one for the other joins
+/// between two of these.
 std::vector<DecompositionStep> stepsOf(const MultiPolygon& levelPieces, const std::vector<Join>& joins, const CellCost& cost) {
     Groups groups(levelPieces.size());
     std::iota(groups.begin(), groups.end(), std::size_t{0});

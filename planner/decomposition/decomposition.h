@@ -27,19 +27,18 @@ struct Join {
     friend bool operator==(const Join&, const Join&) = default;
 };
 
-/// One state between the pieces as they were cut and the cells that are driven.
+/// One state between the cut pieces and the driven cells.
 struct DecompositionStep {
-    std::vector<Join> joins;  ///< that led here: one that lowered the cost, or all those with cells without swaths that
-                              ///< came one after the other
+    std::vector<Join> joins;  ///< one that lowered the cost, or all successive ones with cells without swaths
     std::size_t cells = 0;
     Length altitude;  ///< sum of the cells' extents across the heading
-    Duration cost;    ///< of turns and of ways from cell to cell, estimated: see CellCost
+    Duration cost;    ///< estimated cost of turns and of ways between cells: see CellCost
 };
 
-/// How cells came about.
+/// The history of the cells.
 struct DecompositionHistory {
-    MultiPolygon pieces;                   ///< as cut: cells are made of them
-    std::vector<DecompositionStep> steps;  ///< as cut, then what was joined; none where nothing was estimated
+    MultiPolygon pieces;                   ///< as cut, before any join
+    std::vector<DecompositionStep> steps;  ///< as cut, then after each join; empty without an estimate
 };
 
 /// The mainland in cells.
@@ -49,19 +48,19 @@ struct Decomposition {
     DecompositionHistory history;
 };
 
-/// What cells are made from; nothing of it is kept.
+/// The inputs of cells. The cells keep none of them.
 struct DecompositionTask {
     const MultiPolygon& mainland;
-    const SwathSet& swaths;  ///< of all of the mainland, in one heading
+    const SwathSet& swaths;  ///< of the whole mainland, in one heading
     const Machine& machine;
     const Settings& settings;
 };
 
-/// The common signature of all decompositions: the cells tile the mainland. Swaths are not cut: each lies in one
-/// cell as it is. Cancelled. Cost: O(n) edges for each of the corners that are cut at, and one GEOS noding.
+/// The common signature of all decompositions: the cells tile the mainland. Swaths are not cut: each lies in
+/// one cell unchanged. Cancelled. Cost: O(n) edges for each corner with a cut, and one GEOS noding.
 using Decomposer = Result<Decomposition>(const DecompositionTask& task, const JobContext& job);
 
-/// Lines along which the mainland is cut before any of these divides it.
+/// Lines along which the mainland is cut first, before any of these methods divides it.
 extern const Parameter kSplit;
 /// Whether all cells have one heading.
 extern const Parameter kCellHeading;
@@ -72,8 +71,8 @@ extern const Method<Decomposer> kTrapezoidalMethod;
 /// Cut only where the number of pieces of a line across the mainland changes (Choset & Pignon 1998,
 /// doi 10.1007/978-1-4471-1273-0_32).
 extern const Method<Decomposer> kBoustrophedonCellsMethod;
-/// The same, then every two cells that lie one above the other are joined where that lowers the estimated time for turns
-/// and for ways from cell to cell (DESIGN 32).
+/// The same. Then two cells, one above the other, are joined if that lowers the estimated time for turns and
+/// for ways between cells (DESIGN 32).
 extern const Method<Decomposer> kMergedCellsMethod;
 
 }  // namespace furrow

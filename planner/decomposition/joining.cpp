@@ -11,14 +11,14 @@ namespace furrow {
 
 namespace {
 
-// Cuts whose heights differ by less lie on one line.
+// Cuts with a smaller difference of height lie on one line.
 constexpr double kLevelM = 1e-6;
-// Borders shorter than this join nothing.
+// Shorter borders join nothing.
 constexpr double kLeastBorderM = 0.5;
-// What is gained by less is rounding.
+// A smaller gain is rounding.
 constexpr double kLeastGainS = 1e-3;
 
-/// How long the border is that the top of one piece shares with the bottom of another, along a cut.
+/// The length of the border that the top of one piece shares with the bottom of another, along a cut.
 double borderM(const Polygon& below, const Polygon& above) {
     double length = 0.0;
     forEachEdge({below}, [&](Point a, Point b) {
@@ -36,7 +36,7 @@ double borderM(const Polygon& below, const Polygon& above) {
     return length;
 }
 
-/// Joins one pair after the other and notes which.
+/// Joins one pair after the other and records the joins.
 class Joiner {
 public:
     Joiner(const std::vector<Border>& borders, const CellCost& cost, std::size_t pieces)
@@ -75,8 +75,8 @@ private:
         }
         return true;
     }
-    /// Nothing is driven there: they change no cost, but one cell may go on in another through them.
-    /// @param anywhere  also where the neighbour goes on in another one already
+    /// Joins cells without swaths. They change no cost, but can connect two other cells.
+    /// @param anywhere  also if the neighbour already continues in another one
     void giveAwayEmpty(bool anywhere) {
         for (const Border& border : borders_) {
             const bool mayBe = anywhere ? groups_[border.below] != groups_[border.above] : mayJoin(border);
@@ -91,8 +91,8 @@ private:
         return cost_.of(joined).si();
     }
 
-    /// What a join saves changes little with the others: only the most promising ones are worked out again, and all of
-    /// them once none of these saves anything.
+    /// One join hardly changes the saving of another. So only the most promising ones are computed again, and
+    /// all of them once none of these saves anything.
     void joinQuicker(const JobContext& job) {
         double now = cost_.of(groups_).si();
         std::vector<double> gains(borders_.size(), std::numeric_limits<double>::infinity());
@@ -113,7 +113,7 @@ private:
                 continue;
             }
             if (gains[*best] < kLeastGainS) {
-                // The best of those that are known; one that was not promising before may be now.
+                // This is the best of the known ones. Another one, not promising before, may be better now.
                 bool isKnown = true;
                 for (std::size_t i = 0; i < borders_.size(); ++i) {
                     if (mayJoin(borders_[i]) && workedOut[i] != joins_.size()) {

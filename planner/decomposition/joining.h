@@ -10,22 +10,22 @@
 
 namespace furrow {
 
-/// Where one piece goes on in another, both turned so that the swaths are level.
+/// A border at which one piece continues in another. Both are turned so that the swaths are level.
 struct Border {
     double lengthM;
     std::size_t below;
     std::size_t above;
 };
 
-/// Of level pieces that cuts have left, the longest first. Cost: O(n²) for n pieces.
+/// The borders of level pieces along cuts, the longest first. Cost: O(n²) for n pieces.
 std::vector<Border> bordersOf(const MultiPolygon& pieces);
 
 void apply(const Join& join, Groups& groups);
 
-/// Joins, one after the other, the two cells of which that lowers the cost most, until it lowers it nowhere. Every
-/// piece goes on into at most one above it and out of at most one below: a line along the heading still meets each
-/// cell in one piece. Pieces without swaths go to the neighbour that they share most of their border with.
-/// Cancelled. Cost: a few costs for each border.
+/// Joins two cells at a time, those that lower the cost most, until no join lowers it. Every piece continues
+/// into at most one above it and from at most one below. So a line along the heading still meets each cell in
+/// one piece. Pieces without swaths join the neighbour with the longest common border. Cancelled. Cost: a few
+/// costs for each border.
 Result<std::vector<Join>> joinsWhereQuicker(const std::vector<Border>& borders, const CellCost& cost, std::size_t pieces,
                                             const JobContext& job);
 

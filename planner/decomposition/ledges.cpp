@@ -9,13 +9,13 @@ namespace furrow {
 
 namespace {
 
-// Corners whose heights differ by less lie on one line.
+// Corners with a smaller difference of height lie on one line.
 constexpr double kLevelM = 1e-6;
-// What turns by more at one point is a corner there, not part of a bend.
+// A larger turn at one point is a corner there, not part of a bend.
 constexpr double kSharpRad = 35.0 * std::numbers::pi / 180.0;
 constexpr double kLeastCornerRad = 5.0 * std::numbers::pi / 180.0;
 
-/// A level run of points, from `first` on; indices may go on beyond the ring's end.
+/// A level run of points that starts at `first`. Indices may continue beyond the ring's end.
 struct Level {
     std::size_t first = 0;
     std::size_t last = 0;
@@ -48,7 +48,7 @@ std::vector<Level> levelsOf(const Ring& ring) {
         if (begin == end) {
             ledge.isInward = cross(begin - before, after - begin) < 0.0;
         } else {
-            // The mainland lies to the left of the way: above a ledge that is driven to the right.
+            // The mainland lies to the left of the direction, so above a ledge that runs to the right.
             const bool isAbove = end.x > begin.x;
             ledge.isInward = ledge.isValley ? !isAbove : isAbove;
         }
@@ -58,11 +58,11 @@ std::vector<Level> levelsOf(const Ring& ring) {
     return levels;
 }
 
-/// Runs of points that are one corner, from `first` on; indices may go on beyond the ring's end.
+/// A run of points that is one corner, starting at `first`. Indices may continue beyond the ring's end.
 struct Bend {
     std::size_t first = 0;
     std::size_t last = 0;
-    std::size_t middle = 0;  ///< where half of it is turned
+    std::size_t middle = 0;  ///< half of the bend is turned here
     double turnRad = 0.0;
 };
 

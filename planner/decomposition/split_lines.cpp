@@ -9,12 +9,12 @@ namespace furrow {
 
 namespace {
 
-// A line that ends where it begins, or on another, up to this does so.
+// Within this distance a line ends at its own beginning, or on another line.
 constexpr double kTouchingM = 1e-3;
-// Drawn on, a line reaches this far across what it ends on, so that it is cut through.
+// An extended line reaches this far across the edge or line at its end, so that it is cut through.
 constexpr double kAcrossM = 1e-3;
 
-/// How far ahead of a point a segment is met; infinite where it is not.
+/// The distance from a point ahead to a segment. Infinite if it is not met.
 double aheadM(Point from, Point along, Point a, Point b) {
     const auto [ahead, behind] = toMeeting(from, along, a, b - a);
     const bool meets = ahead > 0.0 && behind <= 0.0 && behind >= -1.0;
@@ -76,7 +76,8 @@ private:
         return {1.0, 0.0};
     }
 
-    /// From an end inside the mainland straight on; nothing where it is outside, or ends on a line already.
+    /// The straight distance from an end inside the mainland. Empty if the end is outside, or already on a
+    /// line.
     std::optional<Length> missingAt(LineEnd end) const {
         const Point place = pointAt(end);
         if (!isInside(mainland_, place)) {

@@ -62,7 +62,8 @@ const Outline* FieldShape::find(const OutlineId& id) const {
 
 namespace {
 
-/// Headlands of edges stay with their edges where points come or go; both halves of a divided edge have its own.
+/// Headlands of edges stay with their edges when points are added or removed. Both halves of a divided edge
+/// keep its headland.
 void renumber(std::vector<EdgeHeadland>& headlands, std::size_t part, std::size_t ring, const GeoRing& before,
               const GeoRing& after) {
     if (before.size() == after.size()) {
@@ -91,7 +92,7 @@ void renumber(std::vector<EdgeHeadland>& headlands, std::size_t part, std::size_
     headlands = std::move(kept);
 }
 
-/// Its ring by number: 0 for the outer one.
+/// The number of its ring: 0 for the outer one.
 std::size_t ringOf(const OutlineId& id) {
     return id.kind == OutlineKind::Hole ? id.hole + 1 : 0;
 }

@@ -9,7 +9,7 @@
 
 namespace furrow {
 
-/// What a line that can be taken hold of belongs to.
+/// The owner of a line that can be grabbed.
 enum class OutlineKind {
     Boundary,  ///< outer ring of a part
     Hole,
@@ -18,7 +18,7 @@ enum class OutlineKind {
     Split,  ///< a line that the mainland is cut along: open
 };
 
-/// What is drawn across a field and belongs to its plan.
+/// Lines drawn across a field that belong to its plan.
 struct DrawnLines {
     GeoRing guide;  ///< empty for none
     std::vector<GeoRing> splits;
@@ -32,7 +32,7 @@ struct OutlineId {
     friend auto operator<=>(const OutlineId&, const OutlineId&) = default;
 };
 
-/// A ring or a line as it is edited: in WGS84 as it is kept, and in metres.
+/// A ring or a line for editing: in WGS84 as stored, and in metres.
 struct Outline {
     OutlineId id;
     bool closed = true;
@@ -44,25 +44,26 @@ struct Outline {
     Point to(std::size_t edge) const { return points[edge + 1 == points.size() ? 0 : edge + 1]; }
 };
 
-/// Everything of a field that can be edited on a map, in one plane in metres. Nothing of it has to be valid.
+/// Everything of a field that can be edited on a map, in one plane in metres. It need not be valid.
 struct FieldShape {
     LocalFrame frame;
     std::vector<Outline> outlines;
     std::vector<Point> gates;
 
-    /// @param before  the shape before a change: its frame is kept and points that did not move are not converted
+    /// @param before  the shape before a change: its frame is kept, and unmoved points are not converted
+    /// again
     /// @return InputRefused: no point to put the frame's centre at. Cost: O(n) for n points.
     static Result<FieldShape> of(const FieldSource& source, const DrawnLines& lines, const FieldShape* before = nullptr);
 
     const Outline* find(const OutlineId& id) const;
 };
 
-/// The headland of its own that an edge of the boundary or of a hole has; none of other outlines.
+/// The own headland of an edge of the boundary or of a hole. Null for other outlines.
 const EdgeHeadland* findEdgeHeadland(const FieldSource& source, const OutlineId& id, std::size_t edge);
-/// With one of this width, in place of one it had; without a width as wide as elsewhere.
+/// The source with a headland of this width at the edge. Without a width, the edge is as wide as elsewhere.
 FieldSource withEdgeHeadland(FieldSource source, const OutlineId& id, std::size_t edge, std::optional<Length> width);
 
-/// The source with other points in one outline; drawn lines are no part of it and leave it as it is.
+/// The source with other points in one outline. Drawn lines are not part of it and leave it unchanged.
 FieldSource withOutline(FieldSource source, const OutlineId& id, GeoRing places);
 
 }  // namespace furrow

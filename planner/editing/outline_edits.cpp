@@ -18,9 +18,9 @@ std::size_t lastOf(const Outline& outline, std::size_t vertex) {
     return vertex == 0 ? outline.points.size() - 1 : vertex - 1;
 }
 
-/// Where the end of a moved edge comes to lie: on the line of the edge beside it, from `end` to `beyond`.
+/// The new place of the end of a moved edge: on the line of the edge beside it, from `end` to `beyond`.
 Point slid(Point end, Point beyond, Point along, Point sideways) {
-    // Edges that meet at less than 10 degrees would shoot out far.
+    // Edges that meet at less than 10 degrees would move out far.
     constexpr double kLeastSine = 0.17;
     const Point beside = beyond - end;
     const double sine = norm(beside) > 0.0 ? cross(along, beside) / norm(beside) : 0.0;
@@ -29,7 +29,7 @@ Point slid(Point end, Point beyond, Point along, Point sideways) {
     }
     const Point left{-along.y, along.x};
     const double share = dot(sideways, left) / dot(beside, left);
-    // Beyond its other end the edge beside it would point the other way.
+    // Beyond its other end, the edge beside it would point in the other direction.
     return share < 1.0 ? end + share * beside : end + sideways;
 }
 

@@ -4,7 +4,7 @@
 
 namespace furrow {
 
-/// What of a field's shape a place meets.
+/// The part of a field's shape at a place.
 struct ShapeHit {
     enum class Kind {
         Vertex,
@@ -15,20 +15,20 @@ struct ShapeHit {
     Kind kind = Kind::Vertex;
     OutlineId outline;
     std::size_t index = 0;  ///< vertex, edge (from vertex `index` to the next), or gate
-    Point place;            ///< on it, nearest to the one that was asked for
+    Point place;            ///< on it, nearest to the given place
 
     friend bool operator==(const ShapeHit&, const ShapeHit&) = default;
 };
 
-/// What is within reach: a gate before a vertex before an edge, the nearest of each; without any of them the hole
-/// or obstacle around the place. Of what lies over something else, the later outline. Cost: O(n).
+/// The thing within reach: a gate before a vertex before an edge, the nearest of each. Without any of them,
+/// the hole or obstacle around the place. Of overlapping outlines, the later one. Cost: O(n).
 std::optional<ShapeHit> hitAt(const FieldShape& shape, Point place, Length reach);
 
-/// The part of the field around a place; nothing outside.
+/// The part of the field around a place. Empty outside.
 std::optional<std::size_t> partAt(const FieldShape& shape, Point place);
 
 
-/// The place on any boundary or hole that is nearest; nothing without one.
+/// The nearest place on any boundary or hole. Empty without one.
 std::optional<Point> nearestOnBoundary(const FieldShape& shape, Point place);
 
 }  // namespace furrow

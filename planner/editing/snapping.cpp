@@ -23,7 +23,7 @@ Point nearestOnLine(const SnapLine& line, Point place) {
 
 std::optional<Point> crossing(Point a, Point alongA, Point b, Point alongB) {
     const double sine = cross(alongA, alongB);
-    // Below some 6 degrees the crossing runs away with every pixel.
+    // Below about 6 degrees, the crossing jumps with every pixel.
     if (std::abs(sine) < 0.1) {
         return std::nullopt;
     }

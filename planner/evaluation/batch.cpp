@@ -32,7 +32,7 @@ namespace {
 
 using Json = nlohmann::ordered_json;
 
-// Narrower fields than this many operating widths are counted apart.
+// Narrower fields, in operating widths, are counted separately.
 constexpr double kNarrowWidths = 5.0;
 
 constexpr std::array<std::pair<BatchOutcome, std::string_view>, 4> kOutcomes{{
@@ -85,7 +85,7 @@ std::optional<double> numberIn(const Json& json, const char* key) {
     return json.contains(key) && json[key].is_number() ? std::optional{json[key].get<double>()} : std::nullopt;
 }
 
-/// A line of an earlier run; nothing for one that was cut short.
+/// A line of an earlier run. Empty for a line that was cut short.
 std::optional<BatchRecord> recordFrom(const std::string& line) {
     const Json json = Json::parse(line, nullptr, false);
     if (!json.is_object() || !json.contains("time_ms")) {
@@ -171,7 +171,7 @@ private:
     std::mutex mutex_;
 };
 
-/// Held while a batch writes to its record: two at once would overwrite each other's lines.
+/// Held while a batch writes to its record. Two batches at once would overwrite each other's lines.
 class RecordLock {
 public:
     explicit RecordLock(const std::filesystem::path& path) : file_{::open(path.c_str(), O_RDWR | O_CREAT | O_CLOEXEC, 0666)} {
@@ -185,7 +185,7 @@ public:
     RecordLock(const RecordLock&) = delete;
     RecordLock& operator=(const RecordLock&) = delete;
 
-    /// By another run. Where no file can be made here, writing says so.
+    /// Whether another run holds it. If no file can be made here, writing reports that.
     bool isTaken() const { return isTaken_; }
 
 private:
@@ -200,7 +200,7 @@ struct BatchField {
     FieldTask task;
 };
 
-/// The same file, whatever it is called by.
+/// The same file under any of its names.
 std::filesystem::path placeOf(const std::filesystem::path& file) {
     std::error_code failed;
     const std::filesystem::path place = std::filesystem::weakly_canonical(file, failed);
@@ -226,7 +226,7 @@ Result<std::vector<BatchField>> fieldsOf(const BatchTask& task, const std::strin
             if (area < task.smallest || (task.largest && area > *task.largest)) {
                 continue;
             }
-            // Dealt out like cards: large fields lie side by side in most files.
+            // Dealt out like cards, since large fields lie side by side in most files.
             if (all++ % task.shard.count == task.shard.number - 1) {
                 fields.push_back({.file = file,
                                   .number = i + 1,
@@ -256,7 +256,7 @@ void fill(BatchRecord& record, const Plan& plan) {
     }
 }
 
-/// WriteFailed and Cancelled end the batch; everything else becomes part of the record.
+/// WriteFailed and Cancelled end the batch. Every other result becomes part of the record.
 Result<BatchRecord> planned(const BatchField& each, const BatchTask& task, const std::string& run, const JobContext& job) {
     BatchRecord record{.key = each.key,
                        .run = run,
@@ -360,7 +360,7 @@ BatchReport reportOf(std::vector<BatchRecord> records) {
     std::vector<const BatchRecord*> wide;
     std::vector<const BatchRecord*> narrow;
     for (const BatchRecord& record : report.records) {
-        // What was refused before its breadth was known is counted with the others.
+        // A field that was refused before its breadth was known counts with the others.
         const bool isNarrow = record.breadth > metres(0.0) && record.breadth < kNarrowWidths * record.width;
         (isNarrow ? narrow : wide).push_back(&record);
     }
@@ -377,7 +377,7 @@ std::filesystem::path batchRecordPath(const std::filesystem::path& out, const Sh
 
 namespace {
 
-/// A folder holds one batch. Of other shards only what all of them have in common can be told.
+/// A folder holds one batch. For other shards, only the common inputs of all shards can be checked.
 Result<void> checkFolder(const BatchTask& task, const std::vector<BatchField>& fields, const std::string& run) {
     const auto other = [&task](const BatchRecord& record, Message what) {
         return std::unexpected(Error{.code = ErrorCode::Usage,

@@ -16,40 +16,40 @@
 
 namespace furrow {
 
-/// One of several runs that share the fields among them.
+/// One of several runs that share the fields.
 struct Shard {
     std::size_t number = 1;  ///< from 1
     std::size_t count = 1;
 };
 
-/// Every field of some files: those of projects with the machine and settings of their plans, others with the
-/// library's first machine and the standard settings; what is asked for here wins.
+/// Every field of some files. Fields of projects have the machine and settings of their plans. Others have
+/// the library's first machine and the standard settings. Values given here override both.
 struct BatchTask {
     std::vector<std::filesystem::path> files;
     std::optional<Machine> machine;
     Settings settings;
     std::filesystem::path out;
-    std::vector<std::string_view> formats;  ///< of the plan folders, besides summary.json
+    std::vector<std::string_view> formats;  ///< of the plan folders, in addition to summary.json
     Shard shard;
-    bool resume = false;  ///< fields that an earlier run has finished are not planned again
-    /// Fields outside of these are left out, unplanned and uncounted.
+    bool resume = false;  ///< skip fields that an earlier run has finished
+    /// Fields outside this range are neither planned nor counted.
     Area smallest;
     std::optional<Area> largest;
 };
 
-/// What became of one field.
+/// The result of one field.
 enum class BatchOutcome { Drivable, Blocked, Refused, Failed };
 
-/// One field of a batch; one line of its record.
+/// One field of a batch, and one line of its record.
 struct BatchRecord {
-    std::string key;      ///< of everything that the result was made from
-    std::string run;      ///< of what the whole batch has in common
+    std::string key;      ///< of all inputs of the result
+    std::string run;      ///< of the common inputs of the batch
     std::string file;     ///< absolute
     std::size_t number = 0;  ///< of the field in its file, from 1
     std::string id;
-    std::string folder;  ///< of its plan, below the batch's; empty where there is none
+    std::string folder;  ///< of its plan, below the batch's; empty without a plan
     BatchOutcome outcome = BatchOutcome::Failed;
-    std::string error;       ///< where it was refused or failed
+    std::string error;       ///< if it was refused or failed
     Area area;
     std::size_t vertices = 0;
     Length breadth;  ///< of the widest circle inside the field
@@ -63,7 +63,7 @@ struct BatchRecord {
     int swaths = 0;
     int turns = 0;
     int undrivableTurns = 0;
-    std::map<std::string, int> blocking;  ///< findings in the way, by their kind
+    std::map<std::string, int> blocking;  ///< blocking findings, by their kind
     Duration time;                        ///< of planning and audit
 };
 
@@ -79,28 +79,29 @@ struct BatchTotals {
     Duration slowTime;  ///< 95th percentile
     int turns = 0;
     int undrivableTurns = 0;
-    /// Fields with at least one finding in the way, by its kind.
+    /// The number of fields with at least one blocking finding, by its kind.
     std::map<std::string, std::size_t> fieldsBlocked;
 };
 
 struct BatchReport {
-    std::vector<BatchRecord> records;  ///< by file and number, earlier runs' too when resumed
+    std::vector<BatchRecord> records;  ///< by file and number; with those of earlier runs when resumed
     BatchTotals wide;                  ///< fields at least five operating widths broad
     BatchTotals narrow;                ///< the others
 };
 
-/// Where a shard writes its record: "batch.jsonl", "batch-2-of-8.jsonl".
+/// The record file of a shard: "batch.jsonl", "batch-2-of-8.jsonl".
 std::filesystem::path batchRecordPath(const std::filesystem::path& out, const Shard& shard);
 
-/// Plans every field of the task, several at a time, and writes a folder for each; a line of the record is
-/// appended and flushed as soon as a field is done, so that a run that ends half-way can be resumed.
+/// Plans every field of the task, several at a time, and writes a folder for each. As soon as a field is
+/// done, a line of the record is appended and flushed. So an interrupted run can be resumed.
 ///
-/// A folder holds one batch: a run that would mix its results with those of other fields, another machine or other
-/// settings is refused, with or without `resume`. A field's folder is called after its file, its number and its key, so
-/// that files of the same name do not meet.
+/// A folder holds one batch. A run is refused, with or without `resume`, if it would mix its results with
+/// those of other fields, another machine or other settings. A field's folder is named after its file, its
+/// number and its key, so files of the same name do not collide.
 ///
-/// @return what became of each. A field that is refused does not end the batch. Usage: the folder holds the results
-///         of other inputs. ReadFailed, InputRefused: a file that cannot be read. WriteFailed. Cancelled: the record keeps what was done.
+/// @return the result of each field. A refused field does not end the batch. Usage: the folder holds the
+/// results of other inputs. ReadFailed, InputRefused: a file that cannot be read. WriteFailed. Cancelled: the
+/// record keeps the finished fields.
 Result<BatchReport> runBatch(const BatchTask& task, const JobContext& job);
 
 /// The report as one JSON object: {"wide": totals, "narrow": totals}.

@@ -43,7 +43,7 @@ std::string textOf(const FieldSource& field) {
     return text;
 }
 
-/// Of files that settings name how large and how old they are.
+/// For files in settings, their size and age.
 std::string textOf(const Settings& settings) {
     std::string text;
     for (const Parameter* parameter : allParameters()) {

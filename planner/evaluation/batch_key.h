@@ -8,11 +8,11 @@
 
 namespace furrow {
 
-/// What a whole batch has in common, as a short text that differs where it differs: the machine and the settings that
-/// are asked for, formats, the version of Furrow.
+/// A short text for the common inputs of a batch: the machine and the settings given, formats, the version of
+/// Furrow. It differs if any of these differ.
 std::string runKey(const BatchTask& task);
 
-/// The same of one field's result, with where it was read from and everything that its plan is made from.
+/// The same for one field's result, including its source and all inputs of its plan.
 ///
 /// @param file  absolute
 std::string fieldKey(const std::filesystem::path& file, std::size_t number, const FieldTask& field, const std::string& run);

@@ -71,7 +71,8 @@ void addPlannedPath(const Path& path, std::vector<MapLayer>& layers) {
     layers.push_back(std::move(swaths));
 }
 
-/// What lies far from the plan would make it small: cut off at a tenth of its size beside it.
+/// Parts far from the plan would make the picture small. They are cut off beside the plan, at a tenth of its
+/// size.
 std::vector<Polyline> nearPlan(const std::vector<Polyline>& lines, const Bounds& plan) {
     const double room = 0.1 * std::max(plan.width(), plan.height());
     std::vector<Polyline> kept;

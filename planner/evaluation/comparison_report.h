@@ -9,7 +9,7 @@
 
 namespace furrow {
 
-/// What is told about a comparison. Refers to what it was made from.
+/// The contents of a report about a comparison. Refers to its sources.
 struct ComparisonReport {
     const WrittenPath& plan;
     std::string format;  ///< of the track's file
@@ -19,10 +19,10 @@ struct ComparisonReport {
     Length radius;
 };
 
-/// One row for each recorded sample, with a header; empty cells where something is not known.
+/// One row for each recorded sample, with a header. Unknown values are empty cells.
 std::string comparisonCsv(const ComparisonReport& report);
 
-/// The recorded track laid over the plan, coloured by its distance from it.
+/// The recorded track over the plan, coloured by its distance from it.
 std::string comparisonSvg(const ComparisonReport& report);
 
 /// One JSON object; figures in metres and metres per second.

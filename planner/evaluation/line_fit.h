@@ -10,7 +10,7 @@ namespace furrow {
 struct LineFit {
     double offset = 0.0;
     double slope = 0.0;
-    double r2 = 0.0;  ///< share of the variance of y that the line explains; 1 where y does not vary
+    double r2 = 0.0;  ///< share of the variance of y that the line explains; 1 if y does not vary
 };
 
 /// @param points  at least two, with different x

@@ -19,13 +19,13 @@ Polygon narrowField() {
     return {.outer = {{0.0, 0.0}, {210.0, 6.0}, {208.0, 38.0}, {3.0, 31.0}}, .holes = {}};
 }
 
-// Along the field, a degree off its sides: a direction that the user asked for.
+// Along the field, a degree off its sides: a direction given by the user.
 constexpr std::string_view kHeadingDeg = "3";
 
-// The machine that drives turns wider than the plan says: 2.1 m were planned.
+// The real machine drives wider turns than planned: 2.1 m were planned.
 constexpr double kDrivenRadiusM = 2.8;
-constexpr double kCurvatureRate1pms = 0.35;  ///< how fast it turns its wheels, 1/m per second
-// Looking ahead by the way it takes to turn the wheels; less would swing from side to side.
+constexpr double kCurvatureRate1pms = 0.35;  ///< rate at which it turns its wheels, 1/m per second
+// Distance of looking ahead: the way needed to turn the wheels. With less it would swing from side to side.
 constexpr double kLookAheadM = 1.0;
 constexpr double kLookAheadS = 0.9;
 constexpr double kStepS = 0.02;
@@ -58,7 +58,7 @@ public:
         found.position = before.position + share * (after->position - before.position);
         return found;
     }
-    /// The nearest way along the line, a little on from where it was.
+    /// The nearest place along the line, slightly ahead of the last one.
     double nearest(Point place, double fromM) const {
         constexpr double kWindowM = 3.0;
         constexpr double kFineM = 0.05;
@@ -78,7 +78,7 @@ private:
     std::vector<PathSample> samples_;
 };
 
-/// About a normal distribution: the sum of twelve even ones has variance 1.
+/// Approximately normal: the sum of twelve uniform numbers has variance 1.
 double noise(std::mt19937& random) {
     double sum = -6.0;
     for (int i = 0; i < 12; ++i) {
@@ -87,7 +87,7 @@ double noise(std::mt19937& random) {
     return sum;
 }
 
-/// A steered axle that follows the line by pure pursuit, within what it can steer.
+/// A steered axle that follows the line by pure pursuit, within its steering limits.
 RecordedTrack simulatedDrive(const Path& path) {
     const Line line{path};
     std::mt19937 random{1};

@@ -20,7 +20,7 @@ constexpr std::pair<std::string_view, std::string_view> kSetUp[] = {
     {"path.stay_inside", "false"},
 };
 
-// A planner without these settings does what they ask for anyway.
+// A planner without these settings already does what they set.
 constexpr std::pair<std::string_view, std::string_view> kWhereThereIs[] = {
     {"decomposition.method", "none"},
     {"swaths.ends", "centre"},
@@ -32,7 +32,7 @@ constexpr std::pair<std::string_view, std::string_view> kWhereThereIs[] = {
 }  // namespace
 
 Machine paperMachine() {
-    // In the paper the robot is a point: its implement works where its reference point is.
+    // In the paper the robot is a point: its implement works at its reference point.
     const Machine& robot = machineLibrary().front();
     MachineSpec spec = robot.spec();
     spec.implement.offset = metres(0.0);

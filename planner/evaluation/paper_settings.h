@@ -18,7 +18,7 @@ class Field;
 /// The paper's robot: 2.5 m wide, 2.1 m of turning radius, working at its reference point.
 Machine paperMachine();
 
-/// The paper's set-up with some settings of its own: 7.5 m of headland that is not driven, no decomposition,
+/// The paper's set-up, with the given settings added: 7.5 m of headland that is not driven, no decomposition,
 /// every whole degree, flat swath ends, gaps rather than overlaps, the first corner, Dubins curves that may
 /// leave the field. Errors of applySetting for settings and methods that the planner does not have.
 Result<Settings> paperSettings(std::initializer_list<std::pair<std::string_view, std::string_view>> own);

@@ -62,7 +62,7 @@ Result<Settings> settingsOf(const Combination& combination) {
                           {"path.method", kCurves[combination.curve].id}});
 }
 
-/// The field's outline scaled to one hectare, in a frame of its own.
+/// The field's outline scaled to one hectare, in its own frame.
 Result<std::shared_ptr<const Field>> hectareOf(const FieldSource& source) {
     const auto field = Field::create(source);
     if (!field) {
@@ -93,7 +93,7 @@ std::string plotsOf(const std::vector<Run>& runs) {
     std::vector<Chart> charts;
     for (std::size_t o = 0; o < kObjectives.size(); ++o) {
         for (std::size_t p = 0; p < kPatterns.size(); ++p) {
-            // The same range in all nine, so that they can be compared at a glance.
+            // The same range in all nine charts, so that they can be compared at a glance.
             Chart chart{.title = std::format("{}, by {}", kPatterns[p].words, kObjectives[o].words),
                         .note = {},
                         .x = {.title = "L\u2080, turns in place (m)", .min = low, .max = high},
@@ -121,7 +121,7 @@ std::string plotsOf(const std::vector<Run>& runs) {
                  "Each mark is a convex field of 1 ha; the dashed line is where turns would add nothing.");
 }
 
-/// The mean of a value over the runs that fit.
+/// The mean of a value over the selected runs.
 template <class Fits, class Value>
 double mean(const std::vector<Run>& runs, Fits fits, Value value) {
     double sum = 0.0;
@@ -138,7 +138,7 @@ double mean(const std::vector<Run>& runs, Fits fits, Value value) {
 std::vector<PaperStatement> statementsOf(const std::vector<Run>& runs) {
     const auto [least, most] = std::ranges::minmax(runs, {}, &Run::turnShare);
     std::vector<PaperStatement> statements;
-    // The paper's range is of its own shapes: the same order of magnitude is what can agree.
+    // The paper's range is for its own shapes. Only the order of magnitude can agree.
     statements.push_back(
         {.paper = "Turns take between 0.5 % and 50 % of the path",
          .found = std::format("{:.1f} % to {:.1f} %", 100.0 * least.turnShare(), 100.0 * most.turnShare()),
@@ -182,7 +182,7 @@ std::vector<PaperStatement> statementsOf(const std::vector<Run>& runs) {
 }  // namespace
 
 Result<PaperExperiment> paperTurning(std::span<const FieldSource> fields, const JobContext& job) {
-    // Before anything is computed: whether the planner has all patterns.
+    // Check first, before any computation, whether the planner has all patterns.
     if (auto known = forEachCombination([](const Combination& combination) -> Result<void> {
             const auto settings = settingsOf(combination);
             return settings ? Result<void>{} : std::unexpected(settings.error());

@@ -29,11 +29,11 @@ std::optional<std::size_t> statusBytes(std::string_view key) {
 
 std::optional<std::size_t> peakMemoryOf(const std::function<void()>& work) {
 #ifdef __GLIBC__
-    // Pages that earlier work has left to the allocator would hide what this one needs.
+    // Pages that earlier work has left to the allocator would hide the need of this one.
     malloc_trim(0);
 #endif
     const auto before = statusBytes("VmRSS:");
-    // 5 sets the peak back to what is in use now.
+    // 5 resets the peak to the memory in use now.
     const bool reset = (std::ofstream{"/proc/self/clear_refs"} << 5 << std::flush).good();
     work();
     const auto peak = statusBytes("VmHWM:");

@@ -6,9 +6,9 @@
 
 namespace furrow {
 
-/// By how many bytes the memory of this program grows at most while `work` runs, as the system counts its
-/// pages; what is freed and not given back before counts as not there. Other threads' allocations count, too.
-/// Nothing where the system does not tell (Linux does).
+/// The largest growth of this program's memory in bytes while `work` runs, as the system counts its pages.
+/// Memory freed before, but not given back, counts as free. Other threads' allocations count, too. Empty if
+/// the system gives no figure (Linux does).
 std::optional<std::size_t> peakMemoryOf(const std::function<void()>& work);
 
 }  // namespace furrow

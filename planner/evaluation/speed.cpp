@@ -28,7 +28,7 @@ using Clock = std::chrono::steady_clock;
 
 constexpr int kHeadings = 180;
 constexpr Length kWidth = metres(2.5);
-// A case is repeated until this has passed, but for the number of runs below and above.
+// A case is repeated until this time has passed, within the limits for the number of runs.
 constexpr double kEnoughS = 0.3;
 constexpr int kFewestRuns = 3;
 constexpr int kMostRuns = 2000;
@@ -64,7 +64,8 @@ Result<Settings> settingsWith(OwnSettings own) {
     return settings;
 }
 
-/// An oval field with gentle waves: as many points as wanted, all of them different, the same every time.
+/// An oval field with gentle waves, with any number of points. All points differ, and are the same every
+/// time.
 Polygon waveField(double areaHa, std::size_t vertices) {
     Polygon field;
     for (std::size_t i = 0; i < vertices; ++i) {
@@ -107,7 +108,7 @@ public:
     }
 
 private:
-    /// What is measured must not be left out as useless.
+    /// Uses a measured value, so that the compiler does not remove the work.
     void keep(double value) { kept_ = kept_ + value; }
 
     Result<void> stopped() const {
@@ -139,7 +140,7 @@ private:
         return stopped();
     }
 
-    /// Every whole degree by plain GEOS; on large fields every n-th, scaled.
+    /// Every whole degree by plain GEOS. On large fields every n-th, scaled.
     Duration plainSearch(const Polygon& field, bool withCoverage) {
         const double perHeading = area(field).si() / 1e4;
         const int every = perHeading > 16.0 ? 30 : perHeading > 1.0 || vertexCount({field}) > 1000 ? 10 : 1;
@@ -204,7 +205,7 @@ private:
             return std::unexpected(whole.error());
         }
         const Machine machine = paperMachine();
-        // By whole degrees, too: what the exact search may take a multiple of.
+        // Whole degrees as well, as the base for the time of the exact search.
         for (const std::string_view objective : {"swath-count", "time"}) {
             for (const auto& [name, method] : {std::pair{"exact search", "exact"}, std::pair{"best of 180 headings", "brute-force"}}) {
                 const auto settings = settingsWith({{"swaths.method", method}, {"swaths.objective", objective}});

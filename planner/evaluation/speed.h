@@ -11,7 +11,7 @@
 
 namespace furrow {
 
-/// One thing measured, wall time on this machine.
+/// One measurement, wall time on this machine.
 struct SpeedCase {
     std::string name;
     double areaHa = 0.0;
@@ -19,9 +19,9 @@ struct SpeedCase {
     int threads = 1;
     int runs = 0;
     Duration median;
-    /// The same by plain GEOS in the same run; nothing where there is no such way.
+    /// The same by plain GEOS in the same run. Empty if there is no such method.
     std::optional<Duration> yardstick;
-    /// By how much memory grows at most in one more run; only for whole plans, where the system tells.
+    /// The largest growth of memory in one more run. Only for whole plans, if the system gives a figure.
     std::optional<std::size_t> peakMemoryBytes;
 
     std::optional<double> ratio() const {
@@ -29,9 +29,9 @@ struct SpeedCase {
     }
 };
 
-/// Headings, searches, whole plans (with their memory) and turns, from 0.25 to 256 ha, 10 to 100,000 vertices, on one and two threads.
-/// The yardstick of a search is measured on some of its headings and scaled to all of them where that takes long.
-/// Takes a minute or two. Cancelled.
+/// Headings, searches, whole plans (with their memory) and turns, from 0.25 to 256 ha, 10 to 100,000
+/// vertices, on one and two threads. If the yardstick of a search takes long, it is measured on some of its
+/// headings and scaled to all. Takes a minute or two. Cancelled.
 Result<std::vector<SpeedCase>> measureSpeed(const JobContext& job);
 
 }  // namespace furrow

@@ -10,12 +10,12 @@ namespace furrow {
 
 namespace {
 
-// Points nearer than this are one point: a tenth of what the best receivers resolve.
+// Closer points are one point: a tenth of the resolution of the best receivers.
 constexpr double kSamePointM = 1e-3;
-// An enclosed area of land below this is a drawing accident.
+// A smaller enclosed area of land is a drawing error.
 constexpr double kSliverM2 = 1.0;
 constexpr double kSliverShare = 1e-4;
-// No field is smaller.
+// No field is smaller than this.
 constexpr double kNoAreaM2 = 1e-2;
 
 /// A ring in both coordinate systems, point by point.
@@ -35,12 +35,12 @@ bool isSpike(Point before, Point tip, Point after) {
     if (dot(in, out) >= 0.0) {
         return false;
     }
-    // The way back lies on the way there: the shorter leg's end is within a point's width of the other leg.
+    // A spike returns along its own way: the shorter leg's end is within a point's width of the other leg.
     const double longer = std::max(norm(in), norm(out));
     return std::abs(cross(in, out)) <= kSamePointM * longer;
 }
 
-/// Narrower everywhere than two points that are one. A pole is small, but no line.
+/// Whether a ring is everywhere narrower than two equal points. A pole is small, but not a line.
 bool isLine(const Ring& ring) {
     double perimeterM = 0.0;
     for (std::size_t i = 0, j = ring.size() - 1; i < ring.size(); j = i++) {
@@ -49,13 +49,13 @@ bool isLine(const Ring& ring) {
     return std::abs(signedAreaM2(ring)) <= 0.5 * kSamePointM * perimeterM;
 }
 
-/// Three different points.
+/// Whether a ring has three different points.
 bool hasCorners(const GeoRing& ring) {
     const auto first = std::ranges::find_if(ring, [&ring](GeoPoint point) { return point != ring.front(); });
     return std::ranges::any_of(ring, [&](GeoPoint point) { return point != ring.front() && point != *first; });
 }
 
-/// Land may lose slivers; of what is in the way nothing is left out.
+/// Land may lose slivers. Obstacles keep every part.
 enum class RepairOf { Land, Obstacle };
 
 class Repair {
@@ -123,7 +123,7 @@ private:
 
     void note(Message text, GeoPoint place) { repairs_.push_back({std::move(text), what_, place}); }
 
-    /// Parts of land that are drawing accidents beside the rest of it, with a note for each.
+    /// Finds parts of land that are drawing errors beside the rest of it, with a note for each.
     std::vector<bool> sliverParts(const std::vector<GeoPolygon>& parts) {
         std::vector<bool> slivers(parts.size(), false);
         if (kind_ == RepairOf::Obstacle || parts.size() < 2) {
@@ -144,7 +144,7 @@ private:
         return slivers;
     }
 
-    /// Of a ring that may be anything; wings of a bow-tie count.
+    /// The enclosed area of any ring, even invalid. Both wings of a bow-tie count.
     double enclosedBy(const Ring& ring) const {
         const double signedM2 = ring.size() < 3 ? 0.0 : std::abs(signedAreaM2(ring));
         if (ring.size() < 3 || signedM2 >= kSliverM2) {
@@ -182,7 +182,7 @@ private:
         return cleaned;
     }
 
-    // A bow-tie's two wings cancel out in the signed area: it is for the crossing check to judge.
+    // The two wings of a bow-tie cancel out in the signed area, so this check has to find it.
     bool crossesItself(const Ring& ring) const {
         const auto problem = findInvalidPlace({Polygon{.outer = ring, .holes = {}}}, job_);
         return problem && problem->has_value() && (*problem)->reason == "Self-intersection";
@@ -208,7 +208,7 @@ private:
                 break;  // the closing point, as most formats write it
             }
             kept.push_back(i);
-            // Taking a point out may make the one before it a double or a spike in turn.
+            // Without a point, the one before it may become a duplicate or a spike in turn.
             while (kept.size() >= 2) {
                 const std::size_t n = kept.size();
                 if (same(kept[n - 2], kept[n - 1])) {
@@ -222,7 +222,7 @@ private:
                 }
             }
         }
-        // The same across the place where the ring closes.
+        // The same at the place where the ring closes.
         for (bool changed = true; changed && kept.size() >= 3;) {
             const std::size_t n = kept.size();
             changed = true;
@@ -300,7 +300,7 @@ private:
             return result;
         }
         if (repairs_.size() == repairsBefore) {
-            // Each ring was sound by itself.
+            // Each ring was valid alone.
             note("rings that overlap each other were joined", frame_.toGeo(problem.place));
         }
         if (kind_ == RepairOf::Land) {
@@ -326,8 +326,8 @@ private:
         if (!untangled) {
             return untangled;
         }
-        // Loops that only touch add up to the ring's signed area; wings that cross cancel, loops that
-        // overlap count twice. Only the first has one obvious meaning.
+        // Loops that only touch add up to the ring's signed area. Wings that cross cancel out; loops that
+        // overlap count twice. Only the first case has one obvious meaning.
         const double signedM2 = std::abs(signedAreaM2(ring));
         const double enclosedM2 = area(*untangled).si();
         const double sliverM2 = std::max(kSliverM2, kSliverShare * enclosedM2);

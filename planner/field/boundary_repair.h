@@ -10,22 +10,22 @@
 
 namespace furrow {
 
-/// Polygons that follow the rules of simple features, in both coordinate systems, and what it took.
+/// Polygons that follow the rules of simple features, in both coordinate systems, and the repairs made.
 struct RepairedBoundary {
-    std::vector<GeoPolygon> geo;  ///< the given points wherever nothing had to be moved
+    std::vector<GeoPolygon> geo;  ///< the given points, unless something had to be moved
     MultiPolygon local;
     std::vector<Note> repairs;
 };
 
-/// Repairs what has one obvious repair and refuses the rest; see Field::create for the list. Parts that are slivers
-/// beside the rest of the land are left out.
+/// Makes repairs that are obvious and refuses the rest; see Field::create for the list. Parts that are
+/// slivers beside the rest of the land are left out.
 ///
 /// @param parts  finite points inside WGS84
-/// @param what   what messages call it: "the boundary", "obstacle 'pond'"
+/// @param what   its name in messages: "the boundary", "obstacle 'pond'"
 Result<RepairedBoundary> repairBoundary(const std::vector<GeoPolygon>& parts, const LocalFrame& frame,
                                         const std::string& what, const JobContext& job);
 
-/// The same of what is in the way: nothing of it is left out, however small.
+/// The same for obstacles. No part is left out, however small.
 Result<RepairedBoundary> repairObstacle(const GeoPolygon& outline, const LocalFrame& frame, const std::string& what,
                                         const JobContext& job);
 

@@ -10,7 +10,7 @@ namespace furrow {
 
 namespace {
 
-/// A disc drawn around every gate: within it the footprint may cross the boundary.
+/// A disc around every gate. Within it the footprint may cross the boundary.
 MultiPolygon openGates(const Field& field) {
     constexpr int kCorners = 32;
     MultiPolygon discs;

@@ -58,7 +58,7 @@ Result<void> checkCoordinates(const FieldSource& source, const GeoPolygon& polyg
     return checked;
 }
 
-/// The ring that a headland belongs to; none if there is no such ring.
+/// The ring of a headland. Null if there is no such ring.
 const GeoRing* ringOf(const FieldSource& source, const EdgeHeadland& headland) {
     if (headland.part >= source.parts.size() || headland.ring > source.parts[headland.part].holes.size()) {
         return nullptr;
@@ -126,8 +126,8 @@ Result<void> checkSource(const FieldSource& source) {
     return {};
 }
 
-/// The point of the boundary that is farthest from the middle of all of them, through the earth: where one
-/// is astray, that one.
+/// The point of the boundary that is farthest from the mean of all points, through the earth. If one point is
+/// astray, it is this one.
 struct FarPoint {
     std::size_t part = 0;
     std::size_t index = 0;
@@ -168,7 +168,7 @@ FarPoint farthestPoint(const FieldSource& source) {
 Result<void> checkExtent(const FieldSource& source, const LocalFrame& frame) {
     for (const GeoPolygon& part : source.parts) {
         for (const Point& point : frame.toLocal(part.outer)) {
-            // Half the extent on either side of the centre; far points are not finite in the plane.
+            // Half the extent on either side of the centre. Far points are not finite in the plane.
             if (std::abs(point.x) <= 0.5 * kLargestExtentM && std::abs(point.y) <= 0.5 * kLargestExtentM) {
                 continue;
             }
@@ -263,8 +263,8 @@ Result<Field> Field::create(const FieldSource& source, const JobContext& job) {
         field.area_ += geodesicArea(part);
     }
     if (!source.obstacles.empty()) {
-        // Of what the obstacles take, in the plane's share of the ellipsoid: they differ by parts in a
-        // million.
+        // The share that the obstacles take in the plane also holds on the ellipsoid: they differ by parts in
+        // a million.
         field.area_ = field.area_ * (furrow::area(field.workable_) / furrow::area(field.boundary_));
     }
     return field;

@@ -29,7 +29,7 @@ struct Gate {
     friend bool operator==(const Gate&, const Gate&) = default;
 };
 
-/// A headland of its own along one edge of the boundary.
+/// The own headland of one edge of the boundary.
 struct EdgeHeadland {
     std::size_t part = 0;
     std::size_t ring = 0;  ///< 0 for the outer one, 1 for the first hole
@@ -39,22 +39,22 @@ struct EdgeHeadland {
     friend bool operator==(const EdgeHeadland&, const EdgeHeadland&) = default;
 };
 
-/// A field as a file or a user gives it: not checked yet.
+/// A field as given by a file or a user, not yet checked.
 struct FieldSource {
     std::string id;
     std::string name;
-    std::string origin;  ///< where it came from, for messages: "fields.gpkg, feature 12"
+    std::string origin;  ///< its source, for messages: "fields.gpkg, feature 12"
     std::vector<GeoPolygon> parts;
     std::vector<Obstacle> obstacles;
     std::vector<Gate> gates;
     std::vector<EdgeHeadland> edgeHeadlands;
     Length boundaryAccuracy;
-    std::vector<Note> repairs;  ///< what was repaired while it was read
+    std::vector<Note> repairs;  ///< repairs made while it was read
 
     friend bool operator==(const FieldSource&, const FieldSource&) = default;
 };
 
-/// An edge in metres and how wide the headland along it is to be.
+/// An edge in metres and the given width of its headland.
 struct WideEdge {
     Point from;
     Point to;
@@ -65,32 +65,32 @@ struct WideEdge {
 /// Immutable; share it by pointer.
 class Field {
 public:
-    /// Checks and repairs. Repaired, with a note: points twice, spikes, ring direction, rings that touch
+    /// Checks and repairs. Repaired, with a note: duplicate points, spikes, ring direction, rings that touch
     /// themselves, slivers. InputRefused, with the place: fewer than 3 different points, self-crossing,
-    /// coordinates that are not finite or outside WGS84, no area, over 100 km across, over a million
-    /// points, obstacles outside the field. Cost: O(n log n) for n points. Cancelled.
+    /// coordinates that are not finite or outside WGS84, no area, over 100 km across, over a million points,
+    /// obstacles outside the field. Cost: O(n log n) for n points. Cancelled.
     static Result<Field> create(const FieldSource& source, const JobContext& job = {});
 
     const std::string& id() const { return source_.id; }
     const std::string& name() const { return source_.name; }
-    /// As repaired.
+    /// The source after repairs.
     const FieldSource& source() const { return source_; }
-    /// What was repaired, while it was read and here.
+    /// Repairs while it was read and here.
     const std::vector<Note>& repairs() const { return repairs_; }
     const LocalFrame& frame() const { return frame_; }
 
     /// Boundary and holes, in metres.
     const MultiPolygon& boundary() const { return boundary_; }
-    /// The boundary less every obstacle with its buffer: what is to be worked.
+    /// The boundary less every obstacle with its buffer: the area to be worked.
     const MultiPolygon& workable() const { return workable_; }
-    /// The boundary less the obstacles that may not be driven on, with their buffers: what headland and swaths are
-    /// laid over.
+    /// The boundary less the obstacles that may not be driven on, with their buffers. Headland and swaths are
+    /// laid over this area.
     const MultiPolygon& drivable() const { return drivable_; }
-    /// What may be driven on and is not worked: obstacles that are passable, with their buffers.
+    /// The area that may be driven on and is not worked: passable obstacles with their buffers.
     const MultiPolygon& passable() const { return passable_; }
-    /// Where the headland is as wide as was said for an edge; edges as they were before repairs.
+    /// Edges with a given width of headland, as they were before repairs.
     const std::vector<WideEdge>& edgeHeadlands() const { return edgeHeadlands_; }
-    /// Of the boundary on the ellipsoid, holes and obstacles taken out.
+    /// The area of the boundary on the ellipsoid, without holes and obstacles.
     Area area() const { return area_; }
     std::size_t vertexCount() const;
     std::size_t holeCount() const;

@@ -8,7 +8,7 @@ namespace furrow {
 
 namespace {
 
-// So far beyond the field nobody turns: more than the field is long, and this.
+// No machine turns farther beyond the field than the length of the field plus this.
 constexpr double kFarM = 1000.0;
 
 }  // namespace

@@ -12,7 +12,7 @@ Bounds boxOf(const Ring& ring) {
     return bounds({{.outer = ring, .holes = {}}});
 }
 
-/// A part of the field inside of a hole, as on an island.
+/// Whether a part of the field lies inside a hole, as on an island.
 bool holdsPart(const MultiPolygon& polygons, const Ring& ring) {
     const Bounds box = boxOf(ring);
     return std::ranges::any_of(polygons, [&](const Polygon& polygon) {

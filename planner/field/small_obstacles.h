@@ -7,9 +7,9 @@
 
 namespace furrow {
 
-/// What lies wholly inside a field, may not be driven on and is nowhere longer than this: holes and obstacles with
-/// their buffers, those that touch each other as one. In metres, clockwise as holes are.
-/// Cost: O(n log n) for n corners.
+/// Holes and obstacles with their buffers that lie wholly inside a field, may not be driven on, and are
+/// nowhere longer than `upTo`. Those that touch each other are one. In metres, clockwise like holes. Cost:
+/// O(n log n) for n corners.
 std::vector<Ring> smallObstacles(const Field& field, Length upTo);
 
 /// Polygons without these of their holes.

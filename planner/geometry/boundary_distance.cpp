@@ -13,14 +13,15 @@ namespace furrow {
 
 namespace {
 
-// Of large fields cells are larger.
+// Large fields get larger cells.
 constexpr double kMostCellsAcross = 500.0;
-// As a share of the reach: smaller ones hold fewer edges that are not near, but there are more of them.
+// Cell size as a share of the reach. Smaller cells hold fewer edges that are not near, but there are more
+// cells.
 constexpr double kCellShare = 0.5;
 constexpr double kSamePlaceM = 1e-9;
-// No depth: rounding.
+// A smaller depth is rounding.
 constexpr double kTouchingM = 1e-6;
-// Against rounding at the sides of cells.
+// Extra distance against rounding at the sides of cells.
 constexpr double kSpareM = 1e-6;
 
 bool isBefore(Point a, Point b) {
@@ -39,7 +40,7 @@ Point inwardNormal(Point from, Point to) {
 inline std::optional<std::size_t> BoundaryDistance::cellOf(Point point) const {
     const double x = (point.x - corner_.x) * perCell_;
     const double y = (point.y - corner_.y) * perCell_;
-    // Also false where it is not a number.
+    // Also false for NaN.
     if (!(x >= 0.0 && y >= 0.0 && x < static_cast<double>(columns_) && y < static_cast<double>(rows_))) {
         return std::nullopt;
     }
@@ -93,8 +94,8 @@ void BoundaryDistance::findMeetings() {
     }
 }
 
-// Nearest to a corner is what lies in the one gap between its edges that is half a turn or more: the edge next to the
-// point in angle is a side of that.
+// A point nearest to a corner lies in the only gap between its edges of half a turn or more. The edge next to
+// the point in angle is a side of that gap.
 double BoundaryDistance::sideAtMeeting(Point point, Point corner) const {
     const Point away = point - corner;
     double nextTo = -std::numeric_limits<double>::infinity();
@@ -115,7 +116,8 @@ double BoundaryDistance::sideAtMeeting(Point point, Point corner) const {
     return side;
 }
 
-/// An edge lies in every cell that is within reach of one of its pieces no longer than a cell, told by boxes around them.
+/// Each edge is cut into pieces no longer than a cell. It belongs to every cell within reach of the box
+/// around a piece.
 void BoundaryDistance::sortIntoCells() {
     if (edges_.empty()) {
         return;
@@ -140,7 +142,7 @@ void BoundaryDistance::sortIntoCells() {
     forEachCellNear(reachM_, [&](std::size_t cell, std::uint32_t e) { edgesOf_[next[cell]++] = e; });
 }
 
-// A cell through which no edge runs lies on one side of all: which one, a line through the middles of its row tells.
+// A cell without edges lies on one side of all edges. A line through the middles of its row tells which side.
 void BoundaryDistance::findSides() {
     sides_.assign(columns_ * rows_, Side::Outside);
     std::vector<std::vector<double>> crossings(rows_);
@@ -193,7 +195,7 @@ bool BoundaryDistance::isInside(Point point) const {
     if (!cell || sides_[*cell] != Side::Both) {
         return cell && sides_[*cell] == Side::Inside;
     }
-    // Cells of large fields are larger than the reach.
+    // In large fields, cells are larger than the reach.
     bool inside = false;
     for (const Edge& edge : edges_) {
         inside ^= meetsRay(point, edge.from, edge.from + edge.way);
@@ -212,7 +214,7 @@ std::span<const Point> BoundaryDistance::inwardCorners(double low, double high) 
 }
 
 std::optional<double> BoundaryDistance::insideM(Point point) const {
-    // The share of its edge and the square of its distance decide; only of the nearest more is wanted.
+    // The share along the edge and the squared distance decide. More is needed for the nearest edge only.
     double nearest = std::numeric_limits<double>::infinity();
     double nearestShare = 0.0;
     const Edge* edge = nullptr;
@@ -246,7 +248,7 @@ double BoundaryDistance::crossedM(Point around, const Ring& shape) const {
     for (const Point& corner : shape) {
         farM = std::max(farM, distance(around, corner));
     }
-    // An edge on whose line the shape only lies, as it does where a pass is flush with it, is not in it.
+    // An edge is not in the shape if the shape only touches its line, for example on a pass flush with it.
     const auto onlyTouches = [&](const Edge& edge) {
         double left = 0.0;
         double right = 0.0;
@@ -293,7 +295,8 @@ bool BoundaryDistance::reachInto(Point origin, Point along, const Bounds& rectan
     const auto isIn = [&](const Edge& edge) {
         const Point from{dot(along, edge.from - origin), cross(along, edge.from - origin)};
         const Point way{dot(along, edge.way), cross(along, edge.way)};
-        // The stretch of it between both pairs of sides (Liang & Barsky 1984, doi 10.1145/357332.357333).
+        // The stretch of the edge between both pairs of sides (Liang & Barsky 1984,
+        // doi 10.1145/357332.357333).
         double begins = 0.0;
         double ends = 1.0;
         const auto clip = [&](double at, double step, double low, double high) {
@@ -310,7 +313,7 @@ bool BoundaryDistance::reachInto(Point origin, Point along, const Bounds& rectan
         clip(from.y, way.y, inner.min.y, inner.max.y);
         return begins < ends;
     };
-    // Places on its middle line from which everything of it is within reach.
+    // Places on its middle line from which the whole rectangle is within reach.
     const double halfM = 0.5 * rectangle.height();
     const double apartM = 2.0 * std::sqrt(std::max(0.0, reachM_ * reachM_ - halfM * halfM));
     const auto count = std::max(1, static_cast<int>(std::ceil(rectangle.width() / apartM)));

@@ -8,8 +8,8 @@
 
 namespace furrow {
 
-/// Boxes in an order in which neighbours lie near each other, as the edges of rings do: halved again and again, each
-/// half with the box around it. Immutable; may be asked by several threads at once.
+/// Boxes in an order in which neighbours lie near each other, like the edges of rings. The order is halved
+/// again and again, and each half has a box around it. Immutable; thread-safe.
 class BoxTree {
 public:
     BoxTree() = default;
@@ -20,8 +20,8 @@ public:
         }
     }
 
-    /// Calls visit(index) for boxes that lie in boxes of which `matters(box)` holds, until it says true; says whether
-    /// it did.
+    /// Calls visit(index) for boxes inside boxes for which `matters(box)` holds, until it returns true.
+    /// Returns whether it did.
     template <class Matters, class Visit>
     bool any(const Matters& matters, const Visit& visit) const {
         return size_ > 0 && any(0, 0, size_, matters, visit);
@@ -35,7 +35,7 @@ private:
 
     struct Node {
         Bounds box;
-        std::size_t second = 0;  ///< of the upper half; the lower one comes next
+        std::size_t second = 0;  ///< index of the upper half; the lower half is the next node
     };
 
     std::size_t build(const std::vector<Bounds>& boxes, std::size_t first, std::size_t last) {
@@ -68,7 +68,7 @@ private:
     std::vector<Node> nodes_;
 };
 
-/// From a point to the nearest one of a box; 0 inside.
+/// The distance from a point to the nearest point of a box; 0 inside.
 inline double distanceM(Point point, const Bounds& box) {
     return std::hypot(std::max({box.min.x - point.x, 0.0, point.x - box.max.x}),
                       std::max({box.min.y - point.y, 0.0, point.y - box.max.y}));

@@ -18,7 +18,7 @@ Ring convexHull(std::span<const Point> points) {
             }
             hull.push_back(point);
         }
-        hull.pop_back();  // begins the other chain
+        hull.pop_back();  // it begins the other chain
     };
     if (sorted.size() < 3) {
         return sorted;
@@ -30,7 +30,7 @@ Ring convexHull(std::span<const Point> points) {
 }
 
 bool isConvex(std::span<const Point> ring) {
-    // A bend to the right that is shallower than a tenth of a millimetre is rounding of the coordinates.
+    // A bend to the right shallower than a tenth of a millimetre is rounding of the coordinates.
     constexpr double kRoundingM = 1e-4;
     for (std::size_t i = 0; i < ring.size(); ++i) {
         const Point a = ring[i];

@@ -6,11 +6,11 @@
 
 namespace furrow {
 
-/// The corners of the convex hull, counter-clockwise, without points on its edges. Fewer than three where
-/// the points lie on a line. Cost: O(n log n). Source: Andrew 1979, doi 10.1016/0020-0190(79)90072-3.
+/// The corners of the convex hull, counter-clockwise, without points on its edges. Fewer than three if the
+/// points lie on a line. Cost: O(n log n). Source: Andrew 1979, doi 10.1016/0020-0190(79)90072-3.
 Ring convexHull(std::span<const Point> points);
 
-/// Whether a ring, counter-clockwise, bends nowhere to the right by more than rounding.
+/// Whether a counter-clockwise ring never bends to the right, except for rounding.
 bool isConvex(std::span<const Point> ring);
 
 /// The least distance between two parallel lines that enclose a hull; always along one of its edges

@@ -13,7 +13,7 @@ namespace furrow {
 
 namespace {
 
-// GEOS asks this callback now and then from within its long loops.
+// GEOS calls this from time to time within its long loops.
 thread_local const JobContext* runningJob = nullptr;
 
 void interruptWhenStopped() {
@@ -148,8 +148,8 @@ Result<Geometry> run(const JobContext& job, const Operation& operation) {
     if (job.stopRequested()) {
         return std::unexpected(cancelled());
     }
-    // GEOS's interrupt flag is one for the whole process: another planner's request may end up here, and
-    // is then no reason to give up.
+    // GEOS has one interrupt flag for the whole process. The request of another planner may arrive here,
+    // which is no reason to give up.
     for (int attempt = 0; attempt < 8; ++attempt) {
         context().message.clear();
         runningJob = &job;
@@ -168,12 +168,12 @@ Result<Geometry> run(const JobContext& job, const Operation& operation) {
     return std::unexpected(failed());
 }
 
-// Beyond this many vertices a boundary is thinned before it is moved inwards.
+// A boundary with more vertices is thinned before it is moved inwards.
 constexpr std::size_t kDenseVertices = 20'000;
 constexpr double kLeastSlackM = 0.01;
 constexpr double kMostSlackM = 0.05;
 
-/// Segments in a quarter circle so that the arc's chords stay within the tolerance.
+/// The number of segments in a quarter circle with which the arc's chords stay within the tolerance.
 int quarterSegments(double radiusM, double toleranceM) {
     if (radiusM <= toleranceM) {
         return 2;
@@ -182,7 +182,7 @@ int quarterSegments(double radiusM, double toleranceM) {
     return std::clamp(static_cast<int>(std::ceil(std::numbers::pi / 2.0 / step)), 2, 64);
 }
 
-/// Of polygons or lines.
+/// For polygons or lines.
 template <class Shapes>
 Result<MultiPolygon> buffered(const Shapes& shapes, double distanceM, double toleranceM, const JobContext& job) {
     if (shapes.empty()) {
@@ -197,7 +197,7 @@ Result<MultiPolygon> buffered(const Shapes& shapes, double distanceM, double tol
         .transform([](const Geometry& result) { return fromGeos(result.get()); });
 }
 
-/// Polygons that enclose what its rings enclose, even-odd.
+/// Polygons with the same enclosed area as these rings, even-odd.
 Result<Geometry> validOf(const Geometry& shapes, const JobContext& job) {
     return run(job, [&] { return GEOSMakeValid_r(handle(), shapes.get()); });
 }
@@ -205,8 +205,8 @@ Result<Geometry> validOf(const Geometry& shapes, const JobContext& job) {
 using Overlay = GEOSGeometry* (*)(GEOSContextHandle_t, const GEOSGeometry*, const GEOSGeometry*);
 using GridOverlay = GEOSGeometry* (*)(GEOSContextHandle_t, const GEOSGeometry*, const GEOSGeometry*, double);
 
-/// On a grid where it has a size. GEOS's overlays on a grid are no substitute for those without: 0 skips
-/// their fallbacks against failures, -1 is a grid of a metre.
+/// Uses a grid if it has a size. GEOS's overlays on a grid cannot replace those without: 0 skips their
+/// fallbacks against failures, -1 is a grid of a metre.
 Result<MultiPolygon> combined(const MultiPolygon& a, const MultiPolygon& b, const JobContext& job,
                               Length grid, Overlay plain, GridOverlay snapping) {
     const auto overlaid = [&](const Geometry& first, const Geometry& second) {
@@ -237,7 +237,7 @@ Error notALine(const std::string& wkt) {
             .remedy = "write it like LINESTRING (4.1 52.0, 4.2 52.0)"};
 }
 
-/// Nothing where it is no WKT, or empty.
+/// Empty if the text is no WKT, or an empty geometry.
 Geometry fromWkt(const std::string& wkt) {
     GEOSWKTReader* const reader = GEOSWKTReader_create_r(handle());
     Geometry geometry{GEOSWKTReader_read_r(handle(), reader, wkt.c_str())};
@@ -245,7 +245,7 @@ Geometry fromWkt(const std::string& wkt) {
     return geometry && GEOSisEmpty_r(handle(), geometry.get()) == 1 ? Geometry{} : std::move(geometry);
 }
 
-/// Of a line or a point.
+/// The points of a line or a point.
 std::vector<Point> coordinatesOf(const GEOSGeometry* geometry) {
     const GEOSCoordSequence* const coordinates = GEOSGeom_getCoordSeq_r(handle(), geometry);
     unsigned count = 0;
@@ -281,8 +281,9 @@ Result<MultiPolygon> eroded(const MultiPolygon& polygons, Length distance, Lengt
     if (vertexCount(polygons) <= kDenseVertices) {
         return buffered(polygons, -distance.si(), tolerance.si(), job);
     }
-    // Where points lie closer than the offset by orders of magnitude, their offsets cross each other by the
-    // hundred million. A line within `slack` of the boundary, moved in by that much more, stays on the safe side.
+    // If points are closer than the offset by orders of magnitude, their offsets cross each other a hundred
+    // million times. A line within `slack` of the boundary, moved in by that much more, is a safe
+    // replacement.
     double slackM = std::clamp(distance.si() / 200.0, kLeastSlackM, kMostSlackM);
     const Geometry input = toGeos(polygons);
     while (true) {
@@ -291,7 +292,8 @@ Result<MultiPolygon> eroded(const MultiPolygon& polygons, Length distance, Lengt
             return std::unexpected(simple.error());
         }
         const MultiPolygon thinned = fromGeos(simple->get());
-        // Points that scatter by more than the slack stay, and would take GEOS seconds that no stop ends.
+        // Points that scatter by more than the slack stay. GEOS would take seconds for them, and no stop
+        // request ends these.
         if (vertexCount(thinned) <= kDenseVertices || slackM == kMostSlackM) {
             return buffered(thinned, -(distance.si() + slackM), tolerance.si(), job);
         }
@@ -332,7 +334,8 @@ Result<MultiPolygon> unionOf(const MultiPolygon& polygons, const JobContext& job
         if (error.code == ErrorCode::Cancelled) {
             return std::unexpected(error);
         }
-        // One of them crosses itself. Each by itself, since what two of them share belongs to the union.
+        // One of them crosses itself. Each is repaired alone, since the area shared by two belongs to the
+        // union.
         MultiPolygon sound;
         for (const Polygon& polygon : polygons) {
             const auto mended = validOf(toGeos(MultiPolygon{polygon}), job);
@@ -363,7 +366,7 @@ Result<MultiPolygon> cutAlong(const MultiPolygon& polygons, const std::vector<Po
     if (!faces) {
         return std::unexpected(faces.error());
     }
-    // Faces of holes and of what the lines enclose outside are no pieces.
+    // Faces of holes, and faces that the lines enclose outside, are not pieces.
     const GEOSPreparedGeometry* const prepared = GEOSPrepare_r(handle(), area.get());
     MultiPolygon pieces;
     for (Polygon& face : fromGeos(faces->get())) {
@@ -406,7 +409,7 @@ Result<std::optional<InvalidPlace>> findInvalidPlace(const MultiPolygon& polygon
         }
         GEOSFree_r(handle(), reason);
         GEOSGeom_destroy_r(handle(), place);
-        // Any geometry says that the check itself went well; none says it was interrupted.
+        // Any geometry means that the check finished. None means that it was interrupted.
         return valid == 2 ? nullptr : GEOSGeom_createEmptyPoint_r(handle());
     });
     if (!checked) {
@@ -455,8 +458,8 @@ Result<MultiPolygon> madeValid(const MultiPolygon& polygons, const JobContext& j
 struct PreparedArea::Impl {
     MultiPolygon polygons;
 
-    /// Prepared geometries build their indexes on first use, which must not happen in two threads at once:
-    /// every thread prepares its own and keeps it for as long as it asks the same area.
+    /// Prepared geometries build their indexes on first use, which must not happen in two threads at once. So
+    /// every thread prepares its own and keeps it as long as it uses the same area.
     struct PerThread {
         PerThread(const MultiPolygon& polygons, std::weak_ptr<const char> area)
             : owner{std::move(area)},
@@ -471,7 +474,7 @@ struct PreparedArea::Impl {
         const GEOSPreparedGeometry* prepared;
     };
     const PerThread& prepared() const {
-        // Two areas at a time: what is inside, and what is land at all.
+        // Two areas at a time: the area inside, and all land.
         thread_local std::array<std::unique_ptr<PerThread>, 2> cache;
         for (const auto& entry : cache) {
             if (entry && entry->owner.lock() == alive) {

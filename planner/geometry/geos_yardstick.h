@@ -5,15 +5,16 @@
 
 namespace furrow {
 
-/// What one heading gives by plain polygon geometry, as others compute it: nothing of it is used for planning.
+/// The figures of one heading by plain polygon geometry, as other programs compute it. Not used for planning.
 struct PlainFigures {
     int count = 0;
     Length length;
-    double coverage = 0.0;  ///< 0 where it was not asked for
+    double coverage = 0.0;  ///< 0 if not requested
 };
 
-/// The fastest plain way with GEOS, on one thread: the polygon's points are turned, one multi-line of all tracks is
-/// intersected with it; for the coverage the rectangles of the swaths are united and intersected with it, too.
+/// The fastest plain method with GEOS, on one thread. The polygon's points are rotated, and one multi-line of
+/// all tracks is intersected with it. For the coverage, the rectangles of the swaths are also united and
+/// intersected with it.
 /// @param withCoverage  otherwise count and length only
 PlainFigures plainFigures(const Polygon& mainland, Length width, Angle heading, bool withCoverage);
 

@@ -19,13 +19,14 @@ constexpr double dot(Point a, Point b) {
     return a.x * b.x + a.y * b.y;
 }
 
-/// Positive where b lies to the left of a.
+/// Positive if b lies to the left of a.
 constexpr double cross(Point a, Point b) {
     return a.x * b.y - a.y * b.x;
 }
 
 inline double norm(Point a) {
-    // Fields are no larger than squares of doubles; hypot() guards against more and takes five times as long.
+    // Fields are small enough to square their coordinates. hypot() guards against overflow and takes five
+    // times as long.
     return std::sqrt(a.x * a.x + a.y * a.y);
 }
 

@@ -10,7 +10,7 @@ double signedAreaM2(std::span<const Point> ring) {
     if (ring.size() < 3) {
         return 0.0;
     }
-    // Relative to the first point: no cancellation for rings far from the origin.
+    // Relative to the first point, to avoid cancellation for rings far from the origin.
     const Point origin = ring.front();
     double twice = 0.0;
     for (std::size_t i = 1; i + 1 < ring.size(); ++i) {

@@ -15,7 +15,8 @@ using Ring = std::vector<Point>;
 /// A line of at least two points in metres.
 using Polyline = std::vector<Point>;
 
-/// Outer ring counter-clockwise, holes clockwise, nothing crosses itself. Whoever makes one keeps that.
+/// Outer ring counter-clockwise, holes clockwise, without crossings. The maker of a Polygon has to ensure
+/// that.
 struct Polygon {
     Ring outer;
     std::vector<Ring> holes;
@@ -47,7 +48,7 @@ Bounds bounds(const MultiPolygon& polygons);
 
 double lengthM(std::span<const Point> line);
 
-/// Even-odd; of a point on an edge either answer. Cost: one look at each edge.
+/// Even-odd rule; on an edge either answer. Cost: one test of each edge.
 bool isInside(std::span<const Point> ring, Point point);
 bool isInside(const Polygon& polygon, Point point);
 bool isInside(const MultiPolygon& polygons, Point point);

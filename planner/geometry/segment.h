@@ -7,7 +7,7 @@
 
 namespace furrow {
 
-/// The point of the segment from a to b that is nearest to p; a where both are one.
+/// The point of the segment from a to b nearest to p. It is a if a and b are the same.
 inline Point nearestOnSegment(Point p, Point a, Point b) {
     const Point along = b - a;
     const double squared = dot(along, along);
@@ -15,8 +15,8 @@ inline Point nearestOnSegment(Point p, Point a, Point b) {
     return a + share * along;
 }
 
-/// Whether the ray from p along x meets the segment from a to b. Of the edges of a ring an odd number does where p is
-/// inside.
+/// Whether the ray from p along x meets the segment from a to b. If p is inside a ring, the ray meets an odd
+/// number of its edges.
 inline bool meetsRay(Point p, Point a, Point b) {
     return (a.y > p.y) != (b.y > p.y) && p.x < a.x + (b.x - a.x) * (p.y - a.y) / (b.y - a.y);
 }
@@ -25,8 +25,8 @@ inline double distanceToSegment(Point p, Point a, Point b) {
     return distance(p, nearestOnSegment(p, a, b));
 }
 
-/// How far ahead of a, and how far behind b, the line from a along `in` meets the one from b along `out`; not finite
-/// where they are parallel.
+/// The line from a along `in` meets the line from b along `out`. Returns the distance of that point ahead of
+/// a, and behind b. Not finite if they are parallel.
 inline std::pair<double, double> toMeeting(Point a, Point in, Point b, Point out) {
     const double sine = cross(in, out);
     return {cross(b - a, out) / sine, cross(in, b - a) / sine};

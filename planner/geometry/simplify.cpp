@@ -13,7 +13,7 @@ Polyline simplified(const Polyline& line, Length tolerance) {
     }
     std::vector<bool> stays(line.size(), false);
     stays.front() = stays.back() = true;
-    // A stack of its own: long spirals would nest as deep as they have points.
+    // An explicit stack. With recursion, long spirals would nest as deep as their number of points.
     std::vector<std::pair<std::size_t, std::size_t>> open{{0, line.size() - 1}};
     while (!open.empty()) {
         const auto [first, last] = open.back();

@@ -4,12 +4,12 @@
 
 namespace furrow {
 
-/// The line with fewer points: those stay without which it would run more than `tolerance` beside itself, first
-/// and last always (Douglas and Peucker 1973, doi 10.3138/FM57-6770-U75U-7727).
-/// Cost: O(n log n) for usual lines, O(n²) at worst.
+/// The line with fewer points. A point stays if the line would otherwise move by more than `tolerance`; first
+/// and last always stay (Douglas and Peucker 1973, doi 10.3138/FM57-6770-U75U-7727). Cost: O(n log n) for
+/// usual lines, O(n²) at worst.
 Polyline simplified(const Polyline& line, Length tolerance);
 
-/// The ring likewise; its first point stays.
+/// The same for a ring. Its first point stays.
 Ring simplifiedRing(Ring ring, Length tolerance);
 
 }  // namespace furrow

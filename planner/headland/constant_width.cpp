@@ -11,7 +11,7 @@ namespace furrow {
 
 namespace {
 
-// What a width has beyond its passes.
+// Smallest width beyond the passes that is reported.
 constexpr Length kWorthTelling = metres(0.05);
 
 int passesForTurns(const HeadlandTask& task) {

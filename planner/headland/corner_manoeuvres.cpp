@@ -16,17 +16,17 @@ namespace furrow {
 
 namespace {
 
-// Curves flatter than this many radii are no corners.
+// Curves with a radius above 2 machine radii are no corners.
 constexpr double kCornerRadii = 2.0;
 constexpr double kSmallestCornerRad = std::numbers::pi / 4.0;
-// What turns by more is a loop round something, not a corner.
+// A larger turn is a loop round something, not a corner.
 constexpr double kLargestCornerRad = 5.0 * std::numbers::pi / 6.0;
-// Into a sharp corner it is driven no farther than so many widths past the point where the sides meet.
+// Into a sharp corner the machine drives no farther than 2 widths past the point where the sides meet.
 constexpr double kMostWidthsOnward = 2.0;
-// Straights shorter than this between arcs belong to the corner.
+// A straight shorter than this between arcs belongs to the corner.
 constexpr double kLeastStraightM = 0.5;
 constexpr double kStepM = 0.1;
-// Made again, a ring has its poses where they were but for rounding.
+// A ring that is made again has the same poses except for rounding.
 constexpr double kSamePlaceM = 1e-9;
 constexpr double kSameHeadingRad = 1e-9;
 
@@ -42,7 +42,7 @@ Pose poseBefore(const Turn& line, std::size_t piece) {
     return pose;
 }
 
-/// The same closed line from where its first straight begins: no corner is cut in two by its start.
+/// The same closed line, starting at its first straight. So its start does not cut a corner in two.
 Turn fromAStraight(const Turn& line) {
     const auto first = std::ranges::find_if(line.pieces, [](const TurnPiece& piece) {
         return piece.curvature == Curvature{} && piece.length.si() >= kLeastStraightM;
@@ -56,11 +56,12 @@ Turn fromAStraight(const Turn& line) {
     return turned;
 }
 
-/// How a corner is driven: past the point where its two sides meet, and from before it on the next side.
+/// A manoeuvre at a corner: onwards past the point where its two sides meet, and back before that point on
+/// the next side.
 struct Manoeuvre {
-    Length onward;   ///< worked beyond where the rounding began
+    Length onward;   ///< worked beyond the start of the rounding
     Turn turn;
-    Length back;     ///< worked before where the rounding ended
+    Length back;     ///< worked before the end of the rounding
 };
 
 std::optional<Manoeuvre> manoeuvre(const Turn& line, const RoundedCorner& corner, CornerMethod method,
@@ -70,9 +71,9 @@ std::optional<Manoeuvre> manoeuvre(const Turn& line, const RoundedCorner& corner
     const Pose exit = poseBefore(line, corner.lastPiece + 1);
     const Point in = direction(entry.heading.si());
     const Point out = direction(exit.heading.si());
-    // From the start of the rounding to where the sides meet, and from there to its end.
+    // From the start of the rounding to the meeting point of the sides, and from there to its end.
     const auto [toCorner, fromCorner] = toMeeting(entry.position, in, exit.position, out);
-    // The outer edges of both sides meet so far beyond their middles.
+    // The distance from the meeting point of the middles to that of the outer edges.
     const double width = machine.operatingWidth().si();
     const double beyond =
         std::min(0.5 * width * std::tan(0.5 * std::abs(corner.turn.si())), kMostWidthsOnward * width);
@@ -89,11 +90,11 @@ std::optional<Manoeuvre> manoeuvre(const Turn& line, const RoundedCorner& corner
         }
         return best;
     };
-    // On the next side it needs its run-in before it is lowered.
+    // On the next side it needs its run-in before the implement is lowered.
     const double runIn = machine.runIn().si();
     const double mostOnward = farthest(entry, 1.0, toCorner + beyond + lead);
     const double mostBack = farthest(exit, -1.0, fromCorner + beyond - lead + runIn);
-    // Where there is no way from as far as that, from less far.
+    // If no way exists from the farthest place, try nearer places.
     for (const double share : {1.0, 0.75, 0.5, 0.25}) {
         const double kept = (1.0 - share) * beyond;
         const double onward = std::max(0.0, mostOnward - kept);
@@ -103,14 +104,14 @@ std::optional<Manoeuvre> manoeuvre(const Turn& line, const RoundedCorner& corner
         }
         const Pose from{.position = entry.position + onward * in, .heading = entry.heading};
         const Pose to{.position = exit.position - back * out, .heading = exit.heading};
-        // Of a machine that cannot reverse the last are forward turns as well.
+        // For a machine that cannot reverse, the third kind is a forward turn as well.
         const Turn turn = method == CornerMethod::Searched ? ways.between(rig, from, to, job)
                           : method == CornerMethod::Loop   ? connection(from, to, machine, kDubinsMethod.run)
                                                            : connection(from, to, machine, kReedsSheppMethod.run);
         if (rig.driven(Rig::inLine(from), turn)) {
             return Manoeuvre{metres(onward), turn, metres(back)};
         }
-        // A machine that gets back out of where it drove in does so from as far as it fits.
+        // A machine that can reverse drives in as far as it fits. A nearer place would not help it.
         if (canReverse(machine)) {
             break;
         }
@@ -209,7 +210,7 @@ std::vector<PassStretch> withCorners(const Turn& closed, CornerMethod method, co
     }
     std::erase_if(stretches, [](const PassStretch& stretch) { return stretch.line.pieces.empty(); });
     if (stretches.size() > 1 && stretches.front().working && stretches.back().working) {
-        // Where the line closes there is no corner.
+        // The line closes here without a corner.
         Turn& across = stretches.front().line;
         const Turn& closing = stretches.back().line;
         across.start = closing.start;

@@ -8,24 +8,24 @@
 
 namespace furrow {
 
-/// A place where a rounded pass leaves a corner uncut.
+/// A corner that a rounded pass leaves uncut.
 struct RoundedCorner {
-    std::size_t firstPiece = 0;  ///< of the line: the arcs that round it
+    std::size_t firstPiece = 0;  ///< of the line: the first arc that rounds it
     std::size_t lastPiece = 0;
     Angle turn;                  ///< positive to the left
-    Point place;                 ///< between where the rounding begins and ends
+    Point place;                 ///< the middle between the ends of the rounding
     Length radius;               ///< on average
 };
 
 /// Corners of at least 45 degrees that are rounded with less than twice the machine's radius.
 std::vector<RoundedCorner> roundedCorners(const Turn& line, Length radius);
 
-/// Area that a pass of this width leaves in a corner: (tan(a/2) - a/2) (R + w/2)², at a right angle
-/// (1 - pi/4) (R + w/2)².
+/// The area that a pass of this width leaves in a corner: (tan(a/2) - a/2) (R + w/2)². At a right angle this
+/// is (1 - pi/4) (R + w/2)².
 Area uncutCorner(const RoundedCorner& corner, Length width);
 
-/// Ways from where a machine has driven into a corner to where it goes on. A ring is often made again with fewer of its
-/// corners driven into: at the others the ways are the same.
+/// Ways from the end of the drive into a corner to the start on the next side. A ring is often made again
+/// with fewer driven corners. The ways at the others are then the same.
 class CornerWays {
 public:
     Turn between(const Rig& rig, const Pose& from, const Pose& to, const JobContext& job);
@@ -41,12 +41,13 @@ private:
 
 enum class CornerMethod { Rounded, Loop, Reverse, Searched };
 
-/// A closed pass whose corners are driven into where there is room: straight on as far as the footprint stays
-/// inside, then with the implement up round a loop (forwards), with a change of gear or by whatever way is found
-/// to as far back as it fits on the next side. Corners without room stay rounded.
-/// @param wanted  whether a corner is to be driven into at all
-/// @param ways    those of the same machine and drivable area
-/// @param left    which stayed rounded
+/// A closed pass that is driven into its corners if there is room. It goes straight on as far as the
+/// footprint stays inside. Then, with the implement up, it drives a loop (forwards), reverses, or takes the
+/// way that a search finds. It continues on the next side from as far back as it fits. Corners without room
+/// stay rounded.
+/// @param wanted  whether to drive into a corner at all
+/// @param ways    of the same machine and drivable area
+/// @param left    corners that stayed rounded
 std::vector<PassStretch> withCorners(const Turn& closed, CornerMethod method, const MultiPolygon& drivable,
                                      const Machine& machine, const std::function<bool(const RoundedCorner&)>& wanted,
                                      CornerWays& ways, std::vector<RoundedCorner>& left, const JobContext& job);

@@ -17,24 +17,24 @@ namespace {
 
 constexpr double kStepM = 0.25;
 constexpr double kClosestM = 0.05;
-// Kept from the edge for what the first order leaves out, but for lines that are flush with it anyway.
+// Kept from the edge for the error of the first order. Lines that are flush with the edge do not need it.
 constexpr double kReserveM = 0.01;
 constexpr double kFlushM = 1e-3;
-// Where the line bends more than this share of what the machine can, it moves in only.
+// A station that bends more than this share of the machine's sharpest bend can only move in.
 constexpr double kBentShare = 0.5;
-// Moves by less change nothing.
+// Smaller moves are ignored.
 constexpr double kSettledM = 2e-5;
 constexpr int kMostRounds = 1000;
-// How often and by how much of what is missing both sides of a bend towards the edge move in, too.
+// Number of rounds in which both sides of a bend towards the edge move in, and their share of the excess.
 constexpr int kGivingRounds = 20;
 constexpr double kGiven = 0.5;
-// Of what the machine can; the rest is for rounding the points again.
+// Share of the machine's sharpest curvature. The rest is for rounding the points again.
 constexpr double kCurvatureShare = 0.95;
 
 /// A corner of the footprint on the side of the edge, or the middle of that side.
 struct Feeler {
     Point at;
-    std::vector<double> outsideM;  ///< of every station, negative inside
+    std::vector<double> outsideM;  ///< at every station, negative inside
 };
 
 std::vector<Feeler> feelersOf(const Machine& machine) {
@@ -50,7 +50,7 @@ std::vector<Feeler> feelersOf(const Machine& machine) {
     return feelers;
 }
 
-/// Places along a line. An arc that is left out is one place, the point where its two sides meet.
+/// A place along a line. An arc that is left out is one station, at the point where its two sides meet.
 struct Station {
     Pose pose;
     bool isLeftOut = false;
@@ -79,11 +79,11 @@ std::vector<Station> stationsOf(const Turn& line, const FollowingRules& rules) {
     return stations;
 }
 
-/// Numbers in order: the few that are in it are found without looking at all that are not.
+/// An ordered set of numbers. It finds its members without testing each missing number.
 class NumberSet {
 public:
     NumberSet() = default;
-    /// All below `size`.
+    /// All numbers below `size`.
     explicit NumberSet(std::size_t size) : words_((size + kBits - 1) / kBits, ~Word{0}) {
         if (size % kBits != 0) {
             words_.back() = (Word{1} << size % kBits) - 1;
@@ -93,7 +93,7 @@ public:
     void add(std::size_t i) { words_[i / kBits] |= Word{1} << i % kBits; }
     void remove(std::size_t i) { words_[i / kBits] &= ~(Word{1} << i % kBits); }
 
-    /// The least that is not below `i`.
+    /// The least member that is not below `i`.
     std::optional<std::size_t> from(std::size_t i) const {
         Word mask = ~Word{0} << i % kBits;
         for (std::size_t w = i / kBits; w < words_.size(); ++w, mask = ~Word{0}) {
@@ -103,7 +103,7 @@ public:
         }
         return std::nullopt;
     }
-    /// The greatest that is below `i`.
+    /// The greatest member below `i`.
     std::optional<std::size_t> below(std::size_t i) const {
         Word mask = (Word{1} << i % kBits) - 1;
         for (std::size_t w = std::min(i / kBits, words_.size()); true; mask = ~Word{0}) {
@@ -122,7 +122,7 @@ private:
     std::vector<Word> words_;
 };
 
-/// What tail and nose ask of each other's stations, and its least solution.
+/// The demands of tail and nose on neighbouring stations, and their least solution.
 class WayIn {
 public:
     WayIn(std::vector<Station> stations, const BoundaryDistance& edges, const Machine& machine, Length beside)
@@ -148,11 +148,12 @@ public:
         pending_ = NumberSet{stations_.size()};
     }
 
-    /// The least way in of every station that leaves nothing outside and bends no more than the machine can.
+    /// Finds the least way in at every station with nothing outside and no bend sharper than the machine can
+    /// drive.
     void solve() {
         settle();
-        // Moving in somewhere more than before and after bends it the other way. There is no least way to mend that:
-        // both sides give a little, a few times.
+        // A station that has moved in more than its neighbours bends the line the other way. There is no
+        // least solution, so both neighbours give a little, for several rounds.
         for (int round = 0; round < kGivingRounds; ++round) {
             for (std::size_t i = 0; i < stations_.size(); ++i) {
                 const auto [meanM, sagM] = besideNeighbours(i);
@@ -200,7 +201,7 @@ private:
         }
     }
 
-    /// What a station would have if its line bent as its neighbours' do, and how far a radius lets it be from there.
+    /// The value at a station if its line bent like its neighbours', and the sag for one unit of curvature.
     std::pair<double, double> besideNeighbours(std::size_t i) const {
         const double beforeM = stepM_[last(i)];
         const double meanM = (stepM_[i] * inM_[last(i)] + beforeM * inM_[next(i)]) / (beforeM + stepM_[i]);
@@ -220,7 +221,7 @@ private:
                 raise(i, feeler.outsideM[i]);
             }
         }
-        // Moving in before and after a corner more than in it bends the line more.
+        // Neighbours that move in more than a corner bend the line more.
         if (!stations_[i].isLeftOut) {
             const auto [meanM, sagM] = besideNeighbours(i);
             raise(i, meanM - sagM * (sharpest_ - bend_[i]));
@@ -241,11 +242,11 @@ private:
     std::vector<Station> stations_;
     std::vector<Feeler> feelers_;
     double sharpest_;             ///< 1/m
-    double mostM_ = 0.0;          ///< where more would be needed the line does not fit anyway
+    double mostM_ = 0.0;          ///< a larger value means that the line does not fit anyway
     std::vector<double> stepM_;   ///< to the next station
     std::vector<double> bend_;    ///< 1/m
     std::vector<double> inM_;
-    NumberSet pending_;           ///< stations whose neighbourhood has changed since they asked
+    NumberSet pending_;           ///< stations whose neighbourhood has changed since their last turn
     bool changed_ = true;
 };
 

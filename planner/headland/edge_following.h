@@ -9,25 +9,26 @@
 
 namespace furrow {
 
-/// Where and how a line follows.
+/// Rules for a line that follows an edge.
 struct FollowingRules {
-    Length beside;  ///< what the footprint keeps from the edge
-    /// Around these the line stays as it is: what is outside there is seen to otherwise.
+    Length beside;  ///< distance that the footprint keeps from the edge
+    /// The line stays unchanged near these points. Another manoeuvre takes it inside there.
     std::span<const Point> leftOut;
     double aroundM = 0.0;
 
     bool leavesOut(Point place) const;
 };
 
-/// A closed line with the field on its left, moved as near to the edge on its right as tail and nose let it: of all
-/// curves beside it the one that lies farthest out everywhere. A corner of the footprint at x ahead of the axle is
-/// d + x d' farther in where the line has moved in by d, so that each asks for a least d one step on (nose) or back
-/// (tail) that grows with d itself; what satisfies all of these has a least element, found by going round until nothing
-/// changes. The same holds for the smallest radius in bends away from the edge; in bends towards it both sides move in a
-/// little. To first order: what is still outside by little is left to the caller.
+/// Moves a closed line, the field on its left, as near to the edge on its right as tail and nose allow. The
+/// result is the curve that lies farthest out everywhere. d is the distance by which a station has moved in.
+/// A corner of the footprint at x ahead of the axle is then d + x d' farther in. Each corner therefore
+/// demands a least d at the next station (nose) or the previous one (tail), and this demand grows with d. All
+/// demands together have a least solution; repeated rounds find it. The smallest radius in bends away from
+/// the edge is such a demand, too. In bends towards the edge both sides move in a little. The method is of
+/// first order: the caller corrects small remaining errors.
 ///
-/// @param edges  reaches farther than the footprint swings out
-/// @return points no farther apart than 0.25 m. Cost: corners of the footprint times points, a few times.
+/// @param edges  its range is larger than the swing of the footprint
+/// @return points no farther apart than 0.25 m. Cost: a few times corners of the footprint times points.
 Ring followingTheEdge(const Turn& line, const BoundaryDistance& edges, const Machine& machine, const FollowingRules& rules);
 
 }  // namespace furrow

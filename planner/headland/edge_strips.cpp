@@ -61,7 +61,7 @@ std::optional<std::size_t> EdgeStrips::ahead(const Pose& pose, Length within) co
         [&](std::size_t i) {
             const Point along = strips_[i].to - strips_[i].from;
             const auto [aheadM, backShare] = toMeeting(pose.position, way, strips_[i].from, along);
-            // Behind the edge's start by minus the share of it.
+            // Distance behind the start of the edge, as a negative share of the edge.
             if (aheadM >= 0.0 && aheadM <= leastM && backShare <= 0.0 && backShare >= -1.0) {
                 leastM = aheadM;
                 first = i;
@@ -73,7 +73,7 @@ std::optional<std::size_t> EdgeStrips::ahead(const Pose& pose, Length within) co
 
 Result<MultiPolygon> withoutStrips(const MultiPolygon& workable, std::span<const EdgeStrip> strips,
                                    const JobContext& job) {
-    // Edges that follow on each other are one line: fewer, and without seams.
+    // Edges that follow on each other are one line: fewer buffers, and no seams.
     std::map<double, std::vector<Polyline>> linesByWidth;
     for (const EdgeStrip& strip : strips) {
         if (strip.width <= Length{}) {

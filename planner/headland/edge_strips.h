@@ -9,18 +9,18 @@
 
 namespace furrow {
 
-/// Strips along edges, to be found by place. Immutable.
+/// Strips along edges, searchable by place. Immutable.
 class EdgeStrips {
 public:
     explicit EdgeStrips(std::vector<EdgeStrip> strips);
 
-    /// One for each edge of polygons, all of the same width.
+    /// One strip for each edge of the polygons, all of the same width.
     static std::vector<EdgeStrip> along(const MultiPolygon& polygons, Length width, int passes);
 
     const std::vector<EdgeStrip>& all() const { return strips_; }
-    /// Of the edge nearest to a point. Cost: O(log n). There has to be one.
+    /// The strip of the edge nearest to a point. At least one strip must exist. Cost: O(log n).
     std::size_t nearest(Point point) const;
-    /// Of the first edge that is met from a pose straight ahead within this length.
+    /// The strip of the first edge straight ahead of a pose, within this length.
     std::optional<std::size_t> ahead(const Pose& pose, Length within) const;
 
 private:
@@ -28,8 +28,8 @@ private:
     BoxTree tree_;
 };
 
-/// What strips along their edges leave of the field; around the ends of an edge a strip is round. Cost: a GEOS buffer
-/// for each width there is. Cancelled.
+/// The field less the strips along its edges. A strip is round at the ends of its edge. Cost: one GEOS buffer
+/// for each different width. Cancelled.
 Result<MultiPolygon> withoutStrips(const MultiPolygon& workable, std::span<const EdgeStrip> strips,
                                    const JobContext& job);
 

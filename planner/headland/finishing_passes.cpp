@@ -21,23 +21,23 @@ namespace furrow {
 namespace {
 
 constexpr std::size_t kMostPasses = 128;
-// A pass that gains less, as a share of the square of its width, is not worth lowering the implement for.
+// Least gain worth lowering the implement for, as a share of the square of the width.
 constexpr double kLeastGainShare = 0.02;
 constexpr double kLookM = 0.15;
 constexpr double kTouchingM = 1e-3;
-// Beside an edge it keeps a finger's breadth, to get away from there again.
+// Distance kept from an edge, so that the machine can leave it again.
 constexpr double kBesideEdgeM = 0.02;
-// Edges that are shorter, as a share of the width, say nothing about where a pass could run.
+// Shorter edges, as a share of the width, give no direction for a pass.
 constexpr double kShortestEdgeShare = 0.3;
-// A pass goes no farther beyond the edge it lies beside than so many widths.
+// A pass goes no farther than 4 widths beyond the edge it lies beside.
 constexpr double kBeyondWidths = 4.0;
-// Edges no farther from a piece than this lie beside it.
+// Edges within this distance lie beside a piece.
 constexpr double kNearM = 0.5;
-// Passes that begin and end closer to each other than this share of the width are one.
+// Passes whose ends are closer than this share of the width are equal.
 constexpr double kSamePassShare = 0.15;
-// How much farther in than flush with an edge a pass may lie, as shares of the width.
+// Distances of a pass from its flush position beside an edge, as shares of the width.
 constexpr std::array kAside{0.0, 0.04, 0.1, 0.2, 0.4};
-// Passes over a piece in any direction: in so many, and so far beside each other, as a share of the width.
+// Passes over a piece: number of headings, and distance between neighbours as a share of the width.
 constexpr int kHeadings = 24;
 constexpr double kStepShare = 0.125;
 
@@ -54,7 +54,7 @@ Ring stripOf(const Candidate& candidate, double widthM) {
     return {candidate.from - side, candidate.to - side, candidate.to + side, candidate.from + side};
 }
 
-/// Of the vehicle's reference point.
+/// The line of the vehicle's reference point.
 Turn lineOf(const Candidate& candidate, const Machine& machine) {
     const Point way = candidate.to - candidate.from;
     return {.type = {},
@@ -66,8 +66,8 @@ Point halfWay(const Turn& line) {
     return partOf(line, {}, 0.5 * line.length()).end().position;
 }
 
-/// What of a ring lies on the left of a line (Sutherland & Hodgman 1974, doi 10.1145/360767.360802). Parts that come
-/// apart stay joined by edges without area between them.
+/// The part of a ring on the left of a line (Sutherland & Hodgman 1974, doi 10.1145/360767.360802). Separate
+/// parts stay joined by edges without area between them.
 Ring leftOf(const Ring& ring, Point on, Point along) {
     Ring kept;
     for (std::size_t i = 0; i < ring.size(); ++i) {
@@ -85,7 +85,7 @@ Ring leftOf(const Ring& ring, Point on, Point along) {
     return kept;
 }
 
-/// A line that a pass might follow, from one end of what it was taken from to the other.
+/// A line for passes, as long as the edge, chord or side it comes from.
 struct Guide {
     Point on;
     Point along;  ///< unit vector
@@ -109,7 +109,7 @@ std::vector<Guide> guidesFor(const Polygon& piece, const MultiPolygon& workable,
     };
     const auto addRing = [&](const Ring& ring) {
         for (std::size_t i = 0; i < ring.size(); ++i) {
-            // The edge itself, and the chord over as many edges as make one long enough.
+            // The edge itself, and the chord over enough edges to be long enough.
             std::size_t next = i + 1;
             while (next < i + ring.size() && distance(ring[i], ring[next % ring.size()]) < widthM) {
                 ++next;
@@ -135,17 +135,17 @@ std::vector<Guide> guidesFor(const Polygon& piece, const MultiPolygon& workable,
     return guides;
 }
 
-/// A stretch of a line beside something that is left.
+/// A stretch of a line beside land that is left.
 struct Lane {
     Point on;
     Point along;  ///< unit vector
     double fromM = 0.0;
     double toM = 0.0;
     double gainM2 = 0.0;  ///< at most
-    bool isFree = false;  ///< the machine is known to have room on it
+    bool isFree = false;  ///< known to have room for the machine
 };
 
-/// What is left, with the boxes of its pieces.
+/// The land that is left, with the boxes of its pieces.
 struct Left {
     explicit Left(MultiPolygon all) : pieces{std::move(all)} {
         for (const Polygon& piece : pieces) {
@@ -159,7 +159,7 @@ struct Left {
         const Bounds& own = boxes[piece];
         return own.min.x <= box.max.x && own.max.x >= box.min.x && own.min.y <= box.max.y && own.max.y >= box.min.y;
     }
-    /// Without what one more pass works.
+    /// The land left after one more pass.
     Result<MultiPolygon> without(const MultiPolygon& worked, const JobContext& job) const {
         const Bounds box = bounds(worked);
         MultiPolygon near;
@@ -198,14 +198,15 @@ public:
         });
     }
 
-    /// Every stretch beside a piece on which a pass would be worth it, were there room.
+    /// Every stretch beside a piece on which a pass would gain enough. Room is not checked yet.
     std::vector<Lane> lanesBeside(const Polygon& piece) const {
         std::vector<Lane> lanes;
         for (const Guide& guide : guidesFor(piece, task_.workable, widthM_)) {
             for (const double sign : {1.0, -1.0}) {
                 const Point along = sign * guide.along;
                 const Point begin = sign > 0.0 ? guide.on : guide.on + guide.lengthM * guide.along;
-                // Rings have the field on their left: beside an edge, and farther in where that bends inwards.
+                // Rings have the field on their left. Lanes lie beside an edge, and farther in for edges that
+                // bend inwards.
                 for (const double share : kAside) {
                     const double asideM = sign * (flushM_ + share * widthM_);
                     addLane(piece, begin + asideM * Point{-along.y, along.x}, along, guide.lengthM, lanes);
@@ -215,7 +216,7 @@ public:
         return lanes;
     }
 
-    /// And every stretch over it, whatever runs beside it.
+    /// Every stretch over a piece, in all headings, independent of the edges beside it.
     std::vector<Lane> lanesAcross(const Polygon& piece) const {
         std::vector<Lane> lanes;
         for (int i = 0; i < kHeadings; ++i) {
@@ -231,9 +232,9 @@ public:
         return lanes;
     }
 
-    /// The pass along a lane over what is left beside it now; nothing where it is not worth it.
+    /// The pass along a lane over the land still left beside it. Empty if it gains too little.
     std::optional<Candidate> passAlong(const Lane& lane, const Left& left) const {
-        // Of its run-in it works nothing.
+        // The run-in works nothing.
         const Point from = lane.on + (lane.fromM + runInM_) * lane.along;
         const Point to = lane.on + lane.toM * lane.along;
         const Ring strip = stripOf({.from = from, .to = to}, widthM_);
@@ -278,7 +279,7 @@ public:
         double knownToM = -std::numeric_limits<double>::infinity();
         for (double m = lane.fromM;; m += kLookM) {
             const double here = std::min(m, lane.toM);
-            // What is inside or outside by so much is so for as much of the way.
+            // A place that is inside or outside by a distance stays so for the same distance along the lane.
             if (here >= knownToM) {
                 const double room = roomM(here);
                 isFree = room >= -kTouchingM;
@@ -323,10 +324,11 @@ private:
         });
     }
 
-    /// In between the places that were looked at, too.
+    /// Also checks between the sampled places.
     bool isClear(const Turn& line) const { return task_.lowered.driven(Rig::inLine(line.start), line).has_value(); }
 
-    /// Along a line as far as the piece lies beside it, not far beyond the guide, with the run-in before it.
+    /// Adds the lane along a line as far as the piece lies beside it, not far beyond the guide, with the
+    /// run-in before it.
     void addLane(const Polygon& piece, Point on, Point along, double lengthM, std::vector<Lane>& lanes) const {
         const Point side = (0.5 * widthM_) * Point{-along.y, along.x};
         const double beyondM = kBeyondWidths * widthM_;
@@ -351,7 +353,7 @@ private:
     double runInM_;
 };
 
-/// What has been chosen, lines of the vehicle's reference point, and what that leaves.
+/// The chosen passes as lines of the vehicle's reference point, and the land that they leave.
 struct Chosen {
     std::vector<Turn> passes;
     Left left;
@@ -365,8 +367,9 @@ bool isTooMuch(const FinishingTask& task, const Left& left) {
     return isTooMuchInAll(task, left) || left.largest > task.mayStayInOnePiece;
 }
 
-/// The pass that gains most, again and again, while too much is left. The more is worked the less there is to gain
-/// anywhere: what is the best when looked at again is the best of all (Minoux 1978, doi 10.1007/BFb0006528).
+/// Takes the pass with the largest gain, again and again, while too much is left. Each pass can only lower
+/// the other gains. A lane that is still the best after its gain is recomputed is therefore the best of all
+/// (Minoux 1978, doi 10.1007/BFb0006528).
 Result<void> chooseBest(std::vector<Lane> lanes, const Chooser& chooser, const FinishingTask& task, Chosen& chosen,
                         const JobContext& job) {
     const auto less = [](const Lane& a, const Lane& b) { return a.gainM2 < b.gainM2; };
@@ -382,7 +385,7 @@ Result<void> chooseBest(std::vector<Lane> lanes, const Chooser& chooser, const F
             lanes.push_back(one);
             std::ranges::push_heap(lanes, less);
         };
-        // Most are never the best: where there is room on them is not asked before.
+        // Most lanes are never the best. Their room is therefore checked only here.
         if (!lane.isFree) {
             std::ranges::for_each(chooser.freeLanes(lane), putBack);
             continue;
@@ -401,7 +404,7 @@ Result<void> chooseBest(std::vector<Lane> lanes, const Chooser& chooser, const F
             return std::unexpected(rest.error());
         }
         Left after{std::move(*rest)};
-        // Once enough is worked in all only what makes a large piece smaller is of use.
+        // Once enough is worked in total, only a pass that makes a large piece smaller is useful.
         if (isTooMuchInAll(task, chosen.left) || after.largest < chosen.left.largest) {
             chosen.passes.push_back(lineOf(*found, task.lowered.machine()));
             chosen.left = std::move(after);
@@ -411,7 +414,7 @@ Result<void> chooseBest(std::vector<Lane> lanes, const Chooser& chooser, const F
     return {};
 }
 
-/// Round on full lock over what lies at the edges, piece by piece, the largest first.
+/// Adds passes on full lock over land at the edges, piece by piece, the largest first.
 Result<void> chooseBends(const Chooser& chooser, const FinishingTask& task, const BoundaryDistance& edges, Chosen& chosen,
                          const JobContext& job) {
     const auto isAtEdge = [&](const Polygon& piece) {

@@ -10,22 +10,23 @@ namespace furrow {
 
 extern const Parameter kHeadlandFinish;
 
-/// What other passes leave, and how much of it may stay.
+/// The land that other passes leave, and the amount that may stay.
 struct FinishingTask {
     const MultiPolygon& workable;  ///< the field less its obstacles and the margin
-    const MultiPolygon& left;      ///< not worked although it is within reach, largest first
-    Area mayStay;                  ///< in all
+    const MultiPolygon& left;      ///< not worked although within reach, largest first
+    Area mayStay;                  ///< in total
     Area mayStayInOnePiece;
     const Rig& lowered;            ///< implement down, in the drivable area
-    FullLockPasses* bends = nullptr;  ///< for what cannot reverse
+    FullLockPasses* bends = nullptr;  ///< for machines that cannot reverse
     std::span<const Polygon> leftOnPurpose = {};  ///< no pass works any of it
-    std::span<const PassStretch> refused = {};  ///< have no way in or out: not proposed, nor what is nearly one of them
+    std::span<const PassStretch> refused = {};  ///< no way in or out; left out, with nearly equal ones
 };
 
-/// Short straight passes over what is left at corners and between other passes, along an edge or along the piece
-/// itself, either way: the fewest that a greedy choice needs until little enough is left. Before them, where `bends`
-/// are given, passes on full lock over what lies at the edges. None where no pass would gain much. Each has one
-/// stretch. Cost: some looks at the rig and some GEOS overlays for each. Cancelled.
+/// Short straight passes over the land left at corners and between other passes. Each runs along an edge or
+/// along the piece itself, in either direction. A greedy choice adds passes until little enough is left. If
+/// `bends` is given, passes on full lock over land at the edges come first. No pass is returned that would
+/// gain little. Each has one stretch. Cost: some checks of the rig and some GEOS overlays for each.
+/// Cancelled.
 Result<std::vector<HeadlandPass>> finishingPasses(const FinishingTask& task, const JobContext& job);
 
 }  // namespace furrow

@@ -17,39 +17,40 @@ namespace furrow {
 
 namespace {
 
-// A piece is looked at in about so many places.
+// Approximate number of sampled places in a piece.
 constexpr int kPlaces = 120;
-// Middles are looked for by so many of them.
+// Number of places from which middles are searched.
 constexpr int kGuides = 6;
 constexpr double kSameMiddleM = 1.0;
-// Until it bends as much as the circle does the outer end gets farther out than that: circles so far from the middle
-// where one just fits.
+// The outer end of the implement is farther out until its bend is as sharp as the circle. So bends are also
+// tried round places this far inwards from the middle of a circle that just fits.
 constexpr std::array kInwardsM{0.05, 0.2, 0.5, 1.0, 1.8, 3.0};
 constexpr int kBegins = 32;
 constexpr double kMostRounds = 1.25;
-// Not right beside the piece: a bend takes some way to become as sharp as it gets.
+// A bend does not begin right beside the piece, because it needs some way to become as sharp as possible.
 constexpr double kLeastBeforeRad = 0.3;
-// A bent hitch is in line again after driving straight so many lengths of what trails behind it. Before the bend a
-// little has to do where there is no room for more, or no way to where that begins.
+// A bent hitch is in line again after this many lengths of the trailed part, driven straight. The shorter
+// distance before the bend is for places without more room, or without a way to its start.
 constexpr std::array kLengthsIn{3.0, 1.0};
 constexpr double kLengthsOut = 2.5;
-// What works this share with more room before it is taken, whatever would be worked with less.
+// A pass that works this share of the piece with the longer lead is taken; the shorter lead is not tried
+// then.
 constexpr double kGoodEnough = 0.6;
 constexpr Length kLook = metres(0.25);
-// What arrives is not quite in line: so much room is kept.
+// Room kept because an arriving implement is not quite in line.
 constexpr double kSpareM = 0.02;
-// What a metre of the way has to work to be worth it, as a share of the width.
+// Area that one metre of way has to work, as a share of the width.
 constexpr double kWorthShare = 0.01;
-// What is worth less than this share of the best is not kept for where that has no way in or out.
+// Candidates worth less than this share of the best are not kept as replacements.
 constexpr double kWorthAsking = 0.4;
-// So many passes at most may turn out to have no way in or out. Poses closer than this share of the width, their
-// headings by less than a quarter of a right angle (the cosine), are one.
+// At most 12 passes may turn out to have no way in or out. Poses closer than this share of the width, with
+// headings closer than a quarter of a right angle (the cosine), are one.
 constexpr std::size_t kMostAsked = 12;
 constexpr double kCloseShare = 0.1;
 constexpr double kSameWay = 0.92;
-// A bend is left after every so many looks.
+// Exits from a bend are tried at every fourth state.
 constexpr std::size_t kExitSteps = 4;
-// Swept land is put together from pieces so long.
+// Swept land is built from pieces of this length.
 constexpr double kSweptM = 0.75;
 
 std::vector<Point> placesIn(const Polygon& piece) {
@@ -128,7 +129,7 @@ std::optional<Point> FullLockPasses::nearestMiddle(Point place) const {
 
 namespace {
 
-/// A line with what it is worth.
+/// A line with its gain.
 struct Candidate {
     Turn line;
     double gainM2 = 0.0;
@@ -140,7 +141,8 @@ bool isClose(const Pose& a, const Pose& b, double closeM) {
            dot(direction(a.heading.si()), direction(b.heading.si())) > kSameWay;
 }
 
-/// The best of these that has a way in and one out; asked for few, and not again for poses close to those that had none.
+/// The best candidate with a way in and a way out. Few are asked for. Poses close to a failed one are
+/// skipped.
 std::optional<Candidate> bestWithAccess(std::vector<Candidate> candidates, const PassAccessFinder& access, double closeM) {
     std::ranges::stable_sort(candidates, std::ranges::greater{}, &Candidate::gainM2);
     std::vector<Pose> notReached;
@@ -213,7 +215,8 @@ public:
         return found;
     }
 
-    /// The bends round a middle and round places farther in, with so much straight before them.
+    /// Adds the bends round a middle and round places farther inwards, with a straight of `leadM` before
+    /// them.
     void addAround(Point middle, double leadM, std::vector<Candidate>& candidates, const JobContext& job) {
         const double awayM = distance(middle, mean_);
         const Point inwards = awayM > 0.0 ? (1.0 / awayM) * (middle - mean_) : Point{};
@@ -238,7 +241,7 @@ private:
         return areaEachM2_ * static_cast<double>(worked) - kWorthShare * widthM_ * wayM;
     }
 
-    /// Positive side: to the left, the middle on that hand.
+    /// `side` is positive for a bend to the left, with the middle on the left.
     void add(Point middle, double begin, double side, double leadM, std::vector<Candidate>& candidates) {
         const Pose on{.position = middle + passes_.radiusM_ * direction(begin),
                       .heading = radians(begin + side * 0.5 * std::numbers::pi)};
@@ -257,7 +260,7 @@ private:
         if (worked_ == 0) {
             return;
         }
-        // Out as soon as there is room to.
+        // Leave the bend as soon as there is room.
         const TurnPiece out{.length = metres(kLengthsOut * passes_.straightM_), .curvature = {}};
         const double stepM = arc.length.si() / std::ceil(arc.length / look_);
         for (std::size_t end = lastUse_; end < states_.size(); end += kExitSteps) {
@@ -278,7 +281,7 @@ private:
         }
     }
 
-    /// As far as the bend stays inside.
+    /// Follows the bend as far as it stays inside.
     void follow(const RigState& from, const TurnPiece& arc) {
         states_ = {from};
         worked_ = 0;
@@ -322,9 +325,9 @@ private:
     double areaEachM2_;
     double widthM_;
     Length look_;
-    double swings_;  ///< no point moves by more for each metre of the way
+    double swings_;  ///< largest move of any point for one metre of way
     double bestM2_ = 0.0;
-    // The last bend: where it led, how many places were worked, and the state after which no more were.
+    // The last bend: its states, the number of worked places, and the last state that worked a new place.
     std::vector<RigState> states_;
     std::size_t worked_ = 0;
     std::size_t lastUse_ = 0;

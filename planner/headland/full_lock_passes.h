@@ -11,30 +11,30 @@
 
 namespace furrow {
 
-/// A pass with its bends.
+/// A pass with bends.
 struct BentPass {
     Turn line;            ///< of the vehicle's reference point
     MultiPolygon worked;  ///< what the implement sweeps
 };
 
-/// Whether a pass can be driven to and on from.
+/// Whether a way leads to the pass and away from it.
 enum class PassAccess { There, NoWayIn, NoWayOut };
 using PassAccessFinder = std::function<PassAccess(const Turn& line)>;
 
-/// Passes round one place on full lock, for machines that get out of tips and ears only forwards: the outer end of the
-/// implement describes the sharpest edge there is for them.
+/// Passes round one place on full lock, for machines that leave tips and ears only forwards. The outer end of
+/// the implement describes the sharpest edge that they can work.
 class FullLockPasses {
 public:
-    /// @param drivable  where `lowered` may be
+    /// @param drivable  area in which `lowered` may be
     /// @param lowered  outlives this
     /// Cancelled.
     static Result<FullLockPasses> of(const MultiPolygon& drivable, const Rig& lowered, PassAccessFinder access,
                                      const JobContext& job);
 
-    /// The pass that works most of a piece: straight in, as far round as is of use, straight out, the implement in line
-    /// at both ends. Nothing where there is no room for one that works any of it, nor a way in and out; that piece is
-    /// not looked at again. Cost: some thousand bends driven.
-    /// @param isRefused  what is nearly the same was tried
+    /// The pass that works most of a piece: straight in, on full lock as far round as is useful, straight
+    /// out. The implement is in line at both ends. Empty if no pass has room to work any of the piece, or a
+    /// way in and out. That piece is then not tried again. Cost: some thousand bends driven.
+    /// @param isRefused  whether nearly the same pass has failed before
     std::optional<BentPass> over(const Polygon& piece, const std::function<bool(const Turn&)>& isRefused, const JobContext& job);
 
 private:
@@ -50,8 +50,8 @@ private:
     PassAccessFinder access_;
     std::optional<Trailer> trailer_;
     double radiusM_ = 0.0;    ///< of the circle that the tractor drives
-    double outerM_ = 0.0;     ///< of the one that the outer end of the implement describes in the end
-    double straightM_ = 0.0;  ///< until the implement is in line
+    double outerM_ = 0.0;     ///< of the circle that the outer end of the implement finally describes
+    double straightM_ = 0.0;  ///< distance until the implement is in line
     MultiPolygon middles_;    ///< of the circles that the outer end of the implement may describe
     std::vector<Polygon> hopeless_;
 };

@@ -21,10 +21,10 @@ struct PassStretch {
 
 /// One ring of the headland, or a part of one.
 struct HeadlandPass {
-    int ring = 0;  ///< from the boundary or obstacle, 0 outermost
+    int ring = 0;  ///< counted from the boundary or obstacle, 0 outermost
     Length width;
-    /// Each stretch begins where the one before ends, the first where the last does. Otherwise turns have to lead
-    /// from one to the next.
+    /// Each stretch begins at the end of the one before, and the first at the end of the last. If false,
+    /// turns have to join the stretches.
     bool closed = true;
     std::vector<PassStretch> stretches;
 
@@ -39,24 +39,24 @@ struct EdgeStrip {
     int passes = 0;  ///< operating widths that fit into it
 };
 
-/// The strip kept for turning and what is left inside it.
+/// The strip kept for turning and the mainland inside it.
 struct Headland {
     Length width;                ///< from the boundary, at most; 0 without a headland
     int passes = 0;              ///< operating widths that fit into it
-    std::vector<EdgeStrip> strips;  ///< of all edges where they differ; empty where all are alike
+    std::vector<EdgeStrip> strips;  ///< of all edges if they differ; empty if all are the same
     MultiPolygon mainland;       ///< the field without headland, in metres
     double mainlandRatio = 0.0;  ///< A_r = area(mainland) / area(field)
-    std::vector<HeadlandPass> rings;  ///< to be driven, in the chosen direction; empty where it is only turned on
-    Length uncutStrip;           ///< at most, along the boundary outside of the outermost pass
+    std::vector<HeadlandPass> rings;  ///< in the chosen direction; empty if the strip is only for turning
+    Length uncutStrip;           ///< at most, along the boundary outside the outermost pass
     Area uncutCorners;           ///< where that pass is rounded
-    std::vector<Note> notes;     ///< what was given up, and why
-    bool narrowed = false;       ///< the field was too narrow for what was wanted
+    std::vector<Note> notes;     ///< what was reduced, and why
+    bool narrowed = false;       ///< the field was too narrow for the wanted headland
 };
 
-/// How wide the headland is along the edge that is nearest to a place. Cost: O(edges).
+/// The width of the headland along the edge nearest to a place. Cost: O(edges).
 Length widthBeside(const Headland& headland, Point place);
 
-/// How wide it is along the edge where it is narrowest. Cost: O(edges).
+/// The width along the edge where it is narrowest. Cost: O(edges).
 Length narrowestWidth(const Headland& headland);
 
 /// InputRefused: the margin alone leaves nothing of the field.
@@ -65,17 +65,17 @@ Error nothingLeft(Length margin);
 /// The poses in which swaths would leave a mainland.
 using SwathEnds = std::function<Result<std::vector<Pose>>(const MultiPolygon& mainland)>;
 
-/// What a headland is made from; nothing of it is kept.
+/// The inputs of a headland. The headland keeps none of them.
 struct HeadlandTask {
     const Field& field;
-    const MultiPolygon& drivable;  ///< where tractor and implement may be
+    const MultiPolygon& drivable;  ///< area for tractor and implement
     const Machine& machine;
-    TurnPlanner* turn;  ///< how it will turn
+    TurnPlanner* turn;  ///< the kind of turn that will be used
     const Settings& settings;
-    Length margin;              ///< what everything keeps from the boundary
-    bool drawsOutEnds = false;  ///< swaths will reach beyond the mainland where that slants
+    Length margin;              ///< distance that everything keeps from the boundary
+    bool drawsOutEnds = false;  ///< swaths will be extended beyond a slanting edge of the mainland
     SwathEnds swathEnds;        ///< for headlands that depend on them; may fail as the swath method does
-    /// What it is laid along the edges of, where that is not all of the field's workable area: without the holes that
+    /// Edges to lay the headland along, if different from the field's workable area: without the holes that
     /// swaths go round.
     const MultiPolygon* along = nullptr;
 

@@ -27,24 +27,24 @@ namespace furrow {
 
 namespace {
 
-// Passes no farther apart than this run along the same line.
+// Passes with a smaller difference of inset run along the same line.
 constexpr Length kSameInset = metres(0.01);
 // Merged corners bring a pass nearer to the edge by less than this share of its width.
 constexpr double kMergedShare = 0.1;
 
-// A rounded outermost pass may leave so much of the field at its corners; where it would leave more, a machine that
-// can reverse drives into them.
+// Largest share of the field that a rounded outermost pass may leave at its corners. If it would leave more,
+// a machine that can reverse drives into the corners.
 constexpr double kMostUncutShare = 0.004;
-// And at a corner between two passes so much.
+// Largest area left at a corner between two passes.
 constexpr Area kMostUncutInside = squareMetres(50.0);
-// A pass in so many stretches runs along an edge that is no line to follow, if another has so many times fewer.
+// A pass of 16 stretches or more is replaced by one with half as many or fewer: its edge is hard to follow.
 constexpr std::size_t kManyStretches = 16;
 constexpr std::size_t kTimesFewer = 2;
-// What such a pass may differ from its line, as a share of its width.
+// Largest deviation of such a pass from its line, as a share of its width.
 constexpr double kDrawnShare = 0.02;
-// Its many slight bends begin so far before their corners, as a share of its width: less steering.
+// Distance before its many slight corners at which bends begin, as a share of its width: less steering.
 constexpr double kGentleShare = 0.5;
-// Beside an edge a machine gets free only if it has a finger's breadth to begin with.
+// A machine beside an edge can leave it only with this distance at the start.
 constexpr Length kBesideEdge = metres(0.02);
 
 CornerMethod cornerMethod(const Settings& settings) {
@@ -52,7 +52,7 @@ CornerMethod cornerMethod(const Settings& settings) {
     return id == kLoopCorner ? CornerMethod::Loop : id == kReverseCorner ? CornerMethod::Reverse : CornerMethod::Rounded;
 }
 
-/// From the edge to the line of every pass, outermost first.
+/// The distances from the edge to the line of every pass, outermost first.
 std::vector<Length> insets(int passes, const Machine& machine, Length margin) {
     std::vector<Length> all;
     const Length first = margin + 0.5 * machine.workingFootprintWidth();
@@ -62,14 +62,14 @@ std::vector<Length> insets(int passes, const Machine& machine, Length margin) {
     return all;
 }
 
-/// How far from the edges one ring runs: the same all round, or as far as each strip says, and not along those that
-/// have no such pass.
+/// The distances from the edges to one ring: one for all edges, or one for each strip. Strips without such a
+/// pass have none.
 struct RingInsets {
-    std::vector<Length> different;  ///< no two are the same
-    std::vector<std::optional<std::size_t>> ofStrip;  ///< which of them; empty where there is one for all
+    std::vector<Length> different;  ///< all different
+    std::vector<std::optional<std::size_t>> ofStrip;  ///< index into `different`; empty if one holds for all
 };
 
-/// Of every ring, outermost first.
+/// For every ring, outermost first.
 std::vector<RingInsets> ringsOf(const Headland& headland, const Machine& machine, Length margin) {
     std::vector<RingInsets> rings;
     if (headland.strips.empty()) {
@@ -101,27 +101,27 @@ std::vector<RingInsets> ringsOf(const Headland& headland, const Machine& machine
     return rings;
 }
 
-/// One ring all around, its corners rounded or driven into on the way.
+/// One ring all around. Its corners are rounded or driven into.
 struct ClosedRing {
     std::vector<HeadlandPass> passes;
-    std::vector<Turn> lines;             ///< of the passes before they are driven into corners or cut
-    std::vector<RoundedCorner> rounded;  ///< corners that stayed so
-    std::vector<Point> outside;          ///< beside corners that are driven into
+    std::vector<Turn> lines;             ///< of the passes before corners are driven into and before cuts
+    std::vector<RoundedCorner> rounded;  ///< corners that stayed rounded
+    std::vector<Point> outside;          ///< places beside corners that are driven into
     Length movedIn;
-    bool complete = true;  ///< every line of it could be rounded
-    bool inside = false;   ///< is known to be
+    bool complete = true;  ///< every line could be rounded
+    bool inside = false;   ///< known to be inside everywhere
 };
 
-/// How a ring gets round its corners.
+/// Rules for the corners of a ring.
 struct CornerRules {
     CornerMethod method = CornerMethod::Rounded;
-    std::vector<Point> driven;  ///< with CornerMethod::Searched: these corners and no others
-    Length beside;              ///< kept from the edge
+    std::vector<Point> driven;  ///< with CornerMethod::Searched: only these corners
+    Length beside;              ///< distance kept from the edge
     bool followsEdges = true;   ///< otherwise its corners are the arcs of their rounding
     bool movesIn = true;        ///< where tail or nose would swing out
 };
 
-/// From the middle of a corner to the ends of what belongs to it.
+/// From the middle of a corner to its ends.
 double cornerReachM(const Machine& machine) {
     return machine.minTurningRadius().si() + 0.5 * machine.workingFootprintWidth().si();
 }
@@ -172,7 +172,7 @@ std::size_t stretchCount(const std::vector<HeadlandPass>& passes) {
                                  [](const HeadlandPass& pass) { return pass.stretches.size(); });
 }
 
-/// What lies inside of closed lines round a field and its obstacles.
+/// The area inside closed lines round a field and its obstacles.
 Result<MultiPolygon> insideOf(const std::vector<Turn>& lines, const JobContext& job) {
     MultiPolygon rings;
     for (const Turn& line : lines) {
@@ -185,10 +185,10 @@ Result<MultiPolygon> insideOf(const std::vector<Turn>& lines, const JobContext& 
     return madeValid(rings, job);
 }
 
-/// The passes of a ring inside of the outermost one: along the edges with their corners kept sharp. Edges that jut
-/// back and forth within less than a turn, as those traced from an image do, would cut them to bits; they then run
-/// beside the outermost one, which has gone round that smoothly.
-/// @param outermost  its lines; none where they were not to be had
+/// The passes of a ring inside the outermost one: along the edges with their corners kept sharp. Edges that
+/// jut back and forth within less than a turn, for example traced from an image, would cut them into many
+/// stretches. They then run beside the outermost pass, which goes round such edges smoothly.
+/// @param outermost  its lines; empty if they could not be made
 Result<std::vector<HeadlandPass>> innerRingOf(const PassTask& task, const std::vector<Turn>& outermost, Length fromOutermost,
                                               Length inset, int ring, const JobContext& job) {
     auto along = innerPasses(task, inset, ring, job);
@@ -201,7 +201,7 @@ Result<std::vector<HeadlandPass>> innerRingOf(const PassTask& task, const std::v
     if (!region) {
         return std::unexpected(region.error());
     }
-    // An offset of arcs drawn as chords has more bends than anybody could drive.
+    // An offset of arcs drawn as chords has more bends than a driver can follow.
     const Length drawn = kDrawnShare * task.machine.operatingWidth();
     MultiPolygon plain;
     for (const Polygon& polygon : *region) {
@@ -214,10 +214,10 @@ Result<std::vector<HeadlandPass>> innerRingOf(const PassTask& task, const std::v
     return kTimesFewer * stretchCount(beside) <= stretchCount(*along) ? std::move(beside) : std::move(along);
 }
 
-/// Where a rounded line does not get inside everywhere, it is driven in the parts that do.
+/// A rounded line that is not inside everywhere is driven in the parts that are inside.
 std::vector<HeadlandPass> cutWhereOutside(std::vector<HeadlandPass> passes, const PassTask& task, const JobContext& job) {
     for (HeadlandPass& pass : passes) {
-        // Corners that are driven into were looked at with their manoeuvres.
+        // Corners that are driven into were checked with their manoeuvres.
         if (!pass.closed || pass.stretches.size() != 1) {
             continue;
         }
@@ -235,7 +235,7 @@ std::vector<HeadlandPass> cutWhereOutside(std::vector<HeadlandPass> passes, cons
     return passes;
 }
 
-/// Corners of the field, not those of obstacles and not those that point into it.
+/// Corners of the field, without those of obstacles and those that point into the field.
 std::vector<RoundedCorner> outwardCorners(const ClosedRing& ring) {
     std::vector<RoundedCorner> outward;
     std::ranges::copy_if(ring.rounded, std::back_inserter(outward),
@@ -243,8 +243,8 @@ std::vector<RoundedCorner> outwardCorners(const ClosedRing& ring) {
     return outward;
 }
 
-/// What stays uncut at rounded corners: the rounding of each and, along both its sides, what the swing of tail or
-/// nose keeps the machine away, falling off within the overhang.
+/// The area uncut at rounded corners: the rounding itself, and a strip along both sides. The swing of tail or
+/// nose keeps the machine away from that strip, which narrows to nothing within the overhang.
 Area leftAt(const std::vector<RoundedCorner>& corners, const Machine& machine) {
     double overhangM = 0.0;
     for (const Point& corner : machine.workingFootprint()) {
@@ -260,7 +260,7 @@ Area leftAt(const std::vector<RoundedCorner>& corners, const Machine& machine) {
     return sum;
 }
 
-/// A ring that is driven into those of its corners that the machine gets out of again; nothing if into none.
+/// A ring that is driven into the corners from which the machine can leave. Empty if there are none.
 Result<std::optional<ClosedRing>> withCornersDriven(const PassTask& task, Length inset, int ring,
                                                     const std::vector<RoundedCorner>& wanted, Length beside,
                                                     CornerWays& ways, const JobContext& job) {
@@ -291,11 +291,11 @@ Result<std::optional<ClosedRing>> withCornersDriven(const PassTask& task, Length
     return std::nullopt;
 }
 
-/// The outermost pass, rounded. Where that leaves too much, a machine that can reverse drives into the corners that
-/// it gets out of again.
+/// The outermost pass, rounded. If that leaves too much, a machine that can reverse drives into the corners
+/// that it can leave.
 Result<ClosedRing> outermostRing(const PassTask& task, Length inset, CornerWays& ways, const JobContext& job) {
     std::vector<RoundedCorner> arcCorners;
-    // Which corners there are, and what their rounding leaves, is seen before the line follows the edges.
+    // The corners and their uncut area are measured before the line follows the edges.
     if (!Trailer::of(task.machine)) {
         auto arcs = closedRing(task, inset, 0, {.followsEdges = false, .movesIn = false}, ways, job);
         if (!arcs) {
@@ -323,8 +323,8 @@ Result<ClosedRing> outermostRing(const PassTask& task, Length inset, CornerWays&
     return rounded;
 }
 
-/// An inner pass of what cannot reverse, rounded, but for corners at which that leaves too much between two passes: there
-/// is room to drive on and come back in a loop.
+/// An inner pass of a machine that cannot reverse, rounded. At corners where that leaves too much between two
+/// passes, the machine drives on and comes back in a loop, since there is room.
 Result<ClosedRing> innerRing(const PassTask& task, Length inset, int ring, CornerWays& ways, const JobContext& job) {
     auto rounded = closedRing(task, inset, ring, {.followsEdges = false}, ways, job);
     if (!rounded || !rounded->complete) {
@@ -344,7 +344,7 @@ Result<ClosedRing> innerRing(const PassTask& task, Length inset, int ring, Corne
     return *driven ? std::move(**driven) : std::move(rounded);
 }
 
-/// The passes of a ring that does not go all round, or not everywhere as far from the edge.
+/// The passes of a ring that does not go all round, or has different distances from the edge.
 Result<std::vector<HeadlandPass>> partsOfRing(const Headland& headland, const EdgeStrips& strips, const RingInsets& insets,
                                               int ring, const PassTask& task, const JobContext& job) {
     const BoundaryDistance mainland{headland.mainland, task.machine.operatingWidth()};
@@ -353,7 +353,7 @@ Result<std::vector<HeadlandPass>> partsOfRing(const Headland& headland, const Ed
         const auto distanceM = [&](Point place, std::size_t strip) {
             return distanceToSegment(place, strips.all()[strip].from, strips.all()[strip].to);
         };
-        // Nearer to the edge it is a pass along another one that was drawn out.
+        // Nearer to the edge it is an extended pass along another edge.
         const double leastM = (insets.different[k] - kMergedShare * task.machine.operatingWidth()).si();
         const auto belongs = [&](Point place) {
             const std::size_t nearest = strips.nearest(place);
@@ -384,7 +384,7 @@ Result<void> addRings(Headland& headland, const PassTask& task, const JobContext
     const auto keep = [&](std::vector<HeadlandPass> passes) {
         std::ranges::move(passes, std::back_inserter(headland.rings));
     };
-    // A boom that trails comes to the edge by its own track.
+    // A trailed boom comes to the edge on its own track.
     const Length beside = Trailer::of(machine) ? kBesideEdge : Length{};
     std::vector<Turn> outermost;
     CornerWays ways;
@@ -406,7 +406,7 @@ Result<void> addRings(Headland& headland, const PassTask& task, const JobContext
             }
             keep(std::move(*narrow));
         }
-        // What cannot reverse would not get out of a corner again.
+        // A machine that cannot reverse would not get out of a corner again.
         if (ring == 0 || method != CornerMethod::Rounded || !canReverse(machine)) {
             auto closed = ring == 0 && method == CornerMethod::Rounded
                               ? outermostRing(task, inset + beside, ways, job)
@@ -438,7 +438,7 @@ Result<void> addRings(Headland& headland, const PassTask& task, const JobContext
     return {};
 }
 
-/// The same the other way round: what is counter-clockwise in a mirror.
+/// The clockwise passes: counter-clockwise passes in a mirror.
 Result<void> addRingsClockwise(Headland& headland, const PassTask& task, const JobContext& job) {
     const MultiPolygon workable = mirrored(task.workable);
     const MultiPolygon drivable = mirrored(task.drivable);

@@ -17,31 +17,31 @@ namespace furrow {
 
 namespace {
 
-// What rounding may leave at one corner between two passes: a share of the square of the width, and never more than
-// this.
+// Largest area that rounding may leave at one corner between two passes: a share of the square of the width,
+// and never more than 10 m².
 constexpr double kUncutShare = 0.1;
 constexpr Area kMostUncut = squareMetres(10.0);
-// How far the line may move where corners are merged, as a share of the width.
+// Largest move of the line where corners are merged, as a share of the width.
 constexpr double kMergeShare = 0.05;
-// Into a sharp corner it is driven no farther than so many widths past the point where the sides meet.
+// Into a sharp corner the machine drives no farther than 2 widths past the point where the sides meet.
 constexpr double kMostWidthsOnward = 2.0;
 constexpr double kLookM = 0.1;
-// Where a pass passes on to another strip is seen to this.
+// Step to find the place where a pass enters another strip.
 constexpr double kCutM = 0.5;
-// Shorter parts, in widths, are where a pass meets the one around the corner.
+// Shorter parts, in widths, belong to the join with the pass around the corner.
 constexpr double kLeastPart = 0.5;
 // From the middle of a pass, as a share of its width.
 constexpr double kAlmostHalf = 0.45;
 // Stretches shorter than this share of the width are not worth lowering the implement for.
 constexpr double kShortest = 0.2;
-// Strips that are smaller, as a share of the square of the width, or narrower than this are left.
+// Strips smaller than this share of the square of the width, or narrower than this, are left.
 constexpr double kLeastStripShare = 0.3;
 constexpr double kNarrowestStripM = 0.25;
 constexpr int kMostParts = 64;
-// Sides that are shorter say nothing about where a strip runs.
+// Shorter sides give no direction for a strip.
 constexpr double kShortestSideM = 1e-3;
 
-/// The edges that passes may not cross and what they are driven with.
+/// The edges that passes may not cross, and the machine.
 struct Room {
     Room(const PassTask& task)
         : machine{task.machine},
@@ -57,8 +57,8 @@ struct Room {
                         working, edge);
     }
 
-    /// How far on it can be driven (back where the sign is -1), no farther than wanted. Negative, down to `least`:
-    /// so far before the place it has to stop.
+    /// The distance that the machine can drive on (back if the sign is -1), at most `wantedM`. A negative
+    /// result, down to `leastM`, means that it has to stop before the given place.
     double farthest(const Pose& from, double sign, double wantedM, double leastM = 0.0) const {
         double best = std::min(0.0, wantedM);
         while (best > leastM && !isFreeAt(from, sign * best)) {
@@ -71,7 +71,7 @@ struct Room {
     }
 };
 
-/// The line from so far before its start to so far past its end; shorter where that is less than nothing.
+/// The line extended before its start and past its end. A negative length shortens it.
 Turn extended(Turn line, double beforeM, double pastM) {
     const auto change = [](TurnPiece& piece, double by) { piece.length = metres(std::max(0.0, piece.length.si() + by)); };
     const bool startsStraight = line.pieces.front().curvature == Curvature{};
@@ -102,10 +102,10 @@ double turnBetween(const Turn& before, const Turn& after) {
 HeadlandPass passOf(std::vector<Turn> lines, bool closed, int ring, const Room& room) {
     HeadlandPass pass{.ring = ring, .width = room.machine.operatingWidth(), .closed = closed, .stretches = {}};
     const double widthM = pass.width.si();
-    // The implement works this far behind the vehicle's reference point.
+    // The distance of the implement behind the vehicle's reference point.
     const double leadM = -room.machine.spec().implement.offset.si();
     const double noseM = (room.machine.spec().tractor.length - room.machine.spec().tractor.rearOverhang).si();
-    // Outer rings run counter-clockwise: their corners turn left but for those that point into the field.
+    // Outer rings run counter-clockwise. Their corners turn left except those that point into the field.
     const auto turnsInward = [](const std::vector<Turn>& all, std::size_t i) {
         const Turn& before = all[(i + all.size() - 1) % all.size()];
         const double turn = cross(direction(before.end().heading.si()), direction(all[i].start.heading.si()));
@@ -117,17 +117,17 @@ HeadlandPass passOf(std::vector<Turn> lines, bool closed, int ring, const Room& 
     for (std::size_t i = 0; i < lines.size(); ++i) {
         Turn line = lines[i];
         if (!closed) {
-            // The pass outside of this one ends where its nose meets the edge: what its implement leaves there as
-            // well is worked from here.
+            // The pass outside ends where its nose meets the edge. This pass also works the land that its
+            // implement leaves there.
             const double fromEdgeM = ring * widthM < noseM + leadM && turnsInward(lines, i) ? ring * widthM : 0.0;
             const double backM = beyondM(lines[(i + lines.size() - 1) % lines.size()], line) + fromEdgeM - leadM;
             const double onM = beyondM(line, lines[(i + 1) % lines.size()]) + leadM;
-            // Of the straights at both ends as much may go as the machine is longer than there is room.
+            // The straights at both ends may shrink if the machine is longer than the room.
             const auto straightM = [](const TurnPiece& piece) {
                 return piece.curvature == Curvature{} ? piece.length.si() : 0.0;
             };
             const double share = line.pieces.size() == 1 ? 0.5 : 1.0;
-            // Beside the edge it comes into its lane backwards and needs its run-in again.
+            // Beside the edge the machine reverses into its lane and needs its run-in again.
             const double runInM = room.machine.runIn().si();
             const double before =
                 room.farthest(line.start, -1.0, backM + runInM, -share * straightM(line.pieces.front())) - runInM;
@@ -141,7 +141,7 @@ HeadlandPass passOf(std::vector<Turn> lines, bool closed, int ring, const Room& 
     return pass;
 }
 
-/// The stretches of a line whose points belong, from and to; no shorter ones than `least`.
+/// The stretches of a line whose points belong, as from and to, each at least `least` long.
 std::vector<std::pair<Length, Length>> belonging(const Turn& line, const std::function<bool(Point)>& belongs, Length least) {
     std::vector<std::pair<Length, Length>> stretches;
     const Length whole = line.length();
@@ -168,7 +168,7 @@ std::vector<std::pair<Length, Length>> belonging(const Turn& line, const std::fu
     return stretches;
 }
 
-/// Without arcs at its ends that bend more than this: they lead round a corner to where it does not go.
+/// Removes arcs at the ends that bend more than this: they lead round a corner that the part does not take.
 Turn withoutBentEnds(Turn line, double sharpestPerM) {
     const auto isBent = [sharpestPerM](const TurnPiece& piece) { return std::abs(piece.curvature.si()) > sharpestPerM; };
     while (!line.pieces.empty() && isBent(line.pieces.back())) {
@@ -207,7 +207,7 @@ Extent extentOf(const Ring& ring, Point along) {
     return extent;
 }
 
-/// The narrowest rectangle around a ring: one of its sides lies along one of the ring's.
+/// The narrowest rectangle around a ring. One of its sides lies along a side of the ring.
 Extent narrowestExtent(const Ring& ring) {
     std::optional<Extent> narrowest;
     for (std::size_t i = 0; i < ring.size(); ++i) {
@@ -224,7 +224,7 @@ Extent narrowestExtent(const Ring& ring) {
     return narrowest.value_or(extentOf(ring, {1.0, 0.0}));
 }
 
-/// A strip in pieces that one straight pass each can cover: cut across in the middle where it bends.
+/// Cuts a strip into pieces that one straight pass can cover. A strip that bends is cut across in the middle.
 Result<std::vector<Polygon>> straightParts(const Polygon& strip, double widthM, const JobContext& job) {
     std::vector<Polygon> open{strip};
     std::vector<Polygon> straight;
@@ -257,7 +257,7 @@ Result<std::vector<Polygon>> straightParts(const Polygon& strip, double widthM, 
     return straight;
 }
 
-/// Along the middle of a straight strip.
+/// The line along the middle of a straight strip.
 Turn lineAlong(const Polygon& part) {
     const Extent extent = narrowestExtent(part.outer);
     const Point start = extent.at(extent.fromM, 0.5 * (extent.leftM + extent.rightM));
@@ -306,7 +306,7 @@ std::vector<HeadlandPass> partsOf(const std::vector<HeadlandPass>& passes, const
     const double widthM = task.machine.operatingWidth().si();
     const double leadM = -task.machine.spec().implement.offset.si();
     const double runInM = task.machine.runIn().si();
-    // As far as something of its width is left to be worked there.
+    // The distance over which part of its width is still left to work.
     const auto leftM = [&](const Pose& from, double sign) {
         const Point ahead = direction(from.heading.si());
         const auto isLeftAt = [&](double m) {
@@ -364,7 +364,8 @@ Result<std::vector<HeadlandPass>> passesAlongStrips(const PassTask& task, Length
     if (!inside) {
         return std::unexpected(inside.error());
     }
-    // What the next pass covers, its corners driven into: a little less is opened than half a width.
+    // The area that the next pass covers if it drives into its corners. The opening uses slightly less than
+    // half a width.
     const auto strips = erodedSharp(*inside, 0.999 * half, job)
                             .and_then([&](const MultiPolygon& core) { return dilated(core, 1.5 * half, kArcTolerance, job); })
                             .and_then([&](const MultiPolygon& covered) { return difference(*inside, covered, job); });

@@ -35,7 +35,7 @@ MultiPolygon mirrored(const MultiPolygon& polygons) {
 Machine mirrored(const Machine& machine) {
     MachineSpec spec = machine.spec();
     spec.implement.lateralOffset = -spec.implement.lateralOffset;
-    // What a machine may be does not depend on the side.
+    // The rules for a machine do not depend on the side, so the value exists.
     return Machine::create(spec).value();
 }
 

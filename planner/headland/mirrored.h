@@ -9,16 +9,16 @@
 
 namespace furrow {
 
-// As seen in a mirror that lies along the x axis: left is right. Mirrored twice, everything is as it was.
+// Reflected in the x axis: left becomes right. Reflecting twice restores the original.
 
 /// Outer rings stay counter-clockwise, holes clockwise.
 MultiPolygon mirrored(const MultiPolygon& polygons);
-/// Its implement is as far to the other side.
+/// The lateral offset of its implement changes its sign.
 Machine mirrored(const Machine& machine);
 Turn mirrored(const Turn& turn);
 /// The field stays on the left of each.
 std::vector<EdgeStrip> mirrored(const std::vector<EdgeStrip>& strips);
-/// Driven the other way round.
+/// Driven in the other direction.
 std::vector<HeadlandPass> mirrored(const std::vector<HeadlandPass>& passes);
 
 }  // namespace furrow

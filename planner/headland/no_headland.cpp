@@ -7,7 +7,8 @@ namespace furrow {
 
 namespace {
 
-/// Beside obstacles that swaths do not go round a tractor that is wider than its implement needs more room than that.
+/// Keeps the mainland away from obstacles that swaths do not go round, if the tractor is wider than its
+/// implement.
 Result<MultiPolygon> clearOfObstacles(MultiPolygon mainland, const HeadlandTask& task, const JobContext& job) {
     const Length beside = uncutEdge(task.machine);
     if (beside <= Length{}) {
@@ -20,7 +21,7 @@ Result<MultiPolygon> clearOfObstacles(MultiPolygon mainland, const HeadlandTask&
 
 Result<Headland> noHeadland(const HeadlandTask& task, const JobContext& job) {
     const Length margin = task.margin;
-    // The margin is kept everywhere, headland or not.
+    // The margin is kept with or without a headland.
     auto mainland = margin > metres(0.0) ? eroded(task.workable(), margin, kArcTolerance, job)
                                          : Result<MultiPolygon>{task.workable()};
     mainland = mainland.and_then([&](MultiPolygon land) { return clearOfObstacles(std::move(land), task, job); });

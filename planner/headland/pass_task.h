@@ -6,13 +6,13 @@
 
 namespace furrow {
 
-/// What headland passes are laid from; nothing of it is kept. They run with the field on their left.
+/// The inputs of headland passes. The passes keep none of them. They run with the field on their left.
 struct PassTask {
     const MultiPolygon& workable;  ///< the field that they go round
-    const MultiPolygon& drivable;  ///< where tractor and implement may be
+    const MultiPolygon& drivable;  ///< area for tractor and implement
     const Machine& machine;
     const Settings& settings;
-    Length margin = {};  ///< what everything keeps from the boundary
+    Length margin = {};  ///< distance that everything keeps from the boundary
 };
 
 }  // namespace furrow

@@ -22,40 +22,40 @@ namespace furrow {
 
 namespace {
 
-// Rounded by a little more than the radius, so that arcs drawn as chords can be driven.
+// Factors on the radius for rounding, so that arcs drawn as chords can be driven.
 constexpr std::array kRadiusReserves{1.02, 1.1, 1.25};
-// Outside by less than this is touching.
+// An excess below this is touching.
 constexpr double kTouchingM = 8e-4;
-// And by less than this it is drawing.
+// An excess below this comes from drawing arcs as chords.
 constexpr double kDrawingM = 4e-3;
 const auto everywhere = [](Point) { return true; };
-// Moved in by a little more than was seen, so that it stays inside between the places that were looked at.
+// Added to the observed move, so that the line also stays inside between the sampled places.
 constexpr double kReserveM = 0.01;
 constexpr double kReserveFactor = 1.15;
-// Where it moves by less it does not move: the bend that begins there swings nothing out.
+// Smaller moves are ignored, because the bend at their start swings nothing out.
 constexpr double kLeastMoveM = 2e-4;
 constexpr int kMostMoves = 10;
-// Where that is not enough the line is cut; looked at so often.
+// Step for the check when a line has to be cut.
 constexpr double kCutLookM = 0.25;
-// A trailed implement that points elsewhere than the tractor by less is in line.
+// A trailed implement with a smaller angle to the tractor is in line.
 constexpr double kInLineRad = 1e-3;
-// Places that are looked at lie so many of the distances between two moves apart.
+// Distance of sampled places, as a share of the distance between two moves, and the factor for bends.
 constexpr double kLookShare = 0.2;
 constexpr double kBendLooks = 4.0;
-// And so far where something is known to be outside between them.
+// The same if a place between them is known to be outside.
 constexpr double kLookCloselyM = 0.01;
-// In pieces so long it is asked whether something is.
+// Length of the pieces that are tested for such a place.
 constexpr double kShortPieceM = 3.0;
-// Points of a ring that can be moved lie no farther apart.
+// Largest distance between points of a ring that can be moved.
 constexpr double kDenseM = 1.0;
-// Points of a moved ring that make less difference are left out.
+// Points of a moved ring that change it less are left out.
 constexpr Length kSimplified = metres(5e-4);
-// How far the line may move where corners are merged to be driven; what that takes outside is found and mended.
+// Largest move of the line where corners are merged. A later check finds and corrects places outside.
 constexpr Length kMergeTolerance = metres(0.25);
-// How fine an arc around an inward corner is drawn.
+// Tolerance for drawing an arc around an inward corner.
 constexpr Length kRoundTolerance = metres(0.01);
 
-/// What is left when no disc of the radius may stick out: outward corners rounded, necks cut.
+/// The area that discs of the radius inside the polygons can cover: outward corners are rounded, necks cut.
 Result<MultiPolygon> opened(const MultiPolygon& polygons, Length radius, const JobContext& job) {
     return eroded(polygons, radius, kRoundTolerance, job).and_then([&](const MultiPolygon& core) {
         return dilated(core, radius, kRoundTolerance, job);
@@ -72,7 +72,7 @@ Polygon disc(Point centre, double radiusM) {
     return polygon;
 }
 
-/// How a ring turns at one of its points, to the left, and which way leads inside from there.
+/// The turn of a ring at one of its points, positive to the left, and the direction inwards.
 struct Bend {
     double turnRad = 0.0;
     Point inward;
@@ -85,14 +85,14 @@ Bend bendAt(const Ring& ring, std::size_t i) {
     return {turn, direction(std::atan2(in.y, in.x) + 0.5 * turn + 0.5 * std::numbers::pi)};
 }
 
-/// Around a corner that points into the region a disc of the radius that touches it there: what is left can be
-/// driven around it.
+/// Discs of the radius that touch the corners pointing into the region. The region without them can be driven
+/// around.
 MultiPolygon discsAtInwardCorners(const Polygon& region, double radiusM) {
     MultiPolygon discs;
     const auto visit = [&](const Ring& ring) {
         for (std::size_t i = 0; i < ring.size(); ++i) {
             const Bend bend = bendAt(ring, i);
-            // The disc sticks out of the edges by this; less is not worth one.
+            // The distance that the disc sticks out of the edges. A smaller one needs no disc.
             if (bend.turnRad < 0.0 && radiusM * (1.0 - std::cos(0.5 * bend.turnRad)) > kRoundTolerance.si()) {
                 discs.push_back(disc(ring[i] - radiusM * bend.inward, radiusM));
             }
@@ -103,7 +103,8 @@ MultiPolygon discsAtInwardCorners(const Polygon& region, double radiusM) {
     return discs;
 }
 
-/// What a vehicle can drive along: inward corners cut back to the radius, outward ones rounded, necks cut.
+/// The region that a vehicle can drive along: inward corners cut back to the radius, outward ones rounded,
+/// necks cut.
 Result<MultiPolygon> rounded(const Polygon& region, Length radius, const JobContext& job) {
     const MultiPolygon discs = discsAtInwardCorners(region, radius.si());
     Result<MultiPolygon> left = MultiPolygon{region};
@@ -113,25 +114,26 @@ Result<MultiPolygon> rounded(const Polygon& region, Length radius, const JobCont
     return left.and_then([&](const MultiPolygon& polygons) { return opened(polygons, radius, job); });
 }
 
-/// A place where the footprint is outside, and how far the pass has to move in there.
+/// A place where the footprint is outside, and the distance that the pass has to move in there.
 struct Excess {
     Point place;
     double moveM = 0.0;
     double outsideM = 0.0;
 };
 
-/// How far the pass has to move in at each place: as far as was seen there, less with the distance from it.
+/// The distance that the pass moves in at each place. It falls with the distance from the place of the
+/// excess.
 class Displacement {
 public:
     explicit Displacement(double reachM) : reachM_{reachM} {}
 
-    /// What one round of looking has found adds to the rounds before.
+    /// Adds the excesses of one round to those of the rounds before.
     void add(std::vector<Excess> excesses) {
         std::ranges::sort(excesses, {}, [](const Excess& excess) { return excess.place.x; });
         rounds_.push_back(std::move(excesses));
     }
     bool isEmpty() const { return rounds_.empty(); }
-    /// Whether the last round has moved anything here.
+    /// Whether the last round has moved this place.
     bool changedLastAt(Point point) const { return rounds_.empty() || mostAt(point, rounds_.back()) > 0.0; }
 
     double at(Point point) const {
@@ -143,9 +145,9 @@ public:
     }
 
 private:
-    /// The sum within one round would grow with the number of places: the one that asks for most counts.
+    /// The largest demand counts. A sum within one round would grow with the number of places.
     double mostAt(Point point, const std::vector<Excess>& round) const {
-        // Farther away exp() leaves less than is worth a move.
+        // Farther away, exp() is too small for a move.
         const double seenM = 10.0 * reachM_;
         const auto xOf = [](const Excess& excess) { return excess.place.x; };
         double most = 0.0;
@@ -163,7 +165,7 @@ private:
     std::vector<std::vector<Excess>> rounds_;
 };
 
-/// Points close enough for the curve that the ring moves on to, and none where it does not move.
+/// Adds points, close enough for the curve of the moved ring, but none on unmoved parts.
 Ring densified(const Ring& ring, const Displacement& displacement) {
     Ring dense;
     for (std::size_t i = 0; i < ring.size(); ++i) {
@@ -188,11 +190,11 @@ Ring moved(const Ring& ring, const Displacement& displacement) {
     Ring result;
     for (std::size_t i = 0; i < dense.size(); ++i) {
         const Bend bend = bendAt(dense, i);
-        // At a corner the point moves along the bisector so that both edges move by the same.
+        // At a corner the point moves along the bisector. Both edges then move by the same distance.
         const double mitre = 1.0 / std::max(0.5, std::cos(0.5 * bend.turnRad));
         result.push_back(dense[i] + displacement.at(dense[i]) * mitre * bend.inward);
     }
-    // Fewer points on the same curve: the buffers cost by the point.
+    // Fewer points on the same curve, since the cost of the buffers grows with the points.
     return simplifiedRing(std::move(result), kSimplified);
 }
 
@@ -212,7 +214,8 @@ Result<MultiPolygon> moved(const MultiPolygon& polygons, const Displacement& dis
 
 enum class Look { NowAndThen, Closely };
 
-/// The same line in pieces of which one that gets outside somewhere is soon looked at all along.
+/// The same line in short pieces. Only a piece that is outside somewhere is then sampled closely along its
+/// whole length.
 std::vector<TurnPiece> inShortPieces(const std::vector<TurnPiece>& pieces) {
     std::vector<TurnPiece> all;
     for (const TurnPiece& piece : pieces) {
@@ -227,15 +230,16 @@ std::vector<TurnPiece> inShortPieces(const std::vector<TurnPiece>& pieces) {
     return all;
 }
 
-/// The worst places along a line, at most one for each `apart`, where `looksAt` says so. Looked at closely, also those
-/// where a corner of the field goes in and out of the footprint between two looks. Ends early where the job is stopped.
+/// The worst places along a line, at most one for each `apart`, where `looksAt` allows. A close look also
+/// finds places where a corner of the field enters and leaves the footprint between two samples. Ends early
+/// if the job is stopped.
 std::vector<Excess> excessesAlong(const Turn& line, const Rig& rig, double apartM, Look how,
                                   const std::function<bool(Point)>& looksAt, const JobContext& job) {
     std::vector<Excess> found;
     double wayM = 0.0;
     double lastM = -apartM;
     RigState state = Rig::inLine(line.start);
-    // An implement that trails comes round the last corner of the ring when the line begins.
+    // When the line begins, a trailed implement is still coming round the last corner of the ring.
     for (const TurnPiece& piece : rig.hasTrailer() ? line.pieces : std::vector<TurnPiece>{}) {
         state = *rig.follow(state, piece, piece.length, [](const RigState&) { return true; });
     }
@@ -257,9 +261,9 @@ std::vector<Excess> excessesAlong(const Turn& line, const Rig& rig, double apart
         Point last = state.tractor.position;
         double goneM = 0.0;
         int looked = 0;
-        // In bends the corners of the footprint go several times as far as the axle.
+        // In bends the corners of the footprint move several times as far as the axle.
         const double swung = 1.0 + kBendLooks * std::abs(piece.curvature.si()) * apartM;
-        // Straights are cleared as a whole for less than it takes to look now and then.
+        // One test of a whole straight is cheaper than samples along it.
         const bool isStraight = piece.curvature == Curvature{} && piece.endCurvature == Curvature{};
         if (how == Look::Closely || isStraight) {
             if (const auto inside = rig.driven(state, piece, metres(kTouchingM))) {
@@ -273,7 +277,7 @@ std::vector<Excess> excessesAlong(const Turn& line, const Rig& rig, double apart
         const auto next = rig.follow(state, piece, metres(stepM), [&](const RigState& at) {
             goneM += distance(at.tractor.position, last);
             last = at.tractor.position;
-            // In the middle of a straight nothing swings: now and then is often enough.
+            // In the middle of a straight nothing swings, so few samples are enough.
             const bool inLine = std::abs((at.implement - at.tractor.heading).si()) < kInLineRad;
             const bool nearEnd = std::min(goneM, piece.length.si() - goneM) <= 2.0 * apartM;
             const bool swings = closely || !isStraight || nearEnd || !inLine || looked % 5 == 0;
@@ -292,12 +296,12 @@ std::vector<Excess> excessesAlong(const Turn& line, const Rig& rig, double apart
     return found;
 }
 
-/// What a ring becomes when no disc of the radius may stick out of the side that is driven: seen by itself, since what
-/// lies on the far side of a lane that is narrower than a turn has a ring of its own.
+/// The ring after rounding on the driven side, so that a disc of the radius fits everywhere. Each ring is
+/// treated alone: the far side of a lane narrower than a turn has its own ring.
 Result<std::vector<Ring>> roundedRing(const Ring& ring, bool isHole, Length radius, const JobContext& job) {
     Polygon side{.outer = ring, .holes = {}};
     if (isHole) {
-        // From outside: in a frame so far away that it does not matter.
+        // From outside: in a frame far enough away to have no effect.
         const Bounds box = bounds({side});
         const Point away{8.0 * radius.si(), 8.0 * radius.si()};
         const Point low = box.min - away;
@@ -316,11 +320,11 @@ Result<std::vector<Ring>> roundedRing(const Ring& ring, bool isHole, Length radi
     });
 }
 
-/// The lines of a region, ring by ring. Most corners can be rounded one by one; where they are too close for that,
-/// everything goes that no disc of the radius can reach.
+/// The lines of a region, ring by ring. Most corners can be rounded one by one. If they are too close for
+/// that, every part that no disc of the radius can reach is removed.
 Result<PassTracks> linesOf(const MultiPolygon& region, Length radius, Length gentle, const JobContext& job) {
     PassTracks tracks;
-    // Less than a turn on full lock holds is a crumb of moving the ring.
+    // A region smaller than a circle on full lock is a remainder of moving the ring.
     const Area least = squareMetres(std::numbers::pi * radius.si() * radius.si());
     const auto add = [&](const Ring& ring) {
         auto line = smoothRing(ring, radius, kMergeTolerance, gentle);
@@ -333,7 +337,7 @@ Result<PassTracks> linesOf(const MultiPolygon& region, Length radius, Length gen
         if (add(ring)) {
             return {};
         }
-        // Arcs drawn as chords are too short for their corners now and then: those of a larger radius are not.
+        // Arcs drawn as chords can be too short for their corners. Arcs of a larger radius are long enough.
         for (const double reserve : kRadiusReserves) {
             const auto rings = roundedRing(ring, isHole, reserve * radius, job);
             if (!rings) {
@@ -367,7 +371,7 @@ Result<PassTracks> linesOf(const MultiPolygon& region, Length radius, Length gen
     return tracks;
 }
 
-/// A region whose lines follow the edges; the region itself where that cannot be.
+/// A region whose lines follow the edges, or the given region if that fails.
 Result<MultiPolygon> alongEdges(const MultiPolygon& region, const MultiPolygon& drivable, const Machine& machine,
                                 const FollowingRules& following, Length gentle, const JobContext& job) {
     const auto straight = linesOf(region, machine.minTurningRadius(), gentle, job);
@@ -388,7 +392,7 @@ Result<MultiPolygon> alongEdges(const MultiPolygon& region, const MultiPolygon& 
         }
         (isOuter ? outer : holes).push_back({.outer = std::move(ring), .holes = {}});
     }
-    // A line that crosses itself or its neighbour somewhere is no shape to take away yet.
+    // A line that crosses itself or its neighbour is made valid before it is subtracted.
     MultiPolygon taken;
     for (const Polygon& hole : holes) {
         auto valid = madeValid({hole}, job);
@@ -406,12 +410,12 @@ Result<MultiPolygon> alongEdges(const MultiPolygon& region, const MultiPolygon& 
     if (!along) {
         return std::unexpected(along.error());
     }
-    // In a place too narrow for it the line that follows the edges crosses itself.
+    // In places that are too narrow, the line along the edges crosses itself.
     const bool isWhole = along->givenUp == 0 && along->lines.size() == straight->lines.size();
     return isWhole ? std::move(*followed) : region;
 }
 
-/// How far tail or nose reach from the axle: the scale on which a swing-out has to be prepared.
+/// The distance that tail or nose reach from the axle. It is the scale on which a swing-out is prepared.
 double overhangM(const Machine& machine) {
     double farthest = 0.0;
     for (const Point& corner : Trailer::of(machine) ? tractorOutline(machine) : machine.workingFootprint()) {
@@ -427,8 +431,8 @@ Result<PassTracks> passTracks(const MultiPolygon& workable, Length inset, const 
     const Length radius = machine.minTurningRadius();
     const double reachM = overhangM(machine);
     auto base = eroded(workable, inset, kRoundTolerance, job);
-    // Leaving a pass that runs along the edge swings the tail out as a corner does: where no corner makes room for
-    // that, one place gets it.
+    // Leaving a pass along the edge swings the tail out like a corner does. If no corner makes room for that,
+    // one place gets it.
     const double besideM = radius.si() + 0.5 * machine.workingFootprintWidth().si();
     const double swingM = std::hypot(besideM, reachM) - besideM;
     const bool touches = !Trailer::of(machine) && inset.si() < 0.5 * machine.workingFootprintWidth().si() + swingM;
@@ -504,7 +508,7 @@ std::vector<Point> placesOutside(const Turn& line, const MultiPolygon& drivable,
 
 std::vector<Turn> partsInside(const Turn& closedLine, const MultiPolygon& drivable, const Machine& machine,
                               const JobContext& job) {
-    // So far before and after such a place the line stays away from it, too.
+    // The line also stays away before and after such a place, by this distance.
     const double awayM = 2.0 * kCutLookM;
     const Rig rig{drivable, machine, ImplementAt::Lowered};
     std::vector<std::pair<double, double>> parts;
@@ -520,7 +524,7 @@ std::vector<Turn> partsInside(const Turn& closedLine, const MultiPolygon& drivab
             gone += piece.length.si();
             continue;
         }
-        // Somewhere in it: looked for step by step.
+        // Some place in this piece is outside: find it step by step.
         const auto steps = std::max(1, static_cast<int>(std::ceil(piece.length.si() / kCutLookM)));
         TurnPiece step = piece;
         step.length = (1.0 / steps) * piece.length;
@@ -546,7 +550,7 @@ std::vector<Turn> partsInside(const Turn& closedLine, const MultiPolygon& drivab
     std::ranges::transform(parts, std::back_inserter(kept), [&](const auto& part) {
         return partOf(closedLine, metres(part.first), metres(part.second));
     });
-    // It begins and ends somewhere on the way: that is no cut.
+    // The start of the closed line is no cut: join the last and the first part.
     if (kept.size() > 1 && parts.front().first == 0.0 && parts.back().second == gone) {
         std::ranges::copy(kept.front().pieces, std::back_inserter(kept.back().pieces));
         kept.erase(kept.begin());

@@ -13,11 +13,11 @@ namespace furrow {
 
 namespace {
 
-// A side along which no swath ends needs no pass where it is as straight as this.
+// A side without swath ends needs no pass if it is straight within this distance.
 constexpr double kStraightM = 0.05;
 constexpr double kSameHeading = 1e-9;
 constexpr int kMostRounds = 4;
-// Where the sides of a swath are looked from, as a share of its width.
+// Distance from the middle of a swath to test points near its sides, as a share of its width.
 constexpr double kAlmostHalf = 0.45;
 
 double angleBetween(const Pose& leaving, const EdgeStrip& strip) {
@@ -26,7 +26,7 @@ double angleBetween(const Pose& leaving, const EdgeStrip& strip) {
     return std::abs(std::atan2(cross(way, along), dot(way, along)));
 }
 
-/// The edges that the strip of a swath meets straight ahead, its middle and both its sides.
+/// The edges straight ahead of a swath, from its middle and both its sides.
 std::vector<std::size_t> edgesAhead(const Pose& leaving, const EdgeStrips& strips, const HeadlandTask& task, Length within) {
     std::vector<std::size_t> edges;
     const Point ahead = direction(leaving.heading.si());
@@ -40,14 +40,14 @@ std::vector<std::size_t> edgesAhead(const Pose& leaving, const EdgeStrips& strip
     return edges;
 }
 
-/// Widens the edges at which swaths end to what turning there takes; says whether one of them was too narrow.
+/// Widens the edges at swath ends to the room for turning. Returns whether one of them was too narrow.
 Result<bool> makeRoom(std::vector<EdgeStrip>& strips, const MultiPolygon& mainland, const HeadlandTask& task) {
     const auto ends = task.swathEnds(mainland);
     if (!ends) {
         return std::unexpected(ends.error());
     }
     const EdgeStrips edges{strips};
-    // Beyond the widest strip by what a slanting edge lies farther away on one side.
+    // The search goes beyond the widest strip, because a slanting edge lies farther away on one side.
     const auto widest = std::ranges::max_element(strips, {}, &EdgeStrip::width);
     const Length within = 2.0 * widest->width + 4.0 * task.machine.operatingWidth();
     bool wasNarrow = false;
@@ -65,8 +65,8 @@ Result<bool> makeRoom(std::vector<EdgeStrip>& strips, const MultiPolygon& mainla
     return wasNarrow;
 }
 
-/// The narrowest headland along every edge: one pass, so that the outermost goes all round. Where none is driven,
-/// nothing along the outermost straight sides of the field that all swaths run along.
+/// The narrowest headland along every edge: one pass, so that the outermost goes all round. If no headland is
+/// driven and all swaths have one heading, the outermost straight sides along the swaths get no pass.
 std::vector<EdgeStrip> narrowest(const HeadlandTask& task, const std::vector<Pose>& ends) {
     std::vector<EdgeStrip> strips = EdgeStrips::along(task.workable(), widthOfPasses(1, task), 1);
     const bool isOneHeading = !ends.empty() && std::ranges::all_of(ends, [&](const Pose& end) {
@@ -105,7 +105,7 @@ Result<Headland> perEdge(const HeadlandTask& task, const JobContext& job) {
         return std::unexpected(ends.error());
     }
     wanted.strips = narrowest(task, *ends);
-    // A wider strip somewhere may end swaths elsewhere, or turn them all.
+    // A wider strip may move swath ends elsewhere, or turn all swaths.
     for (int round = 0; round < kMostRounds; ++round) {
         const auto mainland = withoutStrips(task.workable(), wanted.strips, job);
         if (!mainland) {

@@ -11,27 +11,27 @@ namespace furrow {
 namespace {
 
 constexpr double kSamePointM = 0.01;
-// How far a rounded corner may be from its point where the radius leaves a choice.
+// Largest distance from a corner to its rounding if the radius leaves a choice.
 constexpr double kRoundingM = 0.01;
-// Corners that turn by less in all can become one.
+// Two corners can become one if their turns sum to less.
 constexpr double kWidestMergeRad = std::numbers::pi / 2.0;
-// Corners of an arc matter alike: which of them goes is not for rounding to say.
+// Corners of an arc matter equally. Rounding errors must not decide which of them is removed.
 constexpr double kTieM = 1e-4;
-// No rounding turns the vehicle round on the spot.
+// Rounding never turns the vehicle on the spot.
 constexpr double kSharpestRad = 0.95 * std::numbers::pi;
-// Edges that differ by less are one line.
+// Edges with a smaller difference of heading are one line.
 constexpr double kStraightRad = 1e-9;
-// A radius that is kept up to rounding is kept.
+// A radius counts as kept if only rounding errors are missing.
 constexpr double kRadiusSlack = 1.0 + 1e-9;
 
 struct Corner {
     Point at;
     double turnRad = 0.0;  ///< to the left
-    double needM = 0.0;    ///< of both edges, for the smallest radius
-    double wantM = 0.0;    ///< for a gentle bend
+    double needM = 0.0;    ///< length needed of both edges, for the smallest radius
+    double wantM = 0.0;    ///< the same for a gentle bend
     double lengthM = 0.0;  ///< of the edge to the next corner
     Point way;             ///< unit vector of that edge
-    bool isCut = false;    ///< a line ends and another begins here: nothing is rounded
+    bool isCut = false;    ///< one line ends and another begins here: nothing is rounded
 };
 
 Ring withoutCloseOnes(const Ring& ring) {
@@ -47,8 +47,8 @@ Ring withoutCloseOnes(const Ring& ring) {
     return kept;
 }
 
-/// Two corners the same way with too short an edge between them: one where the edges before and after it meet, if
-/// its rounding passes close to the edge.
+/// Merges two corners in the same direction with too short an edge between them. The new corner is where the
+/// edges before and after meet. Empty if its rounding would not pass close to the edge.
 std::optional<Point> oneCornerFor(const Corner& a, const Corner& b, double radiusM, double toleranceM) {
     const double turn = a.turnRad + b.turnRad;
     if (a.turnRad * b.turnRad <= 0.0 || std::abs(turn) > kWidestMergeRad) {
@@ -65,10 +65,11 @@ std::optional<Point> oneCornerFor(const Corner& a, const Corner& b, double radiu
     return a.at + alongM * direction(heading);
 }
 
-/// The corners of a ring while points go: what is left is linked, and only what changes is worked out again.
+/// The corners of a ring while points are removed. The remaining corners are linked, and only changes are
+/// computed again.
 class CornerChain {
 public:
-    /// @param sharpestRad  corners that turn by more are cut; none where it is not given
+    /// @param sharpestRad  corners with a larger turn are cut; without a value, none is cut
     CornerChain(const Ring& ring, double radiusM, double toleranceM, double gentleM,
                 std::optional<double> sharpestRad = std::nullopt)
         : radiusM_{radiusM},
@@ -89,7 +90,7 @@ public:
         }
     }
 
-    /// Takes points away until every edge is long enough for its corners. False where that is not possible.
+    /// Removes points until every edge is long enough for its corners. False if that is not possible.
     bool makeDrivable() {
         while (!pending_.empty()) {
             const std::size_t i = pending_.back();
@@ -149,7 +150,7 @@ private:
         measureTurn(i);
     }
 
-    /// The edge after i is too short: its corners become one, or the one that matters less goes.
+    /// The edge after i is too short. Its corners become one, or the less important one is removed.
     bool shorten(std::size_t i) {
         const std::size_t next = links_[i].next;
         const bool cutAtOne = corners_[i].isCut || corners_[next].isCut;
@@ -168,7 +169,7 @@ private:
         return true;
     }
 
-    /// How far the ring moves if a point goes.
+    /// The distance that the ring moves if a point is removed.
     double moveWithout(std::size_t i) const {
         const Point before = corners_[links_[i].before].at;
         const Point way = corners_[links_[i].next].at - before;
@@ -205,7 +206,7 @@ private:
     std::vector<std::size_t> pending_;
 };
 
-/// From each corner to where its rounding begins and ends.
+/// The distance from each corner to the ends of its rounding.
 std::vector<double> roundingsOf(const std::vector<Corner>& corners) {
     const std::size_t size = corners.size();
     std::vector<double> cuts(size);
@@ -213,7 +214,7 @@ std::vector<double> roundingsOf(const std::vector<Corner>& corners) {
         const Corner& before = corners[(i + size - 1) % size];
         const Corner& corner = corners[i];
         const Corner& next = corners[(i + 1) % size];
-        // What the corners at both ends of an edge do not need is shared.
+        // The corners at both ends of an edge share the length that they do not need.
         const double spareBefore = 0.5 * (before.lengthM - before.needM - corner.needM);
         const double spareAfter = 0.5 * (corner.lengthM - corner.needM - next.needM);
         cuts[i] = std::min(corner.wantM, corner.needM + std::min(spareBefore, spareAfter));
@@ -221,8 +222,8 @@ std::vector<double> roundingsOf(const std::vector<Corner>& corners) {
     return cuts;
 }
 
-/// From the end of one corner's rounding over `edges` edges: straights, and arcs round the corners between and, if
-/// it closes, round the first one.
+/// The line from the end of one corner's rounding over `edges` edges: straights, and arcs round the corners
+/// between. If it closes, also the arc round the first corner.
 Turn lineThrough(const std::vector<Corner>& corners, const std::vector<double>& cuts, std::size_t from,
                  std::size_t edges, bool closes) {
     const std::size_t size = corners.size();
@@ -270,7 +271,8 @@ SmoothStretches smoothStretches(const Ring& given, const StretchRules& rules) {
     if (ring.size() < 3) {
         return {};
     }
-    // Between two passes that are rounded alike: 2 (tan(a/2) - a/2) R w, and for small angles a^3 R w / 12.
+    // The area between two passes with the same rounding is 2 (tan(a/2) - a/2) R w, for small angles a^3 R w
+    // / 12.
     double sharpestRad = 0.1;
     const double share = 0.5 * rules.mostUncut.si() / (rules.radius.si() * rules.width.si());
     while (sharpestRad < 3.0 && std::tan(0.5 * sharpestRad) - 0.5 * sharpestRad < share) {

@@ -15,15 +15,17 @@ namespace {
 
 // Rounding must not turn 7.5 m / 2.5 m into two passes.
 constexpr double kPassSlack = 1e-9;
-// Obstacles and repairs cut edges into parts of themselves, by no more than this beside them.
+// Obstacles and repairs cut edges into parts. A part lies within this distance of its edge.
 constexpr double kSameLineM = 0.01;
 
-/// Whether the mainland is an operating width wide somewhere; less is not worth a headland around it.
+/// Whether the mainland is an operating width wide somewhere. A narrower one is not worth a headland around
+/// it.
 Result<bool> isWorthWorking(const MultiPolygon& mainland, const Machine& machine, const JobContext& job) {
     const Length half = 0.5 * machine.operatingWidth();
     double perimeterM = 0.0;
     forEachEdge(mainland, [&](Point from, Point to) { perimeterM += distance(from, to); });
-    // A disc of area / perimeter fits into every shape, which settles nearly all cases without geometry.
+    // A disc with radius area / perimeter fits into every shape. This settles nearly all cases without
+    // geometry.
     if (area(mainland).si() >= half.si() * perimeterM && perimeterM > 0.0) {
         return true;
     }
@@ -48,7 +50,7 @@ void widenEdges(Headland& headland, const HeadlandTask& task) {
     }
 }
 
-/// With at most so many passes along every edge.
+/// Limits the passes along every edge to `most`.
 void limitPasses(Headland& headland, int most, const HeadlandTask& task) {
     const auto limit = [&](Length& width, int& passes) {
         if (passes > most || most == 0) {
@@ -108,7 +110,7 @@ Result<Headland> headlandOf(Headland wanted, const HeadlandTask& task, const Job
             headland.mainland = std::move(*mainland);
             break;
         }
-        // Too narrow for this much: fewer passes, in the end none.
+        // The field is too narrow for this headland: use fewer passes, finally none.
         const int fitting = std::min(headland.passes, passesWithin(headland.width, task));
         limitPasses(headland, std::max(0, fitting - 1), task);
     }

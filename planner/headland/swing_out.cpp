@@ -14,35 +14,35 @@ namespace furrow {
 
 namespace {
 
-// Corners that are rounded more gently, or turn by less, lose little.
+// Corners with gentler rounding or smaller turns lose little.
 constexpr double kTightRadii = 1.5;
 constexpr double kLeastTurnRad = 0.3;
 // Beyond this the two sides hardly meet.
 constexpr double kMostTurnRad = 2.6;
-// By how much the tractor turns too far, the most first.
+// Angles by which the tractor turns too far, the largest first.
 constexpr std::array kSwingsDeg{45.0, 35.0, 28.0, 20.0, 12.0};
 constexpr Length kLookStep = metres(0.3);
 constexpr double kTouchingM = 1e-3;
-// After the corner the implement comes into line within so many of its own lengths.
+// After the corner the implement comes into line within 3 of its own lengths.
 constexpr double kLengthsAfter = 3.0;
 constexpr double kLeastStraightM = 0.01;
-// A straight that is longer than so many radii parts two corners.
+// A straight longer than 1.5 radii separates two corners.
 constexpr double kLongRadii = 1.5;
 
 bool isStraight(const TurnPiece& piece) {
     return piece.curvature == Curvature{} && piece.endCurvature == Curvature{};
 }
 
-/// Bends the same way with little between them, from one straight to another, seen so that they turn to the left.
+/// Bends in the same direction with little between them, from one straight to another, mirrored to turn left.
 struct Corner {
     std::size_t last = 0;  ///< piece
     double turnRad = 0.0;
     double side = 1.0;      ///< 1 to the left
-    double entryM = 0.0;  ///< from where the bends begin to where the two sides meet
-    double exitM = 0.0;   ///< from there to where they end
+    double entryM = 0.0;  ///< from the start of the bends to the meeting point of the two sides
+    double exitM = 0.0;   ///< from there to their end
 };
 
-/// The corner that begins after a straight; nothing where there is none worth it.
+/// The corner that begins after a straight. Empty if it is not worth a swing.
 std::optional<Corner> cornerAfter(const std::vector<TurnPiece>& pieces, std::size_t straight, const Pose& begins,
                                   double radiusM) {
     Corner corner;
@@ -83,7 +83,7 @@ std::optional<Corner> cornerAfter(const std::vector<TurnPiece>& pieces, std::siz
     return corner;
 }
 
-/// A corner that is driven too far and back, with what it takes of the two sides.
+/// A corner that is driven too far and back, with the lengths it takes from the two sides.
 struct Swing {
     double beforeM = 0.0;
     double afterM = 0.0;
@@ -111,7 +111,7 @@ Turn swungOut(const Turn& line, const Rig& rig) {
     const Length afterwards = kLengthsAfter * (implement.hitchOffset - implement.offset);
     Turn swung = line;
     std::vector<TurnPiece>& pieces = swung.pieces;
-    // From the middle of a straight, so that no corner lies across the ends.
+    // Start in the middle of a straight, so that no corner lies across the ends.
     if (const auto straight = std::ranges::find_if(pieces, isStraight); straight != pieces.end()) {
         for (auto piece = pieces.begin(); piece != straight; ++piece) {
             swung.start = advanced(swung.start, *piece, piece->length);

@@ -4,10 +4,10 @@
 
 namespace furrow {
 
-/// A closed line whose tight corners are driven so that a trailed implement gets farther into them: the tractor turns
-/// later and by more than the corner, and comes back to its line from outside; the implement, which cuts the corner on
-/// its own track, is held back by that. As much as there is room for, corner by corner; the rest stays as it is. Ends
-/// meet as before. Cost: some looks at the rig for each corner.
+/// A closed line whose tight corners are changed so that a trailed implement reaches farther into them. The
+/// tractor turns later and further than the corner, and returns to its line from outside. This holds the
+/// implement back, which cuts the corner on its own track. Each corner gets the largest swing that has room.
+/// The other parts stay unchanged, and the ends still meet. Cost: some checks of the rig for each corner.
 Turn swungOut(const Turn& line, const Rig& rig);
 
 }  // namespace furrow

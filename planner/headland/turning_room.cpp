@@ -11,12 +11,13 @@ namespace furrow {
 
 namespace {
 
-/// How far the footprint reaches from the edge of the mainland, which meets the swaths at `angle`, on the way from
-/// one swath to the next.
+/// The distance of the footprint from the edge of the mainland on the turn from one swath to the next. The
+/// edge meets the swaths at `angle`.
 double depthM(const Machine& machine, TurnPlanner* turn, double angle, bool drawnOut) {
     const double widthM = machine.operatingWidth().si();
     const Point outward{-std::cos(angle), std::sin(angle)};
-    // The tractor is ahead of the implement when that leaves the mainland, and still is when it comes back.
+    // The tractor is ahead of the implement, both when the implement leaves the mainland and when it comes
+    // back.
     const double leadM = -machine.spec().implement.offset.si();
     const double moreM = drawnOut ? 0.5 * widthM / std::abs(std::tan(angle)) : 0.0;
     //   edge of the mainland, through both swath ends

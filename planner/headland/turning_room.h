@@ -5,15 +5,16 @@
 
 namespace furrow {
 
-/// How far the machine's footprint reaches beyond the edge of the mainland when it turns from one swath
-/// into the next: the most over edges that meet the swaths at 45 to 135 degrees. Cost: a dozen turns.
-/// @param drawnOut  swaths are drawn out until their full width is covered
+/// The distance that the footprint reaches beyond the edge of the mainland on a turn from one swath into the
+/// next. The largest over edges that meet the swaths at 45 to 135 degrees. Cost: a dozen turns.
+/// @param drawnOut  swaths are extended until their full width is covered
 Length roomForTurns(const Machine& machine, TurnPlanner* turn, bool drawnOut);
 
-/// The same for edges that meet the swaths at this angle, in (0, pi); flat ones count as 15 degrees.
+/// The same for edges that meet the swaths at this angle, in (0, pi). Angles below 15 degrees count as 15.
 Length roomForTurnsAt(Angle angle, const Machine& machine, TurnPlanner* turn, bool drawnOut);
 
-/// How far ahead of where the implement leaves a swath the footprint gets on the way to the next, level, one.
+/// The distance that the footprint reaches ahead of the implement's exit from a swath, on the turn to the
+/// next, level swath.
 Length reachOfLevelTurn(const Machine& machine, TurnPlanner* turn);
 
 }  // namespace furrow

@@ -7,10 +7,11 @@ namespace furrow {
 
 namespace {
 
-// What trails at 45 degrees is within 11 of the line after so many of its own lengths: tan(a / 2) falls with exp(-s / l).
+// After 1.5 of its own lengths, a trailed implement at 45 degrees is within 11 degrees of the line: tan(a /
+// 2) falls with exp(-s / l).
 constexpr double kLengthsToComeIntoLine = 1.5;
 
-/// From straight wheels to full lock, for a machine that does not say.
+/// Time from straight wheels to full lock, if the machine gives no rate.
 constexpr Duration kFullLockTime = seconds(2.0);
 
 Error refused(std::string_view key, Message what, Message remedy) {
@@ -103,7 +104,7 @@ CurvatureRate Machine::maxCurvatureRate() const {
         return *tractor.maxCurvatureRate;
     }
     const Speed speed = tractor.canReverse ? std::max(turningSpeed(), tractor.reverseSpeed) : turningSpeed();
-    // The curvature is tan(steering angle) / wheelbase; its derivative has 1 / cos² >= 1 as a factor.
+    // The curvature is tan(steering angle) / wheelbase. Its derivative has 1 / cos² >= 1 as a factor.
     const double steered = tractor.steeringRateRadps ? *tractor.steeringRateRadps / tractor.wheelbase.si()
                                                      : 1.0 / (kFullLockTime.si() * minTurningRadius().si());
     return CurvatureRate::fromSi(steered / speed.si());

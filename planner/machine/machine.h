@@ -9,17 +9,17 @@
 
 namespace furrow {
 
-/// What drives. Its reference point is the middle of the fixed axle.
+/// The driving vehicle. Its reference point is the middle of the fixed axle.
 struct Tractor {
     Length width = metres(2.5);
     Length length = metres(4.5);
     /// From the fixed axle to the tractor's rear end.
     Length rearOverhang = metres(1.0);
     Length wheelbase = metres(2.6);
-    /// Smallest radius the reference point can drive; from the steering angle where it is not given.
+    /// Smallest radius that the reference point can drive. If not given, from the steering angle.
     std::optional<Length> minTurningRadius;
     std::optional<Angle> maxSteeringAngle;
-    /// How fast the curvature can change along the path; from the steering rate where it is not given.
+    /// Largest change of the curvature along the path. If not given, from the steering rate.
     std::optional<CurvatureRate> maxCurvatureRate;
     /// Radians per second of the steered wheels.
     std::optional<double> steeringRateRadps;
@@ -37,13 +37,13 @@ struct Tractor {
 
 enum class Mounting { Mounted, Trailed };
 
-/// What works. Its place is given from the tractor's fixed axle, positive to the front and to the left.
+/// The working part. Its place is given from the tractor's fixed axle, positive to the front and to the left.
 struct Implement {
     Length operatingWidth = metres(2.5);
-    /// Width while it is lifted or folded for a turn; the operating width where it is not given.
+    /// Width while lifted or folded for a turn. If not given, the operating width.
     std::optional<Length> raisedWidth;
-    /// Width while it is folded for the road, through gates and on ways in and out; the raised width where it is not
-    /// given. No more than the machine is at work.
+    /// Width while folded for the road, through gates and on ways in and out. If not given, the raised width.
+    /// No larger than the machine's width at work.
     std::optional<Length> transportWidth;
     Mounting mounting = Mounting::Mounted;
     /// From the fixed axle to the hitch, negative behind the axle.
@@ -57,14 +57,14 @@ struct Implement {
     std::optional<Angle> maxHitchAngle;
     Duration liftTime = seconds(0.0);
     Duration lowerTime = seconds(0.0);
-    /// Straight way it needs before it is lowered.
+    /// Straight distance needed before it is lowered.
     Length runIn = metres(0.0);
     bool canReverse = true;
 
     friend bool operator==(const Implement&, const Implement&) = default;
 };
 
-/// What is carried or gathered, in the user's own unit (litres, kilograms ...).
+/// The carried or gathered material, in the user's own unit (litres, kilograms ...).
 struct Tank {
     double capacity = 0.0;
     double ratePerM2 = 0.0;
@@ -91,7 +91,7 @@ struct MachineSpec {
     friend bool operator==(const MachineSpec&, const MachineSpec&) = default;
 };
 
-/// A tractor with its implement; one that exists can be planned with.
+/// A tractor with its implement. Every Machine that exists can be planned with.
 class Machine {
 public:
     /// InputRefused, naming the key: a width, radius or speed that is not positive and finite, a steering
@@ -104,24 +104,25 @@ public:
     Length operatingWidth() const { return spec_.implement.operatingWidth; }
     /// As given, or wheelbase / tan(steering angle).
     Length minTurningRadius() const;
-    /// As given; or what the steering rate makes of it at the turning (or reverse) speed with the wheels
-    /// straight, where it is least; or from straight to the smallest radius within two seconds.
+    /// As given. Otherwise from the steering rate at the turning (or reverse) speed, with the wheels
+    /// straight, where the change is slowest. Otherwise from straight to the smallest radius within two
+    /// seconds.
     CurvatureRate maxCurvatureRate() const;
-    /// The turning speed, or less where the lateral acceleration would be too large at the smallest radius.
+    /// The turning speed, or less if the lateral acceleration would be too large at the smallest radius.
     Speed turningSpeed() const;
-    /// The straight way before the implement is lowered: as given, and for a trailed one so long that it comes into
-    /// line.
+    /// The straight distance before the implement is lowered: as given, and for a trailed one at least enough
+    /// to come into line.
     Length runIn() const;
     /// Width of tractor and raised implement, whichever is more.
     Length turningWidth() const;
     /// Width of tractor and implement folded for transport, whichever is more.
     Length transportWidth() const;
-    /// The same machine with its implement folded: as wide as for transport where this one is as wide as raised.
+    /// The same machine with its implement folded: its raised width is this machine's transport width.
     Machine folded() const;
     /// Width of tractor and lowered implement, whichever is more.
     Length workingFootprintWidth() const;
-    /// What it occupies while turning, counter-clockwise, reference point at the origin, nose to +x. A
-    /// trailed implement is taken as if it were rigid: its own track is followed by the audit.
+    /// The occupied area while turning, counter-clockwise, reference point at the origin, nose to +x. A
+    /// trailed implement counts as rigid; the audit follows its own track.
     Ring turningFootprint() const;
     /// The same with the implement lowered.
     Ring workingFootprint() const;

@@ -54,7 +54,7 @@ constexpr double toRadians(double degrees) {
     return degrees * std::numbers::pi / 180.0;
 }
 
-// Of all numbers of degrees that mean this angle, the one with few decimals, so that 30 stays 30.
+// Several numbers of degrees mean this angle. Takes the one with few decimals, so that 30 stays 30.
 double fromRadians(double radians) {
     const double exact = radians * 180.0 / std::numbers::pi;
     const double rounded = std::round(exact * 1e9) / 1e9;
@@ -89,7 +89,7 @@ void setNumber(MachineSpec& spec, const MachineValue& value) {
     }
 }
 
-// Tank and fuel use are there as a whole or not at all: the first number given brings them into being.
+// Tank and fuel use exist as a whole or not at all. The first number given creates them.
 template <auto Whole, auto Part>
 MachineValue getPart(const MachineSpec& spec) {
     const auto& whole = spec.*Whole;
@@ -319,7 +319,7 @@ std::string joined(std::span<const std::string_view> words) {
     return text;
 }
 
-// What a key wants, as a remedy: "give a number in m".
+// The kind of value for a key, as a remedy: "give a number in m".
 Message wanted(const MachineKey& key) {
     switch (key.kind) {
         case MachineKeyKind::Flag: return "give true or false";

@@ -11,49 +11,48 @@
 
 namespace furrow {
 
-/// A value of a machine file: nothing where it is not given.
+/// A value of a machine file. Empty if it is not given.
 using MachineValue = std::variant<std::monostate, double, bool, std::string>;
 
 enum class MachineKeyKind { Number, Flag, Text };
 
-/// One key of a machine file and the member it stands for. Reading, writing and every list of a machine's
-/// values go through the same table of these.
+/// One key of a machine file and its member. Reading, writing and every list of a machine's values use the
+/// same table of these.
 struct MachineKey {
     std::string_view key;  ///< as in the file: "operating_width_m"
     MachineKeyKind kind = MachineKeyKind::Number;
-    std::string_view name;         ///< as people see it: "Operating width"
+    std::string_view name;         ///< as shown to people: "Operating width"
     std::string_view unit;         ///< "m", "m/s", "°" ...; empty for flags, texts and the user's own unit
     std::string_view description;  ///< one sentence
-    /// The usual range of a number, for input fields. A file may go beyond: what can be planned with is
-    /// for Machine::create to say.
+    /// The usual range of a number, for input fields. A file may go beyond; Machine::create decides which
+    /// values can be planned with.
     double min = 0.0;
     double max = 0.0;
-    bool mayBeMissing = false;  ///< has a meaning where it is not given; clearing it brings that back
-    std::span<const std::string_view> choices;  ///< of a text; empty where any text will do
+    bool mayBeMissing = false;                  ///< has a meaning if not given; clearing it restores that
+    std::span<const std::string_view> choices;  ///< of a text; empty if any text is allowed
 
     /// In the unit of the key.
     MachineValue (*get)(const MachineSpec& spec);
-    /// The value must be of the key's kind and, where there are choices, one of them; nothing clears what
-    /// may be missing.
+    /// The value must be of the key's kind and, if there are choices, one of them. An empty value clears a
+    /// key that may be missing.
     void (*set)(MachineSpec& spec, const MachineValue& value);
 };
 
-/// All keys, in the order they are written.
+/// All keys, in the order of writing.
 std::span<const MachineKey> machineKeys();
 
-/// Reads a machine: one flat JSON object with keys of machineKeys(). What is not given keeps its default;
-/// operating_width_m must be given, and a trailed implement reverses only where the file says so.
+/// Reads a machine: one flat JSON object with keys of machineKeys(). Missing keys keep their defaults.
+/// operating_width_m is required. A trailed implement can reverse only if the file says so.
 ///
-/// @param origin  where the text came from, for messages; its file name is the name of a machine without one
-/// @return InputRefused, with the place: not JSON (line and column), not an object, a key that is not
-///         known (naming the nearest one) or there twice, a value of another kind, and what
-///         Machine::create refuses.
+/// @param origin  source of the text, for messages; its file name names a machine without a name
+/// @return InputRefused, with the place: not JSON (line and column), not an object, an unknown key (naming
+/// the nearest one) or one given twice, a value of another kind, and everything that Machine::create refuses.
 Result<Machine> parseMachine(std::string_view json, std::string_view origin);
 
-/// The same from a file. ReadFailed: not there, not readable.
+/// The same from a file. ReadFailed: missing or not readable.
 Result<Machine> readMachineFile(const std::filesystem::path& path);
 
-/// The machine as parseMachine reads it, equal to the last bit; ends with a line break.
+/// The machine as text. parseMachine reads it back, equal to the last bit. Ends with a line break.
 std::string machineJson(const MachineSpec& spec);
 
 }  // namespace furrow

@@ -8,11 +8,11 @@
 
 namespace furrow {
 
-/// The machines that come with the program, in the order people see them; the first one is the default.
-/// Read once, on first use. Thread-safe.
+/// The machines that come with the program, in the order shown to people. The first one is the default. Read
+/// once, on first use. Thread-safe.
 std::span<const Machine> machineLibrary();
 
-/// The library's machine with this id or name, capitals or not. Usage: there is none; the message lists
+/// The library's machine with this id or name; case does not matter. Usage: there is none. The message lists
 /// the ids and names the nearest one.
 Result<Machine> findMachine(std::string_view idOrName);
 

@@ -18,14 +18,14 @@ namespace furrow {
 
 namespace {
 
-// Places along a headland pass where the footprint is looked at lie no farther apart.
+// Largest distance between places along a headland pass at which the footprint is tested.
 constexpr Length kPassStep = metres(0.5);
 constexpr Length kAnyStep = metres(1e6);
-// A trailed implement that points elsewhere than the tractor by less is in line.
+// A trailed implement with a smaller angle to the tractor is in line.
 constexpr double kInLineRad = 1e-3;
-// What passes and ways along the edge are outside by less is drawing, as in the audit.
+// A smaller excess of passes and ways along the edge comes from drawing, as in the audit.
 constexpr Length kDrawing = metres(0.01);
-// Taken off the footprint all round, so that touching the edge up to rounding is staying inside.
+// Taken off the footprint all round, so that touching the edge, up to rounding, counts as inside.
 constexpr double kTouchingM = 1e-3;
 
 Ring shrunken(Ring footprint) {
@@ -36,7 +36,7 @@ Ring shrunken(Ring footprint) {
     return footprint;
 }
 
-/// The same without holes: what lies outside of this lies outside the field.
+/// The same without holes. A place outside this area lies outside the field.
 MultiPolygon withoutHoles(const MultiPolygon& polygons) {
     MultiPolygon filled;
     for (const Polygon& polygon : polygons) {
@@ -45,7 +45,7 @@ MultiPolygon withoutHoles(const MultiPolygon& polygons) {
     return filled;
 }
 
-/// What drives, less a finger's breadth: one shape, or a tractor and what trails behind it.
+/// The driven shapes, slightly reduced: one shape, or a tractor and its trailed implement.
 struct Shapes {
     explicit Shapes(const Machine& machine)
         : trailer{Trailer::of(machine)},
@@ -56,13 +56,13 @@ struct Shapes {
     const Ring& implement(bool down) const { return down ? lowered : raised; }
 
     std::optional<Trailer> trailer;
-    Ring tractor;  ///< only of use with a trailer
-    Ring raised;   ///< with the tractor where there is no trailer
+    Ring tractor;  ///< only used with a trailer
+    Ring raised;   ///< including the tractor if there is no trailer
     Ring lowered;
 };
 
-/// Where tractor and implement are along a segment: at every sample, no farther apart than `step`, and close together
-/// while a trailed implement is not in line. `implement` is carried on from segment to segment.
+/// The states of tractor and implement along a segment: at every sample, no farther apart than `step`, and
+/// close together while a trailed implement is not in line. `implement` continues from segment to segment.
 std::vector<RigState> statesAlong(const PathSegment& segment, const Shapes& shapes, Length step, Angle& implement) {
     std::vector<RigState> states;
     const auto poseAt = [](const PathSample& sample) {
@@ -104,7 +104,7 @@ std::vector<Polyline> outlines(std::span<const RigState> states, const Ring& sha
     return all;
 }
 
-/// The lines that the corners of these outlines draw from one to the next.
+/// The lines that the corners of these outlines draw from one outline to the next.
 std::vector<Polyline> cornerTracks(const std::vector<Polyline>& outlines) {
     std::vector<Polyline> tracks(outlines.front().size() - 1);
     for (const Polyline& outline : outlines) {
@@ -115,7 +115,7 @@ std::vector<Polyline> cornerTracks(const std::vector<Polyline>& outlines) {
     return tracks;
 }
 
-/// How far whatever drives gets outside.
+/// The distance that the machine is outside.
 double outsideM(const RigState& state, const Shapes& shapes, const BoundaryDistance& edges) {
     if (!shapes.trailer) {
         return outsideM(state.tractor, shapes.lowered, edges);
@@ -124,8 +124,8 @@ double outsideM(const RigState& state, const Shapes& shapes, const BoundaryDista
                     outsideM(shapes.trailer->poseOf(state.tractor, state.implement), shapes.lowered, edges));
 }
 
-/// Where a headland pass is farthest outside; nothing where it stays inside. A pass is too long to be drawn outline by
-/// outline. Ends early, with something, where the job is stopped.
+/// The place where a headland pass is farthest outside. Empty if it stays inside. A pass is too long for a
+/// test by outlines. Ends early, with a partial result, if the job is stopped.
 std::optional<BlockedConnection> farthestAlong(std::span<const RigState> states, const Shapes& shapes,
                                                const BoundaryDistance& drivable, const BoundaryDistance& land,
                                                const JobContext& job) {
@@ -148,7 +148,8 @@ std::optional<BlockedConnection> farthestAlong(std::span<const RigState> states,
     return farthest;
 }
 
-/// Where what is swept between two stretches of work is farthest outside; nothing where it stays inside.
+/// The place where the area swept between two stretches of work is farthest outside. Empty if it stays
+/// inside.
 std::optional<BlockedConnection> farthestOnWay(std::span<const RigState> states, const Shapes& shapes, bool lowered,
                                                const PreparedArea& drivable, const PreparedArea& land) {
     std::vector<Polyline> all = outlines(states, shapes.implement(lowered), shapes.trailer);
@@ -158,7 +159,7 @@ std::optional<BlockedConnection> farthestOnWay(std::span<const RigState> states,
         std::ranges::move(cornerTracks(tractor), std::back_inserter(tracks));
         std::ranges::copy(tractor, std::back_inserter(all));
     }
-    // Along a straight or bulging boundary the hull decides; only inward corners need more.
+    // Along a straight or bulging boundary the hull decides. Only inward corners need more.
     if (drivable.coversHullOf(all)) {
         return std::nullopt;
     }
@@ -167,12 +168,12 @@ std::optional<BlockedConnection> farthestOnWay(std::span<const RigState> states,
         return std::nullopt;
     }
     BlockedConnection blocked;
-    // A footprint is farthest out with one of its corners, unless it straddles what is in the way.
+    // A footprint is farthest out with one of its corners, unless it straddles the obstacle.
     const std::vector<Polyline>& lines = tracksInside ? all : tracks;
     const auto beyondLand = land.farthestOutside(lines);
     blocked.obstacle = !beyondLand;
     const auto farthest = beyondLand ? beyondLand : drivable.farthestOutside(lines);
-    // Outside by less than can be told from drawing: covered after all.
+    // A smaller excess may come from drawing, so the area counts as covered.
     if (!farthest || farthest->distance <= kDrawing) {
         return std::nullopt;
     }
@@ -201,7 +202,7 @@ Result<std::vector<BlockedConnection>> blockedConnections(const Path& path, cons
     Angle implement = path.segments.empty() ? Angle{} : radians(path.segments.front().samples.front().headingRad);
     for (std::size_t i = 0; i < path.segments.size(); ++i) {
         const PathSegment& segment = path.segments[i];
-        // Along swaths as well: the implement trails on from one segment to the next.
+        // Swaths are followed as well, since the implement trails on from one segment to the next.
         std::vector<RigState> states =
             statesAlong(segment, shapes, segment.kind == SegmentKind::HeadlandPass ? kPassStep : kAnyStep, implement);
         if (segment.kind != SegmentKind::Swath) {

@@ -8,9 +8,9 @@ namespace furrow {
 
 namespace {
 
-// Farther than any place is from the edge of a field.
+// Larger than any distance from the edge of a field.
 constexpr Length kWholeField = metres(1e5);
-// A machine gets through a neck as broad as itself.
+// A machine gets through a neck of its own width.
 constexpr Length kTouching = metres(0.02);
 
 }  // namespace

@@ -8,16 +8,16 @@
 
 namespace furrow {
 
-/// The parts of an area that a machine can drive about in, as far as its width decides. Immutable; any thread may ask.
+/// The parts of an area in which a machine can move, judged by its width only. Immutable; thread-safe.
 class DrivenParts {
 public:
-    /// @param breadth  of the narrowest neck that joins two of them
+    /// @param breadth  of the narrowest neck that joins two parts
     static Result<DrivenParts> of(const MultiPolygon& drivable, Length breadth, const JobContext& job);
-    /// Through necks that let the machine through with its implement raised, touching both sides.
-    /// @param spare  that they have to be broader, in all
+    /// Necks join two parts if they let the machine through with its implement raised, touching both sides.
+    /// @param spare  extra width required in total
     static Result<DrivenParts> of(const MultiPolygon& drivable, const Machine& machine, Length spare, const JobContext& job);
 
-    /// The one in which a place lies, or to which it is nearest. O(edges).
+    /// The part in which a place lies, or to which it is nearest. O(edges).
     std::size_t partAt(Point place) const;
     bool separate(Point from, Point to) const;
 

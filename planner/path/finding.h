@@ -10,7 +10,7 @@ namespace furrow {
 
 enum class Severity { Blocking, Note };
 
-/// One setting and what to set it to, as `--set key=value` has it.
+/// One setting and its new value, as in `--set key=value`.
 struct SettingChange {
     std::string key;
     std::string value;
@@ -18,15 +18,15 @@ struct SettingChange {
     friend bool operator==(const SettingChange&, const SettingChange&) = default;
 };
 
-/// Something the user must or should know about a plan, with its place.
+/// Something that the user must or should know about a plan, with its place.
 struct Finding {
     Severity severity = Severity::Note;
     std::string kind;  ///< "outside", "obstacle", "headland", "repair" ...
     Point place;
     Message text;        ///< what and why
-    Message suggestion;  ///< what would mend it
-    /// What the suggestion asks for, where one setting mends it. Planned again with it, the finding is gone and no
-    /// other one blocks.
+    Message suggestion;  ///< what would correct it
+    /// The change in the suggestion, if one setting corrects it. Planned again with this change, the finding
+    /// is gone and nothing else blocks.
     std::optional<SettingChange> change = {};
 
     friend bool operator==(const Finding&, const Finding&) = default;

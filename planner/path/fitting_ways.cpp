@@ -8,7 +8,7 @@ namespace furrow {
 
 namespace {
 
-// Beside the tractor, in all, in a neck through which a way is looked for at all where it need not be found.
+// Total room beside the tractor in a neck. Quick searches do not look for ways through narrower necks.
 constexpr Length kNeckSpare = metres(0.8);
 
 }  // namespace

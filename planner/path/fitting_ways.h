@@ -12,9 +12,10 @@
 
 namespace furrow {
 
-/// Ways in an area that fit. Once one was not to be had, none is looked for quickly between parts that are joined by
-/// narrow necks at most, but for single curves: a search goes through all the room there is before it fails. May be
-/// asked by several threads at once; for the same plan each time those that ask quickly come after all that do not.
+/// Ways that fit in an area. After the first failed search, quick searches are limited: between parts that
+/// only narrow necks join, only single curves are tried. A failing search would otherwise go through all the
+/// room. May be used by several threads at once. To get the same plan each time, all quick searches must come
+/// after the others.
 class FittingWays {
 public:
     FittingWays(const MultiPolygon& drivable, const Machine& machine, TravelCost travel);
@@ -22,7 +23,7 @@ public:
     const Rig& rig() const { return rig_; }
     /// Cost: as of `fittingConnection`.
     std::optional<Turn> between(const Pose& leaving, const Pose& arriving, const JobContext& job, SearchEffort effort);
-    /// The turn of one kind, where it fits.
+    /// The turn of one kind, if it fits.
     std::optional<Turn> byOne(const Method<TurnPlanner>& kind, const Pose& leaving, const Pose& arriving) const;
 
 private:

@@ -16,16 +16,16 @@ namespace {
 
 constexpr double kTouchingM = 1e-3;
 constexpr int kDiscCorners = 64;
-// How far the machine drives straight in or out.
+// Length of the straight drive in or out.
 constexpr Length kStraight = metres(2.0);
 constexpr double kStepM = 0.1;
-// Headings that are tried, to both sides of straight: across the boundary, and any where that fits nowhere.
+// Tried headings, to both sides of straight: across the boundary first, then all others if none fits.
 constexpr double kAcrossDeg[] = {0.0, 15.0, -15.0, 30.0, -30.0, 45.0, -45.0};
 constexpr double kAsideDeg[] = {60.0, -60.0, 90.0, -90.0, 135.0, -135.0, 180.0};
-// From a gate no farther in than so many lengths of the machine.
+// Largest distance inwards from a gate, in lengths of the machine.
 constexpr double kLengthsIn = 2.0;
 
-/// From a place on the boundary into the field.
+/// The direction from a place on the boundary into the field.
 Point inwardFrom(Point place, const Field& field) {
     double nearest = std::numeric_limits<double>::infinity();
     Point inward{1.0, 0.0};
@@ -48,8 +48,9 @@ Ring disc(Point centre, double radiusM) {
     return ring;
 }
 
-/// A straight between the place and the field, driven in or out: as near to the place and as straight as fits.
-/// @param other  what is driven next, or before
+/// A straight between the place and the field, driven in or out, as near to the place and as straight as
+/// fits.
+/// @param other  the next place to drive to, or the one before
 std::optional<Leg> straightAt(const RoutePlace& place, const Field& field, const Rig& rig, Point other, bool drivenIn) {
     const Point way = other - place.position;
     const Point inward = place.gate               ? inwardFrom(place.position, field)
@@ -119,7 +120,7 @@ Result<MultiPolygon> withOpenGates(const MultiPolygon& drivable, const Field& fi
     MultiPolygon open = drivable;
     for (const auto& place : places) {
         if (place && place->gate && place->gate->width > metres(0.0)) {
-            // The margin that the area keeps from the boundary opens with the gate.
+            // The margin between the area and the boundary opens with the gate.
             const auto near = intersection(field.drivable(), {{.outer = disc(place->position, 0.5 * place->gate->width.si()), .holes = {}}}, job);
             if (!near) {
                 return near;

@@ -13,22 +13,23 @@ namespace furrow {
 extern const Parameter kRouteStart;
 extern const Parameter kRouteEnd;
 
-/// Where a path begins or ends.
+/// The place where a path begins or ends.
 struct RoutePlace {
     Point position;
     std::optional<Gate> gate;
 };
 
-/// A point as WKT, the name of a gate, or, where nothing is given, the field's first gate. Nothing where there is
-/// none either. Usage: a name that no gate has, a point outside of the field.
+/// A point as WKT, the name of a gate, or, if no value is given, the field's first gate. Empty if there is no
+/// gate either. Usage: a name that no gate has, a point outside the field.
 Result<std::optional<RoutePlace>> routePlace(const Field& field, const Settings& settings, const Parameter& parameter);
 
-/// The drivable area with these gates open: discs as wide as they are.
+/// The drivable area with these gates open, each as a disc of the gate's width.
 Result<MultiPolygon> withOpenGates(const MultiPolygon& drivable, const Field& field,
                                    std::span<const std::optional<RoutePlace>> places, const JobContext& job);
 
-/// The short straight on which the machine comes in at a place: at a gate across the boundary, as far out as the gate
-/// is wide enough for; elsewhere towards `next`. Nothing where the machine fits in no heading that was tried.
+/// The short straight on which the machine comes in at a place. At a gate it crosses the boundary, starting
+/// as far out as the gate's width allows. Elsewhere it goes towards `next`. Empty if the machine fits in none
+/// of the tried headings.
 std::optional<Leg> wayIn(const RoutePlace& place, const Field& field, const Rig& rig, Point next);
 /// The same out of the field.
 std::optional<Leg> wayOut(const RoutePlace& place, const Field& field, const Rig& rig, Point before);

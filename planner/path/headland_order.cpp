@@ -17,27 +17,27 @@ namespace furrow {
 namespace {
 
 constexpr std::size_t kMostStarts = 400;
-// What none of so many places allows, no other does.
+// If none of these places allows a way, no other place does.
 constexpr std::size_t kMostChecked = 150;
-// Legs that meet closer than this are driven in one go.
+// Legs that meet closer than this are driven without a stop.
 constexpr double kSamePlaceM = 1e-6;
 constexpr std::size_t kMostPlacesTried = 5;
 constexpr Length kCheckStep = metres(0.25);
-// Within so many of its own lengths a trailed implement comes into line after a bend.
+// A trailed implement comes into line within 3 of its own lengths after a bend.
 constexpr double kLengthsIntoLine = 3.0;
 
-/// A place on a pass where it may start.
+/// A place at which a pass may start.
 struct StartPlace {
     std::size_t stretch = 0;
     std::size_t piece = 0;
     Length way;  ///< along that piece
     Pose pose;
-    Pose end;  ///< where the pass ends then
-    bool reversed = false;  ///< a single stretch, the other way round
+    Pose end;  ///< the end of the pass with this start
+    bool reversed = false;  ///< a single stretch, driven in the other direction
 };
 
-/// Of a pass in stretches: before each of them. The other way round the nose is where the tail was, which
-/// has to fit, and swings differently in bends.
+/// The starts of a pass in stretches: the beginning of each stretch. In the other direction the nose is at
+/// the place of the tail. It must fit there, and it swings differently in bends.
 std::vector<StartPlace> startsOfStretches(const HeadlandPass& pass, const std::function<bool(const Turn&)>& fits) {
     std::vector<StartPlace> places;
     const std::size_t count = pass.stretches.size();
@@ -55,7 +55,8 @@ std::vector<StartPlace> startsOfStretches(const HeadlandPass& pass, const std::f
     return places;
 }
 
-/// What trails has to be in line again where a closed pass ends: so far after the last bend.
+/// A trailed implement has to be in line again at the end of a closed pass, `inLineAfter` after the last
+/// bend.
 std::vector<StartPlace> startPlaces(const HeadlandPass& pass, Length inLineAfter, const std::function<bool(const Turn&)>& fits) {
     if (!pass.closed) {
         return startsOfStretches(pass, fits);
@@ -79,7 +80,7 @@ std::vector<StartPlace> startPlaces(const HeadlandPass& pass, Length inLineAfter
             pose = advanced(pose, piece, piece.length);
         }
     }
-    // Where no straight is long enough it starts anywhere.
+    // If no straight is long enough, the pass may start anywhere.
     return places.empty() && inLineAfter > Length{} ? startPlaces(pass, Length{}, fits) : places;
 }
 
@@ -90,7 +91,7 @@ Leg legOf(const HeadlandPass& pass, const PassStretch& stretch) {
             .implementDown = stretch.working};
 }
 
-/// The pass once round from a place on it.
+/// The whole pass, from a place on it.
 std::vector<Leg> legsFrom(const HeadlandPass& pass, const StartPlace& start) {
     if (!pass.closed) {
         std::vector<Leg> legs;
@@ -115,7 +116,7 @@ std::vector<Leg> legsFrom(const HeadlandPass& pass, const StartPlace& start) {
         tail.line.pieces.push_back({start.way, split.curvature, here, split.gear});
     }
     if (pass.stretches.size() == 1) {
-        // Where the line closes nothing changes: one leg.
+        // The line closes here without a change: one leg.
         head.line.pieces.insert(head.line.pieces.end(), tail.line.pieces.begin(), tail.line.pieces.end());
         return {legOf(pass, head)};
     }
@@ -129,7 +130,8 @@ std::vector<Leg> legsFrom(const HeadlandPass& pass, const StartPlace& start) {
     return legs;
 }
 
-/// Around which boundary or obstacle each pass runs: every one belongs to the nearest of the ring outside of it.
+/// The boundary or obstacle around which each pass runs. A pass belongs to the nearest pass of the ring
+/// outside it.
 std::vector<std::size_t> families(const std::vector<HeadlandPass>& passes,
                                   const std::vector<std::vector<StartPlace>>& places) {
     std::vector<std::size_t> family(passes.size());
@@ -152,7 +154,7 @@ std::vector<std::size_t> families(const std::vector<HeadlandPass>& passes,
     return family;
 }
 
-/// Family after family, in each from outside in or inside out; the family nearest to `from` first.
+/// Family after family, the one nearest to `from` first. In each family from outside in or inside out.
 std::vector<std::size_t> sequence(const std::vector<HeadlandPass>& passes,
                                   const std::vector<std::vector<StartPlace>>& places, bool insideOut, Point from) {
     const std::vector<std::size_t> family = families(passes, places);
@@ -184,7 +186,7 @@ std::vector<std::size_t> sequence(const std::vector<HeadlandPass>& passes,
     return order;
 }
 
-/// Finds where a closed pass best starts.
+/// Finds the best start of a closed pass.
 class StartChooser {
 public:
     StartChooser(const MultiPolygon& drivable, const Machine& machine, TurnPlanner* turn)
@@ -193,8 +195,8 @@ public:
           footprint_{machine.turningFootprint()},
           edges_{drivable, machine.turningWidth() + machine.spec().tractor.length} {}
 
-    /// Where the way between a pass and a fixed pose is quickest and stays inside; the quickest where none does;
-    /// the first place where there is no pose.
+    /// The place with the quickest way between pass and fixed pose that stays inside. If no way stays inside,
+    /// the quickest one; without a pose, the first place.
     const StartPlace& best(const std::vector<StartPlace>& places, const std::optional<Pose>& fixed,
                            bool fixedIsNext) const {
         if (!fixed) {
@@ -241,8 +243,8 @@ std::vector<Leg> headlandLegs(const std::vector<HeadlandPass>& passes, const Hea
     for (const HeadlandPass& pass : passes) {
         places.push_back(startPlaces(pass, inLineAfter, fits));
     }
-    // What is fixed is the end that meets the swaths: from there the passes are lined up, backwards where the
-    // swaths come after them.
+    // The end that meets the swaths is fixed. From there the passes are lined up, backwards if the swaths
+    // come after them.
     const bool backwards = drive.after.has_value();
     const std::optional<Pose> fixed = backwards ? drive.after : drive.before;
     // Lined up backwards, outside in begins with the innermost.
@@ -272,13 +274,13 @@ std::vector<Leg> headlandLegs(const std::vector<HeadlandPass>& passes, const Hea
 PassPlace placeFor(const Turn& line, const std::vector<Leg>& legs, RememberedWays& ways, const JobContext& job) {
     const Pose start = line.start;
     const Pose end = line.end();
-    std::vector<std::pair<double, std::size_t>> places;  // detour, and the leg it goes before
+    std::vector<std::pair<double, std::size_t>> places;  // detour, and the leg that follows
     for (std::size_t i = 0; i <= legs.size(); ++i) {
         const double toM = i > 0 ? distance(legs[i - 1].line.end().position, start.position) : 0.0;
         const double onM = i < legs.size() ? distance(end.position, legs[i].line.start.position) : 0.0;
         const double directM =
             i > 0 && i < legs.size() ? distance(legs[i - 1].line.end().position, legs[i].line.start.position) : 0.0;
-        // What follows on without a way between is one pass.
+        // Legs that follow on each other without a way between are one pass.
         if (i == 0 || i == legs.size() || directM > kSamePlaceM) {
             places.emplace_back(toM + onM - directM, i);
         }

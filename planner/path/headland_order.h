@@ -9,26 +9,27 @@
 
 namespace furrow {
 
-/// In which order, from where and to where the passes of a headland are driven.
+/// The order, start and end for driving the passes of a headland.
 struct HeadlandDrive {
     bool insideOut = false;
-    /// The pose that follows (the first swath's start) or precedes (the last swath's end); the passes are
-    /// rotated so that the ways between them and to it are short. Nothing where there are no swaths.
-    std::optional<Pose> before;  ///< what is driven right before the headland
-    std::optional<Pose> after;   ///< what is driven right after it
-    const MultiPolygon& drivable;  ///< the ways between passes stay in here where that is possible
+    /// The pose that follows (the first swath's start) or precedes (the last swath's end). The passes are
+    /// rotated so that the ways between them and to it are short. Empty if there are no swaths.
+    std::optional<Pose> before;  ///< end of the leg right before the headland
+    std::optional<Pose> after;   ///< start of the leg right after the headland
+    const MultiPolygon& drivable;  ///< the ways between passes stay inside if possible
 };
 
-/// The legs of all passes, ring by ring around each boundary or obstacle, nearest first. Each closed pass starts
-/// where the way from the one before it, or to the one after it, is quickest. Cost: a few hundred turns for each
-/// pass.
+/// The legs of all passes, ring by ring around each boundary or obstacle, nearest first. Each closed pass
+/// starts where the way from the pass before, or to the pass after, is quickest. Cost: a few hundred turns
+/// for each pass.
 std::vector<Leg> headlandLegs(const std::vector<HeadlandPass>& passes, const HeadlandDrive& drive,
                               const Machine& machine, TurnPlanner* turn);
 
-/// The leg before which a pass is best driven: where the detour is short, and the ways there and on are quickly found.
+/// The best leg to drive a pass before: with a short detour, and with ways there and on that are quickly
+/// found.
 struct PassPlace {
     PassAccess access = PassAccess::NoWayIn;
-    std::size_t before = 0;  ///< where there are ways
+    std::size_t before = 0;  ///< valid if there are ways
 };
 PassPlace placeFor(const Turn& line, const std::vector<Leg>& legs, RememberedWays& ways, const JobContext& job);
 
@@ -38,7 +39,7 @@ struct FinishedLegs {
     std::vector<HeadlandPass> refused;  ///< no way in or out was found
 };
 
-/// The same legs with short passes driven in between, each where the way there and on is short and quickly found.
+/// The same legs with short passes in between, each where the ways there and on are short and quickly found.
 FinishedLegs withFinishingPasses(std::vector<Leg> legs, const std::vector<HeadlandPass>& passes, RememberedWays& ways,
                                  const JobContext& job);
 

@@ -14,7 +14,7 @@ namespace {
 
 constexpr double kLookM = 0.25;
 constexpr double kEndM = 0.01;
-// Lanes in bends are drawn by chords as long as this.
+// Length of the chords that draw lanes in bends.
 constexpr double kChordM = 1.0;
 
 struct WorkingLine {
@@ -53,7 +53,7 @@ private:
     Bounds box_;
 };
 
-/// Poses along a line, looked up quickly.
+/// Poses along a line, with a fast lookup.
 class PosesAlong {
 public:
     explicit PosesAlong(const Turn& line) : line_{line} {
@@ -135,13 +135,13 @@ private:
         return std::ranges::any_of(land_, [&](const UnworkedLand& land) { return land.isTouched(working); });
     }
 
-    /// Where it changes between two places that differ.
+    /// The place of the change between two places that differ.
     double change(const PosesAlong& line, double fromM, double toM, bool fromIsUnworked) const {
         while (toM - fromM > kEndM) {
             const double middle = 0.5 * (fromM + toM);
             (isUnworked(line, middle) == fromIsUnworked ? fromM : toM) = middle;
         }
-        // What is to be left is never entered.
+        // The land to be left is never entered.
         return fromIsUnworked ? toM : fromM;
     }
 
@@ -167,7 +167,7 @@ private:
         return withoutShort(std::move(stretches));
     }
 
-    /// Work that is not worth lowering the implement for is left between two stretches without.
+    /// A stretch of work that is too short for lowering the implement joins its unworked neighbours.
     std::vector<Stretch> withoutShort(std::vector<Stretch> stretches) const {
         if (stretches.size() < 2) {
             return stretches;

@@ -17,12 +17,12 @@ enum class SegmentKind { Swath, Turn, HeadlandPass, Transfer, Refill, Wait };
 
 /// "swath", "turn", "headland_pass" ... as in plan files.
 std::string_view segmentKindId(SegmentKind kind);
-/// The kind of such an id; nothing for others.
+/// The kind with such an id. Empty for other texts.
 std::optional<SegmentKind> segmentKindFrom(std::string_view id);
 
 /// The vehicle at one instant.
 struct PathSample {
-    double sM = 0.0;            ///< way driven since the start, m
+    double sM = 0.0;            ///< distance driven since the start, m
     double tS = 0.0;            ///< time since the start, s
     Point position;             ///< of the tractor's reference point
     double headingRad = 0.0;    ///< of the nose, in [0, 2 pi)
@@ -48,33 +48,33 @@ struct PathSegment {
     friend bool operator==(const PathSegment&, const PathSegment&) = default;
 };
 
-/// "swath 3", "headland pass 1": how findings name a stretch.
+/// "swath 3", "headland pass 1": the name of a stretch in findings.
 Message nameOf(const PathSegment& segment);
 Message passName(SegmentKind kind, int number);
 
-/// Whether a segment is on the way in before all work or on the way out after it: there the implement is folded for
-/// transport. Cost: O(segments).
+/// Whether a segment is on the way in before all work, or on the way out after it. The implement is folded
+/// for transport there. Cost: O(segments).
 bool isWayInOrOut(std::span<const PathSegment> segments, std::size_t segment);
 
-/// The whole drivable line; consecutive segments share their end and start.
+/// The whole drivable line. Each segment starts at the end of the one before.
 struct Path {
     std::vector<PathSegment> segments;
 
     Length length() const;
     Duration duration() const;
-    /// Of all segments of one kind.
+    /// The length of all segments of one kind.
     Length length(SegmentKind kind) const;
     Duration duration(SegmentKind kind) const;
-    /// With the implement down: swaths and headland passes.
+    /// The length with the implement down: swaths and headland passes.
     Length workedLength() const;
     Duration workedDuration() const;
-    /// In reverse gear.
+    /// The length in reverse gear.
     Length reversedLength() const;
-    /// Ways from one swath to the next, however many segments each has.
+    /// The number of ways from one swath to the next, regardless of their segments.
     int turnCount() const;
-    /// Of these ways and of transfers, those with a segment that cannot be driven.
+    /// The number of these ways and of transfers that contain a segment that cannot be driven.
     int undrivableCount() const;
-    /// The stretch that is worked before or after a segment that is not; nothing at the path's ends.
+    /// The worked stretch before or after a segment without work. Null at the path's ends.
     const PathSegment* workBefore(std::size_t segment) const;
     const PathSegment* workAfter(std::size_t segment) const;
     friend bool operator==(const Path&, const Path&) = default;

@@ -16,7 +16,7 @@ namespace {
 // Legs that meet closer than this need no connection.
 constexpr double kSamePlaceM = 1e-6;
 constexpr double kSameHeadingRad = 1e-9;
-// A searched way that is longer than so many radii and widths together is a transfer, not a turn.
+// A searched way longer than 8 radii plus 4 widths is a transfer, not a turn.
 constexpr double kTransferRadii = 8.0;
 constexpr double kTransferWidths = 4.0;
 

@@ -13,7 +13,7 @@ std::optional<Turn> RememberedWays::operator()(const Pose& leaving, const Pose& 
         }
     }
     std::optional<Turn> way = finder_(leaving, arriving, job, effort);
-    // What was not found quickly may be there all the same.
+    // A quick search may miss an existing way, so its failure is not remembered.
     if (!job.stopRequested() && (way || effort == SearchEffort::Thorough)) {
         const std::lock_guard lock{mutex_};
         found_.emplace(key, way);

@@ -10,12 +10,12 @@
 
 namespace furrow {
 
-/// Finds a way that fits with as much effort as asked for, or none.
+/// Finds a way that fits with the given effort, or none.
 using FittingWayFinder = std::function<std::optional<Turn>(const Pose& leaving, const Pose& arriving, const JobContext& job,
                                                           SearchEffort effort)>;
 
-/// Ways that were looked for once, found or not, are not looked for again: a path that differs from another by a few
-/// legs costs those. May be asked by several threads at once; gives what the finder gives.
+/// Remembers the result of each search, found or not. So a path that differs by a few legs costs only those.
+/// May be used by several threads at once. Returns the same as the finder.
 class RememberedWays {
 public:
     explicit RememberedWays(FittingWayFinder finder) : finder_{std::move(finder)} {}

@@ -13,9 +13,9 @@ namespace furrow {
 
 namespace {
 
-// Samples nearer to each other than this are not told apart.
+// Samples closer than this are the same.
 constexpr double kShortestStepM = 1e-6;
-// A heading that differs by more jumps: the vehicle turns on the spot.
+// A larger difference of heading is a jump: the vehicle turns on the spot.
 constexpr double kHeadingJumpRad = 1e-6;
 
 /// A stretch between two samples: a line, an arc or a piece of a clothoid.
@@ -26,12 +26,12 @@ struct Step {
     double limitMps = 0.0;
 };
 
-/// Steps of one leg in one gear: what becomes a segment of the path.
+/// Steps of one leg in one gear. They become a segment of the path.
 struct Run {
     const Leg* leg = nullptr;
     Gear gear = Gear::Forward;
     std::vector<Step> steps;
-    double pauseS = 0.0;  ///< time that passes before it, on the spot
+    double pauseS = 0.0;  ///< time before it, on the spot
 };
 
 double kindLimit(SegmentKind kind, Gear gear, const Machine& machine) {
@@ -55,7 +55,7 @@ double sidewaysLimit(const TurnPiece& piece, const Machine& machine) {
     return std::sqrt(machine.spec().tractor.maxLateralAcceleration.si() / curvature);
 }
 
-/// The leg's samples as steps, split where the gear changes.
+/// Adds the leg's samples as steps, split where the gear changes.
 void addRuns(const Leg& leg, double longestMps, const Machine& machine, std::vector<Run>& runs) {
     const std::vector<TurnSample> samples = sampled(leg.line, kChordTolerance);
     const Run* open = nullptr;
@@ -72,8 +72,8 @@ void addRuns(const Leg& leg, double longestMps, const Machine& machine, std::vec
     }
 }
 
-/// Between two stretches of work the implement is lifted and lowered: no faster than that, or a pause where
-/// there is no way to do it on.
+/// The implement is lifted and lowered between two stretches of work. The turn is slow enough for that, or
+/// has a pause if it has no length.
 std::vector<Run> runsOf(std::span<const Leg> legs, const Machine& machine) {
     const double handlingS = (machine.spec().implement.liftTime + machine.spec().implement.lowerTime).si();
     std::vector<Run> runs;
@@ -125,7 +125,7 @@ std::vector<double> speedsAtEnds(std::span<const Run> runs, double acceleration)
     return speeds;
 }
 
-/// Writes samples one after the other and keeps way and time running.
+/// Writes the samples in order and adds up distance and time.
 class PathWriter {
 public:
     explicit PathWriter(double acceleration) : acceleration_{acceleration} {}
@@ -140,7 +140,8 @@ public:
         add(run.steps.front().from, run.steps.front().piece.curvature, speedMps);
     }
 
-    /// Speeds up as long as it pays, drives on, and brakes. `after` is the curvature where the next step begins.
+    /// Accelerates as long as it saves time, drives on, and brakes. `after` is the curvature at the start of
+    /// the next step.
     void drive(const Step& step, double fromMps, double toMps, Curvature after) {
         const double lengthM = step.piece.length.si();
         const double peakMps =
@@ -151,7 +152,7 @@ public:
         double doneM = 0.0;
         double speedMps = fromMps;
         const auto goOn = [&](double untilM, double reachedMps) {
-            // Constant acceleration: the mean speed is that of the ends. From stop to stop within less than a
+            // Constant acceleration: the mean speed is that of the ends. From stop to stop within one
             // sample's length there is a peak in between.
             const double sum = speedMps + reachedMps;
             timeS_ += sum > 0.0 ? 2.0 * (untilM - doneM) / sum : 2.0 * std::sqrt((untilM - doneM) / acceleration_);
@@ -170,7 +171,7 @@ public:
             stopOver(speedingM, peakMps);
             stopOver(lengthM - brakingM, peakMps);
         } else if (peakMps > std::min(fromMps, toMps) * (1.0 + 1e-9)) {
-            // Only one of the two; the other end already has the peak.
+            // Only one of the two. The other end already has the peak speed.
             stopOver(fromMps < toMps ? speedingM : lengthM - brakingM, peakMps);
         }
         if (lengthM > doneM) {

@@ -15,7 +15,7 @@ constexpr double kDear = 8.0;
 constexpr double kCellsAcross = 1000.0;
 constexpr Length kTolerance = metres(0.25);
 
-/// Which cells of a grid have their middle inside.
+/// The cells of a grid whose middle is inside.
 class Raster {
 public:
     explicit Raster(const MultiPolygon& polygons) : box_{bounds(polygons)} {

@@ -9,7 +9,7 @@
 
 namespace furrow {
 
-/// What ways are measured by.
+/// The inputs for the cost of ways.
 struct TravelTask {
     const MultiPolygon& workable;  ///< the field less its obstacles
     const MultiPolygon& mainland;
@@ -17,9 +17,10 @@ struct TravelTask {
     Length margin;
 };
 
-/// How dear places are by the rule: eight times where ways should not lead, so that a way that has to cross them still
-/// does, the shortest possible. Turns may reach into the mainland by as much as they need at a swath's end. Empty where
-/// everything may be crossed. Cost: one offset and a grid of at most a million cells of 1 m or more. Cancelled.
+/// The cost of places by the rule. A place to be avoided costs eight times as much, so a way that must cross
+/// such places crosses them as briefly as possible. Turns may reach into the mainland by the length that they
+/// need at a swath's end. Empty if everything may be crossed. Cost: one offset and a grid of at most a
+/// million cells of 1 m or more. Cancelled.
 Result<TravelCost> travelRule(Traversal rule, const TravelTask& task, const JobContext& job);
 
 }  // namespace furrow

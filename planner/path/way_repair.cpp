@@ -14,12 +14,12 @@ namespace furrow {
 
 namespace {
 
-// Legs that begin where the one before ends follow on without a way.
+// A leg that begins at the end of the one before needs no way.
 constexpr double kSamePlaceM = 1e-6;
 constexpr double kSameHeadingRad = 1e-6;
-// A closed pass is tried from so many places.
+// Number of starts tried for a closed pass.
 constexpr int kStarts = 12;
-// And one that is moved between so many pairs of others, those first where the detour is shortest.
+// Number of pairs between which a pass is tried, shortest detour first.
 constexpr std::size_t kMostPlacesTried = 8;
 
 bool isSame(const Pose& a, const Pose& b) {
@@ -51,7 +51,7 @@ private:
     bool leadsTo(const Leg& leg, std::size_t place) { return place == 0 || leads(legs_[place - 1], leg); }
     bool leadsFrom(const Leg& leg, std::size_t place) { return place + 1 >= legs_.size() || leads(leg, legs_[place + 1]); }
 
-    /// The same work begun elsewhere or driven the other way round.
+    /// The same work with another start or in the other direction.
     std::vector<Leg> others(const Leg& leg) const {
         std::vector<Leg> found;
         if (leg.kind != SegmentKind::HeadlandPass) {
@@ -70,7 +70,7 @@ private:
         }
         Leg back = leg;
         back.line = reversedLine(leg.line);
-        // The nose is where the tail was.
+        // The nose is at the place of the tail, so it must be tested.
         if (lowered_.driven(Rig::inLine(back.line.start), back.line)) {
             found.push_back(std::move(back));
         }
@@ -103,7 +103,7 @@ private:
         return false;
     }
 
-    /// To between two other legs, if the way closes where it was.
+    /// Moves a leg between two other legs, if a way closes its old place.
     bool moveAway(std::size_t place) {
         if (legs_[place].kind != SegmentKind::HeadlandPass || place == 0 || place + 1 >= legs_.size() ||
             !leads(legs_[place - 1], legs_[place + 1])) {
@@ -113,7 +113,7 @@ private:
         candidates.insert(candidates.begin(), legs_[place]);
         std::vector<Leg> rest = legs_;
         rest.erase(rest.begin() + static_cast<std::ptrdiff_t>(place));
-        std::vector<std::pair<double, std::size_t>> detours;  // and the leg it goes before
+        std::vector<std::pair<double, std::size_t>> detours;  // and the leg that follows
         for (std::size_t i = 1; i < rest.size(); ++i) {
             const Point before = rest[i - 1].line.end().position;
             const Point after = rest[i].line.start.position;

@@ -7,7 +7,8 @@
 
 namespace furrow {
 
-/// Where something lies beside a line, in metres: along it from its start, and to its left, negative to the right.
+/// The place of something beside a line, in metres: along the line from its start, and to its left (negative
+/// to the right).
 struct Extent {
     double fromM = 0.0;
     double toM = 0.0;
@@ -18,12 +19,12 @@ struct Extent {
     friend bool operator==(const Extent&, const Extent&) = default;
 };
 
-/// Places beside a line of straights and arcs, which is drawn out straight at both ends. Immutable.
+/// Places beside a line of straights and arcs. The line is extended straight at both ends. Immutable.
 class BesideLine {
 public:
     explicit BesideLine(const Turn& line);
 
-    /// Of a ring's corners. Cost: O(corners * chords of the line).
+    /// The extent of a ring's corners. Cost: O(corners * chords of the line).
     Extent of(const Ring& ring) const;
 
 private:

@@ -65,7 +65,7 @@ private:
     std::size_t endOf(std::size_t cell) const { return first_[cell] + cells_[cell].size(); }
     bool mayBegin(std::size_t variant, bool fromFirst) const { return !fromFirst || variant == first_[0]; }
 
-    /// The best variant of each cell in this sequence (Viterbi), and the time of all.
+    /// The best variant of each cell in this sequence (Viterbi), and the total time.
     std::pair<double, std::vector<std::size_t>> variantsFor(const Sequence& sequence, bool fromFirst) const {
         std::vector<double> time(all_.size(), kInfinite);
         std::vector<std::size_t> before(all_.size(), 0);
@@ -218,7 +218,7 @@ std::vector<Variant> variantsIn(const std::vector<std::size_t>& cell, const Patt
     return variants;
 }
 
-/// With the work, so that a share of it can be said.
+/// The time including the work, as a base for the share that a pattern saves.
 double quickestS(const std::vector<Variant>& variants, const RouteTask& task) {
     Length worked;
     for (const RouteStep& step : variants.front().steps) {
@@ -228,7 +228,7 @@ double quickestS(const std::vector<Variant>& variants, const RouteTask& task) {
            std::ranges::min_element(variants, {}, &Variant::timeS)->timeS;
 }
 
-/// By the pattern that is quickest in this cell; of those that are about as quick the first.
+/// The variants of the quickest pattern in this cell. Of about equal ones the first.
 std::vector<Variant> quickestVariants(const std::vector<std::size_t>& cell, std::span<const PatternOrder> patterns, const RouteTask& task) {
     std::vector<Variant> best = variantsIn(cell, patterns.front(), task);
     double bestS = quickestS(best, task);

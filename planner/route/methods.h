@@ -5,7 +5,7 @@
 
 namespace furrow {
 
-/// Which of a pattern's corners the route starts at.
+/// The corner of a pattern at which the route starts.
 extern const Parameter kCorner;
 extern const Parameter kCluster;
 extern const Parameter kSkip;

@@ -9,10 +9,10 @@ namespace furrow {
 
 namespace {
 
-// More swaths left out than this make ways longer and turns no quicker.
+// With more swaths left out, ways get longer and turns no quicker.
 constexpr std::size_t kMostSkipped = 6;
 constexpr std::array<std::size_t, 3> kClusters{4, 6, 10};
-/// The easier they are to follow the earlier.
+/// Patterns that are easier to follow come first.
 std::vector<PatternOrder> patterns() {
     std::vector<PatternOrder> all{toAndFroOrder, snakeOrder, racetrackOrder};
     for (std::size_t skipped = 1; skipped <= kMostSkipped; ++skipped) {

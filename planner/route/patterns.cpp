@@ -9,7 +9,7 @@ namespace furrow {
 
 namespace {
 
-/// Of routes that differ by less than this the earlier one is kept.
+/// If routes differ by less, the earlier one is kept.
 constexpr Duration kSameTime = seconds(1e-6);
 
 constexpr Choice kCorners[] = {
@@ -94,7 +94,7 @@ std::vector<RouteStep> alongTracks(const SwathSet& swaths, const TrackOrder& ord
     bool reversed = firstReversed;
     for (const std::size_t track : order) {
         std::vector<std::size_t> pieces = tracks[track];
-        // From ring to ring it goes on the same way round.
+        // From ring to ring the direction stays the same.
         if (isRing(track)) {
             reversed = firstReversed;
         }

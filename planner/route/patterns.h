@@ -16,29 +16,29 @@ TrackOrder toAndFroOrder(std::size_t count);
 TrackOrder snakeOrder(std::size_t count);
 /// A snake within each cluster of `cluster` tracks, one cluster after the other (the paper's spiral).
 TrackOrder spiralOrder(std::size_t count, std::size_t cluster);
-/// `skip` tracks left out on the way out, one less on the way back, so that all turns are about as wide:
-/// 0, 2, 1, 3, 5, 4 for one.
+/// Leaves out `skip` tracks on the way out and one less on the way back, so that all turns have about the
+/// same width: 0, 2, 1, 3, 5, 4 for one.
 TrackOrder skipOrder(std::size_t count, std::size_t skip);
 /// Round and round with half of the tracks in between: 0, 3, 1, 4, 2, 5.
 TrackOrder racetrackOrder(std::size_t count);
 
-/// Drives the tracks in this order, each the other way than the one before; the pieces of one track one
-/// after the other.
+/// Drives the tracks in this order, each in the opposite direction to the one before. The pieces of one track
+/// follow each other.
 std::vector<RouteStep> alongTracks(const SwathSet& swaths, const TrackOrder& order, bool firstReversed);
 
 /// Time for all turns between the steps.
 Duration turningTime(const std::vector<RouteStep>& steps, const RouteTask& task);
 
-/// The ways to drive tracks in this order: with route.corner `best` from all four start corners and both ways
-/// through the order, eight of them; with `first` the one from the start of the first swath.
+/// The ways to drive tracks in this order. With route.corner `best`, eight: all four start corners and both
+/// directions through the order. With `first`, the one from the start of the first swath.
 std::vector<std::vector<RouteStep>> variantsOf(const TrackOrder& order, const SwathSet& swaths, const Settings& settings);
 
-/// The route in this order of tracks. With route.corner `best` the quickest of all four start corners and of
-/// both ways through the order; with `first` from the start of the first swath. Cancelled.
-/// Cost: eight times the turns.
+/// The route in this order of tracks. With route.corner `best`, the quickest of all four start corners and
+/// both directions through the order. With `first`, from the start of the first swath. Cancelled. Cost: eight
+/// times the turns.
 Result<Route> bestRoute(const TrackOrder& order, const RouteTask& task, const JobContext& job);
 
-/// How many tracks the swaths were cut from.
+/// The number of tracks that the swaths were cut from.
 std::size_t trackCount(const SwathSet& swaths);
 
 }  // namespace furrow

@@ -49,7 +49,7 @@ Turn drivenLine(const RouteStep& step, const SwathSet& swaths, const Machine& ma
     const Length lead = -machine.spec().implement.offset;
     const Length length = line.length();
     if (swath.isClosed()) {
-        // Round and round: what is ahead of the start is the ring again.
+        // On a closed ring, the stretch ahead of the start is the ring again.
         Turn twice = line;
         twice.pieces.insert(twice.pieces.end(), line.pieces.begin(), line.pieces.end());
         const Length from = lead < Length{} ? length + lead : lead;

@@ -12,7 +12,7 @@
 
 namespace furrow {
 
-/// One swath as it is driven.
+/// One swath with its direction of driving.
 struct RouteStep {
     std::size_t swath = 0;  ///< index into the swath set
     bool reversed = false;  ///< driven from its end to its start
@@ -28,16 +28,17 @@ struct Route {
     friend bool operator==(const Route&, const Route&) = default;
 };
 
-/// Where the implement begins and ends a step, facing the way it is driven.
+/// The pose of the implement at the beginning and end of a step, facing the direction of driving.
 Pose startPose(const RouteStep& step, const SwathSet& swaths);
 Pose endPose(const RouteStep& step, const SwathSet& swaths);
 
-/// The line of the vehicle's reference point while the implement is on the swath. Along a curve the reference point
-/// itself follows it, as guidance steers, moved sideways by the implement's lateral offset: in a bend of radius R the
-/// middle of an implement a distance d behind the axle runs by d² / 2R outside of it.
+/// The line of the vehicle's reference point while the implement is on the swath. Along a curve the reference
+/// point itself follows it, as guidance steers, moved sideways by the implement's lateral offset. In a bend
+/// of radius R, the middle of an implement at a distance d behind the axle therefore runs outside of it by d²
+/// / 2R.
 Turn drivenLine(const RouteStep& step, const SwathSet& swaths, const Machine& machine);
 
-/// Where the vehicle is when a step begins and ends: the ends of that line.
+/// The pose of the vehicle at the beginning and end of a step: the ends of that line.
 Pose vehicleStart(const RouteStep& step, const SwathSet& swaths, const Machine& machine);
 Pose vehicleEnd(const RouteStep& step, const SwathSet& swaths, const Machine& machine);
 
@@ -51,13 +52,13 @@ Turn turnBetween(const RouteStep& from, const RouteStep& to, const SwathSet& swa
 /// L_0 of the paper for this order.
 Length lengthInPlace(const std::vector<RouteStep>& steps, const SwathSet& swaths);
 
-/// What routes are made from; nothing of it is kept.
+/// The inputs of routes. The routes keep none of them.
 struct RouteTask {
     const SwathSet& swaths;
     const Machine& machine;
-    TurnPlanner* turn;  ///< how it gets from swath to swath
+    TurnPlanner* turn;  ///< turn from swath to swath
     const Settings& settings;
-    /// Swaths that are driven together, as indices in the order of the set; none: all of them.
+    /// Swaths that are driven together, as indices in the order of the set. Empty: all of them.
     std::vector<std::vector<std::size_t>> cells = {};
 };
 

@@ -18,24 +18,24 @@ namespace furrow {
 
 namespace {
 
-// Kept from an obstacle beyond the margin: what drawing and sampling a path may cost.
+// Distance kept from an obstacle beyond the margin, for the errors of drawing and sampling a path.
 constexpr double kReserveM = 0.05;
 constexpr double kTouchingM = 1e-3;
-// Radii that are tried for leaving the track and coming back, as multiples of the smallest.
+// Radii tried for leaving the track and coming back, as multiples of the smallest.
 constexpr std::array kRadii{1.1, 1.5, 2.2, 3.2};
-// What tail or nose swing out by may have to be added to the shift.
+// Additions to the shift, for the swing of tail or nose.
 constexpr std::array kMoreM{0.0, 0.1, 0.3, 0.7, 1.5};
-// A curve that is longer than the straight by so much turns round instead of changing over.
+// A curve longer than the straight by this factor turns round instead of changing over.
 constexpr double kDetour = 1.6;
-// A hair of straight between two arcs, so that rounding does not take it for too near.
+// A short straight between two arcs, so that rounding does not make them too near.
 constexpr double kBetweenArcsM = 0.01;
-// What may be left in one piece: less than a plan is blocked for, or what short passes of a wide machine make good
-// with less effort than a headland takes.
+// Largest area that may be left in one piece: less than a plan is blocked for. For a wide machine, an area
+// that short passes work with less effort than a headland takes.
 constexpr double kMostLeftM2 = 90.0;
 constexpr double kMostLeftM = 14.0;  // for each metre of the operating width
 constexpr std::size_t kMostTries = 120;
 
-/// What drives, about the middle of its implement: alike both ways and to both sides.
+/// The extent of the machine from the middle of its implement, equal in both directions and to both sides.
 struct Breadth {
     explicit Breadth(const Machine& machine) : halfLengthM{0.5 * machine.spec().implement.length.si()} {
         const Implement& implement = machine.spec().implement;
@@ -50,22 +50,22 @@ struct Breadth {
     double halfLengthM = 0.0;
 };
 
-/// A stretch of a line that is left, and the one driven instead. Where it begins or ends with the line it does so
-/// beside it.
+/// A stretch of a line, and the line driven instead. At an end of the swath, the detour begins or ends beside
+/// it.
 struct Detour {
     double fromM = 0.0;
     double toM = 0.0;
     Turn line;
 };
 
-/// How an obstacle is passed.
+/// The dimensions of a detour past an obstacle.
 struct Shape {
     double shiftM = 0.0;  ///< to the left
-    double fromM = 0.0;   ///< shifted by all of it from here
+    double fromM = 0.0;   ///< full shift from here
     double toM = 0.0;
     double radiusM = 0.0;
-    double changeM = 0.0;  ///< along the line for changing over
-    double leftM2 = 0.0;   ///< what stays unworked, about
+    double changeM = 0.0;  ///< length along the line for changing over
+    double leftM2 = 0.0;   ///< approximate unworked area
 };
 
 void append(Turn& line, const Turn& more) {
@@ -96,7 +96,7 @@ public:
           clearM_{breadth.sideM + task.margin.si() + kReserveM},
           mostLeftM2_{std::max(kMostLeftM2, kMostLeftM * swath.width.si())} {}
 
-    /// The obstacles that it touches, in their order along it.
+    /// The obstacles that the line touches, in their order along it.
     std::vector<std::size_t> touched() {
         const BesideLine beside{line_};
         std::vector<std::size_t> met;
@@ -108,7 +108,7 @@ public:
                 continue;
             }
             const bool isInWay = extent.rightM < sideM && extent.leftM > -sideM;
-            // In bends the machine takes more room than it is wide.
+            // In bends the machine takes more room than its width.
             const bool isNear = sharpestBend(line_) > Curvature{} && extent.rightM < sideM + breadth_.endM &&
                                 extent.leftM > -sideM - breadth_.endM;
             if (isInWay || (isNear && !isClear(around(extent)))) {
@@ -119,7 +119,7 @@ public:
         return met;
     }
 
-    /// Past all of these at once; where others are in the way beside it, past those as well.
+    /// A detour past all these obstacles at once. If others beside it are in the way, past those as well.
     std::optional<Detour> past(const std::vector<std::size_t>& obstacles) const {
         Extent all = extents_[obstacles.front()];
         for (const std::size_t i : obstacles) {
@@ -134,7 +134,7 @@ public:
                            right == all ? std::vector<Shape>{} : shapesPast(right, Side::Right)});
     }
 
-    /// The line with these instead of what they leave out.
+    /// The line with these detours in place of the stretches that they replace.
     Turn with(const std::vector<Detour>& detours) const {
         Turn line{.type = line_.type, .start = {}, .pieces = {}};
         double atM = 0.0;
@@ -147,7 +147,7 @@ public:
         return line;
     }
 
-    /// Whether tractor and implement stay inside, whichever way it is driven.
+    /// Whether tractor and implement stay inside in both directions of driving.
     bool isClear(const Turn& line) const {
         if (line.pieces.empty()) {
             return true;
@@ -164,12 +164,13 @@ public:
     }
 
 private:
-    /// Beside something, and where the machine is while it passes it.
+    /// The part of the line beside an extent, with the length of the machine before and after.
     Turn around(const Extent& extent) const {
         return part(line_, std::max(0.0, extent.fromM - 2.0 * breadth_.endM), std::min(lengthM_, extent.toM + 2.0 * breadth_.endM));
     }
 
-    /// With what comes before and after, until a trailed implement is in line again either way.
+    /// The detour with the line before and after it, until a trailed implement is in line again in both
+    /// directions.
     Turn withLine(const Detour& detour) const {
         Turn line = part(line_, std::max(0.0, detour.fromM - 3.0 * breadth_.endM), detour.fromM);
         append(line, detour.line);
@@ -179,7 +180,7 @@ private:
 
     enum class Side { Left, Right };
 
-    /// How far to the left it has to be to pass something on that side.
+    /// The shift to the left that passes an extent on that side.
     double shiftPast(const Extent& extent, Side side) const {
         return side == Side::Left ? extent.leftM + clearM_ : extent.rightM - clearM_;
     }
@@ -196,7 +197,7 @@ private:
         return shape;
     }
 
-    /// All that may do on one side.
+    /// All possible shapes on one side.
     std::vector<Shape> shapesPast(const Extent& extent, Side side) const {
         const double leastM = swathRadius(task_.machine).si();
         const double endM = breadth_.endM;
@@ -217,7 +218,7 @@ private:
         return shapes;
     }
 
-    /// The first that is clear, of those that leave least.
+    /// The first clear detour, in order of the area that it leaves.
     std::optional<Detour> firstClear(std::array<std::vector<Shape>, 2> sides) const {
         std::vector<Shape> shapes = std::move(sides[0]);
         shapes.insert(shapes.end(), sides[1].begin(), sides[1].end());
@@ -232,7 +233,7 @@ private:
         return std::nullopt;
     }
 
-    /// With the obstacles that are in the way of passing it on that side.
+    /// The extent with all obstacles that are in the way of passing it on that side.
     Extent withNeighbours(Extent extent, Side side) const {
         const double leastM = kRadii.front() * swathRadius(task_.machine).si();
         for (bool grows = true; grows;) {
@@ -261,7 +262,7 @@ private:
         return pose;
     }
 
-    /// From one place beside the line to another that is farther on.
+    /// The curve from one place beside the line to another that is farther on.
     std::optional<Turn> change(double fromM, double fromLeftM, double toM, double toLeftM, double radiusM) const {
         Turn turn = dubinsTurn(poseAt(fromM, fromLeftM), poseAt(toM, toLeftM), metres(radiusM));
         if (turn.length().si() > kDetour * (toM - fromM)) {
@@ -290,7 +291,7 @@ private:
         }
         const Turn beside = part(line_, plateauFromM, plateauToM);
         for (const TurnPiece& piece : beside.pieces) {
-            // Not on the inner side of a bend that gets too sharp by it.
+            // No shift to the inner side of a bend that it would make too sharp.
             const double radiusM = piece.curvature == Curvature{} ? std::numeric_limits<double>::infinity() : 1.0 / piece.curvature.si();
             if (radiusM * shape.shiftM > 0.0 && std::abs(radiusM) - std::abs(shape.shiftM) < swathRadius(task_.machine).si()) {
                 return std::nullopt;
@@ -318,7 +319,7 @@ private:
     std::vector<Extent> extents_;
 };
 
-/// A line of its own, or obstacles that it does not get round.
+/// The changed line, or the obstacles that it does not get round.
 struct LedSwath {
     Turn line;
     std::vector<std::size_t> refused;
@@ -336,7 +337,7 @@ LedSwath led(const Swath& swath, const Rig& lowered, const WayRoundTask& task, c
     for (const std::size_t obstacle : touched) {
         std::vector<std::size_t> group{obstacle};
         auto detour = line.past(group);
-        // Too close to the one before: both in one go.
+        // Too close to the detour before: one detour for both.
         while (detour && !all.empty() && all.back().detour.toM > detour->fromM) {
             group.insert(group.begin(), all.back().obstacles.begin(), all.back().obstacles.end());
             all.pop_back();
@@ -356,7 +357,7 @@ LedSwath led(const Swath& swath, const Rig& lowered, const WayRoundTask& task, c
         detours.push_back(std::move(passed.detour));
     }
     result.line = line.with(detours);
-    // One after the other a trailed implement may not be in line yet.
+    // Between two detours a trailed implement may not be in line yet.
     if (result.refused.empty() && detours.size() > 1 &&
         !line.isClear(part(result.line, detours.front().fromM, result.line.length().si()))) {
         result.refused = touched;

@@ -11,22 +11,22 @@
 
 namespace furrow {
 
-/// What swaths are led round, and within what.
+/// The obstacles that swaths go round, and the room for it.
 struct WayRoundTask {
-    const MultiPolygon& drivable;     ///< where tractor and implement may be
-    std::span<const Ring> obstacles;  ///< holes of that, but for the margin
+    const MultiPolygon& drivable;     ///< area for tractor and implement
+    std::span<const Ring> obstacles;  ///< holes of that area, without the margin
     const Machine& machine;
-    Length margin;  ///< that is kept from them
+    Length margin;  ///< distance kept from the obstacles
 };
 
-/// Leads the swaths on which the machine would touch one of these obstacles round it: to the side that leaves less
-/// unworked, by arcs no sharper than the machine can drive, so far that tractor and implement stay clear whichever way
-/// the swath is driven, and back. Obstacles that are closer to each other than that takes are passed in one go; near its
-/// end a swath may begin or end beside its track.
+/// Leads the swaths on which the machine would touch one of these obstacles round it and back, on the side
+/// that leaves less unworked. The arcs are no sharper than the machine can drive. The shift is large enough
+/// that tractor and implement stay clear in both directions of driving. Obstacles too close for separate
+/// detours share one. Near its end a swath may begin or end beside its track.
 ///
-/// @return by index, rising, the obstacles that some swath does not get round, or only by leaving more than may stay in
-/// one piece. Swaths that touch these keep their lines. Cancelled. Cost: some milliseconds for each obstacle and swath
-/// that meet.
+/// @return indices, rising, of the obstacles that some swath does not get round, or only by leaving more than
+/// may stay in one piece. Swaths that touch these keep their lines. Cancelled. Cost: some milliseconds for
+/// each obstacle and swath that meet.
 Result<std::vector<std::size_t>> leadRound(SwathSet& set, const WayRoundTask& task, const JobContext& job);
 
 }  // namespace furrow

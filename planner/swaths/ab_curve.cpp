@@ -12,12 +12,13 @@ namespace furrow {
 
 namespace {
 
-// A run of edges ends at a corner of more, within one operating width,
+// A run of edges ends at a corner of more than this within one operating width,
 constexpr double kCornerRad = 35.0 * std::numbers::pi / 180.0;
-// or where it has turned by more from the edge that was picked: a line that comes back beside itself is no guide.
+// or when it has turned by more than this from the picked edge. A line that comes back beside itself is no
+// guide.
 constexpr double kWholeBendRad = 90.0 * std::numbers::pi / 180.0;
 
-/// The ring that holds edge `number`, counted along every ring of the boundary, and the edge's place in it.
+/// The ring that holds edge `number`, counted along every ring of the boundary, and the edge's index in it.
 struct PickedEdge {
     Ring ring;
     std::size_t index = 0;
@@ -47,7 +48,7 @@ Result<PickedEdge> pickedEdge(const Field& field, int number) {
     return std::move(*found);
 }
 
-/// From the picked edge on, one way round the ring, until a corner.
+/// The run from the picked edge, in one direction round the ring, until a corner.
 Polyline runFrom(const Ring& ring, std::size_t first, bool onwards, double widthM) {
     const std::size_t size = ring.size();
     const auto vertex = [&](std::size_t step) { return ring[onwards ? (first + 1 + step) % size : (first + 2 * size - step) % size]; };

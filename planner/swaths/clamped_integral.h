@@ -12,13 +12,13 @@ struct Interval {
     double to = 0.0;
 };
 
-/// Integral over u of clamp(u, 0, span), from far below.
+/// The integral of clamp(u, 0, span) over u, from minus infinity.
 inline double clampedArea(double u, double span) {
     const double inside = std::min(std::max(u, 0.0), span);
     return 0.5 * inside * inside + span * (std::max(u, span) - span);
 }
 
-/// Integral over y of clamp(x, from, to) - from along a straight edge, y running from y0 to y1.
+/// The integral of clamp(x, from, to) - from over y along a straight edge, with y from y0 to y1.
 inline double clampedIntegral(Point p0, Point p1, Interval interval) {
     const double span = interval.to - interval.from;
     const double u0 = p0.x - interval.from;
@@ -35,7 +35,7 @@ inline double clampedIntegral(Point p0, Point p1, Interval interval) {
     if (low >= 0.0 && high <= span) {
         return 0.5 * (u0 + u1) * dy;
     }
-    // The edge meets a swath's end: shares of its length below, within and beyond the clamp.
+    // The edge meets a swath's end. These are the shares of its length below, within and beyond the clamp.
     const double length = high - low;
     const double within = std::min(high, span) - std::max(low, 0.0);
     const double beyond = std::max(high - span, 0.0);

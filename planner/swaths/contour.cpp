@@ -14,26 +14,26 @@ namespace furrow {
 
 namespace {
 
-// A parallel follows its contour as long as it is no farther beside the line of its own mean height than so many
-// widths, or metres for narrow machines, on average (root mean square); then a new contour is taken.
+// A parallel may lie beside the line of its own mean height by at most 2 widths, or 12 m for narrow machines
+// (root mean square). Beyond that a new contour is taken.
 constexpr double kMostAwayWidths = 2.0;
 constexpr double kMostAwayM = 12.0;
-// Land that is flatter than this has no direction.
+// Flatter land has no direction.
 constexpr double kFlat = 1e-3;
 constexpr Length kLook = metres(5.0);
-// Strips overlap by this where remainders are looked for, so that no hair is left between them.
+// Strips overlap by this in the search for remainders, so that no narrow gap is left between them.
 constexpr Length kJoined = metres(0.1);
-// Where more than this share of a region remains, no contour fits.
+// If more than this share of a region remains, no contour fits.
 constexpr double kProgress = 0.9;
-// Heights are evened out over so much: no machine follows the bumps of a scan.
+// Least smoothing of the heights, since no machine follows the bumps of a scan.
 constexpr Length kLeastEvened = metres(10.0);
-// No field has more ridges and hollows than this; the rest goes along with the contour beside it, whatever it does.
+// Largest number of blocks. The rest follows the contour beside it, even if it does not fit.
 constexpr std::size_t kMostBlocks = 64;
 
 /// Land that has no swaths yet.
 struct Region {
     Polygon outline;
-    bool anyway = false;  ///< no contour fits it: it is worked along its longest edge
+    bool anyway = false;  ///< no contour fits; worked along its longest edge
 };
 
 /// A part of the mainland that follows one contour.
@@ -57,7 +57,7 @@ std::vector<double> heightsIn(const ElevationGrid& heights, const MainlandEdges&
     return found;
 }
 
-/// Where nothing is known, say on a pond, that is as good as level.
+/// The median height. Land without known heights, for example a pond, counts as level.
 double medianOf(std::vector<double> heights) {
     if (heights.empty()) {
         return 0.0;
@@ -67,7 +67,7 @@ double medianOf(std::vector<double> heights) {
     return *middle;
 }
 
-/// The longest stretch of these lines that lies inside, with one point beyond either end.
+/// The longest stretch of these lines that lies inside, with one more point at each end.
 Polyline longestInside(const std::vector<Polyline>& lines, const MainlandEdges& edges) {
     Polyline longest;
     for (const Polyline& line : lines) {
@@ -90,7 +90,7 @@ Polyline longestInside(const std::vector<Polyline>& lines, const MainlandEdges& 
     return longest;
 }
 
-/// A ring has no beside: it is opened by this much.
+/// Opens a ring by this gap, because a closed line has no two sides to work along.
 Polyline opened(Polyline line, double gapM) {
     if (line.size() > 2 && distance(line.front(), line.back()) < gapM) {
         const Point start = line.front();
@@ -101,7 +101,7 @@ Polyline opened(Polyline line, double gapM) {
     return line;
 }
 
-/// Of a remainder: most often what was worked beside it.
+/// The longest edge of a remainder. Usually the land beside it is already worked.
 Polyline longestEdge(const Polygon& region) {
     Polyline longest{region.outer[0], region.outer[1]};
     forEachEdge({region}, [&](Point from, Point to) {
@@ -112,7 +112,7 @@ Polyline longestEdge(const Polygon& region) {
     return longest;
 }
 
-/// How far these lines run beside the contour of their own mean height.
+/// The distance of these lines from the contour of their own mean height.
 double awayM(const std::vector<Turn>& parts, const ElevationGrid& heights) {
     std::vector<std::pair<double, double>> seen;  // height and slope
     for (const Turn& part : parts) {
@@ -175,7 +175,7 @@ public:
                 return std::unexpected(laid.error());
             }
         }
-        // Uphill, as the tracks of one block are.
+        // Blocks are ordered uphill, like the tracks of one block.
         std::ranges::stable_sort(blocks_, {}, &Block::heightM);
         std::vector<SwathLine> all;
         int firstTrack = 0;
@@ -227,7 +227,7 @@ private:
         const MainlandEdges working{*around};
         Block block{.heightM = middleM, .lines = {}};
         const bool isLast = given.anyway || blocks_.size() + 1 >= kMostBlocks;
-        // From the contour outwards, either way until a parallel leaves its own contour.
+        // From the contour outwards, to both sides, until a parallel leaves its own contour.
         const auto nearest = static_cast<std::size_t>(
             std::ranges::min_element(places, {}, [](double place) { return std::abs(place); }) - places.begin());
         std::size_t first = nearest;
@@ -264,7 +264,7 @@ private:
         return leaveRest(given, worked, job);
     }
 
-    /// What a block has not worked is laid out later, but for slivers.
+    /// Keeps the rest of a block for a later block, except slivers.
     Result<void> leaveRest(const Region& region, const MultiPolygon& worked, const JobContext& job) {
         const Length sliver = 0.25 * spacing_.width;
         const auto rest = unionOf(worked, job, kSnapGrid)
@@ -277,7 +277,7 @@ private:
         const double widthM = spacing_.width.si();
         for (const Polygon& piece : *rest) {
             const bool isSlow = area(piece) > kProgress * area(region.outline);
-            // What is no smaller than it was would come back for ever.
+            // A piece that did not shrink would come back endlessly.
             if (area(piece).si() > 2.0 * widthM * widthM && !(isSlow && region.anyway)) {
                 regions_.push_back({piece, isSlow});
             }
@@ -309,7 +309,7 @@ Result<SwathSet> alongContours(const SwathTask& task, const JobContext& job) {
     if (!spacing) {
         return std::unexpected(spacing.error());
     }
-    // What is smaller than the machine's width or its bends cannot be followed.
+    // A machine cannot follow shapes smaller than its width or its bends.
     const Length evened =
         std::max({2.0 * task.machine.operatingWidth(), 2.0 * task.machine.minTurningRadius(), kLeastEvened});
     return ContourLayer{task, *spacing, smoothed(*task.guides->elevation, evened)}

@@ -10,10 +10,10 @@ namespace furrow {
 
 namespace {
 
-// Beyond three deviations a Gaussian weighs nothing.
+// Beyond three deviations the weight of a Gaussian is negligible.
 constexpr double kReach = 3.0;
 
-/// Along rows or columns, over the known cells only.
+/// Blurs along rows or columns, over the known cells only.
 std::vector<double> blurred(const ElevationGrid& grid, const std::vector<double>& values, double deviationCells, bool rows) {
     const auto reach = static_cast<std::ptrdiff_t>(std::ceil(kReach * deviationCells));
     std::vector<double> weights;
@@ -51,7 +51,8 @@ std::vector<double> blurred(const ElevationGrid& grid, const std::vector<double>
     return result;
 }
 
-/// An edge between two neighbouring grid points, by its lower left one; `up` to the north, else to the east.
+/// An edge between two neighbouring grid points, named by its lower left point; `up` to the north, else to
+/// the east.
 struct GridEdge {
     std::size_t column = 0;
     std::size_t row = 0;
@@ -59,7 +60,7 @@ struct GridEdge {
     friend auto operator<=>(const GridEdge&, const GridEdge&) = default;
 };
 
-/// From one edge of a cell to another, uphill to the left.
+/// Links from one edge of a cell to another, uphill to the left.
 using Links = std::map<GridEdge, GridEdge>;
 
 Point placeOn(const ElevationGrid& grid, const GridEdge& edge, double heightM) {
@@ -71,15 +72,15 @@ Point placeOn(const ElevationGrid& grid, const GridEdge& edge, double heightM) {
 }
 
 void addCell(const ElevationGrid& grid, std::size_t column, std::size_t row, double heightM, Links& links) {
-    // Corners counter-clockwise from the lower left; edge k goes from corner k to the next.
+    // Corners counter-clockwise from the lower left. Edge k goes from corner k to the next.
     const std::array<double, 4> heights{grid.at(column, row), grid.at(column + 1, row), grid.at(column + 1, row + 1),
                                         grid.at(column, row + 1)};
     if (!std::ranges::all_of(heights, [](double height) { return std::isfinite(height); })) {
         return;
     }
     const std::array<GridEdge, 4> edges{{{column, row, false}, {column + 1, row, true}, {column, row + 1, false}, {column, row, true}}};
-    // Going round counter-clockwise the line enters the cell where it goes up and leaves it where it goes down: uphill
-    // lies to its left then.
+    // Counter-clockwise round the cell, the line enters at the edge that goes up and leaves at the edge that
+    // goes down. So uphill lies to its left.
     std::vector<std::size_t> enters;
     std::vector<std::size_t> leaves;
     for (std::size_t k = 0; k < 4; ++k) {
@@ -92,7 +93,7 @@ void addCell(const ElevationGrid& grid, std::size_t column, std::size_t row, dou
         }
     }
     if (enters.size() == 2) {
-        // A saddle: what the middle says decides which of the two corners belong together.
+        // A saddle: the height of the middle decides which of the two corners belong together.
         const double middle = 0.25 * (heights[0] + heights[1] + heights[2] + heights[3]);
         const bool joinsHigh = middle >= heightM;
         for (const std::size_t from : enters) {
@@ -141,7 +142,7 @@ std::vector<Polyline> contourLines(const ElevationGrid& grid, double heightM) {
             addCell(grid, column, row, heightM, links);
         }
     }
-    // Open lines begin at an edge that nothing leads to; what is left are rings.
+    // Open lines begin at an edge without a link to it. The remaining links are rings.
     std::map<GridEdge, int> arrivals;
     for (const auto& [from, to] : links) {
         ++arrivals[to];

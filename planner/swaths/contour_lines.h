@@ -8,15 +8,15 @@
 
 namespace furrow {
 
-/// The height at a place, bilinear; nothing outside of the grid or beside unknown cells.
+/// The height at a place, bilinear. Empty outside the grid or beside unknown cells.
 std::optional<double> heightAt(const ElevationGrid& grid, Point place);
 
-/// Heights with bumps smaller than `radius` evened out (Gaussian, its standard deviation); unknown cells stay unknown.
-/// Cost: O(cells · radius / cell).
+/// Heights with bumps smaller than `radius` smoothed out (Gaussian, `radius` is its standard deviation).
+/// Unknown cells stay unknown. Cost: O(cells · radius / cell).
 ElevationGrid smoothed(const ElevationGrid& grid, Length radius);
 
-/// The lines of one height (marching squares; Lorensen & Cline 1987, doi 10.1145/37402.37422, in the plane), uphill to
-/// their left; closed ones end where they begin. Cost: O(cells).
+/// The lines of one height, with uphill to their left (marching squares in the plane; Lorensen & Cline 1987,
+/// doi 10.1145/37402.37422). Closed lines end at their beginning. Cost: O(cells).
 std::vector<Polyline> contourLines(const ElevationGrid& grid, double heightM);
 
 }  // namespace furrow

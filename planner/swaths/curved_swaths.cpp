@@ -15,16 +15,16 @@ namespace furrow {
 
 namespace {
 
-// A hair more than the machine's, so that rounding stays on the safe side of the limit.
+// Slightly more than the machine's radius, so that rounding stays within the limit.
 constexpr double kRadiusReserve = 1.0 + 1e-6;
 constexpr double kMostTracks = 1e6;
-// Tracks that are flush to this are flush.
+// Tracks within this distance are flush.
 constexpr double kFlushM = 1e-3;
-// How far strips may be from their chords where their area is measured.
+// Largest distance of strips from their chords when their area is measured.
 constexpr Length kStripChord = metres(0.002);
-// One strip turns by no more.
+// Largest turn of one strip.
 constexpr double kMostTurnedRad = 0.5 * std::numbers::pi;
-// A ring that ends this close to its start is closed.
+// A ring whose end is this close to its start is closed.
 constexpr double kClosedM = 1e-6;
 
 MultiPolygon stripsOf(const SwathSet& set) {
@@ -35,7 +35,7 @@ MultiPolygon stripsOf(const SwathSet& set) {
     return strips;
 }
 
-/// Of all stretches by their length; opposite ways are the same.
+/// The mean heading of all stretches, weighted by length. Opposite directions are equal.
 Angle meanHeading(const std::vector<Swath>& swaths) {
     Point sum;
     for (const Swath& swath : swaths) {
@@ -50,8 +50,8 @@ Angle meanHeading(const std::vector<Swath>& swaths) {
 
 }  // namespace
 
-// No strip turns so far that it comes back to itself; where it bends more tightly than half the width, every arc is one
-// of its own.
+// No strip turns far enough to come back to itself. Where the line bends more tightly than half the width,
+// every arc is a strip of its own.
 void addStrips(const Turn& whole, Length width, MultiPolygon& strips) {
     const double halfM = 0.5 * width.si();
     const auto strip = [halfM](const Turn& line) {
@@ -71,7 +71,7 @@ void addStrips(const Turn& whole, Length width, MultiPolygon& strips) {
         Polygon polygon = strip(part);
         const TurnPiece& first = part.pieces.front();
         if (std::abs(first.curvature.si()) * halfM >= 1.0) {
-            // A sector, about a centre inside the strip.
+            // A sector about a centre inside the strip.
             const Point ahead = direction(part.start.heading.si());
             const double radiusM = 1.0 / first.curvature.si();
             const Point centre = part.start.position + radiusM * Point{-ahead.y, ahead.x};
@@ -191,7 +191,7 @@ Result<std::vector<SwathLine>> parallelSwathLines(const GuideLine& guide, const 
             const std::vector<GuideLine> lines = parallels.at(places[i], radius);
             for (const GuideLine& line : lines) {
                 for (Turn& part : edges.partsInside(drivable(line))) {
-                    // What is left of a bend that is too tight to be followed.
+                    // Shorter parts are remains of a bend that is too tight to be followed.
                     if (lines.size() == 1 || part.length() >= spacing.width) {
                         parts.push_back(std::move(part));
                     }

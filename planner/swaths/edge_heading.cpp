@@ -18,7 +18,7 @@ Result<SwathSet> longestEdge(const SwathTask& task, const JobContext& job) {
     });
 }
 
-/// Counted along every ring of the boundary, in the field's order.
+/// The heading of an edge, counted along every ring of the boundary, in the field's order.
 Result<Angle> edgeHeading(const Field& field, int number) {
     int count = 0;
     std::optional<Point> edge;

@@ -13,16 +13,16 @@ namespace furrow {
 
 namespace {
 
-// Points this far beside a line are on it: as surveyed by hand or clicked on an image.
+// Points within this distance of a line are on it: the accuracy of a hand survey or of clicks on an image.
 constexpr Length kStraight = metres(0.15);
-// Along shorter edges nobody works, as a share of the longest.
+// Shorter edges, as a share of the longest, are no guide for work.
 constexpr double kLongShare = 0.2;
-// Of more edges only the longest are tried.
+// Only the longest edges are tried, at most this many.
 constexpr std::size_t kMostEdges = 24;
 constexpr double kCoverageSlack = 1e-9;
-// Headings closer than this are one; what is shown to choose from lies farther apart.
+// Headings closer than this are equal. The candidates shown to choose from lie `kApartDeg` apart.
 constexpr double kSameDeg = 1e-6;
-// Over a kilometre that is less than two decimetres: nothing to speak of.
+// A smaller difference needs no note: it is less than two decimetres over a kilometre.
 constexpr double kUnseenDeg = 0.01;
 constexpr double kApartDeg = 1.0;
 constexpr std::size_t kMostCandidates = 4;
@@ -31,7 +31,7 @@ double apartDeg(Angle a, Angle b) {
     return inDegrees(angleBetweenLines(a, b));
 }
 
-/// The direction in which a line is longest, all of its length weighing the same.
+/// The main direction of a line, with all of its length weighted equally.
 Angle mainDirection(std::span<const Point> line) {
     double whole = 0.0;
     Point mean;
@@ -55,7 +55,7 @@ Angle mainDirection(std::span<const Point> line) {
     return radians(0.5 * std::atan2(2.0 * xy, xx - yy));
 }
 
-/// A ring from a corner on, so that no straight edge goes on across its first point.
+/// A ring that starts at a corner, so that no straight edge continues across its first point.
 Ring fromCorner(const Ring& ring) {
     const auto corner = std::ranges::max_element(ring, {}, [&](const Point& point) { return norm(point - ring.front()); });
     Ring turned{corner, ring.end()};
@@ -105,7 +105,7 @@ Note noteOf(const PreferredHeading& preferred, SwathObjective objective) {
     return {.text = text, .where = std::string{kPreferEdge.key}, .place = {}};
 }
 
-/// The quickest that are apart from each other, the chosen one, and those along the longest edges anyway.
+/// The quickest headings that are apart from each other, and always the chosen one and those of the longest edges.
 std::vector<HeadingCandidate> candidatesOf(std::vector<BestHeading> tried, const BestHeading& chosen,
                                            const std::vector<BestHeading>& alongLongest) {
     std::ranges::stable_sort(tried, {}, [](const BestHeading& heading) { return heading.figures.time; });

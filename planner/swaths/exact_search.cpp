@@ -16,13 +16,13 @@ namespace furrow {
 namespace {
 
 constexpr double kGridDeg = 0.1;
-// Edges whose directions differ by less count as one.
+// Edges with a smaller difference of direction count as one.
 constexpr double kSameDirectionDeg = 1e-4;
-// Of a boundary with more edges than this only the hull's and the longest are tried.
+// If a boundary has more edges, only the hull's and the longest are tried.
 constexpr std::size_t kMostEdges = 2000;
 // The refinement stops at a step that moves the end of a kilometre by 2 cm.
 constexpr double kFinestDeg = 1e-3;
-// Headings to choose from lie so far apart; so many are measured for that.
+// Least distance between headings to choose from, and the number measured for that choice.
 constexpr double kApartDeg = 1.0;
 constexpr std::size_t kMostPromising = 6;
 
@@ -50,8 +50,8 @@ std::vector<Point> outerPoints(const MultiPolygon& mainland) {
     return points;
 }
 
-/// The directions of the hull's edges and of all edges as long as a swath is wide: shorter ones are pieces
-/// of curves.
+/// The directions of the hull's edges and of all edges at least one width long. Shorter ones are pieces of
+/// curves.
 std::vector<Angle> edgeHeadings(const MultiPolygon& mainland, const Ring& hull, Length width) {
     std::vector<Angle> headings;
     addEdgeHeadings(hull, headings);
@@ -81,8 +81,8 @@ struct Search {
         return bestHeading(scanLine, headings, objective, job);
     }
 
-    /// The same by time: only headings whose bound leaves them a chance are driven in full. What the most promising of
-    /// the first ones takes makes the bounds of all others cheaper.
+    /// The same by time. Only headings whose bound can still win are driven in full. The time of the most
+    /// promising of the first headings makes the bounds of all others cheaper.
     Result<BestHeading> quickest(const std::vector<Angle>& headings, std::size_t first, const JobContext& job) {
         tried += static_cast<int>(headings.size());
         const auto boundsOf = [&](std::size_t count, Duration enough, const JobContext& part) {
@@ -130,10 +130,10 @@ struct Search {
         }
     }
 
-    /// Halves the step around the best heading for as long as that can matter.
+    /// Halves the step around the best heading down to the finest useful step.
     Result<BestHeading> refined(BestHeading from, const JobContext& caller) {
         const BestHeading first = from;
-        // A few dozen headings: over before a bar could move.
+        // A few dozen headings finish before a progress bar could move.
         const JobContext job{.stop = caller.stop, .progress = {}, .threads = caller.threads};
         for (double stepDeg = 0.5 * kGridDeg; stepDeg > kFinestDeg; stepDeg *= 0.5) {
             const auto next = best({from.heading, normalisedSwathHeading(from.heading - degrees(stepDeg)),
@@ -144,7 +144,7 @@ struct Search {
             }
             from = *next;
         }
-        // What differs by rounding counts as equal: many such steps may lead back.
+        // Differences of rounding count as equal, so many such steps may lead back.
         return isBetter(objective, first.figures, from.figures) ? first : from;
     }
 };
@@ -159,7 +159,8 @@ Result<SwathSet> exactSearch(const SwathTask& task, const JobContext& job) {
     const bool byCount = search.objective == SwathObjective::Count;
     const bool onePiece = mainland.size() == 1;
     const Ring hull = convexHull(outerPoints(mainland));
-    // Every track crosses a mainland in one piece, and none of its heights is below the hull's width.
+    // Every track crosses a mainland in one piece, and its height in any heading is at least the hull's
+    // width.
     const int fewestTracks = scanLine->trackCount(minimumWidth(hull));
     const bool gap = task.settings.choice(kLastPass) == "gap";
 
@@ -180,7 +181,7 @@ Result<SwathSet> exactSearch(const SwathTask& task, const JobContext& job) {
         sortAndThin(headings);
         best = search.best(headings, job);
     } else {
-        // The edges' directions first: whatever they reach makes the grid cheaper.
+        // The directions of edges come first. Their result makes the grid cheaper.
         best = search.best(edgeHeadings(mainland, hull, task.machine.operatingWidth()), job.part(0.0, 0.3));
         if (!best) {
             return std::unexpected(best.error());

@@ -14,7 +14,7 @@ namespace furrow {
 
 namespace {
 
-// Touching up to rounding is not crossing.
+// An overlap up to this is touching, not crossing.
 constexpr double kTouchingM = 1e-3;
 
 /// Polygons turned so that swaths run along x, with their edges sorted into bands across.
@@ -47,7 +47,8 @@ public:
     }
     std::size_t ringSize(std::size_t ring) const { return rings_[ring].size(); }
 
-    /// Calls visit(edge, from, to) for every edge that may touch heights from low to high, some twice.
+    /// Calls visit(edge, from, to) for every edge that may touch heights from low to high; for some edges
+    /// twice.
     template <class Visit>
     void between(double low, double high, const Visit& visit) const {
         if (bands_.empty() || high < lowY_ || low > highY_) {
@@ -89,7 +90,7 @@ private:
     std::vector<std::vector<Edge>> bands_;
 };
 
-/// The part of an edge between two heights; nothing where there is none.
+/// The part of an edge between two heights. Empty if there is none.
 struct Piece {
     Point from;
     Point to;
@@ -103,14 +104,14 @@ std::optional<Piece> clipped(Point a, Point b, double low, double high) {
     return Piece{clamp(a), clamp(b)};
 }
 
-/// One end of a swath in the turned frame; ahead is +x for the far end, -x for the near one.
+/// One end of a swath in the turned frame. Ahead is +x for the far end, -x for the near one.
 struct End {
     double x = 0.0;
     double y = 0.0;
     double ahead = 1.0;
 };
 
-/// How far beyond the end the first edge lies within a band of heights; infinite where none does.
+/// The distance from the end to the first edge ahead within a band of heights. Infinite if there is none.
 double freeAhead(const TurnedEdges& edges, const End& end, double halfWidthM) {
     const double low = end.y - halfWidthM + kTouchingM;
     const double high = end.y + halfWidthM - kTouchingM;
@@ -127,7 +128,7 @@ double freeAhead(const TurnedEdges& edges, const End& end, double halfWidthM) {
     return free;
 }
 
-/// The mainland's edge where a swath ends, from side to side of the strip for as long as it runs across.
+/// The mainland's edge at a swath's end, across the strip from side to side, as long as it runs across.
 std::vector<Piece> edgeAcross(const TurnedEdges& mainland, const End& end, double halfWidthM) {
     std::optional<TurnedEdges::Edge> crossing;
     double nearest = kTouchingM;
@@ -151,7 +152,8 @@ std::vector<Piece> edgeAcross(const TurnedEdges& mainland, const End& end, doubl
     const Point b = mainland.vertex(crossing->ring, crossing->index + 1);
     const bool rising = b.y > a.y;
     across.push_back(*clipped(a, b, low, high));
-    // Up one way round the ring and down the other, until the edge turns back or leaves the strip.
+    // Up in one direction round the ring and down in the other, until the edge turns back or leaves the
+    // strip.
     for (const bool up : {true, false}) {
         const bool onwards = up == rising;
         std::size_t at = onwards ? crossing->index + 1 : crossing->index;
@@ -173,9 +175,10 @@ std::vector<Piece> edgeAcross(const TurnedEdges& mainland, const End& end, doubl
 
 struct Machinery {
     double halfWidthM;         // of the implement at work
-    double halfImplementM;     // along the way
+    double halfImplementM;     // along the swath
     double halfTractorM;       // width
-    double aheadM;             // how far the tractor reaches beyond the implement, whichever way it comes
+    double aheadM;             // distance that the tractor reaches beyond the implement, the larger of both
+                               // directions
 };
 
 Machinery machineryOf(const Machine& machine) {
@@ -188,7 +191,7 @@ Machinery machineryOf(const Machine& machine) {
             .aheadM = std::max(front - implement.offset, implement.offset + tractor.rearOverhang).si()};
 }
 
-/// Draws out ends of swaths that run along one direction.
+/// Extends ends of swaths that run along one direction.
 class EndDrawer {
 public:
     EndDrawer(SwathSet& set, Point along, const MultiPolygon& mainland, const EndRoom& room, const Machine& machine)
@@ -216,16 +219,16 @@ public:
         }
     }
 
-    /// How far a line that ends there, along the drawer's direction, is drawn out.
-    /// @param most  that it may be drawn in
+    /// The length by which a line with this end, along the drawer's direction, is extended.
+    /// @param most  by which it may be shortened
     Length beyond(Point end, Length most) {
         const double x = dot(along_, end);
         return metres(drawnOut({.x = x, .y = cross(along_, end), .ahead = 1.0}, most.si()) - x);
     }
 
 private:
-    /// How far an end has to be drawn in, so that whichever way it is driven tractor and implement stay where they may
-    /// be.
+    /// The length by which an end has to be shortened. Tractor and implement then stay in the allowed area in
+    /// both directions of driving.
     double tooFar(const End& end, double mostM) const {
         const double backM = std::min(mostM, machinery_.aheadM + machinery_.halfWidthM);
         const End before{.x = end.x - end.ahead * backM, .y = end.y, .ahead = end.ahead};
@@ -246,7 +249,7 @@ private:
         if (wanted <= kTouchingM) {
             return end.x;
         }
-        // The turn goes to one of the neighbours: one width more on both sides.
+        // The turn goes to one of the neighbours, so the room is one width more on both sides.
         const double free = std::min(
             {freeAhead(working_, end, machinery_.halfWidthM),
              freeAhead(driving_, end, machinery_.halfWidthM) - machinery_.halfImplementM,
@@ -257,7 +260,7 @@ private:
         return end.x + end.ahead * more;
     }
 
-    /// Of the strip that was added, what lies outside of the mainland.
+    /// The area of the added strip that lies outside the mainland.
     double areaBeyond(const End& end, const std::vector<Piece>& across, double more) const {
         double inside = 0.0;
         for (const Piece& piece : across) {
@@ -291,10 +294,10 @@ void drawOutEnds(SwathSet& set, const MultiPolygon& mainland, const EndRoom& roo
     set.totalLength = {};
     for (Swath& swath : set.swaths) {
         if (swath.isCurved() && !swath.isClosed()) {
-            // Straight on, each end in its own direction.
+            // Each end is extended straight, in its own direction.
             const Pose end = swath.curve.end();
             const auto drawn = [&](Point from, Point along) {
-                // Curves stay as long as they are.
+                // Curves are never shortened.
                 return EndDrawer{set, along, mainland, room, machine}.beyond(from, Length{});
             };
             const Length before = drawn(swath.start, -1.0 * direction(swath.curve.start.heading.si()));

@@ -4,19 +4,21 @@
 
 namespace furrow {
 
-/// How far the ends of swaths may reach beyond the mainland.
+/// The room for swath ends beyond the mainland.
 struct EndRoom {
-    const MultiPolygon& working;  ///< the implement stays in here: the field inside its outermost pass
-    const MultiPolygon& driving;  ///< tractor and implement stay in here
+    const MultiPolygon& working;  ///< area for the implement: the field inside its outermost pass
+    const MultiPolygon& driving;  ///< area for tractor and implement
     Length turning;               ///< ahead of the swath's end, for the turn into the next one
-    /// Ends stop short where tractor and implement would be outside of `driving`: where there is no headland to turn in.
+    /// Ends stop short where tractor and implement would leave `driving`. Used if there is no headland to
+    /// turn in.
     bool drawsIn = false;
 };
 
-/// Draws both ends of every swath out until the full operating width has left the mainland, by
-/// (w/2) |cot angle| at a straight edge, but no farther than the room at that end allows; back from there, where they are to be drawn in. Lines may move
-/// beyond the mainland by that, curves straight on; coverage and overlap stay those of flat ends, the area worked beyond the
-/// mainland is added up apart. Cost: O(n + swaths * edges near each) for n vertices.
+/// Extends both ends of every swath until the full operating width has left the mainland, but no farther than
+/// the room at that end allows. At a straight edge that is (w/2) |cot angle|. With `drawsIn`, ends may also
+/// move back. Lines, and curves straight on, may reach beyond the mainland by that length. Coverage and
+/// overlap stay those of flat ends. The area worked beyond the mainland is summed separately. Cost: O(n +
+/// swaths * edges near each) for n vertices.
 void drawOutEnds(SwathSet& set, const MultiPolygon& mainland, const EndRoom& room, const Machine& machine);
 
 }  // namespace furrow

@@ -7,7 +7,7 @@ namespace furrow {
 
 namespace {
 
-// A direction cannot be told from two points that are closer.
+// Two points that are closer give no direction.
 constexpr double kShortestLineM = 1.0;
 
 Error lineMissing(std::string_view method, const Message& wanted, std::string_view example) {
@@ -17,7 +17,7 @@ Error lineMissing(std::string_view method, const Message& wanted, std::string_vi
             .remedy = message("give it as WKT in WGS84, {}", example)};
 }
 
-// A swath that is off its lane by more was moved to the edge, or spread.
+// A swath farther from its lane was moved to the edge, or spread.
 constexpr double kLaneSlackM = 0.01;
 
 Result<SwathSet> along(const SwathTask& task, Angle heading, Point anchor, const JobContext& job) {

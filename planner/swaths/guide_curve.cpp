@@ -14,11 +14,11 @@ namespace {
 
 constexpr double kSamePointM = 0.01;
 constexpr Length kSimplified = metres(0.05);
-// How far an arc in place of a gentle corner may be from it.
+// Largest distance of an arc from the gentle corner that it replaces.
 constexpr Length kGentle = metres(0.1);
-// A line that is drawn out ends so far before it meets itself.
+// An extended line ends this far before it meets itself.
 constexpr double kApartM = 1.0;
-// A turn back is no bend.
+// A sharper bend is a turn back.
 constexpr Angle kSharpest = degrees(175.0);
 
 Polyline withoutCloseOnes(std::span<const Point> line) {
@@ -31,7 +31,7 @@ Polyline withoutCloseOnes(std::span<const Point> line) {
     return kept;
 }
 
-/// How far along a + s (b - a) it meets c to d; nothing where it does not.
+/// The share of a to b at which it meets c to d. Empty if they do not meet.
 std::optional<double> meeting(Point a, Point b, Point c, Point d) {
     const Point u = b - a;
     const Point v = d - c;
@@ -52,7 +52,7 @@ bool touches(const Bounds& a, const Bounds& b) {
     return a.min.x <= b.max.x && b.min.x <= a.max.x && a.min.y <= b.max.y && b.min.y <= a.max.y;
 }
 
-/// Where a line crosses itself; nothing where it does not.
+/// The place at which a line crosses itself. Empty if there is none.
 std::optional<Point> crossingOf(const Polyline& line) {
     std::vector<Bounds> boxes;
     for (std::size_t i = 0; i + 1 < line.size(); ++i) {
@@ -77,7 +77,7 @@ std::optional<Point> crossingOf(const Polyline& line) {
     return std::nullopt;
 }
 
-/// How far a ray from the end of the line may reach before it meets the line.
+/// The length of a ray from the end of the line before it meets the line.
 double reachBefore(const Polyline& line, Point end, Point ahead, double reachM, std::size_t ownEdge) {
     double shortestM = reachM;
     for (std::size_t i = 0; i + 1 < line.size(); ++i) {
@@ -113,7 +113,7 @@ Polyline drawnOut(Polyline line, double reachM) {
     return line;
 }
 
-/// First what bends to the left is rounded, then what bends to the right; the second leaves the first alone.
+/// Bends to the left are rounded first, then bends to the right. The second step does not change the first.
 std::vector<GuideLine> rounded(const GuideLine& line, Length radius, Angle sharpest) {
     std::vector<GuideLine> result;
     for (GuideLine& part : ParallelLines{line}.at(0.0, radius, sharpest)) {

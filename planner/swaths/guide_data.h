@@ -7,10 +7,10 @@
 
 namespace furrow {
 
-/// Heights on a square grid in the local frame, row after row from the south, each from the west. Not finite where
-/// nothing is known.
+/// Heights on a square grid in the local frame: rows from the south, each from the west. Unknown heights are
+/// not finite.
 struct ElevationGrid {
-    Point origin;  ///< the first, south-western, value's place
+    Point origin;  ///< place of the first, south-western, value
     double cellM = 1.0;
     std::size_t columns = 0;
     std::size_t rows = 0;
@@ -19,7 +19,7 @@ struct ElevationGrid {
     double at(std::size_t column, std::size_t row) const { return heightsM[row * columns + column]; }
 };
 
-/// What swaths can follow that comes from files of its own, in the field's local frame.
+/// Guides for swaths from separate files, in the field's local frame.
 struct GuideData {
     std::vector<Polyline> rows;              ///< in the order of the file
     std::optional<ElevationGrid> elevation;  ///< around the field

@@ -9,20 +9,20 @@ namespace furrow {
 
 namespace {
 
-// Bends of less are straights.
+// Smaller bends are straights.
 constexpr double kStraightRad = 1e-9;
-// A parallel is looked along in steps of so many metres and radians.
+// A parallel is sampled in steps of these metres and radians,
 constexpr double kLookM = 2.0;
 constexpr double kLookRad = 0.1;
-// and where its stretches do not meet, of so many metres.
+// and, where its stretches do not meet, of these metres.
 constexpr double kLookCloselyM = 0.02;
-// What is closer by less is touching.
+// A smaller difference of distance is touching.
 constexpr double kTouchingM = 1e-8;
-// Where two stretches of a parallel end closer to each other than this they meet.
+// Stretches of a parallel whose ends are closer than this meet.
 constexpr double kMeetingM = 1e-3;
-// Stretches shorter than this are rounding.
+// Shorter stretches are rounding errors.
 constexpr double kLeastPlace = 1e-9;
-// A radius that is kept up to rounding is kept.
+// A radius counts as kept if only rounding errors are missing.
 constexpr double kRadiusSlack = 1.0 - 1e-6;
 
 Point leftOfHeading(double headingRad) {
@@ -62,7 +62,7 @@ GuideLine guideLineThrough(const Polyline& points, Length radius, Length toleran
         return std::atan2(way.y, way.x);
     };
     GuideLine line{.start = {.position = points.front(), .heading = radians(headingOf(0))}, .pieces = {}};
-    double takenM = 0.0;  // of the edge, by the arc at its begin
+    double takenM = 0.0;  // of the edge, by the arc at its beginning
     for (std::size_t i = 0; i + 1 < points.size(); ++i) {
         const double edgeM = distance(points[i], points[i + 1]);
         if (i + 2 == points.size()) {
@@ -120,7 +120,7 @@ ParallelLines::ParallelLines(GuideLine line) : line_{std::move(line)} {
     tree_ = BoxTree{boxes};
 }
 
-/// A place is the number of a piece and the share of it; headings go on counting past half a turn.
+/// A place is the index of a piece plus the share along it. Headings continue past half a turn.
 Pose ParallelLines::on(double place, double leftM) const {
     const auto index = std::min(static_cast<std::size_t>(place), placed_.size() - 1);
     const Placed& placed = placed_[index];
@@ -154,7 +154,7 @@ double ParallelLines::distanceM(Point point, std::size_t piece) const {
     if (angleRad > std::abs(turnRad)) {
         return endsM;
     }
-    // |reached| - |radius|, without taking one large number from another where the arc is nearly straight.
+    // |reached| - |radius|, without the difference of two large numbers for a nearly straight arc.
     const Point off = point - placed.from;
     return std::abs(2.0 * dot(arm, off) + dot(off, off)) / (norm(reached) + std::abs(radiusM));
 }
@@ -193,7 +193,7 @@ std::vector<double> ParallelLines::placesBetween(double from, double to, double 
     for (auto i = static_cast<std::size_t>(from); i < placed_.size() && static_cast<double>(i) < to; ++i) {
         const GuidePiece& piece = placed_[i].piece;
         const double beside = std::abs(piece.lengthM - leftM * piece.turnRad);
-        // Corners are passed over in steps, too.
+        // Corners are passed in steps, too.
         const auto steps = static_cast<int>(std::ceil(std::max(
             {2.0, std::max(piece.lengthM, beside) / apartM, std::abs(piece.turnRad) / (kLookRad * apartM / kLookM)})));
         for (int k = 1; k <= steps; ++k) {
@@ -208,7 +208,7 @@ std::vector<double> ParallelLines::placesBetween(double from, double to, double 
 }
 
 std::vector<ParallelLines::Interval> ParallelLines::freeAmong(const std::vector<double>& places, double leftM) const {
-    // The last place at which it is as it is at `same`.
+    // The last place with the same state as `same`.
     const auto border = [&](double same, double other, bool free) {
         for (int round = 0; round < 60 && std::abs(other - same) > 1e-15; ++round) {
             const double middle = 0.5 * (same + other);
@@ -238,7 +238,8 @@ std::vector<ParallelLines::Interval> ParallelLines::freeStretches(double leftM) 
     const std::vector<Interval> seen = freeAmong(placesBetween(0.0, end, leftM, kLookM), leftM);
     std::vector<Interval> stretches;
     for (const Interval& stretch : seen) {
-        // What does not meet has something in between that was too short to be seen, or an end of the line.
+        // Between stretches that do not meet lies a stretch too short for the first sampling, or an end of
+        // the line.
         if (!stretches.empty() && distance(on(stretches.back().to, leftM).position, on(stretch.from, leftM).position) >
                                       kMeetingM) {
             const Interval gap{stretches.back().to, stretch.from};
@@ -299,7 +300,7 @@ std::vector<GuideLine> ParallelLines::at(double leftM, Length radius, Angle shar
     const double farM = leftM + side * radius.si();
     const std::vector<Interval> wide = freeStretches(farM);
     std::vector<GuideLine> lines;
-    // What can be followed at the distance itself, for where the disc does not reach.
+    // The stretches that can be followed at the distance itself, for places that the disc does not reach.
     std::optional<std::vector<Interval>> near;
     const auto fill = [&](double from, double to, bool joinsBefore) {
         if (to - from < kLeastPlace) {

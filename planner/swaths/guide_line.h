@@ -21,34 +21,35 @@ struct GuideLine {
     std::vector<GuidePiece> pieces;
 };
 
-/// Through these points, at least two that differ, each a corner; where the edges beside a corner leave room for an
-/// arc of the radius or more that stays within `tolerance` of it, that arc.
+/// A line through these points, at least two of them different, each a corner. A corner becomes an arc if the
+/// edges beside it leave room. The arc has the radius or more and stays within `tolerance` of the corner.
 GuideLine guideLineThrough(const Polyline& points, Length radius, Length tolerance);
 
-/// The same line as stretches to drive; corners have to be rounded before.
+/// The same line as stretches to drive. Its corners must already be rounded.
 Turn drivable(const GuideLine& line);
 
-/// Rounding more than this leaves more than half a width between one parallel and the next.
+/// Rounding a sharper bend leaves more than half a width between neighbouring parallels.
 inline constexpr Angle kSharpestBend = degrees(100.0);
 
-/// The lines beside a guide line. Immutable; may be asked by several threads at once.
+/// The lines beside a guide line. Immutable; thread-safe.
 ///
-/// A parallel at distance d is where the nearest point of the guide line is d away: what an offset draws closer to
-/// the line than that, the swallowtails of bends that are tighter than d, is cut off, and where the guide line comes
-/// back beside itself the parallels end halfway. Of that, what a disc of the wanted radius reaches from the far side
-/// (a morphological opening): bends on the inside are arcs of that radius, and two parallels are nowhere closer to
-/// each other than the difference of their distances. Where that would round a bend of more than `sharpest` the
-/// parallel is cut in two instead, each as far as the machine can follow it.
+/// A parallel at distance d is the set of places whose nearest point of the guide line is d away. An offset
+/// can come closer to the line than d, in swallowtails of bends tighter than d; these parts are cut off.
+/// Where the guide line comes back beside itself, the parallels end halfway. The rest is opened
+/// morphologically with a disc of the wanted radius, from the far side. Bends on the inside are then arcs of
+/// that radius, and two parallels are nowhere closer than the difference of their distances. If that would
+/// round a bend of more than `sharpest`, the parallel is cut in two instead. Each part goes as far as the
+/// machine can follow it.
 ///
-/// In exact arcs: at the distance d plus radius, the stretches of the offset that nothing else is closer to are found
-/// by looking along it and halving; between two of them the centre of the arc is where they meet. Cost of a
-/// parallel: O(n log n) for n pieces and metres.
+/// Arcs are exact. The offset at distance d plus radius is sampled for its free stretches (nothing else is
+/// closer). Their ends are refined by halving. Two neighbouring stretches meet at the centre of the arc
+/// between them. Cost of a parallel: O(n log n) for n pieces and metres.
 class ParallelLines {
 public:
     explicit ParallelLines(GuideLine line);
 
-    /// To the left, or to the right where the distance is negative; in order along the guide line. None where nothing
-    /// is left. Of 0 the guide line with its corners to the left (or of -0 to the right) rounded.
+    /// The parallel to the left, or to the right if `leftM` is negative, in order along the guide line. Empty
+    /// if nothing remains. For 0 the guide line with its left corners rounded, for -0 with its right ones.
     std::vector<GuideLine> at(double leftM, Length radius, Angle sharpest = kSharpestBend) const;
 
     /// Metres to the left of the nearest point of the line, negative to the right.
@@ -69,7 +70,7 @@ private:
     Pose on(double place, double leftM) const;
     double distanceM(Point point, std::size_t piece) const;
     bool isFree(double place, double leftM) const;
-    /// From one place to another, looked at no farther apart than this along the line and beside it.
+    /// Places from one to another, no farther apart than `apartM`, along the line and beside it.
     std::vector<double> placesBetween(double from, double to, double leftM, double apartM) const;
     std::vector<Interval> freeAmong(const std::vector<double>& places, double leftM) const;
     std::vector<Interval> freeStretches(double leftM) const;

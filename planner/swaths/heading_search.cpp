@@ -25,7 +25,7 @@ LastPass lastPassOf(const Settings& settings) {
     return id == "spread" ? LastPass::Spread : id == "gap" ? LastPass::Gap : LastPass::Overlap;
 }
 
-/// Whether half a width beyond the mainland's edge is still in the field.
+/// Whether the field continues for half a width beyond the mainland's edge.
 bool hasRoomBeside(const SwathTask& task) {
     const Length half = 0.5 * task.machine.operatingWidth();
     const BoundaryDistance edges{task.field.workable(), half};
@@ -88,7 +88,7 @@ Result<ScanLine> scanLineFor(const SwathTask& task, std::optional<Point> anchor)
 
 Result<BestHeading> bestHeading(const ScanLine& scanLine, std::span<const Angle> headings, SwathObjective objective,
                           const JobContext& job) {
-    // Where lines decide, areas are only measured for headings that nothing beats in those.
+    // If lines decide, areas are only measured for headings with the best lines.
     std::vector<Angle> left{headings.begin(), headings.end()};
     if (isOfLines(objective)) {
         const auto lines = parallelMap<HeadingFigures>(

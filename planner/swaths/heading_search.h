@@ -7,7 +7,7 @@
 
 namespace furrow {
 
-/// Width, overlap and last pass as the settings have them; with an anchor one of the tracks runs through that point.
+/// Width, overlap and last pass from the settings. With an anchor, one of the tracks runs through that point.
 /// InputRefused: the overlap is not below the operating width.
 Result<SwathSpacing> spacingFor(const SwathTask& task, std::optional<Point> anchor = {});
 
@@ -17,14 +17,12 @@ Error tooManyTracks(const SwathSpacing& spacing);
 /// Not one swath fits into the mainland.
 Error noSwathFits();
 
-/// The scan line for this task; with an anchor one of its tracks runs through that point. InputRefused: the
-/// overlap is not below the operating width, or the width is so small that there would be over a million
-/// tracks.
+/// The scan line for this task. With an anchor, one of its tracks runs through that point. InputRefused: the
+/// overlap is not below the operating width, or the width would give over a million tracks.
 Result<ScanLine> scanLineFor(const SwathTask& task, std::optional<Point> anchor = {});
 
-/// The best of some headings.
-/// Tries all of them in parallel; of equally good ones the first is kept, whatever the thread count.
-/// Cancelled. Cost: one ScanLine::figures for each heading.
+/// The best of some headings. All are tried in parallel. Of equal ones the first is kept, for any thread
+/// count. Cancelled. Cost: one ScanLine::figures for each heading.
 struct BestHeading {
     Angle heading;
     HeadingFigures figures;
@@ -32,7 +30,7 @@ struct BestHeading {
 Result<BestHeading> bestHeading(const ScanLine& scanLine, std::span<const Angle> headings, SwathObjective objective,
                           const JobContext& job);
 
-/// The swaths of one heading as a method's result. InputRefused: not one fits. Cancelled.
+/// The swaths of one heading as a method's result. InputRefused: no swath fits. Cancelled.
 Result<SwathSet> swathsAlong(const ScanLine& scanLine, const SwathTask& task, Angle heading, SwathObjective objective,
                              const JobContext& job);
 

@@ -16,14 +16,14 @@ namespace {
 
 // Lanes that lie on each other's edges leave slivers of rounding.
 constexpr double kSliverM2 = 1e-3;
-// A strip that is no broader is rounding, too.
+// A narrower strip is rounding, too.
 constexpr Length kFlush = metres(1e-3);
-// What comes this close to the end of a lane begins there.
+// A piece this close to the end of a lane begins there.
 constexpr double kBeginsM = 1e-3;
-// A piece lies beside a lane that is no farther away.
+// A piece within this distance lies beside a lane.
 constexpr double kBesideM = 0.02;
 
-/// A rectangle along a direction: from one place to another along it, and across it, to the left.
+/// A rectangle along a direction: its range along it, and its range across it, to the left.
 Polygon rectangleAlong(Point along, Point origin, std::pair<double, double> length, std::pair<double, double> across) {
     const Point left{-along.y, along.x};
     const auto at = [&](double x, double y) { return origin + x * along + y * left; };
@@ -32,7 +32,7 @@ Polygon rectangleAlong(Point along, Point origin, std::pair<double, double> leng
             .holes = {}};
 }
 
-/// Where a mainland lies along and across a direction.
+/// The bounds of a mainland along and across a direction.
 Bounds turnedBounds(const MultiPolygon& mainland, Point along) {
     constexpr double kInfinity = std::numeric_limits<double>::infinity();
     Bounds box{{kInfinity, kInfinity}, {-kInfinity, -kInfinity}};
@@ -44,7 +44,7 @@ Bounds turnedBounds(const MultiPolygon& mainland, Point along) {
     return box;
 }
 
-/// Where a lane that ends at a pose would go on in the mainland, straight ahead.
+/// The continuation of a lane in the mainland, straight ahead of the pose at its end.
 Result<MultiPolygon> aheadOf(const Pose& end, Length width, const MultiPolygon& mainland, const JobContext& job) {
     const Bounds box = bounds(mainland);
     const double farM = box.width() + box.height() + norm(end.position - box.min);
@@ -52,7 +52,7 @@ Result<MultiPolygon> aheadOf(const Pose& end, Length width, const MultiPolygon& 
     const double halfM = 0.5 * width.si();
     auto pieces = intersection(mainland, {rectangleAlong(along, end.position, {0.0, farM}, {-halfM, halfM})}, job);
     if (pieces) {
-        // Beyond the mainland's edge it is another lane's land.
+        // Beyond the mainland's edge the land belongs to another lane.
         std::erase_if(*pieces, [&](const Polygon& piece) {
             return std::ranges::none_of(piece.outer, [&](Point p) { return dot(along, p - end.position) < kBeginsM; });
         });
@@ -60,7 +60,7 @@ Result<MultiPolygon> aheadOf(const Pose& end, Length width, const MultiPolygon& 
     return pieces;
 }
 
-/// The lanes of a set, each with what lies straight ahead of its ends.
+/// The lanes of a set, each with its continuations straight ahead of both ends.
 Result<MultiPolygon> lanesOf(const SwathSet& set, const MultiPolygon& mainland, const JobContext& job) {
     MultiPolygon lanes;
     for (const Swath& swath : set.swaths) {
@@ -81,7 +81,7 @@ Result<MultiPolygon> lanesOf(const SwathSet& set, const MultiPolygon& mainland, 
     return lanes;
 }
 
-/// The first and the last track that a piece is next to.
+/// The first and the last track beside a piece.
 std::pair<int, int> tracksBeside(const Polygon& piece, const SwathSet& set, const std::vector<Polyline>& middles) {
     std::pair<int, int> tracks{std::numeric_limits<int>::max(), std::numeric_limits<int>::min()};
     for (std::size_t i = 0; i < middles.size(); ++i) {

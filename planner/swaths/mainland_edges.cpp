@@ -13,7 +13,7 @@ namespace {
 
 // Lines are cut as chords that stay this close to them.
 constexpr Length kChord = metres(0.0005);
-// Parts shorter than this are touching.
+// Shorter parts only touch.
 constexpr Length kLeastPart = metres(0.01);
 
 }  // namespace
@@ -65,7 +65,8 @@ std::vector<Turn> MainlandEdges::partsInside(const Turn& line) const {
     }
     crossings.push_back(samples.back().way.si());
     std::ranges::sort(crossings);
-    // Which stretches are inside is asked in their middles: a line that touches a corner crosses there twice or not at all.
+    // The middle of each stretch decides whether it is inside. A line that touches a corner crosses there
+    // twice or not at all.
     std::vector<Turn> parts;
     Length begin;
     bool open = false;
@@ -76,7 +77,7 @@ std::vector<Turn> MainlandEdges::partsInside(const Turn& line) const {
         open = false;
     };
     Pose pose = line.start;
-    Length passed;  // of the line before `piece`
+    Length passed;  // length of the line before `piece`
     std::size_t piece = 0;
     for (std::size_t k = 0; k + 1 < crossings.size(); ++k) {
         if (crossings[k + 1] - crossings[k] < 1e-6) {

@@ -8,19 +8,19 @@
 
 namespace furrow {
 
-/// The edges of a mainland, sorted for lines that are cut to it. Immutable; may be asked by several threads at once.
+/// The edges of a mainland, sorted for lines that are cut to it. Immutable; thread-safe.
 class MainlandEdges {
 public:
     explicit MainlandEdges(const MultiPolygon& mainland);
 
-    /// Even-odd, holes included. Cost: O(log n) and the edges level with the point.
+    /// Even-odd rule, holes included. Cost: O(log n) and the edges level with the point.
     bool contains(Point point) const;
 
-    /// The parts of a line that lie inside, in their order, with ends to a millimetre.
+    /// The parts of a line inside, in order, with ends exact to a millimetre.
     std::vector<Turn> partsInside(const Turn& line) const;
 
     Bounds box() const { return box_; }
-    /// Points of the edges, no farther apart than this.
+    /// Points of the edges, no farther apart than `apart`.
     std::vector<Point> pointsAlong(Length apart) const;
 
 private:

@@ -6,9 +6,9 @@
 
 namespace furrow {
 
-/// How much neighbouring swaths overlap.
+/// The overlap of neighbouring swaths.
 extern const Parameter kOverlap;
-/// What becomes of the width that is left over.
+/// The treatment of the remaining width.
 extern const Parameter kLastPass;
 extern const Parameter kStep;
 extern const Parameter kAngle;
@@ -17,13 +17,13 @@ extern const Parameter kLine;
 extern const Parameter kEdge;
 /// A raster of heights.
 extern const Parameter kElevation;
-/// A file of rows, where to drive, and which of them not.
+/// A file of rows, the place to drive, and the rows to skip.
 extern const Parameter kRows;
 extern const Parameter kRowsAt;
 extern const Parameter kSkipRows;
-/// How much worse than the best a heading along an edge of the field may be to be preferred.
+/// How much worse than the best heading a preferred edge may be.
 extern const Parameter kPreferEdge;
-/// Where swaths end: on the centre line or once the full width is covered.
+/// The ends of swaths: at the centre line, or where the full width is covered.
 extern const Parameter kEnds;
 
 extern const Method<SwathGenerator> kExactMethod;

@@ -14,13 +14,13 @@ constexpr Choice kObjectives[] = {
     {"overlap", "Least overlap", "The smallest area worked twice."},
 };
 
-// Differences below these are rounding.
+// Smaller differences are rounding.
 constexpr double kLengthSlackM = 1e-6;
 constexpr double kAreaSlackM2 = 1e-6;
 constexpr double kTimeSlackS = 1e-6;
 constexpr double kCoverageSlack = 1e-12;
 
-/// Positive where a is better, negative where b is, zero for rounding.
+/// Positive if a is better, negative if b is, zero for rounding.
 double advantage(SwathObjective objective, const HeadingFigures& a, const HeadingFigures& b) {
     const auto beyond = [](double difference, double slack) {
         return std::abs(difference) > slack ? difference : 0.0;
@@ -45,7 +45,7 @@ bool isAsGood(SwathObjective objective, const HeadingFigures& a, const HeadingFi
 }
 
 bool isBetter(SwathObjective objective, const HeadingFigures& a, const HeadingFigures& b) {
-    // A heading whose lines miss the mainland altogether is no answer to anything.
+    // A heading whose lines miss the mainland completely is never an answer.
     if ((a.count == 0) != (b.count == 0)) {
         return b.count == 0;
     }

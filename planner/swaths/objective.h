@@ -5,8 +5,8 @@
 
 namespace furrow {
 
-/// What makes one heading better than another. Count, length and coverage are the paper's; but lengths are compared at
-/// equal coverage, with what is missed as metres on top: less is driven the more is left out.
+/// The measure that compares headings. Count, length and coverage are the paper's. Lengths are compared with
+/// the missed area added as metres, since a heading that leaves more out drives less.
 enum class SwathObjective { Time, Count, Length, Coverage, Overlap };
 
 /// Every objective of one heading.
@@ -15,27 +15,27 @@ struct HeadingFigures {
     Length length;          ///< of all swaths
     double coverage = 0.0;  ///< A_cov, flat ends
     Area overlap;           ///< of the mainland, covered at least twice
-    Length missed;          ///< what is not covered, as metres of a full-width swath
-    /// To work the mainland to and fro: swaths, the turns between them, and what stays missed as if it were
-    /// worked piecemeal at a fifth of the pace. Only where time is the objective.
+    Length missed;          ///< area not covered, as metres of a full-width swath
+    /// Time to work the mainland to and fro: swaths, turns between them, and the missed area. The missed area
+    /// counts as if worked in pieces at a fifth of the pace. Only if time is the objective.
     Duration time;
 };
 
-/// Whether a is strictly better than b; ties are broken by coverage, then by fewer metres.
+/// Whether a is strictly better than b. Ties are broken by coverage, then by fewer metres.
 bool isBetter(SwathObjective objective, const HeadingFigures& a, const HeadingFigures& b);
 
-/// Whether a is no worse than b by this objective alone, rounding aside.
+/// Whether a is no worse than b by this objective alone, except for rounding.
 bool isAsGood(SwathObjective objective, const HeadingFigures& a, const HeadingFigures& b);
 
-/// The number of swaths says it all.
+/// Whether the lines alone decide this objective.
 constexpr bool isOfLines(SwathObjective objective) {
     return objective == SwathObjective::Count;
 }
 
-/// What a search for the best heading looks for.
+/// The objective of a search for the best heading.
 extern const Parameter kObjective;
 
-/// The objective that the settings name.
+/// The objective in the settings.
 SwathObjective objectiveOf(const Settings& settings);
 
 }  // namespace furrow

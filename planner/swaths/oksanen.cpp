@@ -13,7 +13,7 @@ constexpr double kFirstStepDeg = 30.0;
 constexpr double kLastStepDeg = 0.5;
 constexpr std::size_t kKept = 3;
 
-/// Six headings all round; the best three stay, each is joined by its neighbours at half the step, and so
+/// Tries six headings all round and keeps the best three. Their neighbours at half the step join them, and so
 /// on (Oksanen & Visala 2009, doi 10.1002/rob.20300).
 Result<SwathSet> oksanen(const SwathTask& task, const JobContext& job) {
     const auto scanLine = scanLineFor(task);

@@ -14,7 +14,7 @@ namespace {
 
 constexpr double kMostTracks = 1e6;
 
-/// From the centre to the nearest and the farthest point of the mainland.
+/// The distances from the centre to the nearest and the farthest point of the mainland.
 std::pair<double, double> reachOf(const MultiPolygon& mainland, Point centre) {
     double nearestM = std::numeric_limits<double>::infinity();
     double farthestM = 0.0;
@@ -32,14 +32,13 @@ Turn ringAround(Point centre, double radiusM, double fromRad) {
             .pieces = {{.length = metres(2.0 * std::numbers::pi * radiusM), .curvature = curvature}}};
 }
 
-/// Where the mainland is left or reached on a ring, so that what is cut out of it is not cut again at its start;
-/// nothing for a whole ring.
+/// The parts of a ring inside the mainland. A part across the start of the ring stays in one piece.
 std::vector<Turn> piecesOf(const Turn& ring, const MainlandEdges& edges) {
     std::vector<Turn> parts = edges.partsInside(ring);
     if (parts.size() < 2 || !edges.contains(ring.start.position)) {
         return parts;
     }
-    // The last part goes on where the first begins.
+    // The last part continues at the beginning of the first.
     Turn joined = std::move(parts.back());
     parts.pop_back();
     joined.pieces.insert(joined.pieces.end(), parts.front().pieces.begin(), parts.front().pieces.end());
@@ -74,7 +73,7 @@ Result<SwathSet> pivot(const SwathTask& task, const JobContext& job) {
     int leftOut = 0;
     int track = 0;
     double fromRad = 0.0;
-    // Half a width from the outside inwards: the rim is what a pivot's land is measured by.
+    // From the outside inwards, starting half a width inside, because a pivot's land is measured by its rim.
     for (double radiusM = farthestM - 0.5 * spacing->width.si(); radiusM > nearestM; radiusM -= stepM, ++track) {
         if (radiusM < tightestM) {
             leftOut = static_cast<int>(std::ceil((radiusM - nearestM) / stepM));
@@ -83,7 +82,8 @@ Result<SwathSet> pivot(const SwathTask& task, const JobContext& job) {
         for (Turn& part : piecesOf(ringAround(centre, radiusM, fromRad), edges)) {
             lines.push_back({track, std::move(part)});
         }
-        // The next ring begins as far on as the way over to it is long: two arcs of the smallest radius.
+        // The next ring begins farther on, by the length of the way over to it: two arcs of the smallest
+        // radius.
         const double aheadM = std::sqrt(std::max(0.0, stepM * (4.0 * tightestM - stepM)));
         fromRad += (aheadM + 2.0 * task.machine.spec().implement.runIn.si()) / std::max(radiusM - stepM, tightestM);
     }

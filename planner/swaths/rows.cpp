@@ -14,9 +14,9 @@ namespace furrow {
 
 namespace {
 
-// Middles between two rows are looked for so far apart along the first.
+// Distance along the first row at which middles between two rows are computed.
 constexpr double kLookM = 2.0;
-// Two rows that are this many times as far apart as most are not neighbours: a track or a ditch lies between.
+// Two rows this many times farther apart than most are not neighbours: a track or a ditch lies between.
 constexpr double kNeighbours = 1.8;
 
 struct Row {
@@ -24,7 +24,7 @@ struct Row {
     Polyline line;   ///< along the common direction
 };
 
-/// Of all rows by their length; opposite ways are the same.
+/// The common direction of all rows, weighted by length. Opposite directions are equal.
 Point commonDirection(const std::vector<Polyline>& rows) {
     Point sum;
     for (const Polyline& row : rows) {
@@ -36,7 +36,7 @@ Point commonDirection(const std::vector<Polyline>& rows) {
     return direction(0.5 * std::atan2(sum.y, sum.x));
 }
 
-/// All the same way, from right to left.
+/// All rows in the same direction, from right to left.
 std::vector<Row> sortedRows(const std::vector<Polyline>& lines) {
     const Point along = commonDirection(lines);
     std::vector<Row> rows;
@@ -51,7 +51,7 @@ std::vector<Row> sortedRows(const std::vector<Polyline>& lines) {
     return rows;
 }
 
-/// The nearest point of a line, where it is not beyond an end of it.
+/// The nearest point of a line. Empty if it is beyond an end of the line.
 std::optional<Point> footOn(const Polyline& line, Point point) {
     double nearestM = std::numeric_limits<double>::infinity();
     std::optional<Point> foot;
@@ -80,7 +80,7 @@ Polyline densified(const Polyline& line) {
     return dense;
 }
 
-/// Half way between each row and the next to its left, numbered like the row on the right.
+/// The lines half way between each row and the next to its left, numbered like the row on the right.
 std::vector<Row> between(const std::vector<Row>& rows) {
     std::vector<Row> middles;
     std::vector<double> apartM;
@@ -157,7 +157,7 @@ Result<SwathSet> alongRows(const SwathTask& task, const JobContext& job) {
     if (!set) {
         return set;
     }
-    // Whoever drives along rows means these alone: alleys, skipped rows and what has no rows stay as they are.
+    // With rows, only the rows are worked. Alleys, skipped rows and land without rows are left on purpose.
     return betweenLanes(*set, task.mainland, job).transform([&](MultiPolygon left) {
         set->leftOnPurpose = std::move(left);
         return std::move(*set);

@@ -12,21 +12,22 @@ namespace furrow {
 
 namespace {
 
-// Stretches shorter than this are rounding at a corner, not work.
+// Shorter stretches are rounding at a corner, not work.
 constexpr double kShortestSwathM = 1e-3;
 constexpr double kMostTracks = 1e6;
-// A width that fits up to rounding does fit.
+// A width that fits except for rounding does fit.
 constexpr double kFitSlack = 1e-9;
-// A guidance line comes from degrees: flush with the edge up to this is flush, and no swath fits in between.
+// A guidance line comes from degrees. Within this distance it is flush with the edge, and no swath fits in
+// between.
 constexpr double kFlushM = 1e-3;
-// Land that no swath covers costs its time at least; in bits and pieces, several times that.
+// Land that no swath covers costs its own time. Worked in small pieces, it costs 5 times as much.
 constexpr double kPiecemealFactor = 5.0;
-// Edges that lean over by less, as a share of their height, are as good as upright.
+// Edges with a smaller slope, as a share of their height, count as upright.
 constexpr double kSteep = 1e-3;
-// How many shifts are tried where the shift is free.
+// Number of shifts tried if the shift is free.
 constexpr int kShifts = 9;
 
-/// Rising numbers at nearly even distances: where a value belongs is guessed and put right by a step or two.
+/// Rising numbers at nearly even distances. The place of a value is guessed, then corrected by a step or two.
 class Ladder {
 public:
     explicit Ladder(const std::vector<double>& rungs)
@@ -56,18 +57,19 @@ private:
 
 }  // namespace
 
-/// Everything one heading needs; kept per thread so that trying a heading allocates nothing.
+/// All data for one heading. Kept per thread, so that trying a heading allocates nothing.
 struct ScanLine::Walk {
     std::vector<Point> rotated;
     double lowY = 0.0;
     double highY = 0.0;
     double anchorY = 0.0;
     std::vector<double> tracks;              // y of each centre line, rising
-    std::vector<std::uint32_t> tracksBelow;  // each vertex
-    std::vector<std::int32_t> added;         // crossings from each track on, less those that end before it
+    std::vector<std::uint32_t> tracksBelow;  // of each vertex
+    std::vector<std::int32_t> added;         // crossings that start at each track, less those that end before
+                                             // it
     std::vector<std::size_t> firstInterval;  // of track i; one more entry than tracks
     std::vector<double> crossings;           // sorted within a track: pairs are intervals
-    // Slabs: stretches of y over which the same tracks cover.
+    // Slabs: stretches of y that are covered by the same tracks.
     std::vector<double> slabEdges;
     std::vector<std::size_t> firstCovered;  // of slab i, into covered; one more entry than slabs
     std::vector<Interval> covered;          // by one swath or more, disjoint
@@ -75,11 +77,11 @@ struct ScanLine::Walk {
     std::vector<Interval> doubled;  // by two or more, disjoint
     std::vector<Interval> scratch;
 
-    /// The integrals of clamp(x) dy up an edge, over what is covered once and twice.
+    /// The integrals of clamp(x) dy up an edge, over the area covered once and twice.
     std::pair<double, double> coveredBeside(Point low, Point high, const Ladder& edgeLadder) const {
         const double dx = high.x - low.x;
         const double dy = high.y - low.y;
-        // Differences of areas say nothing where x hardly changes.
+        // If x hardly changes, differences of areas lose all precision.
         if (std::abs(dx) < kSteep * dy) {
             return integrate(low, high, edgeLadder, clampedIntegral);
         }
@@ -118,7 +120,7 @@ private:
 
 namespace {
 
-/// Splits overlapping intervals into where at least one and where at least two of them lie.
+/// Splits overlapping intervals into those covered at least once and those covered at least twice.
 void countOverlaps(std::vector<Interval>& intervals, std::vector<Interval>& once,
                    std::vector<Interval>& twice) {
     if (intervals.size() == 1) {
@@ -127,7 +129,7 @@ void countOverlaps(std::vector<Interval>& intervals, std::vector<Interval>& once
     }
     std::ranges::sort(intervals, {}, &Interval::from);
     double end = -std::numeric_limits<double>::infinity();       // of the current stretch covered once
-    double twiceEnd = -std::numeric_limits<double>::infinity();  // and twice
+    double twiceEnd = -std::numeric_limits<double>::infinity();  // of the current stretch covered twice
     for (const Interval& interval : intervals) {
         if (interval.from < end) {
             const Interval both{std::max(interval.from, twiceEnd), std::min(interval.to, end)};
@@ -150,16 +152,16 @@ void countOverlaps(std::vector<Interval>& intervals, std::vector<Interval>& once
     }
 }
 
-/// The least that a turn between opposite tracks can take, over all shifts of their ends along the track.
-/// The length of the curve changes by no more than the shift does (a shift can be driven straight), which
-/// makes a bound of a grid.
+/// A lower bound of the turn between opposite tracks, over all shifts of their ends along the track. A shift
+/// can be driven straight, so the length of the curve changes by no more than the shift. The minimum over a
+/// grid therefore gives a bound.
 Length shortestTurnBetween(Length spacing, Length radius) {
     const Pose from{.position = {}, .heading = degrees(0.0)};
     const auto lengthAt = [&](double shiftM) {
         return dubinsLength(from, {.position = {shiftM, spacing.si()}, .heading = degrees(180.0)}, radius).si();
     };
     double shortest = lengthAt(0.0);
-    // A turn is longer than the shift it makes good.
+    // A turn is longer than the shift it corrects.
     const double farthest = shortest;
     constexpr int kSteps = 100;
     const double step = farthest / kSteps;
@@ -257,7 +259,7 @@ int ScanLine::layoutCount(const Walk& walk) const {
     return 1;
 }
 
-/// Whether one swath more than fits is laid that may not reach beyond the edge.
+/// Whether an extra swath is laid that may not reach beyond the edge.
 bool ScanLine::movesBack(const Walk& walk) const {
     const Length height = metres(walk.highY - walk.lowY);
     const Length needed = (trackCount(height) - 1) * (spacing_.width - spacing_.overlap) + spacing_.width;
@@ -292,21 +294,21 @@ void ScanLine::lay(int layout, Walk& walk) const {
             walk.tracks.push_back(layout == 0 ? lowest + static_cast<double>(i) * step
                                               : highest - (last - static_cast<double>(i)) * step);
         }
-        // The outermost swaths are flush with the mainland's edges, to the last bit.
+        // The outermost swaths are exactly flush with the mainland's edges.
         walk.tracks.front() = lowest;
         walk.tracks.back() = highest;
     }
     findCrossings(walk);
 }
 
-/// Tracks at the full spacing from the anchor; what is left over at either edge goes by the last pass.
+/// Lays tracks at the full spacing from the anchor. The last pass decides about the rest at each edge.
 void ScanLine::layThroughAnchor(Walk& walk) const {
     const double width = spacing_.width.si();
     const double step = (spacing_.width - spacing_.overlap).si();
     const double lowest = walk.lowY + 0.5 * width;
     const double highest = walk.highY - 0.5 * width;
     const double slack = std::min(kFlushM, 0.01 * step);
-    // The whole number of steps that brings the anchor's line into the mainland, as low as it gets.
+    // The whole number of steps that brings the anchor's line to its lowest place inside the mainland.
     const double first = walk.anchorY - step * std::floor((walk.anchorY - lowest + slack) / step);
     if (walk.highY - walk.lowY <= width) {
         const double nearest = walk.anchorY + step * std::round((0.5 * (lowest + highest) - walk.anchorY) / step);
@@ -349,7 +351,7 @@ void ScanLine::layThroughAnchor(Walk& walk) const {
     }
 }
 
-/// Crossings of every edge with every centre line, sorted into tracks by counting.
+/// Finds the crossings of every edge with every centre line, sorted into tracks by counting.
 void ScanLine::findCrossings(Walk& walk) const {
     const std::size_t trackCount = walk.tracks.size();
     const Ladder ladder{walk.tracks};
@@ -371,7 +373,7 @@ void ScanLine::findCrossings(Walk& walk) const {
             begin = end;
         }
     };
-    // An edge adds one crossing from its lowest track on and takes it away after its highest.
+    // An edge adds one crossing at its lowest track and removes it after its highest.
     walk.added.assign(trackCount + 1, 0);
     forEachEdge([&](std::size_t low, std::size_t high, Point, Point) {
         ++walk.added[low];
@@ -393,7 +395,7 @@ void ScanLine::findCrossings(Walk& walk) const {
             walk.crossings[walk.firstInterval[k]++] = a.x + (walk.tracks[k] - a.y) * slope;
         }
     });
-    // Filling moved every entry on to the next track's beginning.
+    // Filling moved every entry to the beginning of the next track.
     std::ranges::move_backward(walk.firstInterval.begin(), walk.firstInterval.end() - 1,
                                walk.firstInterval.end());
     walk.firstInterval.front() = 0;
@@ -410,7 +412,7 @@ void ScanLine::findCrossings(Walk& walk) const {
     }
 }
 
-/// Slabs between the edges of all strips, and what the active strips cover in each.
+/// Finds the slabs between the edges of all strips, and the area that the active strips cover in each.
 void ScanLine::findSlabs(Walk& walk) const {
     const std::size_t trackCount = walk.tracks.size();
     const double half = 0.5 * spacing_.width.si();
@@ -423,7 +425,7 @@ void ScanLine::findSlabs(Walk& walk) const {
         const double next = std::min(start, end);
         starts += start <= end ? 1 : 0;
         ends += end <= start ? 1 : 0;
-        // Where one strip ends and the next begins is one edge, whatever their rounding.
+        // The end of one strip and the start of the next are one edge, in spite of rounding.
         if (walk.slabEdges.empty() || next > walk.slabEdges.back() + kFitSlack) {
             walk.slabEdges.push_back(next);
         }
@@ -442,7 +444,7 @@ void ScanLine::findSlabs(Walk& walk) const {
         while (beyondActive < trackCount && walk.tracks[beyondActive] - half < middle) {
             ++beyondActive;
         }
-        // The swaths of one track are beside each other.
+        // The swaths of one track do not overlap each other.
         const bool isOne = beyondActive - firstActive == 1;
         std::vector<Interval>& into = isOne ? walk.covered : walk.scratch;
         walk.scratch.clear();
@@ -503,8 +505,8 @@ HeadingFigures ScanLine::measureLines(const Walk& walk) const {
     return figures;
 }
 
-// Green's theorem on the part of the mainland inside each rectangle: the integral of clamp(x) dy around every ring, edge
-// by edge, slab by slab.
+// Green's theorem on the part of the mainland inside each rectangle: the integral of clamp(x) dy around every
+// ring, edge by edge, slab by slab.
 std::pair<double, double> ScanLine::coveredAreas(const Walk& walk) const {
     double coveredM2 = 0.0;
     double doubledM2 = 0.0;
@@ -557,8 +559,7 @@ Duration ScanLine::timeBound(Angle heading, Duration enough) const {
     const int layouts = layoutCount(walk);
     for (int layout = 0; layout < layouts; ++layout) {
         lay(layout, walk);
-        // Neighbours at the full spacing are known to be at least so far apart; and no turn is shorter than
-        // the straight line.
+        // Neighbours at the full spacing have a known least turn. No turn is shorter than the straight line.
         const auto atLeast = [this](const Pose& from, const Pose& to) {
             const Point way = to.position - from.position;
             const bool spaced = std::abs(way.y) >= (spacing_.width - spacing_.overlap).si() - kFitSlack;
@@ -567,7 +568,7 @@ Duration ScanLine::timeBound(Angle heading, Duration enough) const {
             return square > turning * turning ? std::sqrt(square) : turning;
         };
         const Duration driven = drivingTime(walk, atLeast);
-        // Swaths cover no more than their length and width: that is known without looking at areas.
+        // Swaths cover at most their length times width. This needs no areas.
         HeadingFigures figures = measureLines(walk);
         const double mostM2 = figures.length.si() * spacing_.width.si();
         figures.missed = metres(std::max(0.0, areaM2_ - mostM2) / spacing_.width.si());
@@ -584,7 +585,7 @@ std::pair<int, HeadingFigures> ScanLine::best(Angle heading, SwathObjective obje
     rotate(heading, walk);
     std::pair<int, HeadingFigures> chosen;
     const int layouts = layoutCount(walk);
-    // Areas take most of the time: where lines decide, only layouts that are as good in those get them.
+    // Areas take most of the time. If lines decide, only layouts with the best lines are measured.
     const bool linesDecide = layouts > 1 && isOfLines(objective);
     const HeadingFigures bestLines = linesDecide ? linesOf(objective, walk) : HeadingFigures{};
     bool first = true;
@@ -594,7 +595,7 @@ std::pair<int, HeadingFigures> ScanLine::best(Angle heading, SwathObjective obje
             continue;
         }
         const HeadingFigures figures = measure(objective, walk);
-        // Of layouts that are as good the one with less overlap; then the first.
+        // Of equal layouts the one with less overlap is taken, then the first.
         const bool better = isBetter(objective, figures, chosen.second) ||
                             (!isBetter(objective, chosen.second, figures) &&
                              isBetter(SwathObjective::Overlap, figures, chosen.second));

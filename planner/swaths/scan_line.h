@@ -12,12 +12,12 @@
 
 namespace furrow {
 
-/// What becomes of the width that is left over when swaths are laid side by side.
+/// The treatment of the remaining width when swaths are laid side by side.
 enum class LastPass {
-    Overlap,  ///< spacing kept, the last swath is moved back to the edge and overlaps its neighbour
+    Overlap,  ///< spacing kept; the last swath moves back to the edge and overlaps its neighbour
     Spread,   ///< spacing reduced evenly so that all fit
-    /// Spacing kept, the shift is free. A rest of half a width or more gets a swath that reaches beyond the edges, as in
-    /// the paper; what is less stays uncovered.
+    /// Spacing kept, the shift is free. A rest of half a width or more gets a swath that reaches beyond the
+    /// edges, as in the paper. A smaller rest stays uncovered.
     Gap,
 };
 
@@ -25,28 +25,28 @@ struct SwathSpacing {
     Length width;    ///< > 0
     Length overlap;  ///< in [0, width)
     LastPass lastPass = LastPass::Overlap;
-    /// A point that one of the tracks runs through (an AB line); without it they start at the edge.
+    /// A point on one of the tracks (an AB line). Without it the tracks start at the edge.
     std::optional<Point> anchor;
-    /// Whether there is room beyond the mainland's edge for what LastPass::Gap lays across it. Without, that swath is
-    /// moved back to the edge.
+    /// Whether there is room beyond the mainland's edge for the last swath of LastPass::Gap. Without room,
+    /// that swath is moved back to the edge.
     bool overEdge = true;
 
-    /// Whether a rest of the width gets a swath where LastPass::Gap leaves the others out.
+    /// Whether LastPass::Gap lays a swath on this rest of the width.
     bool isWorthASwath(Length rest) const;
 };
 
-/// What the time of a heading is estimated with: to and fro, with the machine's own curves in between.
+/// The model for the time of a heading: to and fro, with the machine's own curves in between.
 struct DrivingModel {
     Speed working;
     Speed turning;
     Length radius;
-    Length lead;  ///< how far the vehicle's reference point is ahead of the implement
+    Length lead;  ///< distance of the vehicle's reference point ahead of the implement
 };
 
-/// The swaths of one mainland in any heading, by walking its edges with a scan line: vertices are rotated
-/// once, each swath is the stretch between two crossings of its centre line (even-odd, holes included),
-/// and covered area is the exact integral of the section length, clamped to the swath's ends. No polygon
-/// boolean anywhere. Immutable; may be asked by several threads at once.
+/// The swaths of one mainland in any heading. A scan line walks the edges: the vertices are rotated once, and
+/// each swath is the stretch between two crossings of its centre line (even-odd, holes included). The covered
+/// area is the exact integral of the section length, clamped to the swath's ends. No polygon booleans are
+/// used. Immutable; thread-safe.
 class ScanLine {
 public:
     /// @param mainland  valid polygons in metres; not kept
@@ -54,38 +54,39 @@ public:
     ScanLine(const MultiPolygon& mainland, const SwathSpacing& spacing,
              const std::optional<DrivingModel>& driving = {});
 
-    /// Whether any heading needs more swaths than can be told apart on screen or on the land: a width of
-    /// centimetres on a field of kilometres.
+    /// Whether a heading would need more swaths than anybody can tell apart: a width of centimetres on a
+    /// field of kilometres.
     bool tooManyTracks() const;
 
-    /// Exact figures of one heading, with the layout that is best for the objective: with LastPass::Overlap
-    /// the side that carries the moved swath, with LastPass::Gap the shift. Cost: O(n log n + swaths) for n
-    /// vertices and each of the layouts (2, 1 and 9), no allocation after the first call on a thread.
+    /// Exact figures of one heading, with the best layout for the objective. LastPass::Overlap chooses the
+    /// side of the moved swath, LastPass::Gap the shift. Cost: O(n log n + swaths) for n vertices and each of
+    /// the layouts (2, 1 and 9). No allocation after the first call on a thread.
     HeadingFigures figures(Angle heading, SwathObjective objective = SwathObjective::Coverage) const;
 
-    /// Number and length of swaths alone, of the layout that is best in those; areas are 0. Several times cheaper.
+    /// Number and length of swaths only, of the layout that is best in these. Areas are 0. Several times
+    /// cheaper.
     HeadingFigures lineFigures(Angle heading, SwathObjective objective) const;
 
-    /// No layout of this heading takes less time than this; several times cheaper than the time itself. 0
-    /// without a driving model.
-    /// @param enough  a bound above it may be less than it could be, and cheaper
+    /// A lower bound of the time over all layouts of this heading. Several times cheaper than the time
+    /// itself. 0 without a driving model.
+    /// @param enough  a bound above this value need not be improved, which is cheaper
     Duration timeBound(Angle heading, Duration enough) const;
 
     /// The swaths behind these figures, ordered by track, then along the heading.
     SwathSet swaths(Angle heading, SwathObjective objective = SwathObjective::Coverage) const;
 
-    /// How many tracks a mainland of this height across the heading needs: a lower bound of the number of
-    /// swaths of a mainland in one piece.
+    /// The number of tracks for a mainland with this height across the heading. It is a lower bound of the
+    /// number of swaths if the mainland is one piece.
     int trackCount(Length height) const;
 
-    /// Of the mainland across a heading. Cost: O(n).
+    /// The height of the mainland across a heading. Cost: O(n).
     Length heightAcross(Angle heading) const;
 
 private:
     struct Walk;
 
     void rotate(Angle heading, Walk& walk) const;
-    /// The layouts there are to choose from are numbered from 0.
+    /// The possible layouts are numbered from 0.
     int layoutCount(const Walk& walk) const;
     bool movesBack(const Walk& walk) const;
     void lay(int layout, Walk& walk) const;
@@ -93,16 +94,16 @@ private:
     void findCrossings(Walk& walk) const;
     void findSlabs(Walk& walk) const;
     HeadingFigures measureLines(const Walk& walk) const;
-    /// By one swath or more, and by two or more, square metres.
+    /// Area covered at least once, and at least twice, in square metres.
     std::pair<double, double> coveredAreas(const Walk& walk) const;
     HeadingFigures measure(SwathObjective objective, Walk& walk) const;
-    /// Of the layout with the best lines; `walk` is rotated.
+    /// Figures of the layout with the best lines. `walk` must be rotated.
     HeadingFigures linesOf(SwathObjective objective, Walk& walk) const;
-    /// To and fro with turns of the length that `turnLength(from, to)` gives in metres.
+    /// Time to and fro, with turns of the length `turnLength(from, to)` in metres.
     template <class TurnLength>
     Duration drivingTime(const Walk& walk, const TurnLength& turnLength) const;
     Duration missedTime(const HeadingFigures& figures) const;
-    /// The best layout's number and figures; `walk` is rotated and holds any of them.
+    /// The number and figures of the best layout. Rotates `walk`, which afterwards holds any of the layouts.
     std::pair<int, HeadingFigures> best(Angle heading, SwathObjective objective, Walk& walk) const;
 
     // Rings one after the other; ringEnds_[i] is one past the last vertex of ring i.

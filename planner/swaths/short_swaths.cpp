@@ -14,7 +14,7 @@ bool meet(const Bounds& a, const Bounds& b) {
     return a.min.x <= b.max.x && b.min.x <= a.max.x && a.min.y <= b.max.y && b.min.y <= a.max.y;
 }
 
-/// What swaths work of a mainland that none of the others near them works, and what these work, too.
+/// The area that only these swaths work, and the area that swaths near them work as well.
 struct Worked {
     double aloneM2 = 0.0;
     double sharedM2 = 0.0;

@@ -31,12 +31,12 @@ struct Lengths {
     double sumM = 0.0;
 };
 
-/// Along one line: where the mainland is, where anything covers it, and how often.
+/// Lengths on one line: inside the mainland, covered there, and covered with multiplicity.
 Lengths measured(std::vector<Crossing>& crossings) {
     std::ranges::sort(crossings, [](const Crossing& a, const Crossing& b) {
         return a.owner != b.owner ? a.owner < b.owner : a.across < b.across;
     });
-    // Every owner begins and ends, turn by turn.
+    // Crossings of every owner alternate between beginning and end.
     struct Step {
         double across;
         int inside;
@@ -98,7 +98,7 @@ Result<StripCoverage> coverageOf(const MultiPolygon& strips, const MultiPolygon&
             std::vector<std::vector<Crossing>> lines(kLinesAtOnce);
             const double first = low + (static_cast<double>(block * kLinesAtOnce) + 0.5) * apartM;
             for (const TurnedEdge& edge : edges) {
-                // Lines from the lower end on and before the upper one: every end counts once.
+                // Lines from the lower end inclusive to the upper end exclusive: every end counts once.
                 const double from = (std::min(edge.from.x, edge.to.x) - first) / apartM;
                 const double to = (std::max(edge.from.x, edge.to.x) - first) / apartM;
                 if (to < 0.0 || from > kLinesAtOnce) {

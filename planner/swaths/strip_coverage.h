@@ -7,13 +7,13 @@
 namespace furrow {
 
 struct StripCoverage {
-    double share = 0.0;  ///< of the mainland that is covered
-    Area overlap;        ///< of the mainland that is covered more than once, as often as that
+    double share = 0.0;  ///< covered share of the mainland
+    Area overlap;        ///< area of the mainland covered more than once, counted for each extra time
 };
 
-/// How strips of any shape cover a mainland. Measured on 2048 lines across `along`, each exactly: good to about a
-/// thousandth where strips run along it, as unions of polygons are, which take a hundred times as long where strips
-/// share their edges. Cost: O(lines + edges). Cancelled.
+/// The coverage of a mainland by strips of any shape. 2048 lines across `along` are measured, each exactly.
+/// If strips run along it, the error is about a thousandth. Polygon unions have the same error, but take a
+/// hundred times as long for strips that share edges. Cost: O(lines + edges). Cancelled.
 Result<StripCoverage> coverageOf(const MultiPolygon& strips, const MultiPolygon& mainland, Angle along,
                                  const JobContext& job);
 

@@ -15,11 +15,11 @@ namespace furrow {
 
 namespace {
 
-// Outside by less than this is touching.
+// A smaller excess is touching.
 constexpr double kTouchingM = 1e-3;
-// A forward curve has so many pieces.
+// Number of pieces of a forward curve.
 constexpr std::size_t kCurvePieces = 3;
-// Dearer by less than this is as good.
+// A smaller increase of cost counts as equal.
 constexpr double kNoDearer = 1.0005;
 
 constexpr std::array kForward{&kDubinsMethod, &kOmegaMethod, &kPTurnMethod, &kUTurnMethod};
@@ -35,7 +35,7 @@ std::vector<Candidate> candidates(const Pose& leaving, const Pose& arriving, con
     std::vector<Candidate> found;
     const auto add = [&](const Method<TurnPlanner>* method) {
         Turn turn = connection(leaving, arriving, machine, method->run);
-        // A method that does not suit the poses gives another's turn.
+        // A method that does not suit the poses returns another method's turn.
         if (turn.type == method->info.id || method == &kDubinsMethod) {
             const Duration time = roughDuration(turn, machine);
             found.push_back({std::move(turn), time});
@@ -62,7 +62,7 @@ Turn runBestFeasible(const Pose& from, const Pose& to, const Machine& machine) {
     return quickest;
 }
 
-/// Time with every metre as dear as where it lies.
+/// The time, with every metre weighted by the cost of its place.
 double costS(const Turn& turn, const Machine& machine, const TravelCost& travel) {
     double cost = 0.0;
     Pose pose = turn.start;
@@ -75,12 +75,12 @@ double costS(const Turn& turn, const Machine& machine, const TravelCost& travel)
     return wayM > 0.0 ? roughDuration(turn, machine).si() * cost / wayM : 0.0;
 }
 
-/// Whether another way is worth looking for.
+/// Whether to search another way.
 bool isDear(const Turn& turn, const Machine& machine, const TravelCost& travel) {
     return travel && costS(turn, machine, travel) >= kDearWay * roughDuration(turn, machine).si();
 }
 
-/// The same way with the pieces from one to another, not included, driven in one forward curve.
+/// The same way, with the pieces in [from, to) replaced by one forward curve.
 Turn withOneCurve(const Turn& way, std::size_t from, std::size_t to, Length radius) {
     Pose begins = way.start;
     for (std::size_t i = 0; i < from; ++i) {
@@ -98,8 +98,8 @@ Turn withOneCurve(const Turn& way, std::size_t from, std::size_t to, Length radi
     return other;
 }
 
-/// With as few bends as fit and are no dearer, longest stretches first: a search turns by steps, so along an edge it goes
-/// to and fro, and bends are driven slowly.
+/// Removes bends as long as the way fits and costs no more, longest stretches first. A search turns in steps,
+/// so its way along an edge goes to and fro, and bends are driven slowly.
 Turn straightened(Turn way, const Rig& rig, const TravelCost& travel, const JobContext& job) {
     const Machine& machine = rig.machine();
     double cost = costS(way, machine, travel);
@@ -117,7 +117,7 @@ Turn straightened(Turn way, const Rig& rig, const TravelCost& travel, const JobC
     return way;
 }
 
-/// With the straight that the implement needs before it is lowered, where that fits.
+/// The searched way, with the straight that the implement needs before it is lowered, if that fits.
 std::optional<Turn> searched(const Rig& rig, const Pose& leaving, const Pose& arriving, const TravelCost& travel,
                              const JobContext& job, SearchEffort effort) {
     if (effort == SearchEffort::None) {

@@ -8,22 +8,22 @@
 
 namespace furrow {
 
-/// In free space the quickest of all turns; in a field, by feasibleConnection, the quickest that fits.
+/// In free space the quickest of all turns. In a field, by feasibleConnection, the quickest that fits.
 extern const Method<TurnPlanner> kBestFeasibleMethod;
 
-/// The way from where one working stretch ends to where the next begins that stays inside: the quickest turn of any
-/// type whose swept shape does, or else a searched way of several moves. Where there is none either, the quickest
-/// turn of free space, which leaves the field.
-/// @param travel  what it costs to drive where; empty: the same everywhere
-/// Cost: some ten microseconds where a turn fits, up to half a second where nothing does.
+/// The way from the end of one working stretch to the start of the next that stays inside. It is the quickest
+/// turn of any type whose swept shape stays inside, or else a searched way of several moves. If there is
+/// none, it is the quickest turn of free space, which leaves the field.
+/// @param travel  cost of driving at a place; empty: the same everywhere
+/// Cost: some ten microseconds if a turn fits, up to half a second if nothing does.
 Turn feasibleConnection(const Rig& rig, const Pose& leaving, const Pose& arriving, const TravelCost& travel,
                         const JobContext& job);
-/// The same; nothing where nothing fits.
+/// The same. Empty if nothing fits.
 std::optional<Turn> fittingConnection(const Rig& rig, const Pose& leaving, const Pose& arriving, const TravelCost& travel,
                                       const JobContext& job, SearchEffort effort = SearchEffort::Thorough);
 
-/// The turn of one kind, where it stays inside and leads over nothing dear that it could go round. Nothing where it does
-/// not, and where the poses or the machine do not allow this kind.
+/// The turn of one kind, if it stays inside and does not cross dear places that it could go round. Empty if
+/// it does not fit, or if the poses or the machine do not allow this kind.
 std::optional<Turn> fittingTurn(const Rig& rig, const Pose& leaving, const Pose& arriving, const TravelCost& travel,
                                 const Method<TurnPlanner>& kind);
 

@@ -4,12 +4,12 @@
 
 namespace furrow {
 
-/// Where the vehicle's reference point is while the middle of the implement is at `implement`.
+/// The pose of the vehicle's reference point when the middle of the implement is at `implement`.
 Pose vehicleAt(const Pose& implement, const Machine& machine);
 
-/// The way from where one working stretch ends to where the next begins, both poses of the vehicle: the turn
-/// itself and the straight run-in that the implement needs before it is lowered. Straight ahead on the same
-/// line there is nothing to straighten out from, and what turns on the spot is straight at once: no run-in.
+/// The way from the end of one working stretch to the start of the next, both poses of the vehicle. It is the
+/// turn and the straight run-in that the implement needs before it is lowered. Two cases need no run-in:
+/// straight ahead on the same line, and turns on the spot.
 Turn connection(const Pose& leaving, const Pose& arriving, const Machine& machine, TurnPlanner* turn);
 
 }  // namespace furrow

@@ -10,9 +10,9 @@ namespace {
 
 constexpr double kPi = std::numbers::pi;
 
-/// C(t) / t and S(t) / t of the Fresnel integrals at t = sqrt(2 angle / pi): the end of a clothoid of length
-/// 1 that begins straight and turns by `angle`. Power series (Abramowitz & Stegun 1964, 7.3.11 and 7.3.13);
-/// to rounding for angles up to half a circle.
+/// C(t) / t and S(t) / t of the Fresnel integrals at t = sqrt(2 angle / pi). This is the end of a clothoid of
+/// length 1 that begins straight and turns by `angle`. Power series (Abramowitz & Stegun 1964, 7.3.11 and
+/// 7.3.13), exact except for rounding for angles up to half a circle.
 Point unitClothoid(double angle) {
     Point sum;
     double term = 1.0;  // angle^n / n!, with signs + + - - ...
@@ -41,7 +41,7 @@ public:
     const words::TurnCircle& circle() const { return circle_; }
 
     double bound(double angle) const {
-        // The elementary path is never shorter than for no angle at all.
+        // The elementary path is shortest for angle 0.
         return angle >= clothoidsAngle_ ? angle / curvature_ + clothoid_
                                         : std::max(2.0 * circle_.ahead, angle / curvature_);
     }
@@ -73,12 +73,12 @@ public:
     }
 
 private:
-    /// Length of each of the two clothoids that turn by half of `angle` and reach from the circle to the
-    /// circle: their ends are as far apart as those of any turn by this angle. (Fraichard & Scheuer give the
-    /// same as a sharpness; the length stays finite where the angle goes to zero.)
+    /// Length of each of the two clothoids that turn by half of `angle` and reach from circle to circle.
+    /// Their ends are as far apart as those of any turn by this angle. (Fraichard & Scheuer give the same as
+    /// a sharpness. The length stays finite if the angle goes to zero.)
     double elementaryClothoid(double angle) const {
         const double half = 0.5 * angle;
-        // half + the angle between pose and tangent of the circle, whose complement is the lean
+        // half + the angle between pose and tangent of the circle; its complement is the lean
         const double halfChord = circle_.radius * std::cos(half - circle_.lean);
         return halfChord / dot(direction(half), unitClothoid(half));
     }
@@ -89,12 +89,12 @@ private:
     words::TurnCircle circle_;
 };
 
-/// The smallest radius of a turn, as shares of the largest curvature.
+/// Curvatures of the smallest radius that are tried, as shares of the largest curvature.
 constexpr double kLevels[] = {1.0, 0.7, 0.5, 0.35, 0.25, 0.125};
-/// Two clothoids turn by no more than this: past it the circle grows again and turns become longer.
+/// Largest turn of two clothoids. Beyond it the circle grows again and turns become longer.
 constexpr double kLargestClothoidsAngle = kPi;
 
-/// A goal this close to the axis of the start is straight ahead: by metres and radians.
+/// Within these metres and radians of the axis of the start, a goal is straight ahead.
 constexpr double kAheadSlackM = 1e-9;
 constexpr double kAheadSlackRad = 1e-10;
 
@@ -116,7 +116,7 @@ Turn shortestTurn(const Pose& from, const Pose& to, Length radius, CurvatureRate
     words::Word best;
     double bestLevel = 1.0;
     for (const double level : kLevels) {
-        // No flatter turns can win once the plain curve of their radius, never longer, does not.
+        // The plain curve of a radius is never longer. If it does not win, no flatter turn can win.
         const Length plainRadius = metres(1.0 / (level * largest));
         if (level < 1.0 && best.length <= (reversing ? reedsSheppLength(from, to, plainRadius)
                                                      : dubinsLength(from, to, plainRadius))

@@ -7,7 +7,7 @@ namespace furrow {
 
 namespace {
 
-// Pieces shorter than this are rounding.
+// Shorter pieces are rounding.
 constexpr Length kLeastPiece = metres(1e-9);
 
 }  // namespace

@@ -12,7 +12,7 @@ namespace {
 
 constexpr double kPi = std::numbers::pi;
 
-/// Three pieces: angles of arcs and, for the middle of the first four words, a length in radii.
+/// Three pieces: angles of arcs; the middle of the first four words is a length in radii.
 struct Word {
     double first = 0.0;
     double middle = 0.0;
@@ -42,7 +42,7 @@ public:
 private:
     static constexpr double kTouchSlack = 1e-12;
 
-    /// From the centre of the arc to `side` (left 1, right -1) at the start to that of the one at the goal.
+    /// The way from the centre of the arc to `side` (left 1, right -1) at the start to that at the goal.
     static Point side(const words::Goal& goal, int side) {
         const Point ahead = direction(goal.heading);
         return {goal.position.x - side * ahead.y, goal.position.y + side * (ahead.x - 1.0)};
@@ -67,14 +67,14 @@ private:
 
     void innerTangent(int side, Point way) {
         const double square = dot(way, way) - 4.0;
-        // What rounding pushed below zero is zero: circles that touch.
+        // A square slightly below zero from rounding is zero: the circles touch.
         const double middle = std::sqrt(std::max(0.0, square));
         if (square < -kTouchSlack || middle >= shortest_) {
             return;
         }
         const double k = side;
-        // The tangent lies at the angle atan(2 / middle) to the line between the centres: one rotation
-        // rather than the sum of two arc tangents.
+        // The angle between the tangent and the line of the centres is atan(2 / middle). One rotation
+        // replaces the sum of two arc tangents.
         const double axis = std::atan2(way.y * middle + 2.0 * k * way.x, way.x * middle - 2.0 * k * way.y);
         offer({words::wrapped(k * axis), middle, words::wrapped(k * (axis - heading_)), {side, 0, -side}});
     }

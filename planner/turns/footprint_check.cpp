@@ -9,7 +9,7 @@ namespace furrow {
 
 namespace {
 
-// Outside by less than this is touching.
+// A smaller excess is touching.
 constexpr double kTouchingM = 1e-3;
 
 }  // namespace
@@ -19,7 +19,8 @@ FootprintRoom roomAround(const Pose& pose, const Ring& footprint, double radiusM
     FootprintRoom room{reachM, reachM};
     const Point ahead = direction(pose.heading.si());
     const Point left{-ahead.y, ahead.x};
-    // From the corner with most room to those beside it that cannot have less than another one has.
+    // Start from the corner with most room. Skip corners near it that cannot have less room than the least so
+    // far.
     Point free;
     double freeM = -reachM;
     for (const Point& corner : footprint) {
@@ -38,7 +39,7 @@ FootprintRoom roomAround(const Pose& pose, const Ring& footprint, double radiusM
     const double farM = radiusM + reachM;
     for (const Point& corner : edges.inwardCorners(pose.position.x - farM, pose.position.x + farM)) {
         const Point way = corner - pose.position;
-        // What lies farther off than the nearest so far and all of the footprint is not looked at.
+        // Skip corners that are farther away than the nearest so far plus the radius of the footprint.
         const double mostM = radiusM + room.cornersM;
         if (dot(way, way) < mostM * mostM) {
             room.cornersM = std::min(room.cornersM, awayFrom(footprint, {dot(ahead, way), cross(ahead, way)}));

@@ -5,16 +5,16 @@
 
 namespace furrow {
 
-/// Whether a footprint keeps inside the edges while it is driven along a turn, asked at places no farther apart
-/// than `step`. What is out of the edges' reach counts as inside: start from a pose that is. Cost: corners times
+/// Whether a footprint stays inside the edges along a turn, tested at places no farther apart than `step`.
+/// Places out of the edges' reach count as inside, so start from a pose that is inside. Cost: corners times
 /// places.
 bool staysInside(const Turn& turn, const Ring& footprint, const BoundaryDistance& edges, Length step);
 bool isInside(const Pose& pose, const Ring& footprint, const BoundaryDistance& edges);
 
-/// How far a footprint is from what it must not cross; negative where it does.
+/// The distance of a footprint from the edges that it must not cross. Negative if it crosses them.
 struct FootprintRoom {
-    double edgesM = 0.0;    ///< from its corners to the edges, no more than the edges' reach
-    double cornersM = 0.0;  ///< from its sides to corners of the field that poke inwards, as much
+    double edgesM = 0.0;    ///< from its corners to the edges, at most the edges' reach
+    double cornersM = 0.0;  ///< from its sides to inward corners of the field, at most the reach
 
     double least() const { return edgesM < cornersM ? edgesM : cornersM; }
 };
@@ -23,8 +23,8 @@ FootprintRoom roomAround(const Pose& pose, const Ring& footprint, double radiusM
 /// From the reference point to the farthest corner.
 double radiusOf(const Ring& footprint);
 
-/// How far the footprint at a pose gets across the edges: with one of its corners, or with a side that a corner of
-/// the field pokes into. 0 inside.
+/// The distance by which the footprint at a pose crosses the edges: with one of its corners, or with a side
+/// that a corner of the field pokes into. 0 inside.
 double outsideM(const Pose& pose, const Ring& footprint, const BoundaryDistance& edges);
 
 }  // namespace furrow

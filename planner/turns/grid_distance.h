@@ -12,25 +12,25 @@
 
 namespace furrow {
 
-/// How far it is to the goal on a grid of places where the tractor may stand, worked out no farther than asked.
-/// For searches of ways: every place is looked at once.
+/// The distance to the goal on a grid of places where the tractor may stand, computed only as far as needed.
+/// For searches of ways, which ask for every place once.
 class GridDistance {
 public:
-    /// @param towards  places near here are going to be asked: worked out in this direction first (Silver 2005,
-    ///                 Cooperative Pathfinding: reverse resumable A*)
-    /// @param clearance  of the tractor's middle from the edges, but for places near both ends
+    /// @param towards  later questions are near this place, so the search goes towards it first (Silver 2005,
+    /// Cooperative Pathfinding: reverse resumable A*)
+    /// @param clearance  of the tractor's middle from the edges; not required near both ends
     GridDistance(const Rig& rig, const TravelCost& travel, Point goal, Point towards, double cellM, Length clearance, std::size_t mostCells)
         : rig_{rig}, travel_{travel}, origin_{goal}, towards_{towards}, cellM_{cellM}, clearance_{clearance}, mostCells_{mostCells} {
         open_.push({norm(towards - goal), 0, 0});
         reached_[packed(0, 0)] = {.distance = 0.0, .travel = 1.0};
     }
 
-    /// Infinite where there is no way, or none within `most`.
+    /// Infinite if there is no way, or none within `most`.
     double from(Point point, double most) {
         const auto column = static_cast<std::int32_t>(std::lround((point.x - origin_.x) / cellM_));
         const auto row = static_cast<std::int32_t>(std::lround((point.y - origin_.y) / cellM_));
         Place& place = placeAt(column, row);
-        // Where nobody may stand it would be looked for all over the field.
+        // A place where nobody may stand would start a search of the whole field.
         while (!place.settled) {
             if (place.travel == 0.0 || open_.empty() || open_.top().atLeast > most || settled_ == mostCells_) {
                 return std::numeric_limits<double>::infinity();
@@ -43,7 +43,7 @@ public:
 private:
     using Cell = std::uint64_t;
 
-    // Within so many radii of both ends a machine may stand where its implement has no room in passing.
+    // Within 2 radii of both ends a machine may stand in places too narrow for a passing implement.
     static constexpr double kNearEndsRadii = 2.0;
 
     static Cell packed(std::int64_t a, std::int64_t b) {
@@ -56,7 +56,7 @@ private:
         bool settled = false;
     };
     struct Entry {
-        double atLeast;  ///< from the goal by here to `towards_`
+        double atLeast;  ///< from the goal via this place to `towards_`
         std::int32_t column;
         std::int32_t row;
         bool operator<(const Entry& other) const { return atLeast > other.atLeast; }

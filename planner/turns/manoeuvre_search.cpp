@@ -20,52 +20,52 @@ namespace furrow {
 namespace {
 
 constexpr double kPi = std::numbers::pi;
-// Outside by less is touching.
+// A smaller excess is touching.
 constexpr Length kTouching = metres(1e-3);
-// A move turns by this many radians on full lock.
+// Turn of one move on full lock, in radians.
 constexpr double kMoveRad = kPi / 9.0;
 constexpr int kHeadings = 36;
-// Straight on, in the open, in longer moves.
+// In the open, straight moves are longer by this factor.
 constexpr double kLongMove = 4.0;
-// But not longer than this share of what is left.
+// Longest straight move, as a share of the remaining way.
 constexpr double kLongestShare = 0.3;
 constexpr std::size_t kMostMoves = 3000;
-// A trailed implement takes ten times as long to be followed.
+// Following a trailed implement takes ten times as long.
 constexpr std::size_t kMostMovesTrailed = 800;
 constexpr std::size_t kMostMovesQuick = 200;
-// Moves that are looked at for a quicker way when one was found.
+// Number of further moves for a quicker way after the first one was found.
 constexpr std::size_t kMovesAfterFirst = 80;
 constexpr std::size_t kMovesAfterFirstQuick = 20;
-// The way to the goal is taken for longer than it is known to be: fewer moves for a slightly longer way. From afar
-// more so: there many ways are as good as each other.
+// Factors on the estimated way to the goal. They save moves and make the way slightly longer. The factor is
+// larger from afar, where many ways are equally good.
 constexpr double kGreed = 1.15;
 constexpr double kGreedAfar = 2.0;
-// Every so many moves the goal is tried from afar; from near each time.
+// From afar the goal is tried only at every eighth move; from near, at each move.
 constexpr std::size_t kShotEvery = 8;
 constexpr double kNearRadii = 8.0;
-/// How far is looked, and how closely. Far ways are guided by a coarser grid.
+/// Range and resolution of the search. Far ways use a coarser grid.
 struct Scope {
-    double reach = 1.0;           ///< times as far as usual
-    double cellsAcross = 200.0;   ///< of the grid, at most, on the straight line to the goal
+    double reach = 1.0;           ///< factor on the usual range
+    double cellsAcross = 200.0;   ///< largest number of grid cells on the straight line to the goal
     std::size_t mostCells = 200'000;  ///< larger regions are not searched
-    bool clear = false;           ///< not where only the tractor gets through
+    bool clear = false;           ///< excludes places where only the tractor gets through
 };
 
 constexpr Scope kNear{};
 constexpr Scope kAfar{.reach = 4.0, .cellsAcross = 50.0, .clear = true};
-// Out of one corner round all of a large field into another.
+// From one corner all round a large field into another.
 constexpr Scope kAllRound{.reach = 4.0, .cellsAcross = 1000.0, .mostCells = 2'000'000, .clear = true};
 constexpr double kInfinite = std::numeric_limits<double>::infinity();
 
-// Beside an edge a machine gets free in steps of this length, each with the sharpest of these shares of its
-// smallest radius' curvature that keeps it inside: its tail or nose follows the edge meanwhile.
+// Beside an edge a machine escapes in steps of this length. Each step has the sharpest of these shares of its
+// greatest curvature that keeps it inside. Its tail or nose then follows the edge.
 constexpr double kEscapeStepM = 0.2;
 constexpr int kMostEscapeSteps = 90;
 constexpr double kEscapeShares[] = {1.0, 0.5, 0.25, 0.125, 0.06, 0.03, 0.015, 0.008, 0.0};
-// It is free when it can turn by this on full lock.
+// It is free if it can turn by this angle on full lock.
 constexpr double kFreeRad = 0.5;
 
-/// A way out from beside an edge, or a way in, driven backwards in time.
+/// A way out from beside an edge. A way in is the same, driven backwards in time.
 struct Escape {
     std::vector<TurnPiece> pieces;
     Pose end;
@@ -82,10 +82,10 @@ std::vector<TurnPiece> backInTime(std::vector<TurnPiece> pieces) {
 
 struct Node {
     RigState state;
-    std::vector<TurnPiece> pieces;  ///< that led here
+    std::vector<TurnPiece> pieces;  ///< that led to this node
     std::size_t before = 0;
-    double timeS = 0.0;   ///< with every stretch as dear as where it lies
-    double plainS = 0.0;  ///< the same, wherever it lies
+    double timeS = 0.0;   ///< with every stretch weighted by the cost of its place
+    double plainS = 0.0;  ///< the same without weights
 };
 
 class Search {
@@ -144,7 +144,7 @@ public:
                                                                : kMostMoves;
         for (std::size_t moves = 0; !open_.empty() && moves < most; ++moves) {
             const auto [priority, index] = open_.top();
-            // What leads where it should not is no reason to stop looking.
+            // A way over dear places does not stop the search.
             const bool isGood = best_ && bestS_ < kDearWay * bestPlainS_;
             if (best_ && (priority >= bestS_ || (isGood && --movesLeft == 0))) {
                 break;
@@ -192,8 +192,9 @@ private:
         return rig_.driven(state, pieceOf(gear, side / radiusM_, kFreeRad * radiusM_)).has_value();
     }
 
-    /// Out from beside an edge, in both gears and to both sides; none where it can turn at once, nothing where it
-    /// gets out nowhere. Not looked for with a trailed implement, which does not go the same way back.
+    /// Ways out from beside an edge, in both gears and to both sides. An empty list if the machine can turn
+    /// at once; no value if it cannot get out. Not searched for a trailed implement, which does not follow
+    /// the same way back.
     std::optional<std::vector<Escape>> escapes(const Pose& pose) const {
         std::vector<Escape> found;
         const RigState start = Rig::inLine(pose);
@@ -217,7 +218,7 @@ private:
         return found.empty() && !canMove(start) ? std::nullopt : std::optional{std::move(found)};
     }
 
-    /// By one of the search's own moves.
+    /// Whether one of the search's own moves is possible.
     bool canMove(const RigState& state) const {
         for (const Gear gear : {Gear::Forward, Gear::Reverse}) {
             for (const double side : {-1.0, 0.0, 1.0}) {
@@ -313,20 +314,21 @@ private:
                 move(gear, curvature, shortM);
             }
         }
-        // The farther it is, the longer: a way along a side of a large field is no more moves than one round a corner.
+        // Straight moves grow with the remaining way. A way along a side of a large field then needs no more
+        // moves than a way round a corner.
         const double leftM = grid_.from(node.state.tractor.position, mostWayM_);
         double longM = kLongMove * shortM;
         do {
             move(Gear::Forward, 0.0, longM);
             longM *= kLongMove;
         } while (longM < kLongestShare * leftM);
-        // Back out of a lane it came into.
+        // A long move in reverse, out of a lane that it came into.
         if (reverses_) {
             move(Gear::Reverse, 0.0, kLongMove * shortM);
         }
     }
 
-    /// The rest of the way in one curve.
+    /// Tries the rest of the way as one curve.
     void shoot(std::size_t index) {
         const Node& node = nodes_[index];
         const auto attempt = [&](Turn rest, const Escape& end) {
@@ -346,7 +348,7 @@ private:
             if (timeS >= bestS_) {
                 return;
             }
-            // The way in along the edge was driven before.
+            // The way in along the edge has already been checked.
             const Turn open{.type = rest.type, .start = rest.start, .pieces = {rest.pieces.begin(), rest.pieces.begin() + static_cast<std::ptrdiff_t>(checked)}};
             if (rig_.driven(node.state, open, room_)) {
                 bestS_ = timeS;
@@ -370,7 +372,7 @@ private:
         }
         std::ranges::reverse(turn.pieces);
         turn.pieces.insert(turn.pieces.end(), rest.pieces.begin(), rest.pieces.end());
-        // Moves that go on as the one before did are one.
+        // Successive moves with equal gear and curvature become one.
         std::vector<TurnPiece> merged;
         for (const TurnPiece& piece : turn.pieces) {
             if (!merged.empty() && merged.back().gear == piece.gear && merged.back().curvature == piece.curvature &&
@@ -396,11 +398,11 @@ private:
     double gearChangeS_;
     double reach_;
     GridDistance grid_;
-    std::vector<Escape> ends_;  ///< the goal itself and the ways in to it
+    std::vector<Escape> ends_;  ///< the goal itself and the ends of the ways in to it
     double mostWayM_ = 0.0;
     double greed_ = kGreed;
     std::vector<Node> nodes_;
-    FootprintRoom room_;  ///< at the node at hand
+    FootprintRoom room_;  ///< at the current node
     std::unordered_map<Key, double> reached_;
     std::priority_queue<std::pair<double, std::size_t>, std::vector<std::pair<double, std::size_t>>, std::greater<>> open_;
     std::optional<Turn> best_;
@@ -413,7 +415,7 @@ private:
 std::optional<Turn> searchManoeuvre(const Rig& rig, const Pose& from, const Pose& to, const TravelCost& travel,
                                     const JobContext& job, SearchEffort effort) {
     auto way = Search{rig, from, to, travel, job, kNear}.run(effort);
-    // Round a bay of a large field, or round a neck too narrow for the implement, the next place may be far away.
+    // The way may be long: round a bay of a large field, or round a neck too narrow for the implement.
     for (const Scope& scope : {kAfar, kAllRound}) {
         if (!way && effort == SearchEffort::Thorough && !job.stopRequested()) {
             way = Search{rig, from, to, travel, job, scope}.run(effort);

@@ -12,21 +12,22 @@ namespace furrow {
 /// The type of a searched turn.
 inline constexpr std::string_view kCombinedTurn = "combined";
 
-/// How long is looked for a way that may not exist: most are found within a few hundred moves. None: where no single
-/// curve fits there is none.
+/// Effort of the search for a way that may not exist. Most ways are found within a few hundred moves. None:
+/// no search if no single curve fits.
 enum class SearchEffort { Thorough, Quick, None };
 
-/// A drivable way between two poses where no single turn fits: round obstacles and corners, in several moves.
+/// A drivable way between two poses if no single turn fits: round obstacles and corners, in several moves.
 ///
-/// Hybrid A* (Dolgov, Thrun, Montemerlo & Diebel 2010, doi 10.1177/0278364909359210): arcs of the smallest radius
-/// and straights, forwards and in reverse where the machine can, each checked with the rig's swept shape; the last
-/// stretch is a Dubins or Reeds-Shepp curve that ends exactly at the goal. It is guided by the way through a grid on
-/// which the tractor finds room, and by the curve that free space would allow.
+/// Hybrid A* (Dolgov, Thrun, Montemerlo & Diebel 2010, doi 10.1177/0278364909359210) with arcs of the
+/// smallest radius and straights, forwards and, if the machine can, in reverse. Each move is checked with the
+/// rig's swept shape. The last stretch is a Dubins or Reeds-Shepp curve that ends exactly at the goal. Two
+/// estimates guide the search: the way through a grid of places with room for the tractor, and the curve of
+/// free space.
 ///
 /// @param travel  empty: every place costs the same
-/// @return a turn of type kCombinedTurn, not the shortest but near it. Nothing where none was found within some
-///         thousand moves, or the job was stopped.
-/// Cost: a tenth of a millisecond for each move that is looked at; from milliseconds to half a second.
+/// @return a turn of type kCombinedTurn, near the shortest. Empty if none was found within some thousand
+/// moves, or if the job was stopped.
+/// Cost: a tenth of a millisecond for each tested move; from milliseconds to half a second.
 std::optional<Turn> searchManoeuvre(const Rig& rig, const Pose& from, const Pose& to, const TravelCost& travel,
                                     const JobContext& job, SearchEffort effort = SearchEffort::Thorough);
 

@@ -12,17 +12,18 @@ using words::Part;
 using words::wrapped;
 
 constexpr double kPi = std::numbers::pi;
-// An arc of exactly half a circle may come out this much longer.
+// An arc of exactly half a circle may come out longer by this.
 constexpr double kAngleSlack = 1e-9;
 constexpr double kHalfCircle = kPi + kAngleSlack;
 
 constexpr double kTieSlack = 1e-9;
 
-// The cosine of 60 degrees: to the level of what points back by less it is more than twice as far as it lies behind.
+// The cosine of 60 degrees. An end that points back by less needs a run-out more than twice as long as the
+// distance that it lies behind.
 constexpr double kLeastBack = 0.5;
 
-/// The shortest of the manoeuvres that are offered, the first one of those that rounding alone tells apart;
-/// lengths in radii, as in all of this file.
+/// The shortest of the offered manoeuvres. If only rounding distinguishes them, the first one. Lengths are in
+/// radii, as in all of this file.
 class Shortest {
 public:
     void offer(std::initializer_list<Part> parts) {
@@ -63,14 +64,14 @@ struct RunOuts {
     double after = 0.0;
 };
 
-/// The goal as it is seen from the end of the first run-out, moved back to the begin of the second.
+/// The goal seen from the end of the first run-out, moved back to the beginning of the second.
 Goal between(const Goal& goal, const RunOuts& run) {
     const Point ahead = direction(goal.heading);
     return {.position = goal.position - Point{run.before, 0.0} - run.after * ahead, .heading = goal.heading};
 }
 
-/// The run-outs worth trying: none, and the one that brings both ends to one level across the start's
-/// heading, where the swath that ends earlier is driven on. Ends that point across rather than back at each other have
+/// The useful run-outs: none, and the one that brings both ends to one level across the start's heading. For
+/// that, the swath that ends earlier is driven on. Ends that point across rather than back at each other have
 /// no common level: square to the start it would be infinitely far away.
 std::array<RunOuts, 2> levellings(const Goal& goal) {
     const double ahead = goal.position.x;
@@ -88,13 +89,13 @@ Point leftOf(double heading) {
     return {-std::sin(heading), std::cos(heading)};
 }
 
-/// From the centre of an arc to `side` at the start to that of one at the goal.
+/// The way from the centre of an arc to `side` at the start to that of one at the goal.
 Point centreWay(const Goal& goal, int side) {
     return goal.position + side * leftOf(goal.heading) - Point{0.0, static_cast<double>(side)};
 }
 
-/// Arc, arc to the other side, arc to the first side. The arc in the middle is driven in `gear`: forward in
-/// an omega turn, in reverse in a three-point turn.
+/// Arc, arc to the other side, arc to the first side. The middle arc is driven in `gear`: forward in an omega
+/// turn, in reverse in a three-point turn.
 void offerThreeArcs(Shortest& shortest, const Goal& whole, int side, int gear, const RunOuts& run) {
     const Goal goal = between(whole, run);
     const Point way = centreWay(goal, side);
@@ -104,7 +105,7 @@ void offerThreeArcs(Shortest& shortest, const Goal& whole, int side, int gear, c
     }
     const double axis = std::atan2(way.y, way.x);
     for (const int above : {1, -1}) {
-        // Where two arcs meet, the line between their centres is square to the heading.
+        // At the join of two arcs, the line between their centres is square to the heading.
         const double heading12 = axis + above * *angle + side * 0.5 * kPi;
         const double heading23 = axis - above * *angle - side * 0.5 * kPi;
         const double first = wrapped(side * heading12);
@@ -121,9 +122,9 @@ void offerThreeArcs(Shortest& shortest, const Goal& whole, int side, int gear, c
     }
 }
 
-/// The least run-outs, one at a time, after which the three circles reach each other.
+/// Tries the shortest run-outs, one at a time, after which the three circles reach each other.
 void offerThreeArcsAfterRunOut(Shortest& shortest, const Goal& goal, int side, int gear) {
-    // A hair inside of the four radii that three circles span, so that rounding does not tear them apart.
+    // Slightly less than the four radii that three circles span, so that rounding does not separate them.
     constexpr double kReach = 4.0 * (1.0 - 1e-12);
     const Point way = centreWay(goal, side);
     const double beyond = dot(way, way) - kReach * kReach;
@@ -146,7 +147,7 @@ void offerThreeArcsAfterRunOut(Shortest& shortest, const Goal& goal, int side, i
 Shortest shortestThreeArcs(const Pose& from, const Pose& to, Length radius, int gear) {
     const Goal goal = words::goalSeenFrom(from, to, 1.0 / radius.si());
     Shortest shortest;
-    // Between level swaths both three-point turns are as long: towards the goal first.
+    // Between level swaths both three-point turns are equally long. The one towards the goal comes first.
     const int towards = goal.position.y >= 0.0 ? 1 : -1;
     for (const int side : {towards, -towards}) {
         for (const RunOuts& run : levellings(goal)) {
@@ -169,7 +170,7 @@ Shortest shortestArcStraightArc(const Pose& from, const Pose& to, Length radius,
             const double heading = std::atan2(way.y, way.x);
             const double first = wrapped(side * heading);
             const double last = wrapped(side * (goal.heading - heading));
-            // Backwards for more than two radii, one drives away from the goal.
+            // More than two radii in reverse would lead away from the goal.
             const bool straightFits = gear > 0 || straight <= 2.0 + kAngleSlack;
             if (first < kHalfCircle && last < kHalfCircle && straightFits) {
                 shortest.offer({{0, 1, run.before},
@@ -190,8 +191,8 @@ struct LoopAndStraight {
     double straight = 0.0;
 };
 
-/// The loop's centre is two radii from the first one's and one radius from the goal's line. Of the two
-/// places along the line the one farther out is the bulb.
+/// The loop's centre is two radii from the first one's and one radius from the goal's line. There are two
+/// such places along the line; the one farther out is the bulb.
 std::optional<LoopAndStraight> loopAndStraight(const Goal& goal, int side) {
     const Point ahead = direction(goal.heading);
     const Point way = goal.position - side * leftOf(goal.heading) - Point{0.0, static_cast<double>(side)};
@@ -229,7 +230,7 @@ Turn omegaTurn(const Pose& from, const Pose& to, Length radius) {
 Turn pTurn(const Pose& from, const Pose& to, Length radius) {
     const auto about = [](const Pose& p) { return Pose{p.position, p.heading + radians(kPi)}; };
     const Goal there = words::goalSeenFrom(from, to, 1.0 / radius.si());
-    // The same turn driven from the goal to the start: what is first then comes last, left becomes right.
+    // The same turn driven from the goal to the start: first becomes last, left becomes right.
     const Goal back = words::goalSeenFrom(about(to), about(from), 1.0 / radius.si());
     Shortest shortest;
     for (const int side : {1, -1}) {

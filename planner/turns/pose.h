@@ -5,7 +5,7 @@
 
 namespace furrow {
 
-/// Where the reference point is and where the nose points.
+/// The place of the reference point and the heading of the nose.
 struct Pose {
     Point position;
     Angle heading;

@@ -7,7 +7,7 @@ namespace furrow {
 
 namespace {
 
-/// Arcs of radius 1 are as long as their angle.
+/// The length of an arc of radius 1 is its angle.
 struct UnitArcs {
     double bound(double angle) const { return angle; }
     double length(double angle) const { return angle; }

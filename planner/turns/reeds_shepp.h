@@ -5,17 +5,17 @@
 
 namespace furrow {
 
-/// The shortest curve between two poses whose radius is never below the given one, with reversing: the best
-/// of the 48 words of Reeds and Shepp in closed form. End pose exact to rounding, but for an arc of less than
-/// 1e-9 rad that is left out. Up to five pieces, none of no length. About 1 microsecond.
-/// Source: Reeds & Shepp 1990, doi 10.2140/pjm.1990.145.367; solved for the centres of the arcs (see
-/// word_search.h), which covers their formulas 8.1 to 8.11 with all reflections and time flips.
+/// The shortest curve between two poses, with reversing, whose radius is never below the given one. It is the
+/// best of the 48 words of Reeds and Shepp in closed form. The end pose is exact except for rounding; an arc
+/// of less than 1e-9 rad is left out. Up to five pieces, each with a length. About 1 microsecond. Source:
+/// Reeds & Shepp 1990, doi 10.2140/pjm.1990.145.367. The words are solved for the centres of the arcs (see
+/// word_search.h). This covers their formulas 8.1 to 8.11 with all reflections and time flips.
 Turn reedsSheppTurn(const Pose& from, const Pose& to, Length radius);
 
-/// The length of that curve alone.
+/// The length of that curve only.
 Length reedsSheppLength(const Pose& from, const Pose& to, Length radius);
 
-/// For machines that can reverse; others get the Dubins turn.
+/// For machines that can reverse. Others get the Dubins turn.
 extern const Method<TurnPlanner> kReedsSheppMethod;
 
 }  // namespace furrow

@@ -12,17 +12,17 @@ namespace furrow {
 
 namespace {
 
-// A place whose wheels are outside by less is inside.
+// A place whose wheels are outside by less counts as inside.
 constexpr double kTouchingM = 1e-3;
-// What is flush with an edge is looked at no more often than this; in bends beside a corner of the field so often that
-// it cannot pass through a corner of the footprint unseen.
+// Shortest distances between samples of a machine that is flush with an edge. In bends beside a corner of the
+// field the samples are close enough that it cannot pass through a corner of the footprint unseen.
 constexpr double kLookOnStraightM = 0.2;
 constexpr double kLookInBendM = 0.05;
 constexpr double kLookAtCornersM = 0.01;
 constexpr double kRoundingM = 1e-9;
-// A trailed implement that points elsewhere than its tractor by less goes straight on with it.
+// A trailed implement with a smaller angle to its tractor goes straight on with it.
 constexpr double kInLineRad = 1e-9;
-// Shorter straights are looked at place by place.
+// Shorter straights are sampled place by place.
 constexpr double kShortM = 0.1;
 
 Ring wholeFootprint(const Machine& machine, ImplementAt implement) {
@@ -86,7 +86,7 @@ double Rig::roomM(const RigState& state) const {
     if (room < 0.0) {
         return room;
     }
-    // What is long and thin crosses the sides without a corner of either in the other.
+    // Long, thin shapes can cross the sides without a corner of either inside the other.
     const double crossed = crossedM(state);
     return crossed > 0.0 ? -crossed : room;
 }
@@ -112,7 +112,7 @@ bool Rig::isClearAhead(const Part& part, const Pose& pose, double wayM, double t
     Bounds swept = part.box;
     swept.min.x = std::min(swept.min.x, 0.0) + std::min(wayM, 0.0);
     swept.max.x = std::max(swept.max.x, 0.0) + std::max(wayM, 0.0);
-    // What begins inside and crosses no edge stays there.
+    // A shape that begins inside and crosses no edge stays inside.
     return swept.height() < 2.0 * edges_.reachM() && edges_.insideM(pose.position).value_or(0.0) >= 0.0 &&
            !edges_.reachInto(pose.position, direction(pose.heading.si()), swept, touchingM);
 }
@@ -131,7 +131,7 @@ std::optional<RigState> Rig::driven(const RigState& from, const TurnPiece& piece
 }
 
 std::optional<RigState> Rig::drivenOn(const RigState& from, const TurnPiece& piece, Length touching, FootprintRoom& room) const {
-    // No point of it moves by more than this for each metre of the way.
+    // No point moves by more than this for each metre of the way.
     const double bent = std::max(std::abs(piece.curvature.si()), std::abs(piece.endCurvature.si()));
     const double swings = std::max(1.0 + bent * tractor_.radiusM, trailer_ ? 1.0 + trailed_.radiusM / trailer_->trailingM : 0.0);
     const bool isStraight = bent == 0.0;
@@ -162,7 +162,8 @@ std::optional<RigState> Rig::drivenOn(const RigState& from, const TurnPiece& pie
         free -= stepM;
         if (free <= kRoundingM || (goneM == lengthM && goneM > surelyToM)) {
             room = roomAt(at);
-            // With its own corners along an edge and a corner of the field along its side, an edge may come in between.
+            // If its own corners lie along an edge and a corner of the field along its side, an edge may come
+            // in between.
             if (room.least() < -touching.si() || (room.least() < kLookAtCornersM && crossedM(at) > touching.si())) {
                 return std::nullopt;
             }
@@ -177,7 +178,7 @@ std::optional<RigState> Rig::drivenOn(const RigState& from, const TurnPiece& pie
 }
 
 std::optional<RigState> Rig::driven(const RigState& from, const Turn& turn, FootprintRoom room) const {
-    // A turn on the spot begins with another heading than it was asked for.
+    // A turn on the spot begins with another heading than requested.
     RigState state = trailer_ ? RigState{turn.start, from.implement} : inLine(turn.start);
     for (const TurnPiece& piece : turn.pieces) {
         const auto next = drivenOn(state, piece, metres(kTouchingM), room);

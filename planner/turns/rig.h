@@ -12,7 +12,7 @@
 
 namespace furrow {
 
-/// Where tractor and implement are. A mounted implement points where the tractor does.
+/// The place of tractor and implement. A mounted implement has the heading of the tractor.
 struct RigState {
     Pose tractor;
     Angle implement;
@@ -22,45 +22,47 @@ struct RigState {
 
 enum class ImplementAt { Raised, Lowered };
 
-/// Tractor and implement in a bounded space. A trailed implement follows its hitch on its own track (a tractrix).
-/// Immutable; may be asked by several threads at once.
+/// Tractor and implement in a bounded space. A trailed implement follows its hitch on its own track (a
+/// tractrix). Immutable; thread-safe.
 class Rig {
 public:
-    /// @param drivable  where both may be
+    /// @param drivable  area for both
     Rig(const MultiPolygon& drivable, const Machine& machine, ImplementAt implement = ImplementAt::Raised);
 
     const Machine& machine() const { return machine_; }
     /// In line, as after a straight stretch.
     static RigState inLine(const Pose& pose) { return {pose, pose.heading}; }
 
-    /// How far either gets outside at this place; 0 inside. About 1 microsecond near an edge.
+    /// The distance that either is outside at this place; 0 inside. About 1 microsecond near an edge.
     double outsideM(const RigState& state) const { return std::max(0.0, -roomM(state)); }
-    /// How far every point of both may move at least without getting outside; less than 0 by how far they are.
+    /// The least distance that every point of both may move before it is outside. Negative if they are
+    /// outside.
     double roomM(const RigState& state) const;
 
     FootprintRoom roomAt(const RigState& state) const;
 
-    /// After a piece of a turn; nothing as soon as something is outside. It is looked at as often as the room there is
-    /// asks for: what is outside in between is so by a millimetre or two.
-    /// @param touching  outside by less is none
-    /// @param known     the room at `from`, where somebody has asked for it
+    /// The state after a piece of a turn. Empty as soon as something is outside. The sampling depends on the
+    /// room; an excess between two samples is at most a millimetre or two.
+    /// @param touching  a smaller excess does not count
+    /// @param known     the room at `from`, if already computed
     std::optional<RigState> driven(const RigState& from, const TurnPiece& piece, Length touching = metres(1e-3),
                                    FootprintRoom known = {}) const;
-    /// After all of a turn.
+    /// The state after all of a turn.
     std::optional<RigState> driven(const RigState& from, const Turn& turn, FootprintRoom known = {}) const;
 
-    /// Along a piece of a turn, with the state after every `step` and at its end; until `visit` says no, then nothing.
+    /// Follows a piece of a turn and visits the state after every `step` and at its end. Empty as soon as
+    /// `visit` returns false.
     std::optional<RigState> follow(const RigState& from, const TurnPiece& piece, Length step,
                                    const std::function<bool(const RigState&)>& visit) const;
 
     bool hasTrailer() const { return trailer_.has_value(); }
 
-    /// A place for the tractor's middle where at least its wheels are inside, whichever way it points.
-    /// @param clearance  of its middle, where that is more
+    /// A place for the tractor's middle where at least its wheels are inside, for every heading.
+    /// @param clearance  of its middle, if that is larger
     bool mayStandAt(Point point, Length clearance = {}) const;
 
 private:
-    /// A rectangle or T around what carries it.
+    /// A rectangle or T around the point that carries it.
     struct Part {
         Ring shape;
         double radiusM = 0.0;
@@ -68,19 +70,19 @@ private:
     };
     static Part partOf(Ring shape);
     FootprintRoom roomAround(const Part& part, const Pose& pose) const;
-    /// Whether a part is known to stay inside when it goes straight on, or back by a way less than 0.
+    /// Whether a part is known to stay inside if it goes straight on, or back if `wayM` is negative.
     bool isClearAhead(const Part& part, const Pose& pose, double wayM, double touchingM) const;
     bool isClearAhead(const RigState& state, double wayM, double touchingM) const;
-    /// @param room  at `from`, then at the end, or less than there is
+    /// @param room  at `from`, then at the end; never more than the real room
     std::optional<RigState> drivenOn(const RigState& from, const TurnPiece& piece, Length touching, FootprintRoom& room) const;
-    /// How deep edges of the field lie in a part, or in both.
+    /// The depth of the field's edges in a part, or in both parts.
     double crossedM(const Part& part, const Pose& pose) const;
     double crossedM(const RigState& state) const;
 
     Machine machine_;
     std::optional<Trailer> trailer_;
-    Part tractor_;  ///< with the implement where that is mounted
-    Part trailed_;  ///< its hitch at the origin
+    Part tractor_;  ///< with the implement if that is mounted
+    Part trailed_;  ///< with its hitch at the origin
     BoundaryDistance edges_;
 };
 

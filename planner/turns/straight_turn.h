@@ -5,7 +5,7 @@
 
 namespace furrow {
 
-/// For machines that turn on the spot: straight from place to place, the heading jumping at both ends.
+/// For machines that turn on the spot: straight from place to place. The heading jumps at both ends.
 Turn straightTurn(const Pose& from, const Pose& to);
 
 extern const Method<TurnPlanner> kStraightMethod;

@@ -7,9 +7,9 @@ namespace furrow {
 
 namespace {
 
-// Steps of a hitch, as a share of what trails behind it: the track is then within a millimetre.
+// Steps of a hitch, as a share of the trailed length. The track is then within a millimetre.
 constexpr double kTrailingStep = 0.05;
-// What is hardly behind its hitch swings with it.
+// An implement this close behind its hitch swings with it.
 constexpr double kLeastTrailingM = 0.1;
 
 Ring outlineOf(const Implement& implement, Length width) {

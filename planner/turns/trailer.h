@@ -15,17 +15,17 @@ struct Trailer {
     Ring raised;             ///< its outline with the hitch at the origin, drawbar to +x
     Ring lowered;
 
-    /// Nothing where the implement is mounted, or so close behind its hitch that it swings with the tractor.
+    /// Empty if the implement is mounted, or so close behind its hitch that it swings with the tractor.
     static std::optional<Trailer> of(const Machine& machine);
 
     Pose poseOf(const Pose& tractor, Angle heading) const;
-    /// Where it points after the tractor has moved; its hitch is taken to have moved straight. Within a millimetre of
-    /// the track for steps of `longestStep`.
+    /// The heading of the implement after a move of the tractor, with the hitch assumed to move straight.
+    /// Within a millimetre of the track for steps of `longestStep`.
     Angle headingAfter(Angle heading, const Pose& from, const Pose& to) const;
     Length longestStep() const;
 };
 
-/// The tractor alone, counter-clockwise, reference point at the origin.
+/// The outline of the tractor only, counter-clockwise, reference point at the origin.
 Ring tractorOutline(const Machine& machine);
 
 }  // namespace furrow

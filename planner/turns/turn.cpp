@@ -18,11 +18,11 @@ constexpr double kNodes[] = {0.1488743389816312108848260, 0.43339539412924719079
 constexpr double kWeights[] = {0.2955242247147528701738930, 0.2692667193099963550912269,
                                0.2190863625159820439955349, 0.1494513491505805931457763,
                                0.0666713443086881375935688};
-// For exp(i x) over a stretch that turns by no more than this the rule's error is below rounding.
+// For exp(i x) over a stretch with at most this turn, the rule's error is below rounding.
 constexpr double kPanelRad = 1.5;
 
-/// The displacement in the frame of the start, and the angle turned, over `way` (negative in reverse) with
-/// the curvature k + rate s.
+/// The displacement in the frame of the start over `way` (negative in reverse), with the curvature k + rate
+/// s.
 Point clothoidDisplacement(double way, double k, double rate) {
     const double largest = std::max(std::abs(k), std::abs(k + rate * way));
     const int panels = std::max(1, static_cast<int>(std::ceil(largest * std::abs(way) / kPanelRad)));
@@ -43,7 +43,7 @@ Point clothoidDisplacement(double way, double k, double rate) {
 }  // namespace
 
 Curvature TurnPiece::curvatureAt(Length way) const {
-    // A piece of no length has only its begin.
+    // A piece without length has only its beginning.
     return length.si() > 0.0 ? curvature + (endCurvature - curvature) * (way / length) : curvature;
 }
 
@@ -97,7 +97,7 @@ Pose advanced(const Pose& from, const TurnPiece& piece, Length way) {
                     normalisedPoseHeading(from.heading + radians(signedWay * (k + 0.5 * rate * signedWay)))};
     }
     const double turned = signedWay * piece.curvature.si();
-    // The chord of an arc leaves at half its angle; sin(x)/x keeps flat arcs exact.
+    // The chord of an arc leaves at half its angle. sin(x)/x keeps flat arcs exact.
     const double half = 0.5 * turned;
     const double chord = std::abs(half) < 1e-9 ? signedWay : signedWay * std::sin(half) / half;
     return {.position = from.position + chord * direction(from.heading.si() + half),

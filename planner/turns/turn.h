@@ -10,11 +10,12 @@ namespace furrow {
 
 enum class Gear { Forward = 1, Reverse = -1 };
 
-/// A stretch in one gear: a line, an arc, or a clothoid, whose curvature changes evenly along the way.
+/// A stretch in one gear: a line, an arc, or a clothoid. The curvature of a clothoid changes evenly along the
+/// way.
 struct TurnPiece {
     Length length;                       ///< driven, not negative
-    Curvature curvature;                 ///< where it begins; positive to the left along the nose
-    Curvature endCurvature = curvature;  ///< where it ends; the same for lines and arcs
+    Curvature curvature;                 ///< at its beginning; positive to the left along the nose
+    Curvature endCurvature = curvature;  ///< at its end; the same for lines and arcs
     Gear gear = Gear::Forward;
 
     Curvature curvatureAt(Length way) const;
@@ -24,20 +25,19 @@ struct TurnPiece {
 
 /// A manoeuvre from one pose to another.
 struct Turn {
-    std::string_view type;  ///< of the manoeuvre it is: "dubins", "straight", "omega"
-    /// Where it begins; its heading differs from the pose it was asked for only where the vehicle turns in
-    /// place.
+    std::string_view type;  ///< of the manoeuvre: "dubins", "straight", "omega"
+    /// The start pose. Its heading differs from the requested pose only if the vehicle turns in place.
     Pose start;
     std::vector<TurnPiece> pieces;
 
     Length length() const;
-    /// Where it ends, by driving its pieces.
+    /// The end pose after all pieces.
     Pose end() const;
     friend bool operator==(const Turn&, const Turn&) = default;
 };
 
-/// The pose after driving `way` along one piece from `from`. Exact to rounding: lines and arcs in closed
-/// form, clothoids by Gauss-Legendre quadrature whose own error stays below 1e-15 of the way. About 20 ns
+/// The pose after driving `way` along one piece from `from`, exact except for rounding. Lines and arcs are in
+/// closed form. Clothoids use Gauss-Legendre quadrature, with an error below 1e-15 of the way. About 20 ns
 /// for an arc, 200 ns for each radian of a clothoid.
 Pose advanced(const Pose& from, const TurnPiece& piece, Length way);
 

@@ -5,23 +5,23 @@
 
 namespace furrow {
 
-/// The common signature of all turn methods: a manoeuvre in free space between two poses. Always succeeds:
-/// finite poses and a machine that exists are all it needs. What the machine or the poses do not allow is
-/// replaced by another manoeuvre; the turn's type says which.
+/// The common signature of all turn methods: a manoeuvre in free space between two poses. It always succeeds
+/// for finite poses and a valid machine. If the machine or the poses do not allow the manoeuvre, another one
+/// replaces it; the turn's type says which.
 using TurnPlanner = Turn(const Pose& from, const Pose& to, const Machine& machine);
 
-/// Whether a turn may reverse: the tractor can, and it does not pull what cannot be pushed.
+/// Whether a turn may reverse: the tractor can, and it does not pull an implement that cannot be pushed.
 inline bool canReverse(const Machine& machine) {
     const Implement& implement = machine.spec().implement;
     return machine.spec().tractor.canReverse &&
            (implement.mounting != Mounting::Trailed || implement.canReverse);
 }
 
-/// What a change of gear costs: braking from the one speed and speeding up to the other.
+/// The time for a change of gear: braking from the one speed and accelerating to the other.
 Duration gearChangeDuration(const Machine& machine);
 
-/// How long a turn takes at the speeds for turning and reversing; of speeding up and braking only what its changes
-/// of gear need.
+/// The time of a turn at the speeds for turning and reversing. Acceleration and braking count only at changes
+/// of gear.
 Duration roughDuration(const Turn& turn, const Machine& machine);
 
 }  // namespace furrow

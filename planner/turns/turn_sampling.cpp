@@ -11,13 +11,13 @@ std::vector<TurnSample> sampled(const Turn& turn, Length chordTolerance) {
     Length way;
     Curvature arriving;
     for (const TurnPiece& piece : turn.pieces) {
-        // Taken for the whole of a clothoid: its flat end gets more samples than it needs.
+        // The largest curvature holds for the whole clothoid, so its flat end gets more samples than needed.
         const double curvature = std::max(std::abs(piece.curvature.si()), std::abs(piece.endCurvature.si()));
-        // A chord over the angle phi stays R (1 - cos(phi / 2)) away from its arc.
+        // The distance between an arc and its chord over the angle phi is R (1 - cos(phi / 2)).
         const double cosine = std::clamp(1.0 - chordTolerance.si() * curvature, -1.0, 1.0);
         const double angle = piece.length.si() * curvature;
         const int steps = std::max(1, static_cast<int>(std::ceil(angle / (2.0 * std::acos(cosine)))));
-        // A straight piece divides zero by zero: one chord is the line itself.
+        // A straight piece would divide zero by zero. One chord is the line itself.
         const int count = curvature > 0.0 ? steps : 1;
         for (int i = 0; i < count; ++i) {
             const Length part = piece.length * (static_cast<double>(i) / count);
@@ -29,7 +29,7 @@ std::vector<TurnSample> sampled(const Turn& turn, Length chordTolerance) {
         way += piece.length;
     }
     if (samples.empty()) {
-        // A turn to where one already is: its start and its end.
+        // A turn to the present place has only its start and its end.
         samples.push_back({way, pose, {}, Gear::Forward, {}});
     }
     const TurnPiece last = turn.pieces.empty() ? TurnPiece{} : turn.pieces.back();

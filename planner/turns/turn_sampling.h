@@ -11,18 +11,18 @@ namespace furrow {
 inline constexpr Length kChordTolerance = metres(0.005);
 
 struct TurnSample {
-    Length way;  ///< driven since the turn began
+    Length way;  ///< driven since the start of the turn
     Pose pose;
-    Curvature curvature;  ///< here; where it jumps, of the piece that begins
+    Curvature curvature;  ///< here; at a jump, of the piece that begins
     Gear gear = Gear::Forward;  ///< of the piece that begins here
-    Curvature arriving;         ///< of the piece that ends here; differs only where curvature jumps
+    Curvature arriving;         ///< of the piece that ends here; differs only at a jump of curvature
 };
 
-/// Samples from the start to the end of a turn, at every change of piece and close enough in between.
-/// At least two. Cost: O(samples).
+/// Samples from the start to the end of a turn, at every change of piece and close enough in between. At
+/// least two. Cost: O(samples).
 std::vector<TurnSample> sampled(const Turn& turn, Length chordTolerance);
 
-/// A shape given around the reference point with the nose to +x, moved to a pose.
+/// A shape around the reference point with the nose to +x, moved to a pose.
 Ring placed(const Ring& shape, const Pose& pose);
 
 }  // namespace furrow

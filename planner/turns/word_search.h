@@ -10,11 +10,11 @@
 #include <numbers>
 #include <optional>
 
-/// Inside of the turn library: all words of Reeds and Shepp over circles that need not touch their poses at
-/// a right angle, so that one search serves arcs as well as turns with clothoids at both ends.
+/// Internal to the turn library: all words of Reeds and Shepp over circles that need not touch their poses at
+/// a right angle. So one search serves arcs as well as turns with clothoids at both ends.
 namespace furrow::words {
 
-/// Where the centre of a turn lies, in the metres (or radii) the caller counts in:
+/// The place of a turn's centre, in the caller's unit (metres or radii):
 ///
 ///            + centre                 For an arc `ahead` is 0 and `aside` its radius. A turn that begins
 ///            |                        and ends with a clothoid has its centre ahead of its start and as
@@ -29,8 +29,8 @@ struct TurnCircle {
     double lean = 0.5 * std::numbers::pi;  ///< atan2(aside, ahead)
 };
 
-/// A turn (side 1 left, -1 right; amount: angle of heading it makes, not negative) or a straight (side 0;
-/// amount: length).
+/// A turn (side 1 left, -1 right; amount: its change of heading, not negative) or a straight (side 0; amount:
+/// length).
 struct Part {
     int side = 0;
     int gear = 1;
@@ -43,10 +43,10 @@ struct Word {
     double length = std::numeric_limits<double>::infinity();
 };
 
-/// A part with less than this, in radians, radii or metres, is rounding: picometres.
+/// A smaller part, in radians, radii or metres, is rounding: picometres.
 inline constexpr double kNoPart = 1e-12;
 
-/// The goal seen from the start, whose nose points to +x.
+/// The goal seen from the start. The nose of the start points to +x.
 struct Goal {
     Point position;
     double heading = 0.0;
@@ -59,7 +59,7 @@ inline Goal goalSeenFrom(const Pose& from, const Pose& to, double scale) {
             .heading = (to.heading - from.heading).si()};
 }
 
-/// Into [0, 2 pi). What lies this little below 0 is a zero that rounding pushed over, no full circle.
+/// Wraps into [0, 2 pi). An angle slightly below 0 is a rounded zero, not a full circle.
 inline double wrapped(double angle) {
     constexpr double kTwoPi = 2.0 * std::numbers::pi;
     constexpr double kFullCircleSlack = 1e-9;
@@ -67,21 +67,21 @@ inline double wrapped(double angle) {
     return rest >= kTwoPi - kFullCircleSlack ? 0.0 : rest;
 }
 
-/// acos, where what rounding pushed out of [-1, 1] is inside.
+/// acos that accepts a cosine slightly outside [-1, 1] from rounding.
 inline std::optional<double> arcCosine(double cosine) {
-    // Also false for NaN: the cosine in a triangle two of whose corners are one.
+    // Also false for NaN, the cosine in a triangle with two equal corners.
     if (!(std::abs(cosine) <= 1.0 + 1e-13)) {
         return std::nullopt;
     }
     return std::acos(std::clamp(cosine, -1.0, 1.0));
 }
 
-/// The shortest of the words that are asked for. `Metric` tells how long a turn is: `length(angle)`, and
-/// `bound(angle)`, no longer than that and cheaper.
+/// The shortest of the requested words. `Metric` gives the length of a turn, `length(angle)`, and a cheaper
+/// lower bound of it, `bound(angle)`.
 ///
-/// Every word is solved for the centres of its turns: the first and the last one follow from the poses.
-/// Where one turn follows another in the same gear their centres are two radii apart; at a cusp, where the
-/// wheels are straight with clothoids, twice `aside`. Source: Reeds & Shepp 1990, Optimal paths for a car
+/// Every word is solved for the centres of its turns. The first and the last centre follow from the poses. If
+/// one turn follows another in the same gear, their centres are two radii apart. At a cusp, where clothoids
+/// have straight wheels, they are twice `aside` apart. Source: Reeds & Shepp 1990, Optimal paths for a car
 /// that goes both forwards and backwards, doi 10.2140/pjm.1990.145.367; with clothoids Fraichard & Scheuer
 /// 2004, doi 10.1109/TRO.2004.833789.
 template <class Metric>
@@ -95,7 +95,7 @@ public:
           sine_{std::sin(goal.heading)} {}
 
     const Word& best() const { return best_; }
-    /// A word found elsewhere: from now on only shorter ones count.
+    /// Starts from a word found elsewhere: only shorter ones count now.
     void startFrom(const Word& word) { best_ = word; }
 
     /// CSC: turn, straight, turn, in one gear.
@@ -107,7 +107,7 @@ public:
         }
     }
 
-    /// C|CSC, CSC|C and C|CSC|C, the turns between a cusp and the straight of a quarter circle.
+    /// C|CSC, CSC|C and C|CSC|C. The turns between a cusp and the straight are quarter circles.
     void straightWordsWithCusps() {
         for (const int gear : {1, -1}) {
             for (const int first : {1, -1}) {
@@ -138,7 +138,7 @@ public:
         }
     }
 
-    /// CC|CC and C|CC|C, the two turns in the middle by the same angle.
+    /// CC|CC and C|CC|C. The two turns in the middle have the same angle.
     void fourTurns() {
         for (const int side : {1, -1}) {
             for (const int gear : {1, -1}) {
@@ -151,19 +151,19 @@ public:
 private:
     static constexpr double kPi = std::numbers::pi;
 
-    /// From the centre of the first turn to that of the last.
+    /// The line from the centre of the first turn to that of the last.
     struct Centres {
         bool known = false;
         double apart = 0.0;
-        double axis = 0.0;    ///< heading of the line between them
-        double inner = -1.0;  ///< length of the tangent that crosses it; negative where there is none
-        double tilt = 0.0;    ///< and its angle with the line
+        double axis = 0.0;    ///< heading of that line
+        double inner = -1.0;  ///< length of the tangent that crosses it; negative if there is none
+        double tilt = 0.0;    ///< angle of that tangent with the line
     };
 
     static int index(int side, int gear) { return (side > 0 ? 0 : 1) + (gear > 0 ? 0 : 2); }
 
     const Centres& centres(int firstSide, int firstGear, int lastSide, int lastGear) {
-        // Without clothoids the gear does not matter: a quarter of the work.
+        // Without clothoids the gear does not matter. This saves three quarters of the work.
         const bool arcs = circle_.ahead == 0.0;
         Centres& found =
             centres_[index(firstSide, arcs ? 1 : firstGear)][index(lastSide, arcs ? 1 : lastGear)];
@@ -176,7 +176,7 @@ private:
             found.apart = std::sqrt(x * x + y * y);
             found.axis = found.apart > 0.0 ? std::atan2(y, x) : 0.0;
             const double across = 2.0 * circle_.aside;
-            // (a + b)(a - b) keeps its digits where the circles nearly touch.
+            // (a + b)(a - b) keeps its digits if the circles nearly touch.
             const double square = (found.apart + across) * (found.apart - across);
             if (square >= -1e-13 * across * across) {
                 found.inner = std::sqrt(std::max(0.0, square));
@@ -205,8 +205,8 @@ private:
         }
     }
 
-    /// `first` and `last` are the sides of the turns beside the straight, `gear` theirs and its own. A cusp
-    /// before the quarter turn moves the first centre by twice `aside` against the straight, so only the
+    /// `first` and `last` are the sides of the turns beside the straight; `gear` is the gear of all three. A
+    /// cusp before the quarter turn moves the first centre by twice `aside` against the straight. So only the
     /// straight becomes shorter.
     void straightWord(int first, int last, int gear, bool cuspBefore, bool cuspAfter) {
         const Centres& between = centres(cuspBefore ? -first : first, cuspBefore ? -gear : gear,
@@ -241,8 +241,8 @@ private:
         }
     }
 
-    /// Heading where a turn to `side` hands over to one to the other side, less that of the line from its
-    /// centre to the next one's.
+    /// The heading at the change from a turn to `side` to one to the other side, less the heading of the line
+    /// from its centre to the next one's.
     double handOver(int side, int gear, int nextGear) const {
         if (gear != nextGear) {
             return side * 0.5 * kPi;
@@ -264,7 +264,7 @@ private:
         double atRight = 0.0;
     };
 
-    /// Most words of one search ask for the same triangle as the one before.
+    /// Most words of one search need the same triangle as the word before.
     static const Triangle& solved(Triangle& memo, double base, double left, double right) {
         if (memo.base == base && memo.left == left && memo.right == right) {
             return memo;
