@@ -147,7 +147,7 @@ struct Registry {
     StageEntry path{kTurnMethods,   "path", "Turns",
                     "path.method",  "Turn", "How the machine gets from one swath to the next.",
                     kPathParameters};
-    std::vector<StageInfo> stages{headland.info, decomposition.info, swaths.info, route.info, path.info};
+    std::vector<StageInfo> stages{headland.info, swaths.info, decomposition.info, route.info, path.info};
     std::vector<const Parameter*> parameters;
 
     Registry() {

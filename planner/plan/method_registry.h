@@ -16,7 +16,7 @@ namespace furrow {
 
 /// One stage of the pipeline with its methods; the first method is the default.
 struct StageInfo {
-    std::string_view id;      ///< "headland", "decomposition", "swaths", "route", "path"
+    std::string_view id;      ///< "headland", "swaths", "decomposition", "route", "path"
     std::string_view name;    ///< "Headland"
     const Parameter* method;  ///< the setting that picks the method
     std::vector<MethodInfo> methods;

@@ -45,9 +45,10 @@ struct NoInputs {
 struct StageCache {
     StageMemo<NoInputs, Ground> grounds;
     StageMemo<HeadlandInputs, Headland> headlands;
+    StageMemo<MultiPolygon, SwathSet> searches;  ///< of headings in a mainland
     StageMemo<SwathInputs, RoundedSwaths> swaths;
     StageMemo<std::shared_ptr<const LaidSwaths>, Ordered> orders;
-    StageMemo<DriveInputs, Driven> drives;
+    StageMemo<DriveInputs, Driven, 6> drives;  ///< megabytes each
 };
 
 }  // namespace furrow

@@ -2,6 +2,7 @@
 
 #include "planner/plan/plan_request.h"
 
+#include <cstddef>
 #include <deque>
 #include <memory>
 #include <mutex>
@@ -11,8 +12,8 @@ namespace furrow {
 
 /// The last results of one stage with what they were made from. A stage whose inputs are equal is not run again: field,
 /// machine and guides, the settings that it asked for, and `Inputs`, what the stages before it made. May be asked by
-/// several threads at once.
-template <class Inputs, class Value>
+/// several threads at once. Of `kMost` results the one that was made first is forgotten. A stage may ask the memo of another one: the settings that count for that count for it, too.
+template <class Inputs, class Value, std::size_t kMost = 24>
 class StageMemo {
 public:
     /// What was made before from the same, or what `make` makes now: Result<Value>(const PlanRequest&). Errors are not kept.
@@ -28,9 +29,11 @@ public:
         if (!made) {
             return std::unexpected(made.error());
         }
+        request.settings.writeDown(*reads);
         auto value = std::make_shared<const Value>(*std::move(made));
         const std::scoped_lock lock{mutex_};
-        results_.push_front({.request = request, .reads = reads, .inputs = std::move(inputs), .value = value});
+        listening.settings = request.settings.writingDown({});
+        results_.push_front({.request = std::move(listening), .reads = reads, .inputs = std::move(inputs), .value = value});
         if (results_.size() > kMost) {
             results_.pop_back();
         }
@@ -38,9 +41,6 @@ public:
     }
 
 private:
-    // As many as the choices that are tried for one plan, and some plans before it.
-    static constexpr std::size_t kMost = 12;
-
     struct Kept {
         PlanRequest request;
         std::shared_ptr<const SettingReads> reads;
@@ -53,6 +53,7 @@ private:
         for (const Kept& kept : results_) {
             if (kept.inputs == inputs && isSameButSettings(kept.request, request) &&
                 kept.reads->areEqualIn(kept.request.settings, request.settings)) {
+                request.settings.writeDown(*kept.reads);
                 return kept.value;
             }
         }

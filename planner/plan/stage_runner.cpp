@@ -4,6 +4,7 @@
 #include "planner/geometry/geos_bridge.h"
 #include "planner/plan/drive_stage.h"
 #include "planner/plan/ground.h"
+#include "planner/plan/mainland_parts.h"
 #include "planner/plan/method_registry.h"
 #include "planner/plan/order_stage.h"
 #include "planner/plan/round_stage.h"
@@ -81,15 +82,20 @@ Result<LaidOut> StageRunner::laidOut(const PlanRequest& request, const std::shar
             round = std::move(inside);
             continue;
         }
+        const JobContext searching = part.part(0.12, 0.9);
+        const SwathSearch search = [&](const PlanRequest& asking, const MultiPolygon& mainland) {
+            return cache_.searches.get(asking, mainland, [&](const PlanRequest& inner) { return swathsByMethod(inner, mainland, searching); });
+        };
         const auto swaths =
             cache_.swaths.get(request, {ground, round, (*headland)->mainland, (*headland)->passes}, [&](const PlanRequest& asking) {
                 const LayTask task{.request = asking,
                                    .ground = *ground,
                                    .workable = workable,
                                    .mainland = (*headland)->mainland,
-                                   .passes = (*headland)->passes};
+                                   .passes = (*headland)->passes,
+                                   .search = search};
                 return timed(timings_.swaths, [&] {
-                    return layStage(task, part.part(0.12, 0.95)).and_then([&](LaidSwaths&& laid) {
+                    return layStage(task, part.part(0.9, 0.95)).and_then([&](LaidSwaths&& laid) {
                         return roundStage(std::move(laid), round, task, part.part(0.95, 1.0));
                     });
                 });

@@ -188,12 +188,13 @@ Result<std::vector<Pose>> swathEnds(const PlanRequest& request, const MultiPolyg
 
 Result<LaidSwaths> layStage(const LayTask& task, const JobContext& job) {
     const PlanRequest& request = task.request;
-    auto common = swathsByMethod(request, task.mainland, job);
-    if (!common) {
-        return std::unexpected(common.error());
+    const auto found = task.search(request, task.mainland);
+    if (!found) {
+        return std::unexpected(found.error());
     }
-    markTramlines(*common, request.settings);
-    const auto pieces = piecesBetweenSplits(request, task.mainland, common->notes, job);
+    SwathSet common = **found;
+    markTramlines(common, request.settings);
+    const auto pieces = piecesBetweenSplits(request, task.mainland, common.notes, job);
     if (!pieces) {
         return std::unexpected(pieces.error());
     }
@@ -215,9 +216,9 @@ Result<LaidSwaths> layStage(const LayTask& task, const JobContext& job) {
         }
         return set;
     };
-    const bool ownHeadings = request.settings.choice(kCellHeading) == "per-cell" && !common->isCurved();
-    auto laid = ownHeadings ? withOwnHeadings(request, task.mainland, *common, *pieces, withEnds, job)
-                            : Result<LaidSwaths>{laidInParts(task.mainland, *common, *pieces)};
+    const bool ownHeadings = request.settings.choice(kCellHeading) == "per-cell" && !common.isCurved();
+    auto laid = ownHeadings ? withOwnHeadings(request, task.mainland, common, *pieces, withEnds, job)
+                            : Result<LaidSwaths>{laidInParts(task.mainland, common, *pieces)};
     return laid ? withoutShortOnes(std::move(*laid), request, withEnds, job) : laid;
 }
 

@@ -2,9 +2,14 @@
 
 #include "planner/plan/stages.h"
 
+#include <functional>
+#include <memory>
 #include <vector>
 
 namespace furrow {
+
+/// The swaths of the chosen method in a mainland, found now or remembered.
+using SwathSearch = std::function<Result<std::shared_ptr<const SwathSet>>(const PlanRequest& request, const MultiPolygon& mainland)>;
 
 /// What the swaths of a plan are laid from.
 struct LayTask {
@@ -13,6 +18,7 @@ struct LayTask {
     const MultiPolygon& workable;  ///< that the headland was laid along
     const MultiPolygon& mainland;
     int passes = 0;  ///< of the headland
+    const SwathSearch& search;
 };
 
 /// The swaths of the chosen method with their tramlines and with ends as the settings want them, cut where

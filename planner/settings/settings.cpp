@@ -138,6 +138,12 @@ void SettingReads::addGiven(const Parameter& parameter) {
     given_.insert(&parameter);
 }
 
+void SettingReads::add(const SettingReads& others) {
+    const std::scoped_lock lock{mutex_, others.mutex_};
+    values_.insert(others.values_.begin(), others.values_.end());
+    given_.insert(others.given_.begin(), others.given_.end());
+}
+
 bool SettingReads::areEqualIn(const Settings& a, const Settings& b) const {
     const std::scoped_lock lock{mutex_};
     return std::ranges::all_of(values_, [&](const Parameter* each) { return a.value(*each) == b.value(*each); }) &&
@@ -251,6 +257,12 @@ Settings Settings::writingDown(std::shared_ptr<SettingReads> reads) const {
     Settings listening = *this;
     listening.listener_.reads = std::move(reads);
     return listening;
+}
+
+void Settings::writeDown(const SettingReads& reads) const {
+    if (listener_.reads) {
+        listener_.reads->add(reads);
+    }
 }
 
 SettingValue Settings::value(const Parameter& parameter) const {

@@ -79,7 +79,7 @@ Reading readFiles(const QStringList& paths, const QString& fieldId, const JobCon
 
 PlanOutcome planned(const std::shared_ptr<const FieldSource>& source, std::shared_ptr<const Field> field,
                     const Machine& machine, const Settings& settings, bool draft, const Plan* before,
-                    const JobContext& job) {
+                    StageCache& cache, const JobContext& job) {
     if (!field) {
         auto made = Field::create(*source, job.part(0.0, 0.1));
         if (!made) {
@@ -89,8 +89,8 @@ PlanOutcome planned(const std::shared_ptr<const FieldSource>& source, std::share
         field = std::make_shared<const Field>(std::move(*made));
     }
     const auto plan = planRequest(field, machine, settings, job).and_then([&](PlanRequest request) {
-        return makePlan(draft ? draftOf(std::move(request), before) : request, job.part(0.1, 0.9))
-            .and_then([&](const std::shared_ptr<const Plan>& made) { return withAdvice(made, job.part(0.9, 0.95)); });
+        return makePlan(draft ? draftOf(std::move(request), before) : request, job.part(0.1, 0.9), &cache)
+            .and_then([&](const std::shared_ptr<const Plan>& made) { return withAdvice(made, job.part(0.9, 0.95), &cache); });
     });
     if (!plan) {
         return {.source = source, .field = field, .plan = {},

@@ -39,8 +39,9 @@ Reading readFiles(const QStringList& paths, const QString& fieldId, const JobCon
 /// Plans a field and draws the plan; without a plan, what there is of the field.
 /// @param field   of this source, where it was checked before
 /// @param before  of the same field, for a draft that goes on from it; null for the whole plan
+/// @param cache   of the stages of plans before this one
 PlanOutcome planned(const std::shared_ptr<const FieldSource>& source, std::shared_ptr<const Field> field,
                     const Machine& machine, const Settings& settings, bool draft, const Plan* before,
-                    const JobContext& job);
+                    StageCache& cache, const JobContext& job);
 
 }  // namespace furrow

@@ -276,6 +276,7 @@ void PlanSession::followDocument() {
         planner_.cancel();
         plan_.reset();
         wholePlan_.reset();
+        cache_ = std::make_shared<StageCache>();
         // Its outline is there at once; the plan may take seconds.
         drawing_ = source_ ? PlanDrawing{outlineGeometry(*source_, std::nullopt)} : PlanDrawing{};
         drawnSource_ = source_;
@@ -346,8 +347,8 @@ void PlanSession::requestPlan(JobRunner::Replace replace) {
     planner_.submit(
         [this, source = source_, field = field_, machine = machine_.machine(), settings = settings(),
          draft = draftAsked_,
-         before = wholePlan_](const JobContext& job) -> JobRunner::Delivery {
-            PlanOutcome outcome = planned(source, field, machine, settings, draft, before.get(), job);
+         before = wholePlan_, cache = cache_](const JobContext& job) -> JobRunner::Delivery {
+            PlanOutcome outcome = planned(source, field, machine, settings, draft, before.get(), *cache, job);
             return [this, outcome = std::move(outcome)]() mutable { take(std::move(outcome)); };
         },
         replace);

@@ -171,6 +171,8 @@ private:
     QDateTime finished_;
     /// The last one that was no draft.
     std::shared_ptr<const Plan> wholePlan_;
+    /// Of the stages of this field's plans.
+    std::shared_ptr<StageCache> cache_ = std::make_shared<StageCache>();
     PlanDrawing drawing_;
     Source drawnSource_;
     std::optional<Error> error_;

@@ -75,7 +75,7 @@ private slots:
             ids.push_back(stage.id);
         }
         // Stages may be added between these, in this order.
-        const std::array order{"headland", "decomposition", "swaths", "route", "path"};
+        const std::array order{"headland", "swaths", "decomposition", "route", "path"};
         auto next = order.begin();
         for (const std::string_view id : ids) {
             next = std::find(next, order.end(), id);

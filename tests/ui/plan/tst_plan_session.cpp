@@ -83,7 +83,7 @@ private slots:
         QAbstractItemModelTester choices{session.choices()};
         QAbstractItemModelTester exporter{session.exporter()};
         std::vector<std::unique_ptr<QAbstractItemModelTester>> parameters;
-        for (const char* step : {"field", "headland", "decomposition", "swaths", "route", "path"}) {
+        for (const char* step : {"field", "headland", "swaths", "decomposition", "route", "path"}) {
             parameters.push_back(
                 std::make_unique<QAbstractItemModelTester>(session.steps()->parameters(QLatin1String{step})));
         }

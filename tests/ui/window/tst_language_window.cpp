@@ -177,7 +177,7 @@ private slots:
                 wrong << state + QStringLiteral(": ") + text;
             }
         };
-        for (const char* step : {"field", "machine", "headland", "decomposition", "swaths", "route", "path"}) {
+        for (const char* step : {"field", "machine", "headland", "swaths", "decomposition", "route", "path"}) {
             // One open at a time: closed, they all fit the window. The first is open from the start.
             const QString header = QStringLiteral("step.") + QString::fromLatin1(step);
             if (qstrcmp(step, "field") != 0) {

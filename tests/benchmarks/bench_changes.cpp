@@ -1,0 +1,50 @@
+#include "planner/io/boundary_import.h"
+#include "planner/machine/machine_library.h"
+#include "planner/plan/method_registry.h"
+#include "planner/plan/plan.h"
+
+#include <QTest>
+
+using namespace furrow;
+
+/// The time to a new plan after one setting of a stage was changed, with the stages of the plan before and without.
+class ChangesBenchmark : public QObject {
+    Q_OBJECT
+
+private slots:
+    void change_data() {
+        QTest::addColumn<QString>("key");
+        QTest::addColumn<QString>("value");
+        QTest::addColumn<bool>("cached");
+        for (const bool cached : {false, true}) {
+            const char* how = cached ? "cache" : "anew";
+            QTest::addRow("nothing, %s", how) << "" << "" << cached;
+            QTest::addRow("headland, %s", how) << "headland.width_m" << "12" << cached;
+            QTest::addRow("swaths, %s", how) << "swaths.overlap_m" << "0.1" << cached;
+            QTest::addRow("cells, %s", how) << "decomposition.method" << "boustrophedon" << cached;
+            QTest::addRow("route, %s", how) << "route.method" << "snake" << cached;
+            QTest::addRow("turns, %s", how) << "path.method" << "u-turn" << cached;
+        }
+    }
+    void change() {
+        QFETCH(QString, key);
+        QFETCH(QString, value);
+        QFETCH(bool, cached);
+        const auto sources = readBoundaries(FURROW_SOURCE_DIR "/resources/sample_fields/great_field.geojson").value();
+        const PlanRequest before{.field = std::make_shared<const Field>(Field::create(sources.front()).value()),
+                                 .machine = findMachine("cultivator").value(),
+                                 .settings = {}};
+        PlanRequest after = before;
+        if (!key.isEmpty()) {
+            applySetting(after.settings, key.toStdString(), value.toStdString()).value();
+        }
+        StageCache cache;
+        makePlan(before, {}, &cache).value();
+        QBENCHMARK_ONCE {
+            makePlan(after, {}, cached ? &cache : nullptr).value();
+        }
+    }
+};
+
+QTEST_APPLESS_MAIN(ChangesBenchmark)
+#include "bench_changes.moc"

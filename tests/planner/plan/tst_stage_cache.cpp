@@ -1,0 +1,172 @@
+// Stages are not run again for equal inputs, and plans are the same with a cache and without.
+
+#include "planner/machine/machine_library.h"
+#include "planner/plan/method_registry.h"
+#include "planner/plan/plan.h"
+#include "tests/support/field_generator.h"
+#include "tests/support/result_check.h"
+
+#include <QTest>
+
+using namespace furrow;
+
+namespace {
+
+constexpr GeoPoint kCentre{9.5, 51.5};
+
+/// 150 m x 90 m with a bay, and with a mast that swaths go round.
+std::shared_ptr<const Field> smallField() {
+    MultiPolygon outline{{.outer = {{0, 0}, {150, 0}, {150, 90}, {90, 90}, {90, 60}, {60, 60}, {60, 90}, {0, 90}}, .holes = {}}};
+    outline.front().holes.push_back({{40, 40}, {40, 41}, {41, 41}, {41, 40}});
+    return std::make_shared<const Field>(Field::create(test::fieldSourceFromLocal(outline, kCentre)).value());
+}
+
+using Given = std::vector<std::pair<std::string, std::string>>;
+
+PlanRequest requestWith(const Given& given, std::string_view machine = "agbot") {
+    static const std::shared_ptr<const Field> field = smallField();
+    Settings settings;
+    for (const auto& [key, value] : given) {
+        applySetting(settings, key, value).value();
+    }
+    return {.field = field, .machine = findMachine(machine).value(), .settings = settings};
+}
+
+/// Values to try, as text.
+std::vector<std::string> valuesOf(const Parameter& parameter) {
+    std::vector<std::string> values;
+    switch (parameter.kind) {
+        case ParameterKind::Choice:
+            for (const Choice& choice : parameter.choices) {
+                values.emplace_back(choice.id);
+            }
+            return values;
+        case ParameterKind::Flag: return {"true", "false"};
+        case ParameterKind::Length:
+        case ParameterKind::Angle:
+        case ParameterKind::Percent:
+        case ParameterKind::Count:
+            return {std::to_string(static_cast<int>(std::clamp(2.0, parameter.min, parameter.max)))};
+        default: return {};
+    }
+}
+
+}  // namespace
+
+class TestStageCache : public QObject {
+    Q_OBJECT
+
+private slots:
+    void plansAreTheSame_data();
+    void plansAreTheSame();
+    void onlyWhatDependsIsRunAgain_data();
+    void onlyWhatDependsIsRunAgain();
+    void anotherFieldIsNotMixedUp();
+    void readsOfInnerStagesCount();
+
+private:
+    StageCache cache_;
+};
+
+void TestStageCache::plansAreTheSame_data() {
+    QTest::addColumn<QString>("key");
+    QTest::addColumn<QString>("value");
+    for (const Parameter* parameter : allParameters()) {
+        for (const std::string& value : valuesOf(*parameter)) {
+            QTest::addRow("%s=%s", std::string{parameter->key}.c_str(), value.c_str())
+                << QString::fromStdString(std::string{parameter->key}) << QString::fromStdString(value);
+        }
+    }
+}
+
+void TestStageCache::plansAreTheSame() {
+    QFETCH(QString, key);
+    QFETCH(QString, value);
+    const PlanRequest request = requestWith({{key.toStdString(), value.toStdString()}});
+    // One cache for all rows: a stage that takes the result of a row before is what is looked for.
+    const auto cached = makePlan(request, {}, &cache_);
+    const auto alone = makePlan(request);
+    QCOMPARE(cached.has_value(), alone.has_value());
+    if (!alone) {
+        QCOMPARE(cached.error(), alone.error());
+        return;
+    }
+    QCOMPARE((*cached)->swaths.swaths, (*alone)->swaths.swaths);
+    QCOMPARE((*cached)->route, (*alone)->route);
+    QCOMPARE((*cached)->path, (*alone)->path);
+    QCOMPARE((*cached)->audit, (*alone)->audit);
+    QCOMPARE((*cached)->findings, (*alone)->findings);
+    QCOMPARE((*cached)->instead, (*alone)->instead);
+    QCOMPARE((*cached)->headland.mainland, (*alone)->headland.mainland);
+}
+
+void TestStageCache::onlyWhatDependsIsRunAgain_data() {
+    QTest::addColumn<QString>("key");
+    QTest::addColumn<QString>("value");
+    QTest::addColumn<bool>("headland");
+    QTest::addColumn<bool>("swaths");
+    QTest::addColumn<bool>("route");
+    QTest::newRow("nothing") << "route.start" << "" << false << false << false;
+    QTest::newRow("where the route begins") << "route.traversal" << "boundary" << false << false << false;
+    QTest::newRow("order") << "route.method" << "racetrack" << false << false << true;
+    QTest::newRow("swaths") << "swaths.overlap_m" << "0.1" << false << true << true;
+    QTest::newRow("headland") << "headland.width_m" << "9" << true << true << true;
+}
+
+void TestStageCache::onlyWhatDependsIsRunAgain() {
+    QFETCH(QString, key);
+    QFETCH(QString, value);
+    QFETCH(bool, headland);
+    QFETCH(bool, swaths);
+    QFETCH(bool, route);
+    StageCache cache;
+    VERIFY_RESULT(makePlan(requestWith({}), {}, &cache));
+    Given given;
+    if (!value.isEmpty()) {
+        given.emplace_back(key.toStdString(), value.toStdString());
+    }
+    const auto plan = makePlan(requestWith(given), {}, &cache);
+    VERIFY_RESULT(plan);
+    const StageTimings& timings = (*plan)->timings;
+    QCOMPARE(timings.headland > Duration{}, headland);
+    QCOMPARE(timings.swaths > Duration{}, swaths);
+    QCOMPARE(timings.route > Duration{}, route);
+}
+
+void TestStageCache::anotherFieldIsNotMixedUp() {
+    StageCache cache;
+    VERIFY_RESULT(makePlan(requestWith({}), {}, &cache));
+    PlanRequest other = requestWith({});
+    FieldSource source = other.field->source();
+    source.obstacles.clear();
+    source.parts.front().holes.clear();
+    other.field = std::make_shared<const Field>(Field::create(source).value());
+    const auto cached = makePlan(other, {}, &cache);
+    const auto alone = makePlan(other);
+    VERIFY_RESULT(cached);
+    VERIFY_RESULT(alone);
+    QCOMPARE((*cached)->path, (*alone)->path);
+    other.machine = findMachine("field-robot").value();
+    const auto withRobot = makePlan(other, {}, &cache);
+    VERIFY_RESULT(withRobot);
+    QVERIFY((*withRobot)->path != (*alone)->path);
+}
+
+// The headland along each edge asks the swath method for its ends: another method gives another headland.
+void TestStageCache::readsOfInnerStagesCount() {
+    StageCache cache;
+    const Given perEdge{{"headland.method", "per-edge"}};
+    VERIFY_RESULT(makePlan(requestWith(perEdge), {}, &cache));
+    Given turned = perEdge;
+    turned.emplace_back("swaths.method", "fixed");
+    turned.emplace_back("swaths.angle_deg", "30");
+    const auto cached = makePlan(requestWith(turned), {}, &cache);
+    const auto alone = makePlan(requestWith(turned));
+    VERIFY_RESULT(cached);
+    VERIFY_RESULT(alone);
+    QCOMPARE((*cached)->headland.mainland, (*alone)->headland.mainland);
+    QCOMPARE((*cached)->path, (*alone)->path);
+}
+
+QTEST_GUILESS_MAIN(TestStageCache)
+#include "tst_stage_cache.moc"
