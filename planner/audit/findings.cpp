@@ -84,10 +84,10 @@ public:
     }
 
 private:
-    void add(Severity severity, std::string kind, Point place, Message text, Message suggestion,
+    void add(Severity severity, FindingKind kind, Point place, Message text, Message suggestion,
              std::optional<std::size_t> segment = std::nullopt) {
         findings_.push_back({{.severity = severity,
-                              .kind = std::move(kind),
+                              .kind = kind,
                               .place = place,
                               .text = std::move(text),
                               .suggestion = std::move(suggestion)},
@@ -112,17 +112,17 @@ private:
             }
             found_.insert(i);
             if (at.beyondLand) {
-                add(Severity::Blocking, "outside", at.place,
+                add(Severity::Blocking, FindingKind::Outside, at.place,
                     message("{} leaves the field by {:.2f} m.", named(i), -at.clearanceM),
                     "", i);
             } else {
-                add(Severity::Blocking, "obstacle", at.place,
+                add(Severity::Blocking, FindingKind::Obstacle, at.place,
                     message("{} crosses an obstacle, by {:.2f} m.", named(i), -at.clearanceM),
                     "Plan the sides of the obstacle apart.", i);
             }
         }
         if (allowed.count > 0) {
-            add(Severity::Note, "outside", allowed.place,
+            add(Severity::Note, FindingKind::Outside, allowed.place,
                 allowed.count == 1
                     ? message("{} leaves the field or crosses an obstacle, by up to {:.2f} m, as this plan allows.",
                               named(allowed.segment), allowed.worst)
@@ -137,7 +137,7 @@ private:
         for (std::size_t i = 0; i < input_.segments.size(); ++i) {
             const PathSegment& segment = input_.segments[i];
             if (!segment.drivable && !found_.contains(i)) {
-                add(Severity::Blocking, "undrivable", segment.samples[segment.samples.size() / 2].position,
+                add(Severity::Blocking, FindingKind::Undrivable, segment.samples[segment.samples.size() / 2].position,
                     message("{} cannot be driven: {}.", named(i),
                                 segment.reason.empty() ? Message{"the plan gives no reason"} : segment.reason),
                     "", i);
@@ -147,7 +147,7 @@ private:
 
     void reportCurvature() {
         for (const auto& [segment, tight] : measured_.kinematics.tooTight) {
-            add(Severity::Blocking, "curvature", tight.place,
+            add(Severity::Blocking, FindingKind::Curvature, tight.place,
                 message("{} bends with a radius of {:.2f} m; this machine needs {:.2f} m.",
                             named(segment), 1.0 / tight.worst, input_.machine->minTurningRadius().si()),
                 "Plan again with this machine's turning radius.", segment);
@@ -167,18 +167,18 @@ private:
             }
             switch (each.kind) {
                 case Break::Kind::Gap:
-                    add(Severity::Blocking, "missing-turn", each.place,
+                    add(Severity::Blocking, FindingKind::MissingTurn, each.place,
                         message("Nothing leads to the start of {}, {:.1f} m away.",
                                     segmentName(input_, each.segment), each.size),
                         "Plan the turn that is missing here.", each.segment);
                     break;
                 case Break::Kind::Jump:
-                    add(Severity::Blocking, "jump", each.place,
+                    add(Severity::Blocking, FindingKind::Jump, each.place,
                         message("{} jumps by {:.2f} m.", named(each.segment), each.size),
                         "Plan again; the path was changed or cut here.", each.segment);
                     break;
                 default:
-                    add(Severity::Blocking, "heading", each.place,
+                    add(Severity::Blocking, FindingKind::Heading, each.place,
                         message("{} moves {:.0f} degrees off where the machine points.",
                                     named(each.segment), inDegrees(radians(each.size))),
                         "Plan again; the heading or the gear is wrong here.", each.segment);
@@ -186,7 +186,7 @@ private:
         }
         if (onTheSpot.count > 0) {
             const bool can = measured_.shape.turnsOnTheSpot;
-            add(can ? Severity::Note : Severity::Blocking, "heading-jump", onTheSpot.place,
+            add(can ? Severity::Note : Severity::Blocking, FindingKind::HeadingJump, onTheSpot.place,
                 message(can ? "The machine turns on the spot in {}, by up to {:.0f} degrees."
                             : "The machine turns on the spot in {}, by up to {:.0f} degrees; it cannot.",
                         placesOf(onTheSpot.count), inDegrees(radians(onTheSpot.worst))),
@@ -202,7 +202,7 @@ private:
         const bool tractorCan = input_.machine->spec().tractor.canReverse;
         const bool implementCan = !measured_.shape.trailingM || input_.machine->spec().implement.canReverse;
         if (!tractorCan || !implementCan) {
-            add(Severity::Blocking, "reverse", measured_.kinematics.reversedPlace,
+            add(Severity::Blocking, FindingKind::Reverse, measured_.kinematics.reversedPlace,
                 message(tractorCan ? "{:.0f} m are driven in reverse; the trailed implement cannot."
                                    : "{:.0f} m are driven in reverse; this machine cannot.",
                         measured_.kinematics.reversedM),
@@ -217,7 +217,7 @@ private:
                 continue;
             }
             const PlannedPass& pass = input_.passes[i];
-            add(Severity::Blocking, pass.kind == SegmentKind::HeadlandPass ? "dropped-pass" : "dropped-swath",
+            add(Severity::Blocking, pass.kind == SegmentKind::HeadlandPass ? FindingKind::DroppedPass : FindingKind::DroppedSwath,
                 pass.line[pass.line.size() / 2],
                 shares[i] == 0.0
                     ? message("{} is planned, but nothing of it is driven with the implement down.",
@@ -239,11 +239,11 @@ private:
                 break;
             }
             ++told;
-            add(Severity::Blocking, "missed", placeInside(piece),
+            add(Severity::Blocking, FindingKind::Missed, placeInside(piece),
                 message("{} in one piece are not worked.", areaText(area(piece))), "");
         }
         if (told == 0 && tooMuch && !swept.dropped.empty()) {
-            add(Severity::Blocking, "missed", placeInside(swept.dropped.front()),
+            add(Severity::Blocking, FindingKind::Missed, placeInside(swept.dropped.front()),
                 message("{} are not worked, {:.1f} % of the field, in {}; this is the largest.",
                         areaText(swept.droppedArea), 100.0 * (swept.droppedArea / area(input_.workable)),
                         counted("{} piece", "{} pieces", swept.dropped.size())),
@@ -258,7 +258,7 @@ private:
             return;
         }
         const Polygon& largest = swept.beyondReach.front();
-        add(Severity::Note, "out-of-reach", placeInside(largest),
+        add(Severity::Note, FindingKind::OutOfReach, placeInside(largest),
             message("{} are out of this machine's reach; the largest piece, {}, lies here.", areaText(swept.beyondReachArea),
                     areaText(area(largest))),
             "");
@@ -269,7 +269,7 @@ private:
         if (swept.strip.empty()) {
             return;
         }
-        add(Severity::Note, "headland-not-worked", placeInside(swept.strip.front()),
+        add(Severity::Note, FindingKind::HeadlandNotWorked, placeInside(swept.strip.front()),
             swept.laneEnds > squareMetres(0.5)
                 ? message("The headland strip, {}, is not worked by this plan, nor are {} at the ends of the swaths "
                           "beside it.",
@@ -280,32 +280,32 @@ private:
 
     static Message placesOf(std::size_t count) { return counted("{} place", "{} places", count); }
 
-    void noteTrouble(const Trouble& trouble, std::string kind, Message text, Message suggestion) {
+    void noteTrouble(const Trouble& trouble, FindingKind kind, Message text, Message suggestion) {
         if (trouble.count > 0) {
-            add(Severity::Note, std::move(kind), trouble.place, std::move(text), std::move(suggestion));
+            add(Severity::Note, kind, trouble.place, std::move(text), std::move(suggestion));
         }
     }
 
     void reportNotes() {
         const Kinematics& found = measured_.kinematics;
-        noteTrouble(found.rate, "curvature-rate",
+        noteTrouble(found.rate, FindingKind::CurvatureRate,
                     message("The steering has to turn faster than this machine can in {}.",
                             placesOf(found.rate.count)),
                     "Slow down or stop there to steer.");
-        noteTrouble(found.mismatch, "stated-curvature",
+        noteTrouble(found.mismatch, FindingKind::StatedCurvature,
                     message("The stated curvature differs from the path in {}, by up to {:.3f} 1/m.",
                             placesOf(found.mismatch.count), found.mismatch.worst),
                     "Plan again, or trust the positions.");
         noteTrouble(
-            found.speed, "speed",
+            found.speed, FindingKind::Speed,
             message("The stated speed is up to {:.2f} m/s above the machine's.", found.speed.worst),
             "Lower the speeds, or correct the machine's.");
         noteTrouble(
-            found.lateral, "lateral-acceleration",
+            found.lateral, FindingKind::LateralAcceleration,
             message("Curves are driven with up to {:.1f} m/s² sideways; the machine's limit is less.",
                         found.lateral.worst),
             "Drive the curves more slowly.");
-        noteTrouble(found.time, "time",
+        noteTrouble(found.time, FindingKind::Time,
                     message("Time and way do not fit the speed in {}.", placesOf(found.time.count)),
                     "Plan again; the times were changed.");
         noteCrossedLanes();
@@ -316,7 +316,7 @@ private:
         const Traffic& traffic = measured_.traffic;
         // The machine may drive over one lane at its end.
         if (traffic.onWorkedM + traffic.onUnworkedM > 1.5 * measured_.shape.operatingWidthM) {
-            add(Severity::Note, "lanes-crossed", traffic.longestPlace,
+            add(Severity::Note, FindingKind::LanesCrossed, traffic.longestPlace,
                 message(
                     "With the implement up, {:.0f} m are driven over worked land and {:.0f} m over land "
                     "that is worked later; {} is the longest.",
@@ -336,7 +336,7 @@ private:
                     angle.add(motion.largestHitchAngleRad, motion.largestHitchAnglePlace, i);
                 }
             }
-            noteTrouble(angle, "hitch-angle",
+            noteTrouble(angle, FindingKind::HitchAngle,
                         message("The hitch bends by {:.0f} degrees in {}; {:.0f} are allowed.",
                                 inDegrees(radians(angle.worst)), counted("{} turn", "{} turns", angle.count),
                                 inDegrees(radians(limit))),

@@ -251,7 +251,7 @@ void fill(BatchRecord& record, const Plan& plan) {
     record.time = plan.timings.total;
     for (const Finding& finding : plan.findings) {
         if (finding.severity == Severity::Blocking) {
-            ++record.blocking[finding.kind];
+            ++record.blocking[std::string{kindId(finding)}];
         }
     }
 }

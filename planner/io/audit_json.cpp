@@ -24,7 +24,7 @@ std::string auditJson(const AuditReport& report, std::span<const Finding> findin
     for (const Finding& finding : findings) {
         const GeoPoint place = frame.toGeo(finding.place);
         Json said{{"severity", finding.severity == Severity::Blocking ? "blocking" : "note"},
-                  {"kind", finding.kind},
+                  {"kind", kindId(finding)},
                   {"lon_deg", place.lonDeg},
                   {"lat_deg", place.latDeg},
                   {"text", finding.text},

@@ -189,7 +189,7 @@ private:
         for (const Finding& finding : plan_.findings) {
             add("finding",
                 {{"severity", finding.severity == Severity::Blocking ? "blocking" : "note"},
-                 {"finding", finding.kind},
+                 {"finding", kindId(finding)},
                  {"text", finding.text},
                  {"suggestion", finding.suggestion}},
                 pointGeometry(frame_.toGeo(finding.place)));

@@ -5,6 +5,7 @@
 
 #include <optional>
 #include <string>
+#include <string_view>
 
 namespace furrow {
 
@@ -21,15 +22,21 @@ struct SettingChange {
 /// Something that the user must or should know about a plan, with its place.
 struct Finding {
     Severity severity = Severity::Note;
-    std::string kind;  ///< "outside", "obstacle", "headland", "repair" ...
+    FindingKind kind = FindingKind::Setting;
     Point place;
     Message text;        ///< what and why
     Message suggestion;  ///< what would correct it
     /// The change in the suggestion, if one setting corrects it. Planned again with this change, the finding
     /// is gone and nothing else blocks.
     std::optional<SettingChange> change = {};
+    /// The setting that a note of kind Setting is about: its key.
+    std::string setting = {};
 
     friend bool operator==(const Finding&, const Finding&) = default;
 };
+
+/// "outside", "missed", "swaths.min_length_m": as files and the command line name it.
+std::string_view kindId(const Finding& finding);
+std::string_view kindId(FindingKind kind);
 
 }  // namespace furrow

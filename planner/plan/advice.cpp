@@ -52,7 +52,7 @@ std::vector<Change> changesFor(const Plan& plan) {
         }
     }
     const bool leaves = std::ranges::any_of(plan.findings, [](const Finding& finding) {
-        return finding.severity == Severity::Blocking && finding.kind == "outside";
+        return finding.severity == Severity::Blocking && finding.kind == FindingKind::Outside;
     });
     const bool canWiden = settings.choice(*stageMethod("headland")) == "constant" && !settings.isSet(kHeadlandWidth);
     if (leaves && canWiden && !plan.headland.narrowed) {
@@ -71,7 +71,7 @@ bool hasNear(const std::vector<Finding>& findings, const Finding& wanted, double
     });
 }
 
-std::ptrdiff_t blockingOfKind(const Plan& plan, std::string_view kind) {
+std::ptrdiff_t blockingOfKind(const Plan& plan, FindingKind kind) {
     return std::ranges::count_if(plan.findings, [kind](const Finding& finding) {
         return finding.severity == Severity::Blocking && finding.kind == kind;
     });

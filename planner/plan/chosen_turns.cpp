@@ -100,7 +100,7 @@ std::optional<Finding> ChosenTurns::told(std::span<const Leg> legs) const {
         return std::nullopt;
     }
     return Finding{.severity = Severity::Note,
-                   .kind = "turn-kind",
+                   .kind = FindingKind::TurnKind,
                    .place = *place,
                    .text = message("Turns between swaths that are of another kind than chosen (path.method): {} of {}. {}",
                                    outside + impossible, all, whyNot(kind_, ways_.rig().machine(), outside, impossible)),

@@ -38,20 +38,20 @@ Finding blockedFinding(const Path& path, const BlockedConnection& blocked, const
     const Message way = nameOfWay(path, blocked.segment);
     if (leadsBetweenParts(parts, path, blocked.segment)) {
         return {.severity = Severity::Blocking,
-                .kind = blocked.obstacle ? "obstacle" : "outside",
+                .kind = blocked.obstacle ? FindingKind::Obstacle : FindingKind::Outside,
                 .place = blocked.place,
                 .text = message("{} leads from one part of the field to another that this machine cannot drive to.", way),
                 .suggestion = "Plan the parts of the field apart, or widen the passage between them."};
     }
     if (blocked.obstacle) {
         return {.severity = Severity::Blocking,
-                .kind = "obstacle",
+                .kind = FindingKind::Obstacle,
                 .place = blocked.place,
                 .text = message("{} crosses an obstacle.", way),
                 .suggestion = "Plan the sides of the obstacle apart."};
     }
     return {.severity = Severity::Blocking,
-            .kind = "outside",
+            .kind = FindingKind::Outside,
             .place = blocked.place,
             .text = message("{} leaves the field by {:.2f} m.", way, blocked.outside.si())};
 }
@@ -101,7 +101,7 @@ std::optional<Finding> impossibleTurns(const PlanRequest& request, const Path& p
         return std::nullopt;
     }
     return Finding{.severity = Severity::Blocking,
-                   .kind = "heading-jump",
+                   .kind = FindingKind::HeadingJump,
                    .place = std::ranges::find(path.segments, SegmentKind::Turn, &PathSegment::kind)->samples.front().position,
                    .text = "Turns on the spot are chosen (path.method), and this machine cannot turn on the spot.",
                    .suggestion = "Take a machine that can."};
@@ -109,12 +109,12 @@ std::optional<Finding> impossibleTurns(const PlanRequest& request, const Path& p
 
 std::vector<Finding> newFindings(const AuditReport& audit, const std::vector<Finding>& told, const Path& path) {
     const auto isTold = [&](const AuditFinding& found) {
-        const std::string& kind = found.finding.kind;
+        const FindingKind kind = found.finding.kind;
         if (found.segment && !path.segments[*found.segment].drivable &&
-            (kind == "outside" || kind == "obstacle" || kind == "undrivable")) {
+            (kind == FindingKind::Outside || kind == FindingKind::Obstacle || kind == FindingKind::Undrivable)) {
             return true;
         }
-        return kind == "heading-jump" && std::ranges::contains(told, kind, &Finding::kind);
+        return kind == FindingKind::HeadingJump && std::ranges::contains(told, kind, &Finding::kind);
     };
     std::vector<Finding> added;
     for (const AuditFinding& found : audit.findings) {

@@ -34,7 +34,7 @@ std::ptrdiff_t outsideIn(const Driven& driven) {
 }
 
 bool leavesTooMuch(const Driven& driven) {
-    return std::ranges::contains(driven.findings, "missed", &Finding::kind);
+    return std::ranges::contains(driven.findings, FindingKind::Missed, &Finding::kind);
 }
 
 /// Of these passes, those that leave where the machine may be, or whose ways in or out do.

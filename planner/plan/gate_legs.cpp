@@ -12,7 +12,7 @@ GateWays addGateWays(std::vector<Leg>& legs, const RouteEnds& places, const Fiel
     };
     const auto tell = [&](const RoutePlace& place, Message text) {
         gates.findings.push_back({.severity = Severity::Blocking,
-                                  .kind = "gate",
+                                  .kind = FindingKind::Gate,
                                   .place = place.position,
                                   .text = std::move(text),
                                   .suggestion = place.gate ? "Make the gate wider, or take another." : "Choose another place."});

@@ -15,18 +15,22 @@ namespace {
 void addNotes(Plan& plan) {
     const Field& field = plan.field();
     const Point middle = field.frame().toLocal(middleOf(field.source().parts));
-    for (const auto& notes : {plan.notes, plan.headland.notes, plan.swaths.notes}) {
+    const auto add = [&](const std::vector<Note>& notes, FindingKind kind) {
         for (const Note& note : notes) {
             plan.findings.push_back({.severity = Severity::Note,
-                                     .kind = note.where,
+                                     .kind = kind,
                                      .place = note.place ? field.frame().toLocal(*note.place) : middle,
                                      .text = message("{}.", note.text.capitalised()),
-                                     .suggestion = ""});
+                                     .suggestion = "",
+                                     .setting = kind == FindingKind::Setting ? note.where.text() : std::string{}});
         }
-    }
+    };
+    add(plan.notes, FindingKind::Instead);
+    add(plan.headland.notes, FindingKind::Setting);
+    add(plan.swaths.notes, FindingKind::Setting);
     for (const Note& repair : field.repairs()) {
         plan.findings.push_back({.severity = Severity::Note,
-                                 .kind = "repair",
+                                 .kind = FindingKind::Repair,
                                  .place = repair.place ? field.frame().toLocal(*repair.place) : middle,
                                  .text = message("Repaired in {}: {}.", repair.where, repair.text),
                                  .suggestion = ""});

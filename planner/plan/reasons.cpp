@@ -110,10 +110,10 @@ void addReasons(Plan& plan) {
         if (finding.severity != Severity::Blocking || !finding.suggestion.text().empty()) {
             continue;
         }
-        if (finding.kind == "outside") {
+        if (finding.kind == FindingKind::Outside) {
             outside = outside ? outside : whyOutside(plan);
             finding.suggestion = *outside;
-        } else if (finding.kind == "missed") {
+        } else if (finding.kind == FindingKind::Missed) {
             finding.suggestion = whyMissed(plan, finding.place);
         }
     }

@@ -81,7 +81,7 @@ private slots:
         // Kind by kind the findings of the files are those of the planner's audit.
         QStringList kinds;
         for (const AuditFinding& each : plan->audit.findings) {
-            kinds << QString::fromStdString(each.finding.kind);
+            kinds << QString::fromStdString(std::string{kindId(each.finding)});
         }
         QStringList readKinds;
         for (const QJsonValue& each : read["findings"].toArray()) {

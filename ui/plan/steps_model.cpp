@@ -46,17 +46,15 @@ QString methodName(const StageInfo& stage, const Settings& settings) {
 
 /// The step in which what a finding tells is decided.
 std::string_view stepOf(const Finding& finding) {
-    constexpr std::array<std::pair<std::string_view, std::string_view>, 6> kSteps{{
-        {"gate", "field"},
-        {"repair", "field"},
-        {"dropped-pass", "headland"},
-        {"headland-not-worked", "headland"},
-        {"dropped-swath", "swaths"},
-        {"missed", "swaths"},
-    }};
-    const auto step = std::ranges::find(kSteps, std::string_view{finding.kind}, &std::pair<std::string_view, std::string_view>::first);
-    // All others are of the way that is driven.
-    return step == kSteps.end() ? "path" : step->second;
+    switch (finding.kind) {
+        case FindingKind::Gate:
+        case FindingKind::Repair: return "field";
+        case FindingKind::DroppedPass:
+        case FindingKind::HeadlandNotWorked: return "headland";
+        case FindingKind::DroppedSwath:
+        case FindingKind::Missed: return "swaths";
+        default: return "path";  // the way that is driven
+    }
 }
 
 /// Findings that block, of one step or of all.

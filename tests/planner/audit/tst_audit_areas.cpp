@@ -261,7 +261,7 @@ private slots:
         const AuditReport report = reportOf(field, plainMachine(10.0), drawer.segments);
         COMPARE_WITHIN(report.outside->si(), 0.16, 1e-4);
         QVERIFY(report.minClearance->si() < 0.0);
-        QCOMPARE(report.findings.front().finding.kind, "obstacle");
+        QCOMPARE(report.findings.front().finding.kind, FindingKind::Obstacle);
     }
     // A wedge lies in what is swept, from the side to the corner where it ends: no corner of either is within the other.
     // The circle in it has a radius of (6 + 2 - sqrt 40) / 2 = 0.84 m.
@@ -273,7 +273,7 @@ private slots:
         const AuditReport report = reportOf(field, plainMachine(2.0), drawer.segments);
         COMPARE_WITHIN(report.outside->si(), 6.0, 1e-3);
         QVERIFY2(report.minClearance->si() < -0.4, qPrintable(QString::number(report.minClearance->si())));
-        QCOMPARE(report.findings.front().finding.kind, "obstacle");
+        QCOMPARE(report.findings.front().finding.kind, FindingKind::Obstacle);
     }
     // Through a gate 12 m wide the machine may leave the field.
     void gatesAreOpen() {

@@ -40,7 +40,7 @@ std::shared_ptr<const Plan> intactPlan() {
 std::string listed(const std::vector<AuditFinding>& findings) {
     std::string all;
     for (const AuditFinding& each : findings) {
-        all += each.finding.kind + (each.finding.severity == Severity::Blocking ? "!" : "") + ": " +
+        all += std::string{kindId(each.finding)} + (each.finding.severity == Severity::Blocking ? "!" : "") + ": " +
                each.finding.text + "\n";
     }
     return all;
@@ -48,7 +48,7 @@ std::string listed(const std::vector<AuditFinding>& findings) {
 
 bool hasBlocking(const AuditReport& report, std::string_view kind) {
     return std::ranges::any_of(report.findings, [&](const AuditFinding& each) {
-        return each.finding.kind == kind && each.finding.severity == Severity::Blocking;
+        return kindId(each.finding) == kind && each.finding.severity == Severity::Blocking;
     });
 }
 
@@ -78,7 +78,7 @@ private slots:
     }
     void stripIsOneNote() {
         const auto plan = intactPlan();
-        QCOMPARE(std::ranges::count(plan->findings, std::string{"headland-not-worked"}, &Finding::kind), 1);
+        QCOMPARE(std::ranges::count(plan->findings, FindingKind::HeadlandNotWorked, &Finding::kind), 1);
     }
 
     void brokenPlans_data() {
@@ -167,7 +167,7 @@ private slots:
         const auto allowed = audit(input);
         VERIFY_RESULT(allowed);
         QVERIFY2(!hasBlocking(*allowed, "obstacle"), listed(allowed->findings).c_str());
-        QVERIFY2(std::ranges::any_of(allowed->findings, [](const AuditFinding& each) { return each.finding.kind == "outside"; }), listed(allowed->findings).c_str());
+        QVERIFY2(std::ranges::any_of(allowed->findings, [](const AuditFinding& each) { return each.finding.kind == FindingKind::Outside; }), listed(allowed->findings).c_str());
         QVERIFY(allowed->outside == report->outside && allowed->minClearance == report->minClearance);
     }
 
@@ -213,7 +213,7 @@ private slots:
         QVERIFY((*plan)->path.undrivableCount() > 0);
         const auto outside = std::ranges::count_if((*plan)->findings, [](const Finding& each) {
             // Swaths that leave it are told, too.
-            return (each.kind == "outside" || each.kind == "undrivable") && !each.text.text().starts_with("Swath");
+            return (each.kind == FindingKind::Outside || each.kind == FindingKind::Undrivable) && !each.text.text().starts_with("Swath");
         });
         QCOMPARE(outside, (*plan)->path.undrivableCount());
         // The audit itself names every one of them.

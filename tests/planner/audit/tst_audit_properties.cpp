@@ -118,7 +118,7 @@ private slots:
             const AuditReport& report = (*plan)->audit;
             QByteArray told;
             for (const AuditFinding& each : report.findings) {
-                told += (each.finding.kind + ": " + each.finding.text + "\n").c_str();
+                told += (std::string{kindId(each.finding)} + ": " + each.finding.text + "\n").c_str();
             }
             for (const double figure : {report.covered->si(), report.missed->si(), report.overlap->si(), report.outside->si(), report.minClearance->si(),
                                         report.maxCurvature->si(), report.maxCurvatureMismatch->si(), report.maxCurvatureRate->si(),

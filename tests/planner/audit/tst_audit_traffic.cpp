@@ -54,7 +54,7 @@ private slots:
         const AuditReport report = reportOf({rectangle(100, 50)}, plainMachine(10.0), drawn(order));
         COMPARE_WITHIN(report.drivenOnWorked.si(), worked, 1e-6);
         COMPARE_WITHIN(report.drivenOnUnworked.si(), unworked, 1e-6);
-        QCOMPARE(std::ranges::any_of(report.findings, [](const AuditFinding& each) { return each.finding.kind == "lanes-crossed"; }), told);
+        QCOMPARE(std::ranges::any_of(report.findings, [](const AuditFinding& each) { return each.finding.kind == FindingKind::LanesCrossed; }), told);
     }
 
     // Wheels run 25 cm inside the sides of a tractor 2 m wide: along y = 4.25 and 5.75, 100 squares each.

@@ -67,7 +67,7 @@ private slots:
         // Beside the edge passes touch it to less than a millimetre.
         QCOMPARE_LT((*plan)->audit.outside.value().si(), 1e-2);
         for (const Finding& finding : (*plan)->findings) {
-            QVERIFY2(finding.severity == Severity::Note || finding.kind == "missed", finding.text.c_str());
+            QVERIFY2(finding.severity == Severity::Note || finding.kind == FindingKind::Missed, finding.text.c_str());
         }
     }
 
@@ -93,7 +93,7 @@ private slots:
         int told = 0;
         for (const Finding& finding : (*plan)->findings) {
             if (finding.severity == Severity::Blocking) {
-                QCOMPARE(finding.kind, std::string{"gate"});
+                QCOMPARE(finding.kind, FindingKind::Gate);
                 QCOMPARE(std::string{finding.text}, std::string{"West is 2.50 m wide; this machine is 3.00 m wide for transport."});
                 QVERIFY(!std::string{finding.suggestion}.contains("headland"));
                 ++told;

@@ -164,7 +164,7 @@ private slots:
         COMPARE_WITHIN(area(made.field().boundary()).si(), areaM2, 5.0);
         // In the list of findings and on the map, as a note: the field can be planned.
         const auto found = std::ranges::find_if(made.findings, [&](const Finding& finding) {
-            return finding.kind == "repair" && QString::fromStdString(finding.text).contains(said);
+            return finding.kind == FindingKind::Repair && QString::fromStdString(finding.text).contains(said);
         });
         QVERIFY(found != made.findings.end());
         QVERIFY(found->severity == Severity::Note);

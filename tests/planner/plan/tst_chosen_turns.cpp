@@ -35,7 +35,7 @@ Result<std::shared_ptr<const Plan>> planOf(const Machine& machine, std::initiali
     return makePlan({.field = rectangle(), .machine = machine, .settings = settings});
 }
 
-std::vector<const Finding*> found(const Plan& plan, std::string_view kind) {
+std::vector<const Finding*> found(const Plan& plan, FindingKind kind) {
     std::vector<const Finding*> all;
     for (const Finding& finding : plan.findings) {
         if (finding.kind == kind) {
@@ -99,7 +99,7 @@ private slots:
         const std::string id = kind.toStdString();
         const auto plan = planOf(driven, {{"path.method", id}});
         VERIFY_RESULT(plan);
-        const auto notes = found(**plan, "turn-kind");
+        const auto notes = found(**plan, FindingKind::TurnKind);
         if (id == "straight" && !driven.spec().tractor.canTurnInPlace) {
             // Nothing but what was asked for is in the way, and the finding brings what mends it.
             const auto advised = withAdvice(*plan, {});
@@ -141,7 +141,7 @@ private slots:
         const auto u = planOf(cultivator, {{"path.method", "u"}, {"swaths.method", "longest-edge"}, {"route.method", "boustrophedon"}});
         VERIFY_RESULT(u);
         QCOMPARE(turnsOfKind(**u, "u").first, 0);
-        const auto said = found(**u, "turn-kind");
+        const auto said = found(**u, FindingKind::TurnKind);
         QCOMPARE(said.size(), std::size_t{1});
         QVERIFY(std::string{said.front()->text}.contains("cannot be driven between these swaths"));
     }
@@ -158,7 +158,7 @@ private slots:
         const auto plan = planOf(findMachine("slurry-tanker").value(), {{"path.method", kind.toStdString()}});
         VERIFY_RESULT(plan);
         QVERIFY2((*plan)->drivable(), blocking(**plan).c_str());
-        const auto said = found(**plan, "turn-kind");
+        const auto said = found(**plan, FindingKind::TurnKind);
         QCOMPARE(said.size(), std::size_t{1});
         QVERIFY(std::string{said.front()->text}.contains("This machine cannot reverse."));
         QCOMPARE((*plan)->path.reversedLength(), Length{});
@@ -183,7 +183,7 @@ private slots:
     void mayLeaveTheField() {
         const auto plan = planOf(findMachine("cultivator").value(), {{"path.method", "fishtail"}, {"path.stay_inside", "false"}});
         VERIFY_RESULT(plan);
-        QVERIFY(found(**plan, "turn-kind").empty());
+        QVERIFY(found(**plan, FindingKind::TurnKind).empty());
         for (const PathSegment& segment : (*plan)->path.segments) {
             QVERIFY(segment.turnType != "combined" && segment.turnType != "reeds-shepp" && segment.turnType != "omega");
         }

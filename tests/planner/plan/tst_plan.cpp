@@ -48,7 +48,7 @@ bool same(const Plan& a, const Plan& b) {
 
 int countOf(const Plan& plan, Severity severity, std::string_view kind) {
     return static_cast<int>(std::ranges::count_if(
-        plan.findings, [&](const Finding& finding) { return finding.severity == severity && finding.kind == kind; }));
+        plan.findings, [&](const Finding& finding) { return finding.severity == severity && kindId(finding) == kind; }));
 }
 
 }  // namespace

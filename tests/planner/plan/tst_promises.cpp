@@ -233,7 +233,7 @@ void TestPromises::simplerIsTakenWhereQuicker() {
         VERIFY_RESULT(asked);
         VERIFY_RESULT(plain);
         QVERIFY(timeForAll(**asked) <= 1.005 * timeForAll(**plain));
-        const bool isNoted = std::ranges::contains((*asked)->findings, "instead", &Finding::kind);
+        const bool isNoted = std::ranges::contains((*asked)->findings, FindingKind::Instead, &Finding::kind);
         QCOMPARE(isNoted, std::ranges::contains((*asked)->instead, key.toStdString(), &SettingChange::key));
     }
 }

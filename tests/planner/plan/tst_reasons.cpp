@@ -61,7 +61,7 @@ private slots:
         const auto plan = planned({200.0, widthM}, machine, given);
         VERIFY_RESULT(plan);
         const auto found = std::ranges::find_if((*plan)->findings, [&](const Finding& finding) {
-            return finding.severity == Severity::Blocking && finding.kind == kind.toStdString();
+            return finding.severity == Severity::Blocking && kindId(finding) == kind.toStdString();
         });
         QVERIFY(found != (*plan)->findings.end());
         for (const QString& each : said) {

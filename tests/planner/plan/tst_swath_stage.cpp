@@ -111,7 +111,7 @@ private slots:
         QCOMPARE(p.route.steps.size(), p.swaths.swaths.size());
         // The line that ends inside is told, with what it falls short by: straight down from the middle is the farther edge,
         // and straight up from 20 m.
-        const auto told = std::ranges::find(p.findings, "decomposition.split", &Finding::kind);
+        const auto told = std::ranges::find(p.findings, "decomposition.split", &Finding::setting);
         QVERIFY(told != p.findings.end());
         QCOMPARE(told->severity, Severity::Note);
         const QString missing = QString::number(0.5 * heightM, 'f', 1);
@@ -139,12 +139,12 @@ private slots:
             VERIFY_RESULT(plan);
             const bool isDrawnOn = shortM < (*plan)->request.machine.operatingWidth().si();
             QCOMPARE((*plan)->cells.cells.size(), isDrawnOn ? std::size_t{2} : std::size_t{1});
-            QCOMPARE(std::ranges::count((*plan)->findings, "decomposition.split", &Finding::kind), isDrawnOn ? 0 : 1);
+            QCOMPARE(std::ranges::count((*plan)->findings, "decomposition.split", &Finding::setting), isDrawnOn ? 0 : 1);
         }
         const std::string outside = wktOf(*field, {{{-200.0, 59.0}, {200.0, 59.0}}});
         const auto plan = planOf(field, {{"decomposition.split", outside}, {"swaths.method", "fixed"}});
         VERIFY_RESULT(plan);
-        const auto told = std::ranges::find((*plan)->findings, "decomposition.split", &Finding::kind);
+        const auto told = std::ranges::find((*plan)->findings, "decomposition.split", &Finding::setting);
         QVERIFY(told != (*plan)->findings.end());
         QVERIFY2(told->text.contains("Split line 1 lies outside of the mainland"), told->text.c_str());
     }
@@ -171,7 +171,7 @@ private slots:
             QCOMPARE(std::ranges::count_if((*plan)->swaths.swaths, isShort), 0);
             QCOMPARE((*plan)->route.steps.size(), (*plan)->swaths.swaths.size());
             if (leastM == 12.0) {
-                QVERIFY(std::ranges::find((*plan)->findings, "swaths.min_length_m", &Finding::kind) != (*plan)->findings.end());
+                QVERIFY(std::ranges::find((*plan)->findings, "swaths.min_length_m", &Finding::setting) != (*plan)->findings.end());
             }
         }
     }

@@ -104,7 +104,7 @@ std::map<std::string, int> blockingKinds(const Plan* plan) {
     if (plan != nullptr) {
         for (const Finding& finding : plan->findings) {
             if (finding.severity == Severity::Blocking) {
-                ++kinds[finding.kind];
+                ++kinds[std::string{kindId(finding)}];
             }
         }
     }
@@ -120,7 +120,7 @@ int countOf(const std::map<std::string, int>& kinds) {
 }
 
 std::string told(const Finding& finding) {
-    return std::format("[{}] {} {}", finding.kind, finding.text.text(), finding.suggestion.text());
+    return std::format("[{}] {} {}", kindId(finding), finding.text.text(), finding.suggestion.text());
 }
 
 }  // namespace
@@ -220,7 +220,7 @@ SweepOutcome SweepBench::judged(const SweepChange& change, const Settings& setti
     std::map<std::string, int> untold;
     for (const Finding& finding : (*advised)->findings) {
         if (finding.severity == Severity::Blocking && !tells(finding, change)) {
-            ++untold[finding.kind];
+            ++untold[std::string{kindId(finding)}];
         }
     }
     for (const Finding& finding : (*advised)->findings) {
@@ -230,8 +230,8 @@ SweepOutcome SweepBench::judged(const SweepChange& change, const Settings& setti
         ++outcome.blocking;
         if (tells(finding, change)) {
             outcome.verdict = std::max(outcome.verdict, SweepVerdict::Told);
-        } else if (const auto had = standardKinds.find(finding.kind);
-                   had != standardKinds.end() && untold.at(finding.kind) <= kAsMany * had->second) {
+        } else if (const auto had = standardKinds.find(std::string{kindId(finding)});
+                   had != standardKinds.end() && untold.at(std::string{kindId(finding)}) <= kAsMany * had->second) {
             outcome.verdict = std::max(outcome.verdict, SweepVerdict::DefaultToo);
         } else if (outcome.verdict != SweepVerdict::Failed) {
             outcome.verdict = SweepVerdict::Failed;
@@ -293,7 +293,7 @@ std::string SweepBench::badAdvice(const Plan& plan) const {
         for (const auto& [kind, count] : blockingKinds(mended->get())) {
             if (const auto had = before.find(kind); had == before.end() || had->second < count) {
                 const auto added = std::ranges::find_if((*mended)->findings, [&](const Finding& other) {
-                    return other.kind == kind && other.severity == Severity::Blocking;
+                    return kindId(other) == kind && other.severity == Severity::Blocking;
                 });
                 return advice + "now blocked by " + told(*added);
             }

@@ -449,26 +449,25 @@ private slots:
         QCOMPARE(session.state(), PlanState::Ready);
     }
     void eachBlockingFindingHasAStep_data() {
-        QTest::addColumn<QString>("kind");
+        QTest::addColumn<FindingKind>("kind");
         QTest::addColumn<QString>("step");
-        QTest::newRow("a gate") << "gate" << "field";
-        QTest::newRow("missed land") << "missed" << "swaths";
-        QTest::newRow("a swath is not driven") << "dropped-swath" << "swaths";
-        QTest::newRow("a headland pass is not driven") << "dropped-pass" << "headland";
-        QTest::newRow("outside") << "outside" << "path";
-        QTest::newRow("obstacle") << "obstacle" << "path";
-        QTest::newRow("not drivable") << "undrivable" << "path";
-        QTest::newRow("a kind that came later") << "something-new" << "path";
+        QTest::newRow("a gate") << FindingKind::Gate << "field";
+        QTest::newRow("missed land") << FindingKind::Missed << "swaths";
+        QTest::newRow("a swath is not driven") << FindingKind::DroppedSwath << "swaths";
+        QTest::newRow("a headland pass is not driven") << FindingKind::DroppedPass << "headland";
+        QTest::newRow("outside") << FindingKind::Outside << "path";
+        QTest::newRow("obstacle") << FindingKind::Obstacle << "path";
+        QTest::newRow("not drivable") << FindingKind::Undrivable << "path";
     }
     void eachBlockingFindingHasAStep() {
-        QFETCH(QString, kind);
+        QFETCH(FindingKind, kind);
         QFETCH(QString, step);
         PlanSession session;
         session.setBoundary(rectangle());
         QTRY_COMPARE_WITH_TIMEOUT(session.state(), PlanState::Ready, kPatienceMs);
         Plan plan = *session.plan();
-        plan.findings = {{.severity = Severity::Blocking, .kind = kind.toStdString(), .place = {}, .text = "There is something.", .suggestion = {}},
-                         {.severity = Severity::Note, .kind = "headland-not-worked", .place = {}, .text = "And this.", .suggestion = {}}};
+        plan.findings = {{.severity = Severity::Blocking, .kind = kind, .place = {}, .text = "There is something.", .suggestion = {}},
+                         {.severity = Severity::Note, .kind = FindingKind::HeadlandNotWorked, .place = {}, .text = "And this.", .suggestion = {}}};
         StepsModel steps;
         steps.show({.field = &plan.field(), .machine = plan.request.machine, .settings = plan.request.settings, .plan = &plan,
                     .state = PlanState::Problems});
