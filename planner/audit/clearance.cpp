@@ -7,6 +7,7 @@
 #include "planner/audit/length.h"
 #include "planner/audit/swept_area.h"
 #include "planner/geometry/geos_bridge.h"
+#include "planner/geometry/tolerances.h"
 #include "planner/jobs/parallel.h"
 
 #include <algorithm>
@@ -21,8 +22,6 @@ namespace {
 
 /// Straight steps that may come too near to an edge are halved down to this length.
 constexpr double kPieceM = 6.0;
-/// An intrusion of smaller depth only touches the footprint.
-constexpr double kTouchingM = 1e-6;
 // Steps that turn are halved until their hulls reach at most this far beyond the swept area.
 constexpr double kFinestM = 0.002;
 // Longer than any machine.
@@ -89,7 +88,7 @@ public:
         Nearest nearest{.distance = limit, .place = {}};
         std::vector<Edge> intruding;
         edges_.visitNear(grown(hull, limit), [&](const Edge& edge) {
-            if (partInside(hull, edge, kTouchingM)) {
+            if (partInside(hull, edge, kMeetM)) {
                 intruding.push_back(edge);
             } else {
                 lower(nearest, hull, edge);
@@ -97,7 +96,7 @@ public:
         });
         if (!intruding.empty() || !edges_.contains(hull.front())) {
             // A corner on the edge itself may count as outside, but is not.
-            if (intruding.empty() && edges_.distance(hull.front()) < kTouchingM) {
+            if (intruding.empty() && edges_.distance(hull.front()) < kMeetM) {
                 nearest = {.distance = 0.0, .place = hull.front()};
             } else {
                 measureOutside(hull, intruding, found);
@@ -150,7 +149,7 @@ private:
         Point sum;
         double inside = 0.0;
         for (const Edge& edge : intruding) {
-            if (const auto part = partInside(hull, edge, kTouchingM)) {
+            if (const auto part = partInside(hull, edge, kMeetM)) {
                 const Point middle = edge.from + 0.5 * (part->first + part->second) * (edge.to - edge.from);
                 sum = sum + middle;
                 inside += 1.0;
@@ -183,7 +182,7 @@ private:
             const double turn = cross(way, along);
             const double m = cross(edge.from - from, along) / turn;
             const double share = cross(edge.from - from, way) / turn;
-            if (turn != 0.0 && m > kTouchingM && share >= 0.0 && share <= 1.0) {
+            if (turn != 0.0 && m > kMeetM && share >= 0.0 && share <= 1.0) {
                 endM = std::min(endM, m);
             }
         }

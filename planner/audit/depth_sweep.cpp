@@ -1,6 +1,7 @@
 #include "planner/audit/depth_sweep.h"
 
 #include "planner/audit/region_tracer.h"
+#include "planner/geometry/tolerances.h"
 
 #include <algorithm>
 #include <bit>
@@ -14,8 +15,6 @@ namespace {
 
 /// Heights with a smaller difference are one.
 constexpr double kSameHeightM = 1e-9;
-/// Edges that change places by less only touch.
-constexpr double kTouchingM = 1e-9;
 constexpr double kLeastPieceM2 = 1e-3;
 constexpr std::size_t kRowsBetweenStopChecks = 256;
 
@@ -145,8 +144,8 @@ private:
         const auto note = [&](const Crossed& left, const Crossed& right) {
             const double before = left.lowX - right.lowX;
             const double after = left.highX - right.highX;
-            if ((before > kTouchingM && after < -kTouchingM) ||
-                (before < -kTouchingM && after > kTouchingM)) {
+            if ((before > kRoundingM && after < -kRoundingM) ||
+                (before < -kRoundingM && after > kRoundingM)) {
                 crossings_.push_back(low + (high - low) * (before / (before - after)));
             }
         };
@@ -154,7 +153,7 @@ private:
         double farthestLow = -std::numeric_limits<double>::infinity();
         double farthestHigh = farthestLow;
         for (std::size_t i = 0; i < line_.size(); ++i) {
-            if (line_[i].lowX < farthestLow - kTouchingM || line_[i].highX < farthestHigh - kTouchingM) {
+            if (line_[i].lowX < farthestLow - kRoundingM || line_[i].highX < farthestHigh - kRoundingM) {
                 for (std::size_t k = 0; k < i; ++k) {
                     note(line_[k], line_[i]);
                 }
@@ -197,8 +196,8 @@ private:
     }
 
     static bool touch(const Crossed& left, const Crossed& right) {
-        return std::abs(right.lowX - left.lowX) < kTouchingM &&
-               std::abs(right.highX - left.highX) < kTouchingM;
+        return std::abs(right.lowX - left.lowX) < kRoundingM &&
+               std::abs(right.highX - left.highX) < kRoundingM;
     }
 
     struct Region {

@@ -1,6 +1,7 @@
 #include "planner/decomposition/split_lines.h"
 
 #include "planner/geometry/segment.h"
+#include "planner/geometry/tolerances.h"
 
 #include <algorithm>
 #include <limits>
@@ -9,8 +10,6 @@ namespace furrow {
 
 namespace {
 
-// Within this distance a line ends at its own beginning, or on another line.
-constexpr double kTouchingM = 1e-3;
 // An extended line reaches this far across the edge or line at its end, so that it is cut through.
 constexpr double kAcrossM = 1e-3;
 
@@ -69,7 +68,7 @@ private:
         const Point place = pointAt(end);
         for (std::size_t i = 1; i < line.size(); ++i) {
             const Point way = place - (end.isLast ? line[line.size() - 1 - i] : line[i]);
-            if (norm(way) > kTouchingM) {
+            if (norm(way) > kContactM) {
                 return (1.0 / norm(way)) * way;
             }
         }
@@ -94,7 +93,7 @@ private:
                 if (isOwn) {
                     continue;
                 }
-                endsOnLine = endsOnLine || distanceToSegment(place, line[k], line[k + 1]) < kTouchingM;
+                endsOnLine = endsOnLine || distanceToSegment(place, line[k], line[k + 1]) < kContactM;
                 nearestM = std::min(nearestM, aheadM(place, along, line[k], line[k + 1]));
             }
         }

@@ -111,7 +111,7 @@ RecordedTrack simulatedDrive(const Path& path) {
         const double aheadM = kLookAheadM + kLookAheadS * speedMps;
         const Point toTarget = line.at(std::min(line.length(), wayM + aheadM)).position - place;
         const double angle =
-            std::remainder(std::atan2(toTarget.y, toTarget.x) - heading, 2.0 * std::numbers::pi);
+            headingDifference(radians(heading), radians(std::atan2(toTarget.y, toTarget.x))).si();
         const double wanted = 2.0 * std::sin(angle) / std::max(0.5, norm(toTarget));
         const double allowed = std::clamp(wanted, -1.0 / kDrivenRadiusM, 1.0 / kDrivenRadiusM);
         curvature +=

@@ -1,6 +1,7 @@
 #include "planner/geometry/boundary_distance.h"
 
 #include "planner/geometry/segment.h"
+#include "planner/geometry/tolerances.h"
 
 #include <algorithm>
 #include <cmath>
@@ -18,9 +19,6 @@ constexpr double kMostCellsAcross = 500.0;
 // Cell size as a share of the reach. Smaller cells hold fewer edges that are not near, but there are more
 // cells.
 constexpr double kCellShare = 0.5;
-constexpr double kSamePlaceM = 1e-9;
-// A smaller depth is rounding.
-constexpr double kTouchingM = 1e-6;
 // Extra distance against rounding at the sides of cells.
 constexpr double kSpareM = 1e-6;
 
@@ -103,8 +101,8 @@ double BoundaryDistance::sideAtMeeting(Point point, Point corner) const {
     for (const std::uint32_t e : edgesNear(point)) {
         const Edge& edge = edges_[e];
         const Point to = edge.from + edge.way;
-        const bool begins = distance(edge.from, corner) < kSamePlaceM;
-        if (begins == (distance(to, corner) < kSamePlaceM)) {
+        const bool begins = distance(edge.from, corner) < kRoundingM;
+        if (begins == (distance(to, corner) < kRoundingM)) {
             continue;
         }
         const Point along = begins ? edge.way : -1.0 * edge.way;
@@ -236,7 +234,7 @@ std::optional<double> BoundaryDistance::insideM(Point point) const {
     const Point normal = !isCorner               ? Point{-edge->way.y, edge->way.x}
                          : nearestShare <= 0.0 ? edge->fromNormal
                                                : edge->toNormal;
-    const auto isHere = [place](Point corner) { return distance(corner, place) < kSamePlaceM; };
+    const auto isHere = [place](Point corner) { return distance(corner, place) < kRoundingM; };
     const double side = isCorner && std::ranges::any_of(meetings_, isHere) ? sideAtMeeting(point, place)
                                                                            : dot(point - place, normal);
     return side < 0.0 ? -std::sqrt(nearest) : std::sqrt(nearest);
@@ -257,7 +255,7 @@ double BoundaryDistance::crossedM(Point around, const Ring& shape) const {
             left = std::max(left, side);
             right = std::max(right, -side);
         }
-        return std::min(left, right) * std::sqrt(edge.perSquare) < kTouchingM;
+        return std::min(left, right) * std::sqrt(edge.perSquare) < kMeetM;
     };
     std::vector<double> shares;
     for (const std::uint32_t e : edgesNear(around)) {

@@ -31,12 +31,12 @@ Ring convexHull(std::span<const Point> points) {
 
 bool isConvex(std::span<const Point> ring) {
     // A bend to the right shallower than a tenth of a millimetre is rounding of the coordinates.
-    constexpr double kRoundingM = 1e-4;
+    constexpr double kHullSlackM = 1e-4;
     for (std::size_t i = 0; i < ring.size(); ++i) {
         const Point a = ring[i];
         const Point b = ring[(i + 1) % ring.size()];
         const Point c = ring[(i + 2) % ring.size()];
-        if (cross(b - a, c - b) < -kRoundingM * distance(a, c)) {
+        if (cross(b - a, c - b) < -kHullSlackM * distance(a, c)) {
             return false;
         }
     }

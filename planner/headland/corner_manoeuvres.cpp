@@ -1,6 +1,7 @@
 #include "planner/headland/corner_manoeuvres.h"
 
 #include "planner/geometry/segment.h"
+#include "planner/geometry/tolerances.h"
 #include "planner/turns/best_feasible.h"
 #include "planner/turns/connection.h"
 #include "planner/turns/dubins.h"
@@ -26,12 +27,10 @@ constexpr double kMostWidthsOnward = 2.0;
 // A straight shorter than this between arcs belongs to the corner.
 constexpr double kLeastStraightM = 0.5;
 constexpr double kStepM = 0.1;
-// A ring that is made again has the same poses except for rounding.
-constexpr double kSamePlaceM = 1e-9;
 constexpr double kSameHeadingRad = 1e-9;
 
 bool isSame(const Pose& a, const Pose& b) {
-    return distance(a.position, b.position) < kSamePlaceM && std::abs((a.heading - b.heading).si()) < kSameHeadingRad;
+    return distance(a.position, b.position) < kRoundingM && std::abs((a.heading - b.heading).si()) < kSameHeadingRad;
 }
 
 Pose poseBefore(const Turn& line, std::size_t piece) {

@@ -1,12 +1,12 @@
 #include "planner/headland/edge_following.h"
 
 #include "planner/geometry/segment.h"
+#include "planner/units/angle.h"
 
 #include <algorithm>
 #include <bit>
 #include <cmath>
 #include <cstdint>
-#include <numbers>
 #include <optional>
 #include <utility>
 #include <vector>
@@ -141,7 +141,7 @@ public:
             const Pose& here = stations_[i].pose;
             const Pose& there = stations_[next(i)].pose;
             stepM_.push_back(std::max(1e-3, distance(here.position, there.position)));
-            bend_.push_back(std::remainder((there.heading - here.heading).si(), 2.0 * std::numbers::pi) / stepM_[i]);
+            bend_.push_back(headingDifference(here.heading, there.heading).si() / stepM_[i]);
             const bool staysPut = std::abs(bend_[i]) > kBentShare * sharpest_ || stations_[i].isLeftOut;
             inM_.push_back(staysPut ? 0.0 : -edges.reachM());
         }

@@ -3,6 +3,7 @@
 #include "planner/geometry/boundary_distance.h"
 #include "planner/geometry/convex_hull.h"
 #include "planner/geometry/geos_bridge.h"
+#include "planner/geometry/tolerances.h"
 #include "planner/turns/connection.h"
 #include "planner/turns/curve_parts.h"
 
@@ -24,7 +25,6 @@ constexpr std::size_t kMostPasses = 128;
 // Least gain worth lowering the implement for, as a share of the square of the width.
 constexpr double kLeastGainShare = 0.02;
 constexpr double kLookM = 0.15;
-constexpr double kTouchingM = 1e-3;
 // Distance kept from an edge, so that the machine can leave it again.
 constexpr double kBesideEdgeM = 0.02;
 // Shorter edges, as a share of the width, give no direction for a pass.
@@ -282,8 +282,8 @@ public:
             // A place that is inside or outside by a distance stays so for the same distance along the lane.
             if (here >= knownToM) {
                 const double room = roomM(here);
-                isFree = room >= -kTouchingM;
-                knownToM = here + std::abs(room) - kTouchingM;
+                isFree = room >= -kContactM;
+                knownToM = here + std::abs(room) - kContactM;
             }
             if (isFree && !begun) {
                 begun = here;

@@ -3,6 +3,7 @@
 #include "planner/geometry/boundary_distance.h"
 #include "planner/geometry/geos_bridge.h"
 #include "planner/geometry/segment.h"
+#include "planner/units/angle.h"
 
 #include <algorithm>
 #include <array>
@@ -228,7 +229,7 @@ public:
             for (int i = 0; i < 2 * kBegins && mostM2 > kWorthAsking * bestM2_ && !job.stopRequested(); ++i) {
                 const double begin = 2.0 * std::numbers::pi * (i / 2) / kBegins;
                 const double side = i % 2 == 0 ? 1.0 : -1.0;
-                const double aheadRad = std::remainder(side * (std::atan2(-inwards.y, -inwards.x) - begin), 2.0 * std::numbers::pi);
+                const double aheadRad = headingDifference({}, radians(side * (std::atan2(-inwards.y, -inwards.x) - begin))).si();
                 if (std::abs(aheadRad) > kLeastBeforeRad) {
                     add(around, begin, side, leadM, candidates);
                 }

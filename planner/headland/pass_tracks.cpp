@@ -2,6 +2,7 @@
 
 #include "planner/geometry/geos_bridge.h"
 #include "planner/geometry/simplify.h"
+#include "planner/geometry/tolerances.h"
 #include "planner/headland/edge_following.h"
 #include "planner/headland/smooth_ring.h"
 #include "planner/headland/swing_out.h"
@@ -24,8 +25,6 @@ namespace {
 
 // Factors on the radius for rounding, so that arcs drawn as chords can be driven.
 constexpr std::array kRadiusReserves{1.02, 1.1, 1.25};
-// An excess below this is touching.
-constexpr double kTouchingM = 8e-4;
 // An excess below this comes from drawing arcs as chords.
 constexpr double kDrawingM = 4e-3;
 const auto everywhere = [](Point) { return true; };
@@ -246,7 +245,7 @@ std::vector<Excess> excessesAlong(const Turn& line, const Rig& rig, double apart
     state.tractor = line.start;
     const auto look = [&](const RigState& at, double hereM) {
         const double outsideM = rig.outsideM(at);
-        if (outsideM <= kTouchingM) {
+        if (outsideM <= kTrackContactM) {
             return;
         }
         const double moveM = kReserveFactor * outsideM + kReserveM;
@@ -266,7 +265,7 @@ std::vector<Excess> excessesAlong(const Turn& line, const Rig& rig, double apart
         // One test of a whole straight is cheaper than samples along it.
         const bool isStraight = piece.curvature == Curvature{} && piece.endCurvature == Curvature{};
         if (how == Look::Closely || isStraight) {
-            if (const auto inside = rig.driven(state, piece, metres(kTouchingM))) {
+            if (const auto inside = rig.driven(state, piece, metres(kTrackContactM))) {
                 state = *inside;
                 wayM += piece.length.si();
                 continue;

@@ -12,7 +12,7 @@ namespace {
 
 constexpr double kSamePointM = 0.01;
 // Largest distance from a corner to its rounding if the radius leaves a choice.
-constexpr double kRoundingM = 0.01;
+constexpr double kCornerSlackM = 0.01;
 // Two corners can become one if their turns sum to less.
 constexpr double kWidestMergeRad = std::numbers::pi / 2.0;
 // Corners of an arc matter equally. Rounding errors must not decide which of them is removed.
@@ -142,7 +142,7 @@ private:
         corner.needM = turn > kStraightRad ? radiusM_ * kRadiusSlack * std::tan(0.5 * turn) : 0.0;
         // The middle of the arc is t tan(turn / 4) away from the corner.
         corner.wantM =
-            turn > kStraightRad ? std::max({corner.needM, gentleM_, kRoundingM / std::tan(0.25 * turn)}) : 0.0;
+            turn > kStraightRad ? std::max({corner.needM, gentleM_, kCornerSlackM / std::tan(0.25 * turn)}) : 0.0;
     }
 
     void cut(std::size_t i) {

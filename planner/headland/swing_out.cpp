@@ -1,6 +1,7 @@
 #include "planner/headland/swing_out.h"
 
 #include "planner/geometry/segment.h"
+#include "planner/geometry/tolerances.h"
 
 #include <algorithm>
 #include <array>
@@ -22,7 +23,6 @@ constexpr double kMostTurnRad = 2.6;
 // Angles by which the tractor turns too far, the largest first.
 constexpr std::array kSwingsDeg{45.0, 35.0, 28.0, 20.0, 12.0};
 constexpr Length kLookStep = metres(0.3);
-constexpr double kTouchingM = 1e-3;
 // After the corner the implement comes into line within 3 of its own lengths.
 constexpr double kLengthsAfter = 3.0;
 constexpr double kLeastStraightM = 0.01;
@@ -138,7 +138,7 @@ Turn swungOut(const Turn& line, const Rig& rig) {
             const TurnPiece on{.length = std::min(after, afterwards), .curvature = {}};
             for (const TurnPiece& piece : {swing.arcs[0], swing.arcs[1], on}) {
                 state = state ? rig.follow(*state, piece, kLookStep,
-                                           [&](const RigState& at) { return rig.outsideM(at) <= kTouchingM; })
+                                           [&](const RigState& at) { return rig.outsideM(at) <= kContactM; })
                               : state;
             }
             if (!state) {

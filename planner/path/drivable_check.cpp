@@ -1,6 +1,7 @@
 #include "planner/path/drivable_check.h"
 
 #include "planner/geometry/geos_bridge.h"
+#include "planner/geometry/tolerances.h"
 #include "planner/jobs/parallel.h"
 #include "planner/turns/footprint_check.h"
 #include "planner/turns/rig.h"
@@ -25,13 +26,11 @@ constexpr Length kAnyStep = metres(1e6);
 constexpr double kInLineRad = 1e-3;
 // A smaller excess of passes and ways along the edge comes from drawing, as in the audit.
 constexpr Length kDrawing = metres(0.01);
-// Taken off the footprint all round, so that touching the edge, up to rounding, counts as inside.
-constexpr double kTouchingM = 1e-3;
 
 Ring shrunken(Ring footprint) {
     for (Point& corner : footprint) {
-        corner.x -= std::copysign(kTouchingM, corner.x);
-        corner.y -= std::copysign(kTouchingM, corner.y);
+        corner.x -= std::copysign(kContactM, corner.x);
+        corner.y -= std::copysign(kContactM, corner.y);
     }
     return footprint;
 }

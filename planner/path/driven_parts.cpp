@@ -1,6 +1,7 @@
 #include "planner/path/driven_parts.h"
 
 #include "planner/geometry/geos_bridge.h"
+#include "planner/geometry/tolerances.h"
 
 #include <algorithm>
 
@@ -10,8 +11,6 @@ namespace {
 
 // Larger than any distance from the edge of a field.
 constexpr Length kWholeField = metres(1e5);
-// A machine gets through a neck of its own width.
-constexpr Length kTouching = metres(0.02);
 
 }  // namespace
 
@@ -26,7 +25,7 @@ Result<DrivenParts> DrivenParts::of(const MultiPolygon& drivable, Length breadth
 }
 
 Result<DrivenParts> DrivenParts::of(const MultiPolygon& drivable, const Machine& machine, Length spare, const JobContext& job) {
-    return of(drivable, std::max(machine.spec().tractor.width, machine.turningWidth()) - kTouching + spare, job);
+    return of(drivable, std::max(machine.spec().tractor.width, machine.turningWidth()) - metres(kNeckContactM) + spare, job);
 }
 
 bool DrivenParts::separate(Point from, Point to) const {

@@ -3,6 +3,7 @@
 #include "planner/geometry/boundary_distance.h"
 #include "planner/geometry/geos_bridge.h"
 #include "planner/geometry/segment.h"
+#include "planner/geometry/tolerances.h"
 
 #include <algorithm>
 #include <cmath>
@@ -14,7 +15,6 @@ namespace furrow {
 
 namespace {
 
-constexpr double kTouchingM = 1e-3;
 constexpr int kDiscCorners = 64;
 // Length of the straight drive in or out.
 constexpr Length kStraight = metres(2.0);
@@ -54,7 +54,7 @@ Ring disc(Point centre, double radiusM) {
 std::optional<Leg> straightAt(const RoutePlace& place, const Field& field, const Rig& rig, Point other, bool drivenIn) {
     const Point way = other - place.position;
     const Point inward = place.gate               ? inwardFrom(place.position, field)
-                         : norm(way) > kTouchingM ? (1.0 / norm(way)) * way
+                         : norm(way) > kContactM ? (1.0 / norm(way)) * way
                                                   : Point{1.0, 0.0};
     const double mostM = place.gate ? kLengthsIn * rig.machine().spec().tractor.length.si() : 0.0;
     const Point onward = drivenIn ? inward : Point{-inward.x, -inward.y};
@@ -66,7 +66,7 @@ std::optional<Leg> straightAt(const RoutePlace& place, const Field& field, const
                 const Point near = place.position + m * inward;
                 const Pose start{.position = drivenIn ? near : near - kStraight.si() * direction(heading.si()),
                                  .heading = heading};
-                if (rig.outsideM(Rig::inLine(start)) <= kTouchingM && rig.driven(Rig::inLine(start), straight)) {
+                if (rig.outsideM(Rig::inLine(start)) <= kContactM && rig.driven(Rig::inLine(start), straight)) {
                     return Leg{.kind = SegmentKind::Transfer,
                                .number = 0,
                                .line = {.type = {}, .start = start, .pieces = {straight}},

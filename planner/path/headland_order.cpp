@@ -1,5 +1,6 @@
 #include "planner/path/headland_order.h"
 
+#include "planner/geometry/tolerances.h"
 #include "planner/headland/smooth_ring.h"
 #include "planner/turns/connection.h"
 #include "planner/turns/footprint_check.h"
@@ -19,8 +20,6 @@ namespace {
 constexpr std::size_t kMostStarts = 400;
 // If none of these places allows a way, no other place does.
 constexpr std::size_t kMostChecked = 150;
-// Legs that meet closer than this are driven without a stop.
-constexpr double kSamePlaceM = 1e-6;
 constexpr std::size_t kMostPlacesTried = 5;
 constexpr Length kCheckStep = metres(0.25);
 // A trailed implement comes into line within 3 of its own lengths after a bend.
@@ -281,7 +280,7 @@ PassPlace placeFor(const Turn& line, const std::vector<Leg>& legs, RememberedWay
         const double directM =
             i > 0 && i < legs.size() ? distance(legs[i - 1].line.end().position, legs[i].line.start.position) : 0.0;
         // Legs that follow on each other without a way between are one pass.
-        if (i == 0 || i == legs.size() || directM > kSamePlaceM) {
+        if (i == 0 || i == legs.size() || directM > kMeetM) {
             places.emplace_back(toM + onM - directM, i);
         }
     }

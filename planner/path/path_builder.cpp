@@ -1,5 +1,6 @@
 #include "planner/path/path_builder.h"
 
+#include "planner/geometry/tolerances.h"
 #include "planner/jobs/parallel.h"
 #include "planner/path/speed_profile.h"
 #include "planner/turns/connection.h"
@@ -13,15 +14,13 @@ namespace furrow {
 
 namespace {
 
-// Legs that meet closer than this need no connection.
-constexpr double kSamePlaceM = 1e-6;
 constexpr double kSameHeadingRad = 1e-9;
 // A searched way longer than 8 radii plus 4 widths is a transfer, not a turn.
 constexpr double kTransferRadii = 8.0;
 constexpr double kTransferWidths = 4.0;
 
 bool isSamePose(const Pose& a, const Pose& b) {
-    return distance(a.position, b.position) < kSamePlaceM &&
+    return distance(a.position, b.position) < kMeetM &&
            dot(direction(a.heading.si()), direction(b.heading.si())) > 1.0 - kSameHeadingRad;
 }
 

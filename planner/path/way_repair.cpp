@@ -1,5 +1,6 @@
 #include "planner/path/way_repair.h"
 
+#include "planner/geometry/tolerances.h"
 #include "planner/headland/smooth_ring.h"
 #include "planner/turns/curve_parts.h"
 
@@ -14,8 +15,6 @@ namespace furrow {
 
 namespace {
 
-// A leg that begins at the end of the one before needs no way.
-constexpr double kSamePlaceM = 1e-6;
 constexpr double kSameHeadingRad = 1e-6;
 // Number of starts tried for a closed pass.
 constexpr int kStarts = 12;
@@ -23,7 +22,7 @@ constexpr int kStarts = 12;
 constexpr std::size_t kMostPlacesTried = 8;
 
 bool isSame(const Pose& a, const Pose& b) {
-    return distance(a.position, b.position) < kSamePlaceM &&
+    return distance(a.position, b.position) < kMeetM &&
            std::abs(std::remainder((a.heading - b.heading).si(), 2.0 * std::numbers::pi)) < kSameHeadingRad;
 }
 
@@ -117,7 +116,7 @@ private:
         for (std::size_t i = 1; i < rest.size(); ++i) {
             const Point before = rest[i - 1].line.end().position;
             const Point after = rest[i].line.start.position;
-            if (i != place && distance(before, after) > kSamePlaceM) {
+            if (i != place && distance(before, after) > kMeetM) {
                 detours.emplace_back(distance(before, candidates.front().line.start.position) +
                                          distance(candidates.front().line.end().position, after) - distance(before, after),
                                      i);

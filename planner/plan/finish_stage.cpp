@@ -1,6 +1,7 @@
 #include "planner/plan/finish_stage.h"
 
 #include "planner/geometry/geos_bridge.h"
+#include "planner/geometry/tolerances.h"
 #include "planner/headland/finishing_passes.h"
 #include "planner/headland/headland_passes.h"
 #include "planner/path/headland_order.h"
@@ -21,8 +22,6 @@ namespace {
 constexpr double kMayStayShare = 0.009;
 constexpr Area kMayStayInOnePiece = squareMetres(95.0);
 constexpr int kFinishingRounds = 6;
-// A segment that begins where a pass does is that pass.
-constexpr double kSamePlaceM = 1e-6;
 
 std::ptrdiff_t blockingIn(const Driven& driven) {
     return std::ranges::count(driven.findings, Severity::Blocking, &Finding::severity);
@@ -41,7 +40,7 @@ bool leavesTooMuch(const Driven& driven) {
 std::vector<HeadlandPass> leadingOutside(const Path& path, const std::vector<HeadlandPass>& passes) {
     std::vector<HeadlandPass> outside;
     const auto begins = [](const PathSegment* segment, const HeadlandPass& pass) {
-        return segment != nullptr && distance(segment->samples.front().position, pass.stretches.front().line.start.position) < kSamePlaceM;
+        return segment != nullptr && distance(segment->samples.front().position, pass.stretches.front().line.start.position) < kMeetM;
     };
     for (const HeadlandPass& pass : passes) {
         const auto isOutside = [&](std::size_t i) {

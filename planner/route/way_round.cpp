@@ -1,5 +1,6 @@
 #include "planner/route/way_round.h"
 
+#include "planner/geometry/tolerances.h"
 #include "planner/jobs/parallel.h"
 #include "planner/route/beside_line.h"
 #include "planner/route/route.h"
@@ -20,7 +21,6 @@ namespace {
 
 // Distance kept from an obstacle beyond the margin, for the errors of drawing and sampling a path.
 constexpr double kReserveM = 0.05;
-constexpr double kTouchingM = 1e-3;
 // Radii tried for leaving the track and coming back, as multiples of the smallest.
 constexpr std::array kRadii{1.1, 1.5, 2.2, 3.2};
 // Additions to the shift, for the swing of tail or nose.
@@ -100,7 +100,7 @@ public:
     std::vector<std::size_t> touched() {
         const BesideLine beside{line_};
         std::vector<std::size_t> met;
-        const double sideM = breadth_.sideM + task_.margin.si() - kTouchingM;
+        const double sideM = breadth_.sideM + task_.margin.si() - kContactM;
         for (const Ring& obstacle : task_.obstacles) {
             extents_.push_back(beside.of(obstacle));
             const Extent& extent = extents_.back();

@@ -1,5 +1,6 @@
 #include "planner/swaths/full_ends.h"
 
+#include "planner/geometry/tolerances.h"
 #include "planner/swaths/clamped_integral.h"
 #include "planner/turns/curve_parts.h"
 #include "planner/swaths/methods.h"
@@ -13,9 +14,6 @@
 namespace furrow {
 
 namespace {
-
-// An overlap up to this is touching, not crossing.
-constexpr double kTouchingM = 1e-3;
 
 /// Polygons turned so that swaths run along x, with their edges sorted into bands across.
 class TurnedEdges {
@@ -113,14 +111,14 @@ struct End {
 
 /// The distance from the end to the first edge ahead within a band of heights. Infinite if there is none.
 double freeAhead(const TurnedEdges& edges, const End& end, double halfWidthM) {
-    const double low = end.y - halfWidthM + kTouchingM;
-    const double high = end.y + halfWidthM - kTouchingM;
+    const double low = end.y - halfWidthM + kContactM;
+    const double high = end.y + halfWidthM - kContactM;
     double free = std::numeric_limits<double>::infinity();
     edges.between(low, high, [&](TurnedEdges::Edge, Point a, Point b) {
         if (const auto piece = clipped(a, b, low, high)) {
             const double from = end.ahead * (piece->from.x - end.x);
             const double to = end.ahead * (piece->to.x - end.x);
-            if (std::max(from, to) > kTouchingM) {
+            if (std::max(from, to) > kContactM) {
                 free = std::min(free, std::max(0.0, std::min(from, to)));
             }
         }
@@ -131,7 +129,7 @@ double freeAhead(const TurnedEdges& edges, const End& end, double halfWidthM) {
 /// The mainland's edge at a swath's end, across the strip from side to side, as long as it runs across.
 std::vector<Piece> edgeAcross(const TurnedEdges& mainland, const End& end, double halfWidthM) {
     std::optional<TurnedEdges::Edge> crossing;
-    double nearest = kTouchingM;
+    double nearest = kContactM;
     mainland.between(end.y, end.y, [&](TurnedEdges::Edge edge, Point a, Point b) {
         if ((a.y <= end.y) != (b.y <= end.y)) {
             const double x = a.x + (b.x - a.x) * (end.y - a.y) / (b.y - a.y);
@@ -246,7 +244,7 @@ private:
         for (const Piece& piece : across) {
             wanted = std::max({wanted, end.ahead * (piece.from.x - end.x), end.ahead * (piece.to.x - end.x)});
         }
-        if (wanted <= kTouchingM) {
+        if (wanted <= kContactM) {
             return end.x;
         }
         // The turn goes to one of the neighbours, so the room is one width more on both sides.

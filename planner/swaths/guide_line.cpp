@@ -1,5 +1,8 @@
 #include "planner/swaths/guide_line.h"
 
+#include "planner/geometry/tolerances.h"
+#include "planner/units/angle.h"
+
 #include <algorithm>
 #include <cmath>
 #include <limits>
@@ -16,8 +19,6 @@ constexpr double kLookM = 2.0;
 constexpr double kLookRad = 0.1;
 // and, where its stretches do not meet, of these metres.
 constexpr double kLookCloselyM = 0.02;
-// A smaller difference of distance is touching.
-constexpr double kTouchingM = 1e-8;
 // Stretches of a parallel whose ends are closer than this meet.
 constexpr double kMeetingM = 1e-3;
 // Shorter stretches are rounding errors.
@@ -50,10 +51,6 @@ Bounds boxOf(Point from, Point to, const GuidePiece& piece) {
             {std::max(from.x, to.x) + beyondM, std::max(from.y, to.y) + beyondM}};
 }
 
-double wrapped(double angleRad) {
-    return std::remainder(angleRad, 2.0 * std::numbers::pi);
-}
-
 }  // namespace
 
 GuideLine guideLineThrough(const Polyline& points, Length radius, Length tolerance) {
@@ -69,7 +66,7 @@ GuideLine guideLineThrough(const Polyline& points, Length radius, Length toleran
             line.pieces.push_back({.lengthM = edgeM - takenM});
             break;
         }
-        const double turnRad = wrapped(headingOf(i + 1) - headingOf(i));
+        const double turnRad = headingDifference(radians(headingOf(i)), radians(headingOf(i + 1))).si();
         const double nextM = distance(points[i + 1], points[i + 2]);
         // The middle of the arc is t tan(turn / 4) away from the corner.
         const double tangentM = std::min({0.5 * edgeM, 0.5 * nextM,
@@ -161,7 +158,7 @@ double ParallelLines::distanceM(Point point, std::size_t piece) const {
 
 bool ParallelLines::isFree(double place, double leftM) const {
     const Point point = on(place, leftM).position;
-    const double limitM = std::abs(leftM) - kTouchingM;
+    const double limitM = std::abs(leftM) - kOffsetRoundingM;
     return !tree_.any([&](const Bounds& box) { return furrow::distanceM(point, box) < limitM; },
                       [&](std::size_t piece) { return distanceM(point, piece) < limitM; });
 }
@@ -337,7 +334,7 @@ std::vector<GuideLine> ParallelLines::at(double leftM, Length radius, Angle shar
         }
         const Pose before = on(wide[k].to, farM);
         const Pose after = on(wide[k + 1].from, farM);
-        const double bendRad = wrapped((after.heading - before.heading).si());
+        const double bendRad = headingDifference(before.heading, after.heading).si();
         const bool meet = distance(before.position, after.position) < kMeetingM;
         if (meet && side * bendRad >= 0.0 && std::abs(bendRad) <= sharpest.si()) {
             if (std::abs(bendRad) > kStraightRad) {

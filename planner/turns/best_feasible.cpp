@@ -1,5 +1,6 @@
 #include "planner/turns/best_feasible.h"
 
+#include "planner/geometry/tolerances.h"
 #include "planner/turns/connection.h"
 #include "planner/turns/dubins.h"
 #include "planner/turns/named_turns.h"
@@ -15,8 +16,6 @@ namespace furrow {
 
 namespace {
 
-// A smaller excess is touching.
-constexpr double kTouchingM = 1e-3;
 // Number of pieces of a forward curve.
 constexpr std::size_t kCurvePieces = 3;
 // A smaller increase of cost counts as equal.
@@ -126,7 +125,7 @@ std::optional<Turn> searched(const Rig& rig, const Pose& leaving, const Pose& ar
     const Length runIn = rig.machine().runIn();
     const Pose before{.position = arriving.position - runIn.si() * direction(arriving.heading.si()),
                       .heading = arriving.heading};
-    if (rig.outsideM(Rig::inLine(leaving)) > kTouchingM || rig.outsideM(Rig::inLine(before)) > kTouchingM) {
+    if (rig.outsideM(Rig::inLine(leaving)) > kContactM || rig.outsideM(Rig::inLine(before)) > kContactM) {
         return std::nullopt;
     }
     auto way = searchManoeuvre(rig, leaving, before, travel, job, effort);

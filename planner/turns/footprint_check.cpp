@@ -1,5 +1,6 @@
 #include "planner/turns/footprint_check.h"
 
+#include "planner/geometry/tolerances.h"
 #include "planner/turns/turn_sampling.h"
 
 #include <algorithm>
@@ -8,9 +9,6 @@
 namespace furrow {
 
 namespace {
-
-// A smaller excess is touching.
-constexpr double kTouchingM = 1e-3;
 
 }  // namespace
 
@@ -61,7 +59,7 @@ double outsideM(const Pose& pose, const Ring& footprint, const BoundaryDistance&
 }
 
 bool isInside(const Pose& pose, const Ring& footprint, const BoundaryDistance& edges) {
-    return outsideM(pose, footprint, edges) <= kTouchingM;
+    return outsideM(pose, footprint, edges) <= kContactM;
 }
 
 bool staysInside(const Turn& turn, const Ring& footprint, const BoundaryDistance& edges, Length step) {

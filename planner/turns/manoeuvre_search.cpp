@@ -1,5 +1,6 @@
 #include "planner/turns/manoeuvre_search.h"
 
+#include "planner/geometry/tolerances.h"
 #include "planner/turns/dubins.h"
 #include "planner/turns/grid_distance.h"
 #include "planner/turns/reeds_shepp.h"
@@ -20,8 +21,6 @@ namespace furrow {
 namespace {
 
 constexpr double kPi = std::numbers::pi;
-// A smaller excess is touching.
-constexpr Length kTouching = metres(1e-3);
 // Turn of one move on full lock, in radians.
 constexpr double kMoveRad = kPi / 9.0;
 constexpr int kHeadings = 36;
@@ -297,7 +296,7 @@ private:
             if (known != reached_.end() && known->second <= next.timeS) {
                 return;
             }
-            const auto state = rig_.driven(node.state, piece, kTouching, room_);
+            const auto state = rig_.driven(node.state, piece, metres(kContactM), room_);
             if (!state) {
                 return;
             }

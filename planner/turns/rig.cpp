@@ -1,5 +1,6 @@
 #include "planner/turns/rig.h"
 
+#include "planner/geometry/tolerances.h"
 #include "planner/turns/footprint_check.h"
 #include "planner/turns/turn_sampling.h"
 
@@ -12,14 +13,11 @@ namespace furrow {
 
 namespace {
 
-// A place whose wheels are outside by less counts as inside.
-constexpr double kTouchingM = 1e-3;
 // Shortest distances between samples of a machine that is flush with an edge. In bends beside a corner of the
 // field the samples are close enough that it cannot pass through a corner of the footprint unseen.
 constexpr double kLookOnStraightM = 0.2;
 constexpr double kLookInBendM = 0.05;
 constexpr double kLookAtCornersM = 0.01;
-constexpr double kRoundingM = 1e-9;
 // A trailed implement with a smaller angle to its tractor goes straight on with it.
 constexpr double kInLineRad = 1e-9;
 // Shorter straights are sampled place by place.
@@ -181,7 +179,7 @@ std::optional<RigState> Rig::driven(const RigState& from, const Turn& turn, Foot
     // A turn on the spot begins with another heading than requested.
     RigState state = trailer_ ? RigState{turn.start, from.implement} : inLine(turn.start);
     for (const TurnPiece& piece : turn.pieces) {
-        const auto next = drivenOn(state, piece, metres(kTouchingM), room);
+        const auto next = drivenOn(state, piece, metres(kContactM), room);
         if (!next) {
             return std::nullopt;
         }
@@ -192,7 +190,7 @@ std::optional<RigState> Rig::driven(const RigState& from, const Turn& turn, Foot
 
 bool Rig::mayStandAt(Point point, Length clearance) const {
     const auto inside = edges_.insideM(point);
-    return !inside || *inside >= std::max(0.5 * machine_.spec().tractor.width, clearance).si() - kTouchingM;
+    return !inside || *inside >= std::max(0.5 * machine_.spec().tractor.width, clearance).si() - kContactM;
 }
 
 }  // namespace furrow
