@@ -33,7 +33,7 @@ bool isSame(const Pose& a, const Pose& b) {
     return distance(a.position, b.position) < kRoundingM && std::abs((a.heading - b.heading).si()) < kSameHeadingRad;
 }
 
-Pose poseBefore(const Turn& line, std::size_t piece) {
+Pose poseBefore(const Curve& line, std::size_t piece) {
     Pose pose = line.start;
     for (std::size_t i = 0; i < piece; ++i) {
         pose = advanced(pose, line.pieces[i], line.pieces[i].length);
@@ -42,15 +42,15 @@ Pose poseBefore(const Turn& line, std::size_t piece) {
 }
 
 /// The same closed line, starting at its first straight. So its start does not cut a corner in two.
-Turn fromAStraight(const Turn& line) {
-    const auto first = std::ranges::find_if(line.pieces, [](const TurnPiece& piece) {
+Curve fromAStraight(const Curve& line) {
+    const auto first = std::ranges::find_if(line.pieces, [](const CurvePiece& piece) {
         return piece.curvature == Curvature{} && piece.length.si() >= kLeastStraightM;
     });
     if (first == line.pieces.end()) {
         return line;
     }
     const auto index = first - line.pieces.begin();
-    Turn turned{.type = line.type, .start = poseBefore(line, static_cast<std::size_t>(index)), .pieces = line.pieces};
+    Curve turned{.type = line.type, .start = poseBefore(line, static_cast<std::size_t>(index)), .pieces = line.pieces};
     std::ranges::rotate(turned.pieces, turned.pieces.begin() + index);
     return turned;
 }
@@ -59,11 +59,11 @@ Turn fromAStraight(const Turn& line) {
 /// the next side.
 struct Manoeuvre {
     Length onward;   ///< worked beyond the start of the rounding
-    Turn turn;
+    Curve turn;
     Length back;     ///< worked before the end of the rounding
 };
 
-std::optional<Manoeuvre> manoeuvre(const Turn& line, const RoundedCorner& corner, CornerMethod method,
+std::optional<Manoeuvre> manoeuvre(const Curve& line, const RoundedCorner& corner, CornerMethod method,
                                    const BoundaryDistance& edge, const Rig& rig, CornerWays& ways, const JobContext& job) {
     const Machine& machine = rig.machine();
     const Pose entry = poseBefore(line, corner.firstPiece);
@@ -104,7 +104,7 @@ std::optional<Manoeuvre> manoeuvre(const Turn& line, const RoundedCorner& corner
         const Pose from{.position = entry.position + onward * in, .heading = entry.heading};
         const Pose to{.position = exit.position - back * out, .heading = exit.heading};
         // For a machine that cannot reverse, the third kind is a forward turn as well.
-        const Turn turn = method == CornerMethod::Searched ? ways.between(rig, from, to, job)
+        const Curve turn = method == CornerMethod::Searched ? ways.between(rig, from, to, job)
                           : method == CornerMethod::Loop   ? connection(from, to, machine, kDubinsMethod.run)
                                                            : connection(from, to, machine, kReedsSheppMethod.run);
         if (rig.driven(Rig::inLine(from), turn)) {
@@ -120,19 +120,19 @@ std::optional<Manoeuvre> manoeuvre(const Turn& line, const RoundedCorner& corner
 
 }  // namespace
 
-Turn CornerWays::between(const Rig& rig, const Pose& from, const Pose& to, const JobContext& job) {
+Curve CornerWays::between(const Rig& rig, const Pose& from, const Pose& to, const JobContext& job) {
     const auto known = std::ranges::find_if(known_, [&](const Known& one) { return isSame(one.from, from) && isSame(one.to, to); });
     if (known != known_.end()) {
         return known->way;
     }
-    Turn way = feasibleConnection(rig, from, to, {}, job);
+    Curve way = feasibleConnection(rig, from, to, {}, job);
     known_.push_back({from, to, way});
     return way;
 }
 
-std::vector<RoundedCorner> roundedCorners(const Turn& line, Length radius) {
+std::vector<RoundedCorner> roundedCorners(const Curve& line, Length radius) {
     std::vector<RoundedCorner> corners;
-    const auto isSharp = [&](const TurnPiece& piece) {
+    const auto isSharp = [&](const CurvePiece& piece) {
         return std::abs(piece.curvature.si()) > 1.0 / (kCornerRadii * radius.si());
     };
     for (std::size_t i = 0; i < line.pieces.size();) {
@@ -144,7 +144,7 @@ std::vector<RoundedCorner> roundedCorners(const Turn& line, Length radius) {
         double turnRad = 0.0;
         double arcM = 0.0;
         for (; i < line.pieces.size(); ++i) {
-            const TurnPiece& piece = line.pieces[i];
+            const CurvePiece& piece = line.pieces[i];
             if (!isSharp(piece) && piece.length.si() >= kLeastStraightM) {
                 break;
             }
@@ -170,10 +170,10 @@ Area uncutCorner(const RoundedCorner& corner, Length width) {
     return squareMetres((std::tan(0.5 * a) - 0.5 * a) * r * r);
 }
 
-std::vector<PassStretch> withCorners(const Turn& closed, CornerMethod method, const MultiPolygon& drivable,
+std::vector<PassStretch> withCorners(const Curve& closed, CornerMethod method, const MultiPolygon& drivable,
                                      const Machine& machine, const std::function<bool(const RoundedCorner&)>& wanted,
                                      CornerWays& ways, std::vector<RoundedCorner>& left, const JobContext& job) {
-    const Turn line = fromAStraight(closed);
+    const Curve line = fromAStraight(closed);
     std::vector<RoundedCorner> corners = roundedCorners(line, machine.minTurningRadius());
     std::vector<PassStretch> stretches{{.line = {.type = {}, .start = line.start, .pieces = {}}}};
     if (method == CornerMethod::Rounded) {
@@ -184,7 +184,7 @@ std::vector<PassStretch> withCorners(const Turn& closed, CornerMethod method, co
     const BoundaryDistance edge{drivable, machine.operatingWidth() + machine.spec().tractor.length};
     const Rig rig{drivable, machine};
     std::size_t next = 0;
-    const auto work = [&](const TurnPiece& piece) { stretches.back().line.pieces.push_back(piece); };
+    const auto work = [&](const CurvePiece& piece) { stretches.back().line.pieces.push_back(piece); };
     for (const RoundedCorner& corner : corners) {
         const auto found = corner.firstPiece > 0 && wanted(corner) ? manoeuvre(line, corner, method, edge, rig, ways, job) : std::nullopt;
         if (!found) {
@@ -210,8 +210,8 @@ std::vector<PassStretch> withCorners(const Turn& closed, CornerMethod method, co
     std::erase_if(stretches, [](const PassStretch& stretch) { return stretch.line.pieces.empty(); });
     if (stretches.size() > 1 && stretches.front().working && stretches.back().working) {
         // The line closes here without a corner.
-        Turn& across = stretches.front().line;
-        const Turn& closing = stretches.back().line;
+        Curve& across = stretches.front().line;
+        const Curve& closing = stretches.back().line;
         across.start = closing.start;
         across.pieces.insert(across.pieces.begin(), closing.pieces.begin(), closing.pieces.end());
         stretches.pop_back();

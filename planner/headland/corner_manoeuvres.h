@@ -18,7 +18,7 @@ struct RoundedCorner {
 };
 
 /// Corners of at least 45 degrees that are rounded with less than twice the machine's radius.
-std::vector<RoundedCorner> roundedCorners(const Turn& line, Length radius);
+std::vector<RoundedCorner> roundedCorners(const Curve& line, Length radius);
 
 /// The area that a pass of this width leaves in a corner: (tan(a/2) - a/2) (R + w/2)². At a right angle this
 /// is (1 - pi/4) (R + w/2)².
@@ -28,13 +28,13 @@ Area uncutCorner(const RoundedCorner& corner, Length width);
 /// with fewer driven corners. The ways at the others are then the same.
 class CornerWays {
 public:
-    Turn between(const Rig& rig, const Pose& from, const Pose& to, const JobContext& job);
+    Curve between(const Rig& rig, const Pose& from, const Pose& to, const JobContext& job);
 
 private:
     struct Known {
         Pose from;
         Pose to;
-        Turn way;
+        Curve way;
     };
     std::vector<Known> known_;
 };
@@ -48,7 +48,7 @@ enum class CornerMethod { Rounded, Loop, Reverse, Searched };
 /// @param wanted  whether to drive into a corner at all
 /// @param ways    of the same machine and drivable area
 /// @param left    corners that stayed rounded
-std::vector<PassStretch> withCorners(const Turn& closed, CornerMethod method, const MultiPolygon& drivable,
+std::vector<PassStretch> withCorners(const Curve& closed, CornerMethod method, const MultiPolygon& drivable,
                                      const Machine& machine, const std::function<bool(const RoundedCorner&)>& wanted,
                                      CornerWays& ways, std::vector<RoundedCorner>& left, const JobContext& job);
 

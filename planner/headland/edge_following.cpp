@@ -56,10 +56,10 @@ struct Station {
     bool isLeftOut = false;
 };
 
-std::vector<Station> stationsOf(const Turn& line, const FollowingRules& rules) {
+std::vector<Station> stationsOf(const Curve& line, const FollowingRules& rules) {
     std::vector<Station> stations;
     Pose begins = line.start;
-    for (const TurnPiece& piece : line.pieces) {
+    for (const CurvePiece& piece : line.pieces) {
         const Pose ends = advanced(begins, piece, piece.length);
         const auto steps = std::max(1, static_cast<int>(std::ceil(piece.length.si() / kStepM)));
         if (piece.curvature != Curvature{} && rules.leavesOut(begins.position) && rules.leavesOut(ends.position)) {
@@ -256,7 +256,7 @@ bool FollowingRules::leavesOut(Point place) const {
     return std::ranges::any_of(leftOut, [&](Point corner) { return distance(corner, place) < aroundM; });
 }
 
-Ring followingTheEdge(const Turn& line, const BoundaryDistance& edges, const Machine& machine, const FollowingRules& rules) {
+Ring followingTheEdge(const Curve& line, const BoundaryDistance& edges, const Machine& machine, const FollowingRules& rules) {
     WayIn way{stationsOf(line, rules), edges, machine, rules.beside};
     way.solve();
     return way.ring();

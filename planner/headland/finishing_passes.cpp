@@ -5,7 +5,7 @@
 #include "planner/geometry/geos_bridge.h"
 #include "planner/geometry/tolerances.h"
 #include "planner/turns/connection.h"
-#include "planner/turns/curve_parts.h"
+#include "planner/geometry/curve_parts.h"
 
 #include <algorithm>
 #include <array>
@@ -55,14 +55,14 @@ Ring stripOf(const Candidate& candidate, double widthM) {
 }
 
 /// The line of the vehicle's reference point.
-Turn lineOf(const Candidate& candidate, const Machine& machine) {
+Curve lineOf(const Candidate& candidate, const Machine& machine) {
     const Point way = candidate.to - candidate.from;
     return {.type = {},
             .start = vehicleAt({.position = candidate.from, .heading = radians(std::atan2(way.y, way.x))}, machine),
             .pieces = {{.length = metres(norm(way)), .curvature = {}}}};
 }
 
-Point halfWay(const Turn& line) {
+Point halfWay(const Curve& line) {
     return partOf(line, {}, 0.5 * line.length()).end().position;
 }
 
@@ -189,7 +189,7 @@ public:
 
     double widthM() const { return widthM_; }
     double leastGainM2() const { return kLeastGainShare * widthM_ * widthM_; }
-    bool isRefused(const Turn& line) const {
+    bool isRefused(const Curve& line) const {
         const auto isClose = [&](const Pose& a, const Pose& b) {
             return distance(a.position, b.position) < kSamePassShare * widthM_;
         };
@@ -262,7 +262,7 @@ public:
         }
         candidate.from = lane.on + beginsM * lane.along;
         candidate.to = lane.on + endsM * lane.along;
-        const Turn line = lineOf(candidate, task_.lowered.machine());
+        const Curve line = lineOf(candidate, task_.lowered.machine());
         return isRefused(line) || worksOnPurposeLeft(candidate) || !isClear(line) ? std::nullopt : std::optional{candidate};
     }
 
@@ -325,7 +325,7 @@ private:
     }
 
     /// Also checks between the sampled places.
-    bool isClear(const Turn& line) const { return task_.lowered.driven(Rig::inLine(line.start), line).has_value(); }
+    bool isClear(const Curve& line) const { return task_.lowered.driven(Rig::inLine(line.start), line).has_value(); }
 
     /// Adds the lane along a line as far as the piece lies beside it, not far beyond the guide, with the
     /// run-in before it.
@@ -355,7 +355,7 @@ private:
 
 /// The chosen passes as lines of the vehicle's reference point, and the land that they leave.
 struct Chosen {
-    std::vector<Turn> passes;
+    std::vector<Curve> passes;
     Left left;
 };
 
@@ -420,7 +420,7 @@ Result<void> chooseBends(const Chooser& chooser, const FinishingTask& task, cons
     const auto isAtEdge = [&](const Polygon& piece) {
         return std::ranges::any_of(piece.outer, [&](Point place) { return edges.insideM(place).value_or(kNearM) < kNearM; });
     };
-    const auto isRefused = [&](const Turn& line) { return chooser.isRefused(line); };
+    const auto isRefused = [&](const Curve& line) { return chooser.isRefused(line); };
     std::size_t givenUp = 0;
     while (chosen.passes.size() < kMostPasses && isTooMuch(task, chosen.left)) {
         if (job.stopRequested()) {
@@ -484,7 +484,7 @@ Result<std::vector<HeadlandPass>> finishingPasses(const FinishingTask& task, con
         }
     }
     std::vector<HeadlandPass> passes;
-    for (Turn& line : chosen.passes) {
+    for (Curve& line : chosen.passes) {
         const double fromEdgeM = edges.insideM(halfWay(line)).value_or(0.0);
         passes.push_back({.ring = static_cast<int>(fromEdgeM / chooser.widthM()),
                           .width = machine.operatingWidth(),

@@ -132,7 +132,7 @@ namespace {
 
 /// A line with its gain.
 struct Candidate {
-    Turn line;
+    Curve line;
     double gainM2 = 0.0;
     std::size_t worked = 0;  ///< places of the piece
 };
@@ -250,19 +250,19 @@ private:
         if (lowered_.roomM(Rig::inLine(on)) < kSpareM || lowered_.roomM(Rig::inLine(start)) < kSpareM) {
             return;
         }
-        const TurnPiece lead{.length = metres(leadM), .curvature = {}};
+        const CurvePiece lead{.length = metres(leadM), .curvature = {}};
         const auto in = lowered_.driven(Rig::inLine(start), lead);
         if (!in) {
             return;
         }
-        const TurnPiece arc{.length = metres(kMostRounds * 2.0 * std::numbers::pi * passes_.radiusM_),
+        const CurvePiece arc{.length = metres(kMostRounds * 2.0 * std::numbers::pi * passes_.radiusM_),
                             .curvature = Curvature::fromSi(side / passes_.radiusM_)};
         follow(*in, arc);
         if (worked_ == 0) {
             return;
         }
         // Leave the bend as soon as there is room.
-        const TurnPiece out{.length = metres(kLengthsOut * passes_.straightM_), .curvature = {}};
+        const CurvePiece out{.length = metres(kLengthsOut * passes_.straightM_), .curvature = {}};
         const double stepM = arc.length.si() / std::ceil(arc.length / look_);
         for (std::size_t end = lastUse_; end < states_.size(); end += kExitSteps) {
             const double wayM = stepM * static_cast<double>(end);
@@ -272,10 +272,10 @@ private:
             }
             if (out.length == Length{} || lowered_.driven(states_[end], out)) {
                 bestM2_ = std::max(bestM2_, gain);
-                Turn line{.type = {}, .start = start, .pieces = {}};
-                const TurnPiece bend{.length = metres(wayM), .curvature = arc.curvature};
+                Curve line{.type = {}, .start = start, .pieces = {}};
+                const CurvePiece bend{.length = metres(wayM), .curvature = arc.curvature};
                 std::ranges::copy_if(std::array{lead, bend, out}, std::back_inserter(line.pieces),
-                                     [](const TurnPiece& part) { return part.length > Length{}; });
+                                     [](const CurvePiece& part) { return part.length > Length{}; });
                 candidates.push_back({.line = std::move(line), .gainM2 = gain, .worked = worked_});
                 return;
             }
@@ -283,7 +283,7 @@ private:
     }
 
     /// Follows the bend as far as it stays inside.
-    void follow(const RigState& from, const TurnPiece& arc) {
+    void follow(const RigState& from, const CurvePiece& arc) {
         states_ = {from};
         worked_ = 0;
         lastUse_ = 0;
@@ -334,12 +334,12 @@ private:
     std::size_t lastUse_ = 0;
 };
 
-std::optional<BentPass> FullLockPasses::over(const Polygon& piece, const std::function<bool(const Turn&)>& isRefused,
+std::optional<BentPass> FullLockPasses::over(const Polygon& piece, const std::function<bool(const Curve&)>& isRefused,
                                              const JobContext& job) {
     if (std::ranges::contains(hopeless_, piece)) {
         return std::nullopt;
     }
-    const auto access = [&](const Turn& line) { return isRefused(line) ? PassAccess::NoWayIn : access_(line); };
+    const auto access = [&](const Curve& line) { return isRefused(line) ? PassAccess::NoWayIn : access_(line); };
     const Machine& machine = lowered_->machine();
     Trial trial{*this, piece};
     const std::vector<Point> middles = trial.middles();
@@ -365,11 +365,11 @@ std::optional<BentPass> FullLockPasses::over(const Polygon& piece, const std::fu
     return worked(std::move(best->line), job);
 }
 
-std::optional<BentPass> FullLockPasses::worked(Turn line, const JobContext& job) const {
+std::optional<BentPass> FullLockPasses::worked(Curve line, const JobContext& job) const {
     MultiPolygon swept;
     RigState at = Rig::inLine(line.start);
     WorkingLine last = workingLine(at);
-    for (const TurnPiece& part : line.pieces) {
+    for (const CurvePiece& part : line.pieces) {
         at = *lowered_->follow(at, part, metres(kSweptM), [&](const RigState& state) {
             const WorkingLine now = workingLine(state);
             addSwept(last, now, swept);

@@ -13,13 +13,13 @@ namespace furrow {
 
 /// A pass with bends.
 struct BentPass {
-    Turn line;            ///< of the vehicle's reference point
+    Curve line;            ///< of the vehicle's reference point
     MultiPolygon worked;  ///< what the implement sweeps
 };
 
 /// Whether a way leads to the pass and away from it.
 enum class PassAccess { There, NoWayIn, NoWayOut };
-using PassAccessFinder = std::function<PassAccess(const Turn& line)>;
+using PassAccessFinder = std::function<PassAccess(const Curve& line)>;
 
 /// Passes round one place on full lock, for machines that leave tips and ears only forwards. The outer end of
 /// the implement describes the sharpest edge that they can work.
@@ -35,13 +35,13 @@ public:
     /// out. The implement is in line at both ends. Empty if no pass has room to work any of the piece, or a
     /// way in and out. That piece is then not tried again. Cost: some thousand bends driven.
     /// @param isRefused  whether nearly the same pass has failed before
-    std::optional<BentPass> over(const Polygon& piece, const std::function<bool(const Turn&)>& isRefused, const JobContext& job);
+    std::optional<BentPass> over(const Polygon& piece, const std::function<bool(const Curve&)>& isRefused, const JobContext& job);
 
 private:
     class Trial;
     FullLockPasses(const Rig& lowered, PassAccessFinder access);
 
-    std::optional<BentPass> worked(Turn line, const JobContext& job) const;
+    std::optional<BentPass> worked(Curve line, const JobContext& job) const;
     /// The line on which the implement works.
     std::pair<Point, Point> workingLine(const RigState& state) const;
     std::optional<Point> nearestMiddle(Point place) const;

@@ -5,7 +5,7 @@
 #include "planner/jobs/job.h"
 #include "planner/machine/machine.h"
 #include "planner/settings/settings.h"
-#include "planner/turns/turn.h"
+#include "planner/geometry/curve.h"
 #include "planner/turns/turn_method.h"
 
 #include <functional>
@@ -15,7 +15,7 @@ namespace furrow {
 
 /// A stretch of a headland pass: worked, or a manoeuvre into a corner with the implement up.
 struct PassStretch {
-    Turn line;  ///< of the vehicle's reference point
+    Curve line;  ///< of the vehicle's reference point
     bool working = true;
 };
 

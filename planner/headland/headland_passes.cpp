@@ -12,7 +12,7 @@
 #include "planner/headland/smooth_ring.h"
 #include "planner/turns/trailer.h"
 #include "planner/turns/turn_method.h"
-#include "planner/turns/turn_sampling.h"
+#include "planner/geometry/curve_sampling.h"
 
 #include <algorithm>
 #include <cmath>
@@ -104,7 +104,7 @@ std::vector<RingInsets> ringsOf(const Headland& headland, const Machine& machine
 /// One ring all around. Its corners are rounded or driven into.
 struct ClosedRing {
     std::vector<HeadlandPass> passes;
-    std::vector<Turn> lines;             ///< of the passes before corners are driven into and before cuts
+    std::vector<Curve> lines;             ///< of the passes before corners are driven into and before cuts
     std::vector<RoundedCorner> rounded;  ///< corners that stayed rounded
     std::vector<Point> outside;          ///< places beside corners that are driven into
     Length movedIn;
@@ -148,7 +148,7 @@ Result<ClosedRing> closedRing(const PassTask& task, Length inset, int ring, cons
     };
     ClosedRing result{.passes = {}, .rounded = {}, .movedIn = tracks->movedIn, .complete = tracks->givenUp == 0, .inside = tracks->inside};
     result.lines = tracks->lines;
-    for (const Turn& line : result.lines) {
+    for (const Curve& line : result.lines) {
         result.passes.push_back({.ring = ring,
                                  .width = machine.operatingWidth(),
                                  .closed = true,
@@ -173,11 +173,11 @@ std::size_t stretchCount(const std::vector<HeadlandPass>& passes) {
 }
 
 /// The area inside closed lines round a field and its obstacles.
-Result<MultiPolygon> insideOf(const std::vector<Turn>& lines, const JobContext& job) {
+Result<MultiPolygon> insideOf(const std::vector<Curve>& lines, const JobContext& job) {
     MultiPolygon rings;
-    for (const Turn& line : lines) {
+    for (const Curve& line : lines) {
         Ring ring;
-        for (const TurnSample& sample : sampled(line, kArcTolerance)) {
+        for (const CurveSample& sample : sampled(line, kArcTolerance)) {
             ring.push_back(sample.pose.position);
         }
         rings.push_back({.outer = std::move(ring), .holes = {}});
@@ -189,7 +189,7 @@ Result<MultiPolygon> insideOf(const std::vector<Turn>& lines, const JobContext& 
 /// jut back and forth within less than a turn, for example traced from an image, would cut them into many
 /// stretches. They then run beside the outermost pass, which goes round such edges smoothly.
 /// @param outermost  its lines; empty if they could not be made
-Result<std::vector<HeadlandPass>> innerRingOf(const PassTask& task, const std::vector<Turn>& outermost, Length fromOutermost,
+Result<std::vector<HeadlandPass>> innerRingOf(const PassTask& task, const std::vector<Curve>& outermost, Length fromOutermost,
                                               Length inset, int ring, const JobContext& job) {
     auto along = innerPasses(task, inset, ring, job);
     if (!along || outermost.empty() || stretchCount(*along) < kManyStretches) {
@@ -221,12 +221,12 @@ std::vector<HeadlandPass> cutWhereOutside(std::vector<HeadlandPass> passes, cons
         if (!pass.closed || pass.stretches.size() != 1) {
             continue;
         }
-        std::vector<Turn> parts = partsInside(pass.stretches.front().line, task.drivable, task.machine, job);
+        std::vector<Curve> parts = partsInside(pass.stretches.front().line, task.drivable, task.machine, job);
         const bool isWhole = parts.size() == 1 && parts.front() == pass.stretches.front().line;
         if (!isWhole) {
             pass.closed = false;
             pass.stretches.clear();
-            for (Turn& part : parts) {
+            for (Curve& part : parts) {
                 pass.stretches.push_back({.line = std::move(part)});
             }
         }
@@ -386,7 +386,7 @@ Result<void> addRings(Headland& headland, const PassTask& task, const JobContext
     };
     // A trailed boom comes to the edge on its own track.
     const Length beside = Trailer::of(machine) ? kBesideEdge : Length{};
-    std::vector<Turn> outermost;
+    std::vector<Curve> outermost;
     CornerWays ways;
     for (std::size_t i = 0; i < all.size(); ++i) {
         const int ring = static_cast<int>(i);

@@ -3,7 +3,7 @@
 #include "planner/geometry/boundary_distance.h"
 #include "planner/geometry/geos_bridge.h"
 #include "planner/headland/smooth_ring.h"
-#include "planner/turns/curve_parts.h"
+#include "planner/geometry/curve_parts.h"
 #include "planner/turns/footprint_check.h"
 
 #include <algorithm>
@@ -72,8 +72,8 @@ struct Room {
 };
 
 /// The line extended before its start and past its end. A negative length shortens it.
-Turn extended(Turn line, double beforeM, double pastM) {
-    const auto change = [](TurnPiece& piece, double by) { piece.length = metres(std::max(0.0, piece.length.si() + by)); };
+Curve extended(Curve line, double beforeM, double pastM) {
+    const auto change = [](CurvePiece& piece, double by) { piece.length = metres(std::max(0.0, piece.length.si() + by)); };
     const bool startsStraight = line.pieces.front().curvature == Curvature{};
     if (beforeM > 0.0 || startsStraight) {
         const double byM = std::max(beforeM, -line.pieces.front().length.si());
@@ -89,33 +89,33 @@ Turn extended(Turn line, double beforeM, double pastM) {
     } else if (pastM > 0.0) {
         line.pieces.push_back({.length = metres(pastM), .curvature = {}});
     }
-    std::erase_if(line.pieces, [](const TurnPiece& piece) { return piece.length <= metres(0.0); });
+    std::erase_if(line.pieces, [](const CurvePiece& piece) { return piece.length <= metres(0.0); });
     return line;
 }
 
-double turnBetween(const Turn& before, const Turn& after) {
+double turnBetween(const Curve& before, const Curve& after) {
     const Point in = direction(before.end().heading.si());
     const Point out = direction(after.start.heading.si());
     return std::abs(std::atan2(cross(in, out), dot(in, out)));
 }
 
-HeadlandPass passOf(std::vector<Turn> lines, bool closed, int ring, const Room& room) {
+HeadlandPass passOf(std::vector<Curve> lines, bool closed, int ring, const Room& room) {
     HeadlandPass pass{.ring = ring, .width = room.machine.operatingWidth(), .closed = closed, .stretches = {}};
     const double widthM = pass.width.si();
     // The distance of the implement behind the vehicle's reference point.
     const double leadM = -room.machine.spec().implement.offset.si();
     const double noseM = (room.machine.spec().tractor.length - room.machine.spec().tractor.rearOverhang).si();
     // Outer rings run counter-clockwise. Their corners turn left except those that point into the field.
-    const auto turnsInward = [](const std::vector<Turn>& all, std::size_t i) {
-        const Turn& before = all[(i + all.size() - 1) % all.size()];
+    const auto turnsInward = [](const std::vector<Curve>& all, std::size_t i) {
+        const Curve& before = all[(i + all.size() - 1) % all.size()];
         const double turn = cross(direction(before.end().heading.si()), direction(all[i].start.heading.si()));
         return turn > 0.0;
     };
-    const auto beyondM = [&](const Turn& before, const Turn& after) {
+    const auto beyondM = [&](const Curve& before, const Curve& after) {
         return std::min(0.5 * widthM * std::tan(0.5 * turnBetween(before, after)), kMostWidthsOnward * widthM);
     };
     for (std::size_t i = 0; i < lines.size(); ++i) {
-        Turn line = lines[i];
+        Curve line = lines[i];
         if (!closed) {
             // The pass outside ends where its nose meets the edge. This pass also works the land that its
             // implement leaves there.
@@ -123,7 +123,7 @@ HeadlandPass passOf(std::vector<Turn> lines, bool closed, int ring, const Room& 
             const double backM = beyondM(lines[(i + lines.size() - 1) % lines.size()], line) + fromEdgeM - leadM;
             const double onM = beyondM(line, lines[(i + 1) % lines.size()]) + leadM;
             // The straights at both ends may shrink if the machine is longer than the room.
-            const auto straightM = [](const TurnPiece& piece) {
+            const auto straightM = [](const CurvePiece& piece) {
                 return piece.curvature == Curvature{} ? piece.length.si() : 0.0;
             };
             const double share = line.pieces.size() == 1 ? 0.5 : 1.0;
@@ -142,7 +142,7 @@ HeadlandPass passOf(std::vector<Turn> lines, bool closed, int ring, const Room& 
 }
 
 /// The stretches of a line whose points belong, as from and to, each at least `least` long.
-std::vector<std::pair<Length, Length>> belonging(const Turn& line, const std::function<bool(Point)>& belongs, Length least) {
+std::vector<std::pair<Length, Length>> belonging(const Curve& line, const std::function<bool(Point)>& belongs, Length least) {
     std::vector<std::pair<Length, Length>> stretches;
     const Length whole = line.length();
     const int steps = std::max(1, static_cast<int>(std::ceil(whole.si() / kCutM)));
@@ -169,8 +169,8 @@ std::vector<std::pair<Length, Length>> belonging(const Turn& line, const std::fu
 }
 
 /// Removes arcs at the ends that bend more than this: they lead round a corner that the part does not take.
-Turn withoutBentEnds(Turn line, double sharpestPerM) {
-    const auto isBent = [sharpestPerM](const TurnPiece& piece) { return std::abs(piece.curvature.si()) > sharpestPerM; };
+Curve withoutBentEnds(Curve line, double sharpestPerM) {
+    const auto isBent = [sharpestPerM](const CurvePiece& piece) { return std::abs(piece.curvature.si()) > sharpestPerM; };
     while (!line.pieces.empty() && isBent(line.pieces.back())) {
         line.pieces.pop_back();
     }
@@ -258,7 +258,7 @@ Result<std::vector<Polygon>> straightParts(const Polygon& strip, double widthM, 
 }
 
 /// The line along the middle of a straight strip.
-Turn lineAlong(const Polygon& part) {
+Curve lineAlong(const Polygon& part) {
     const Extent extent = narrowestExtent(part.outer);
     const Point start = extent.at(extent.fromM, 0.5 * (extent.leftM + extent.rightM));
     const Point along = extent.along;
@@ -320,7 +320,7 @@ std::vector<HeadlandPass> partsOf(const std::vector<HeadlandPass>& passes, const
         }
         return m;
     };
-    const auto drawnOut = [&](Turn line) {
+    const auto drawnOut = [&](Curve line) {
         const double leastM = -0.5 * line.length().si();
         const double backM = room.farthest(line.start, -1.0, leftM(line.start, -1.0) - leadM + runInM, leastM) - runInM;
         const double onM = room.farthest(line.end(), 1.0, leftM(line.end(), 1.0) + leadM, leastM);
@@ -337,11 +337,11 @@ std::vector<HeadlandPass> partsOf(const std::vector<HeadlandPass>& passes, const
                     continue;
                 }
                 isWhole = false;
-                Turn piece = withoutBentEnds(partOf(stretch.line, from, to), 0.5 / task.machine.minTurningRadius().si());
+                Curve piece = withoutBentEnds(partOf(stretch.line, from, to), 0.5 / task.machine.minTurningRadius().si());
                 if (piece.pieces.empty()) {
                     continue;
                 }
-                Turn drawn = drawnOut(std::move(piece));
+                Curve drawn = drawnOut(std::move(piece));
                 if (drawn.length().si() > kShortest * widthM) {
                     part.stretches.push_back({.line = std::move(drawn), .working = stretch.working});
                 }
@@ -384,7 +384,7 @@ Result<std::vector<HeadlandPass>> passesAlongStrips(const PassTask& task, Length
             return std::unexpected(parts.error());
         }
         for (const Polygon& part : *parts) {
-            Turn line = lineAlong(part);
+            Curve line = lineAlong(part);
             if (area(part).si() < kNarrowestStripM * line.length().si() || line.length() < kShortest * width) {
                 continue;
             }

@@ -39,10 +39,10 @@ Machine mirrored(const Machine& machine) {
     return Machine::create(spec).value();
 }
 
-Turn mirrored(const Turn& turn) {
-    Turn other = turn;
+Curve mirrored(const Curve& turn) {
+    Curve other = turn;
     other.start = {.position = mirroredPoint(turn.start.position), .heading = normalisedPoseHeading(-turn.start.heading)};
-    for (TurnPiece& piece : other.pieces) {
+    for (CurvePiece& piece : other.pieces) {
         piece.curvature = -piece.curvature;
         piece.endCurvature = -piece.endCurvature;
     }

@@ -3,7 +3,7 @@
 #include "planner/geometry/polygon.h"
 #include "planner/headland/headland.h"
 #include "planner/machine/machine.h"
-#include "planner/turns/turn.h"
+#include "planner/geometry/curve.h"
 
 #include <vector>
 
@@ -15,7 +15,7 @@ namespace furrow {
 MultiPolygon mirrored(const MultiPolygon& polygons);
 /// The lateral offset of its implement changes its sign.
 Machine mirrored(const Machine& machine);
-Turn mirrored(const Turn& turn);
+Curve mirrored(const Curve& turn);
 /// The field stays on the left of each.
 std::vector<EdgeStrip> mirrored(const std::vector<EdgeStrip>& strips);
 /// Driven in the other direction.

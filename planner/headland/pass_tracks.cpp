@@ -6,7 +6,7 @@
 #include "planner/headland/edge_following.h"
 #include "planner/headland/smooth_ring.h"
 #include "planner/headland/swing_out.h"
-#include "planner/turns/curve_parts.h"
+#include "planner/geometry/curve_parts.h"
 #include "planner/turns/rig.h"
 
 #include <algorithm>
@@ -215,9 +215,9 @@ enum class Look { NowAndThen, Closely };
 
 /// The same line in short pieces. Only a piece that is outside somewhere is then sampled closely along its
 /// whole length.
-std::vector<TurnPiece> inShortPieces(const std::vector<TurnPiece>& pieces) {
-    std::vector<TurnPiece> all;
-    for (const TurnPiece& piece : pieces) {
+std::vector<CurvePiece> inShortPieces(const std::vector<CurvePiece>& pieces) {
+    std::vector<CurvePiece> all;
+    for (const CurvePiece& piece : pieces) {
         const auto count = std::max(1, static_cast<int>(std::ceil(piece.length.si() / kShortPieceM)));
         for (int i = 0; i < count; ++i) {
             all.push_back({.length = (1.0 / count) * piece.length,
@@ -232,14 +232,14 @@ std::vector<TurnPiece> inShortPieces(const std::vector<TurnPiece>& pieces) {
 /// The worst places along a line, at most one for each `apart`, where `looksAt` allows. A close look also
 /// finds places where a corner of the field enters and leaves the footprint between two samples. Ends early
 /// if the job is stopped.
-std::vector<Excess> excessesAlong(const Turn& line, const Rig& rig, double apartM, Look how,
+std::vector<Excess> excessesAlong(const Curve& line, const Rig& rig, double apartM, Look how,
                                   const std::function<bool(Point)>& looksAt, const JobContext& job) {
     std::vector<Excess> found;
     double wayM = 0.0;
     double lastM = -apartM;
     RigState state = Rig::inLine(line.start);
     // When the line begins, a trailed implement is still coming round the last corner of the ring.
-    for (const TurnPiece& piece : rig.hasTrailer() ? line.pieces : std::vector<TurnPiece>{}) {
+    for (const CurvePiece& piece : rig.hasTrailer() ? line.pieces : std::vector<CurvePiece>{}) {
         state = *rig.follow(state, piece, piece.length, [](const RigState&) { return true; });
     }
     state.tractor = line.start;
@@ -256,7 +256,7 @@ std::vector<Excess> excessesAlong(const Turn& line, const Rig& rig, double apart
             found.back() = {at.tractor.position, moveM, outsideM};
         }
     };
-    for (const TurnPiece& piece : how == Look::Closely ? inShortPieces(line.pieces) : line.pieces) {
+    for (const CurvePiece& piece : how == Look::Closely ? inShortPieces(line.pieces) : line.pieces) {
         Point last = state.tractor.position;
         double goneM = 0.0;
         int looked = 0;
@@ -383,7 +383,7 @@ Result<MultiPolygon> alongEdges(const MultiPolygon& region, const MultiPolygon& 
     const BoundaryDistance edges{drivable, machine.workingFootprintWidth() + machine.spec().tractor.length};
     MultiPolygon outer;
     MultiPolygon holes;
-    for (const Turn& line : straight->lines) {
+    for (const Curve& line : straight->lines) {
         Ring ring = simplifiedRing(followingTheEdge(line, edges, machine, following), kSimplified);
         const bool isOuter = signedAreaM2(ring) > 0.0;
         if (!isOuter) {
@@ -451,11 +451,11 @@ Result<PassTracks> passTracks(const MultiPolygon& workable, Length inset, const 
     for (int round = 0; tracks && rules.movesIn; ++round) {
         if (rig.hasTrailer()) {
             std::ranges::transform(tracks->lines, tracks->lines.begin(),
-                                   [&rig](const Turn& line) { return swungOut(line, rig); });
+                                   [&rig](const Curve& line) { return swungOut(line, rig); });
         }
         const auto look = [&](Look how, const std::function<bool(Point)>& looksAt) {
             std::vector<Excess> excesses;
-            for (const Turn& line : tracks->lines) {
+            for (const Curve& line : tracks->lines) {
                 std::vector<Excess> found = excessesAlong(line, rig, 0.5 * reachM, how, looksAt, job);
                 std::erase_if(found, [&](const Excess& excess) { return following.leavesOut(excess.place); });
                 std::ranges::copy(found, std::back_inserter(excesses));
@@ -493,7 +493,7 @@ Result<PassTracks> passTracks(const MultiPolygon& workable, Length inset, const 
     return tracks;
 }
 
-std::vector<Point> placesOutside(const Turn& line, const MultiPolygon& drivable, const Machine& machine,
+std::vector<Point> placesOutside(const Curve& line, const MultiPolygon& drivable, const Machine& machine,
                                  const JobContext& job) {
     std::vector<Point> places;
     const Rig rig{drivable, machine, ImplementAt::Lowered};
@@ -505,7 +505,7 @@ std::vector<Point> placesOutside(const Turn& line, const MultiPolygon& drivable,
     return places;
 }
 
-std::vector<Turn> partsInside(const Turn& closedLine, const MultiPolygon& drivable, const Machine& machine,
+std::vector<Curve> partsInside(const Curve& closedLine, const MultiPolygon& drivable, const Machine& machine,
                               const JobContext& job) {
     // The line also stays away before and after such a place, by this distance.
     const double awayM = 2.0 * kCutLookM;
@@ -514,7 +514,7 @@ std::vector<Turn> partsInside(const Turn& closedLine, const MultiPolygon& drivab
     double gone = 0.0;
     double begins = 0.0;
     RigState state = Rig::inLine(closedLine.start);
-    for (const TurnPiece& piece : closedLine.pieces) {
+    for (const CurvePiece& piece : closedLine.pieces) {
         if (job.stopRequested()) {
             return {closedLine};
         }
@@ -525,7 +525,7 @@ std::vector<Turn> partsInside(const Turn& closedLine, const MultiPolygon& drivab
         }
         // Some place in this piece is outside: find it step by step.
         const auto steps = std::max(1, static_cast<int>(std::ceil(piece.length.si() / kCutLookM)));
-        TurnPiece step = piece;
+        CurvePiece step = piece;
         step.length = (1.0 / steps) * piece.length;
         for (int i = 0; i < steps; ++i) {
             const bool isInside = rig.driven(state, step, metres(kDrawingM)).has_value();
@@ -545,7 +545,7 @@ std::vector<Turn> partsInside(const Turn& closedLine, const MultiPolygon& drivab
     if (begins < gone) {
         parts.emplace_back(begins, gone);
     }
-    std::vector<Turn> kept;
+    std::vector<Curve> kept;
     std::ranges::transform(parts, std::back_inserter(kept), [&](const auto& part) {
         return partOf(closedLine, metres(part.first), metres(part.second));
     });
@@ -554,7 +554,7 @@ std::vector<Turn> partsInside(const Turn& closedLine, const MultiPolygon& drivab
         std::ranges::copy(kept.front().pieces, std::back_inserter(kept.back().pieces));
         kept.erase(kept.begin());
     }
-    std::erase_if(kept, [&](const Turn& part) { return part.length() < machine.operatingWidth(); });
+    std::erase_if(kept, [&](const Curve& part) { return part.length() < machine.operatingWidth(); });
     return kept;
 }
 

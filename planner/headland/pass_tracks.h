@@ -4,7 +4,7 @@
 #include "planner/geometry/polygon.h"
 #include "planner/jobs/job.h"
 #include "planner/machine/machine.h"
-#include "planner/turns/turn.h"
+#include "planner/geometry/curve.h"
 
 #include <span>
 #include <vector>
@@ -24,7 +24,7 @@ struct TrackRules {
 /// The lines of one headland pass: one closed line for the boundary, counter-clockwise, and one for each
 /// obstacle, clockwise.
 struct PassTracks {
-    std::vector<Turn> lines;
+    std::vector<Curve> lines;
     Length movedIn;  ///< at most, because the footprint would have left the field in a bend
     int givenUp = 0;  ///< rings that could not be rounded
     bool inside = false;  ///< checked: the footprint stays inside everywhere
@@ -42,12 +42,12 @@ Result<PassTracks> passTracks(const MultiPolygon& workable, Length inset, const 
 
 /// Places where a line with the implement down is outside, at most one for each half of the overhang.
 /// Incomplete if the job is stopped.
-std::vector<Point> placesOutside(const Turn& line, const MultiPolygon& drivable, const Machine& machine,
+std::vector<Point> placesOutside(const Curve& line, const MultiPolygon& drivable, const Machine& machine,
                                  const JobContext& job);
 
 /// The parts of a line on which the footprint, implement down, is inside. Parts shorter than the width of a
 /// pass are dropped. A closed line is cut open there. It stays unchanged if nothing is outside.
-std::vector<Turn> partsInside(const Turn& closedLine, const MultiPolygon& drivable, const Machine& machine,
+std::vector<Curve> partsInside(const Curve& closedLine, const MultiPolygon& drivable, const Machine& machine,
                               const JobContext& job);
 
 }  // namespace furrow

@@ -224,11 +224,11 @@ std::vector<double> roundingsOf(const std::vector<Corner>& corners) {
 
 /// The line from the end of one corner's rounding over `edges` edges: straights, and arcs round the corners
 /// between. If it closes, also the arc round the first corner.
-Turn lineThrough(const std::vector<Corner>& corners, const std::vector<double>& cuts, std::size_t from,
+Curve lineThrough(const std::vector<Corner>& corners, const std::vector<double>& cuts, std::size_t from,
                  std::size_t edges, bool closes) {
     const std::size_t size = corners.size();
     const Corner& first = corners[from];
-    Turn line{.type = {},
+    Curve line{.type = {},
               .start = {.position = first.at + cuts[from] * first.way,
                         .heading = radians(std::atan2(first.way.y, first.way.x))},
               .pieces = {}};
@@ -251,7 +251,7 @@ Turn lineThrough(const std::vector<Corner>& corners, const std::vector<double>& 
 
 }  // namespace
 
-std::optional<Turn> smoothRing(const Ring& given, Length radius, Length tolerance, Length gentle) {
+std::optional<Curve> smoothRing(const Ring& given, Length radius, Length tolerance, Length gentle) {
     const Ring ring = withoutCloseOnes(given);
     if (ring.size() < 3) {
         return std::nullopt;
@@ -300,8 +300,8 @@ SmoothStretches smoothStretches(const Ring& given, const StretchRules& rules) {
     return stretches;
 }
 
-Turn reversedLine(const Turn& line) {
-    Turn back{.type = line.type, .start = line.end(), .pieces = {}};
+Curve reversedLine(const Curve& line) {
+    Curve back{.type = line.type, .start = line.end(), .pieces = {}};
     back.start.heading = back.start.heading + degrees(180.0);
     for (auto piece = line.pieces.rbegin(); piece != line.pieces.rend(); ++piece) {
         back.pieces.push_back({.length = piece->length,

@@ -1,7 +1,7 @@
 #pragma once
 
 #include "planner/geometry/polygon.h"
-#include "planner/turns/turn.h"
+#include "planner/geometry/curve.h"
 
 #include <optional>
 #include <vector>
@@ -14,7 +14,7 @@ namespace furrow {
 /// not enough. Cost: O(n) for n points.
 /// @param gentle  distance before a corner at which its bend begins if there is room. A larger radius makes
 /// the tail swing out less.
-std::optional<Turn> smoothRing(const Ring& ring, Length radius, Length tolerance, Length gentle = {});
+std::optional<Curve> smoothRing(const Ring& ring, Length radius, Length tolerance, Length gentle = {});
 
 /// Rules for cutting a ring into stretches.
 struct StretchRules {
@@ -27,7 +27,7 @@ struct StretchRules {
 
 /// Lines round a ring, one after the other.
 struct SmoothStretches {
-    std::vector<Turn> lines;
+    std::vector<Curve> lines;
     bool closed = false;  ///< one line, which ends at its own beginning
 };
 
@@ -37,6 +37,6 @@ struct SmoothStretches {
 SmoothStretches smoothStretches(const Ring& ring, const StretchRules& rules);
 
 /// The same line driven the other way round.
-Turn reversedLine(const Turn& line);
+Curve reversedLine(const Curve& line);
 
 }  // namespace furrow

@@ -29,7 +29,7 @@ constexpr double kLeastStraightM = 0.01;
 // A straight longer than 1.5 radii separates two corners.
 constexpr double kLongRadii = 1.5;
 
-bool isStraight(const TurnPiece& piece) {
+bool isStraight(const CurvePiece& piece) {
     return piece.curvature == Curvature{} && piece.endCurvature == Curvature{};
 }
 
@@ -43,7 +43,7 @@ struct Corner {
 };
 
 /// The corner that begins after a straight. Empty if it is not worth a swing.
-std::optional<Corner> cornerAfter(const std::vector<TurnPiece>& pieces, std::size_t straight, const Pose& begins,
+std::optional<Corner> cornerAfter(const std::vector<CurvePiece>& pieces, std::size_t straight, const Pose& begins,
                                   double radiusM) {
     Corner corner;
     double turnRad = 0.0;
@@ -52,7 +52,7 @@ std::optional<Corner> cornerAfter(const std::vector<TurnPiece>& pieces, std::siz
     bool isTight = false;
     std::size_t i = straight + 1;
     for (; i < pieces.size(); ++i) {
-        const TurnPiece& piece = pieces[i];
+        const CurvePiece& piece = pieces[i];
         if (isStraight(piece)) {
             if (piece.length.si() > kLongRadii * radiusM) {
                 break;
@@ -87,7 +87,7 @@ std::optional<Corner> cornerAfter(const std::vector<TurnPiece>& pieces, std::siz
 struct Swing {
     double beforeM = 0.0;
     double afterM = 0.0;
-    std::array<TurnPiece, 2> arcs;
+    std::array<CurvePiece, 2> arcs;
 };
 
 Swing swingOf(const Corner& corner, double overRad, double radiusM) {
@@ -105,12 +105,12 @@ Swing swingOf(const Corner& corner, double overRad, double radiusM) {
 
 }  // namespace
 
-Turn swungOut(const Turn& line, const Rig& rig) {
+Curve swungOut(const Curve& line, const Rig& rig) {
     const double radiusM = rig.machine().minTurningRadius().si();
     const Implement& implement = rig.machine().spec().implement;
     const Length afterwards = kLengthsAfter * (implement.hitchOffset - implement.offset);
-    Turn swung = line;
-    std::vector<TurnPiece>& pieces = swung.pieces;
+    Curve swung = line;
+    std::vector<CurvePiece>& pieces = swung.pieces;
     // Start in the middle of a straight, so that no corner lies across the ends.
     if (const auto straight = std::ranges::find_if(pieces, isStraight); straight != pieces.end()) {
         for (auto piece = pieces.begin(); piece != straight; ++piece) {
@@ -128,15 +128,15 @@ Turn swungOut(const Turn& line, const Rig& rig) {
         const auto corner = isStraight(pieces[i]) ? cornerAfter(pieces, i, begins, radiusM) : std::nullopt;
         for (const double degreesOver : corner ? std::span{kSwingsDeg} : std::span<const double>{}) {
             const Swing swing = swingOf(*corner, degrees(degreesOver).si(), radiusM);
-            TurnPiece& next = pieces[corner->last + 1];
+            CurvePiece& next = pieces[corner->last + 1];
             const Length before = pieces[i].length + metres(corner->entryM - swing.beforeM);
             const Length after = next.length + metres(corner->exitM - swing.afterM);
             if (before.si() < kLeastStraightM || after.si() < kLeastStraightM) {
                 continue;
             }
             std::optional<RigState> state = Rig::inLine(advanced(pose, pieces[i], before));
-            const TurnPiece on{.length = std::min(after, afterwards), .curvature = {}};
-            for (const TurnPiece& piece : {swing.arcs[0], swing.arcs[1], on}) {
+            const CurvePiece on{.length = std::min(after, afterwards), .curvature = {}};
+            for (const CurvePiece& piece : {swing.arcs[0], swing.arcs[1], on}) {
                 state = state ? rig.follow(*state, piece, kLookStep,
                                            [&](const RigState& at) { return rig.outsideM(at) <= kContactM; })
                               : state;

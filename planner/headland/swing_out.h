@@ -8,6 +8,6 @@ namespace furrow {
 /// tractor turns later and further than the corner, and returns to its line from outside. This holds the
 /// implement back, which cuts the corner on its own track. Each corner gets the largest swing that has room.
 /// The other parts stay unchanged, and the ends still meet. Cost: some checks of the rig for each corner.
-Turn swungOut(const Turn& line, const Rig& rig);
+Curve swungOut(const Curve& line, const Rig& rig);
 
 }  // namespace furrow

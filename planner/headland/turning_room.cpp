@@ -1,7 +1,7 @@
 #include "planner/headland/turning_room.h"
 
 #include "planner/turns/connection.h"
-#include "planner/turns/turn_sampling.h"
+#include "planner/geometry/curve_sampling.h"
 
 #include <algorithm>
 #include <cmath>
@@ -28,7 +28,7 @@ double depthM(const Machine& machine, TurnPlanner* turn, double angle, bool draw
     const Pose to{.position = {widthM, widthM / std::tan(angle) + moreM - leadM}, .heading = degrees(-90.0)};
     const Ring footprint = machine.turningFootprint();
     double deepestM = 0.0;
-    for (const TurnSample& sample : sampled(connection(from, to, machine, turn), kChordTolerance)) {
+    for (const CurveSample& sample : sampled(connection(from, to, machine, turn), kChordTolerance)) {
         for (const Point& corner : placed(footprint, sample.pose)) {
             deepestM = std::max(deepestM, dot(outward, corner));
         }

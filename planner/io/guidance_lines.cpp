@@ -2,7 +2,7 @@
 
 #include "planner/geometry/segment.h"
 #include "planner/plan/plan.h"
-#include "planner/turns/curve_parts.h"
+#include "planner/geometry/curve_parts.h"
 #include "planner/units/angle.h"
 
 #include <algorithm>

@@ -5,7 +5,7 @@
 #include "planner/jobs/parallel.h"
 #include "planner/turns/footprint_check.h"
 #include "planner/turns/rig.h"
-#include "planner/turns/turn_sampling.h"
+#include "planner/geometry/curve_sampling.h"
 
 #include <algorithm>
 #include <cmath>
@@ -73,7 +73,7 @@ std::vector<RigState> statesAlong(const PathSegment& segment, const Shapes& shap
         const Pose start = poseAt(from);
         const Length way = metres(segment.samples[i].sM - from.sM);
         const Curvature curvature = Curvature::fromSi(from.curvature1pm);
-        const TurnPiece piece{.length = way, .curvature = curvature, .endCurvature = curvature, .gear = segment.gear};
+        const CurvePiece piece{.length = way, .curvature = curvature, .endCurvature = curvature, .gear = segment.gear};
         // At least once: on the spot only the heading changes.
         Length gone;
         do {

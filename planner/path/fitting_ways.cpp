@@ -16,7 +16,7 @@ constexpr Length kNeckSpare = metres(0.8);
 FittingWays::FittingWays(const MultiPolygon& drivable, const Machine& machine, TravelCost travel)
     : drivable_{drivable}, rig_{drivable, machine}, travel_{std::move(travel)} {}
 
-std::optional<Turn> FittingWays::between(const Pose& leaving, const Pose& arriving, const JobContext& job, SearchEffort effort) {
+std::optional<Curve> FittingWays::between(const Pose& leaving, const Pose& arriving, const JobContext& job, SearchEffort effort) {
     const auto parts = parts_.load();
     const bool apart = effort == SearchEffort::Quick && parts && parts->separate(leaving.position, arriving.position);
     auto way = fittingConnection(rig_, leaving, arriving, travel_, job, apart ? SearchEffort::None : effort);
@@ -30,7 +30,7 @@ std::optional<Turn> FittingWays::between(const Pose& leaving, const Pose& arrivi
     return way;
 }
 
-std::optional<Turn> FittingWays::byOne(const Method<TurnPlanner>& kind, const Pose& leaving, const Pose& arriving) const {
+std::optional<Curve> FittingWays::byOne(const Method<TurnPlanner>& kind, const Pose& leaving, const Pose& arriving) const {
     return fittingTurn(rig_, leaving, arriving, travel_, kind);
 }
 

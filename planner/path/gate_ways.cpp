@@ -58,7 +58,7 @@ std::optional<Leg> straightAt(const RoutePlace& place, const Field& field, const
                                                   : Point{1.0, 0.0};
     const double mostM = place.gate ? kLengthsIn * rig.machine().spec().tractor.length.si() : 0.0;
     const Point onward = drivenIn ? inward : Point{-inward.x, -inward.y};
-    const TurnPiece straight{.length = kStraight, .curvature = {}};
+    const CurvePiece straight{.length = kStraight, .curvature = {}};
     const auto nearest = [&](std::span<const double> headings) -> std::optional<Leg> {
         for (double m = 0.0; m <= mostM; m += kStepM) {
             for (const double aside : headings) {

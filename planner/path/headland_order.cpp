@@ -37,7 +37,7 @@ struct StartPlace {
 
 /// The starts of a pass in stretches: the beginning of each stretch. In the other direction the nose is at
 /// the place of the tail. It must fit there, and it swings differently in bends.
-std::vector<StartPlace> startsOfStretches(const HeadlandPass& pass, const std::function<bool(const Turn&)>& fits) {
+std::vector<StartPlace> startsOfStretches(const HeadlandPass& pass, const std::function<bool(const Curve&)>& fits) {
     std::vector<StartPlace> places;
     const std::size_t count = pass.stretches.size();
     for (std::size_t s = 0; s < count; ++s) {
@@ -46,7 +46,7 @@ std::vector<StartPlace> startsOfStretches(const HeadlandPass& pass, const std::f
                           .end = pass.stretches[(s + count - 1) % count].line.end()});
     }
     if (count == 1) {
-        const Turn back = reversedLine(pass.stretches.front().line);
+        const Curve back = reversedLine(pass.stretches.front().line);
         if (fits(back)) {
             places.push_back({.pose = back.start, .end = back.end(), .reversed = true});
         }
@@ -56,7 +56,7 @@ std::vector<StartPlace> startsOfStretches(const HeadlandPass& pass, const std::f
 
 /// A trailed implement has to be in line again at the end of a closed pass, `inLineAfter` after the last
 /// bend.
-std::vector<StartPlace> startPlaces(const HeadlandPass& pass, Length inLineAfter, const std::function<bool(const Turn&)>& fits) {
+std::vector<StartPlace> startPlaces(const HeadlandPass& pass, Length inLineAfter, const std::function<bool(const Curve&)>& fits) {
     if (!pass.closed) {
         return startsOfStretches(pass, fits);
     }
@@ -66,7 +66,7 @@ std::vector<StartPlace> startPlaces(const HeadlandPass& pass, Length inLineAfter
         const PassStretch& stretch = pass.stretches[s];
         Pose pose = stretch.line.start;
         for (std::size_t p = 0; p < stretch.line.pieces.size(); ++p) {
-            const TurnPiece& piece = stretch.line.pieces[p];
+            const CurvePiece& piece = stretch.line.pieces[p];
             const bool isStraight = piece.curvature == Curvature{} && piece.endCurvature == Curvature{};
             Length way;
             if (inLineAfter > Length{}) {
@@ -103,7 +103,7 @@ std::vector<Leg> legsFrom(const HeadlandPass& pass, const StartPlace& start) {
         return legs;
     }
     const PassStretch& first = pass.stretches[start.stretch];
-    const TurnPiece& split = first.line.pieces[start.piece];
+    const CurvePiece& split = first.line.pieces[start.piece];
     PassStretch head{.line = {.type = {}, .start = start.pose, .pieces = {}}, .working = true};
     PassStretch tail{.line = {.type = {}, .start = first.line.start, .pieces = {}}, .working = true};
     const Curvature here = split.curvatureAt(start.way);
@@ -215,7 +215,7 @@ public:
     }
 
 private:
-    Turn way(const StartPlace& place, const Pose& fixed, bool fixedIsNext) const {
+    Curve way(const StartPlace& place, const Pose& fixed, bool fixedIsNext) const {
         return fixedIsNext ? connection(place.end, fixed, machine_, turn_)
                            : connection(fixed, place.pose, machine_, turn_);
     }
@@ -235,7 +235,7 @@ std::vector<Leg> headlandLegs(const std::vector<HeadlandPass>& passes, const Hea
         Trailer::of(machine) ? kLengthsIntoLine * (implement.hitchOffset - implement.offset) : Length{};
     const Ring working = machine.workingFootprint();
     const BoundaryDistance edges{drive.drivable, machine.workingFootprintWidth() + machine.spec().tractor.length};
-    const auto fits = [&](const Turn& line) {
+    const auto fits = [&](const Curve& line) {
         return isInside(line.start, working, edges) && staysInside(line, working, edges, kCheckStep);
     };
     std::vector<std::vector<StartPlace>> places;
@@ -270,7 +270,7 @@ std::vector<Leg> headlandLegs(const std::vector<HeadlandPass>& passes, const Hea
     return legs;
 }
 
-PassPlace placeFor(const Turn& line, const std::vector<Leg>& legs, RememberedWays& ways, const JobContext& job) {
+PassPlace placeFor(const Curve& line, const std::vector<Leg>& legs, RememberedWays& ways, const JobContext& job) {
     const Pose start = line.start;
     const Pose end = line.end();
     std::vector<std::pair<double, std::size_t>> places;  // detour, and the leg that follows

@@ -31,7 +31,7 @@ struct PassPlace {
     PassAccess access = PassAccess::NoWayIn;
     std::size_t before = 0;  ///< valid if there are ways
 };
-PassPlace placeFor(const Turn& line, const std::vector<Leg>& legs, RememberedWays& ways, const JobContext& job);
+PassPlace placeFor(const Curve& line, const std::vector<Leg>& legs, RememberedWays& ways, const JobContext& job);
 
 struct FinishedLegs {
     std::vector<Leg> legs;

@@ -1,7 +1,7 @@
 #include "planner/path/lifted_legs.h"
 
 #include "planner/swaths/mainland_edges.h"
-#include "planner/turns/curve_parts.h"
+#include "planner/geometry/curve_parts.h"
 
 #include <algorithm>
 #include <cmath>
@@ -56,9 +56,9 @@ private:
 /// Poses along a line, with a fast lookup.
 class PosesAlong {
 public:
-    explicit PosesAlong(const Turn& line) : line_{line} {
+    explicit PosesAlong(const Curve& line) : line_{line} {
         Pose pose = line.start;
-        for (const TurnPiece& piece : line.pieces) {
+        for (const CurvePiece& piece : line.pieces) {
             begins_.push_back({lengthM_, pose});
             pose = advanced(pose, piece, piece.length);
             lengthM_ += piece.length.si();
@@ -80,7 +80,7 @@ private:
         double m = 0.0;
         Pose pose;
     };
-    const Turn& line_;
+    const Curve& line_;
     std::vector<Begin> begins_;
     double lengthM_ = 0.0;
 };
@@ -145,7 +145,7 @@ private:
         return fromIsUnworked ? toM : fromM;
     }
 
-    std::vector<Stretch> stretchesOf(const Turn& driven) const {
+    std::vector<Stretch> stretchesOf(const Curve& driven) const {
         const PosesAlong line{driven};
         const double lengthM = line.lengthM();
         const int looks = std::max(1, static_cast<int>(std::ceil(lengthM / kLookM)));
@@ -184,9 +184,9 @@ private:
         return kept;
     }
 
-    void addLanes(const Turn& driven, const Stretch& stretch, MultiPolygon& lanes) const {
+    void addLanes(const Curve& driven, const Stretch& stretch, MultiPolygon& lanes) const {
         const int chords = std::max(1, static_cast<int>(std::ceil((stretch.toM - stretch.fromM) / kChordM)));
-        const bool straight = std::ranges::all_of(driven.pieces, [](const TurnPiece& piece) {
+        const bool straight = std::ranges::all_of(driven.pieces, [](const CurvePiece& piece) {
             return piece.curvature == Curvature{} && piece.endCurvature == Curvature{};
         });
         const PosesAlong line{driven};

@@ -2,7 +2,7 @@
 
 #include "planner/core/message.h"
 #include "planner/geometry/point.h"
-#include "planner/turns/turn.h"
+#include "planner/geometry/curve.h"
 #include "planner/units/quantity.h"
 
 #include <optional>

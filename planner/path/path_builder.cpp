@@ -52,7 +52,7 @@ Result<Path> buildPath(std::span<const Leg> legs, const Machine& machine, const 
             if (isSamePose(legs[i].line.end(), legs[i + 1].line.start)) {
                 return std::nullopt;
             }
-            Turn turn = way(legs[i], legs[i + 1], job);
+            Curve turn = way(legs[i], legs[i + 1], job);
             const bool isTransfer = (turn.type == kCombinedTurn && turn.length() > longest) ||
                                     legs[i].kind == SegmentKind::Transfer || legs[i + 1].kind == SegmentKind::Transfer;
             return Leg{.kind = isTransfer ? SegmentKind::Transfer : SegmentKind::Turn,

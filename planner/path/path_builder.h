@@ -15,7 +15,7 @@ namespace furrow {
 struct Leg {
     SegmentKind kind = SegmentKind::Swath;
     int number = 0;  ///< of the swath or headland pass
-    Turn line;       ///< of the vehicle's reference point
+    Curve line;       ///< of the vehicle's reference point
     bool implementDown = true;
 };
 
@@ -23,7 +23,7 @@ struct Leg {
 std::vector<Leg> swathLegs(const SwathSet& swaths, const Route& route, const Machine& machine);
 
 /// Finds the way from the end of one leg to the start of the next. Called by several threads at once.
-using WayFinder = std::function<Turn(const Leg& leaving, const Leg& arriving, const JobContext& job)>;
+using WayFinder = std::function<Curve(const Leg& leaving, const Leg& arriving, const JobContext& job)>;
 
 /// Turns of one kind in free space.
 WayFinder waysBy(TurnPlanner* turn, const Machine& machine);

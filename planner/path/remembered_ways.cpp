@@ -2,7 +2,7 @@
 
 namespace furrow {
 
-std::optional<Turn> RememberedWays::operator()(const Pose& leaving, const Pose& arriving, const JobContext& job,
+std::optional<Curve> RememberedWays::operator()(const Pose& leaving, const Pose& arriving, const JobContext& job,
                                                SearchEffort effort) {
     const std::array key{leaving.position.x,  leaving.position.y,  leaving.heading.si(),
                          arriving.position.x, arriving.position.y, arriving.heading.si()};
@@ -12,7 +12,7 @@ std::optional<Turn> RememberedWays::operator()(const Pose& leaving, const Pose& 
             return known->second;
         }
     }
-    std::optional<Turn> way = finder_(leaving, arriving, job, effort);
+    std::optional<Curve> way = finder_(leaving, arriving, job, effort);
     // A quick search may miss an existing way, so its failure is not remembered.
     if (!job.stopRequested() && (way || effort == SearchEffort::Thorough)) {
         const std::lock_guard lock{mutex_};

@@ -11,7 +11,7 @@
 namespace furrow {
 
 /// Finds a way that fits with the given effort, or none.
-using FittingWayFinder = std::function<std::optional<Turn>(const Pose& leaving, const Pose& arriving, const JobContext& job,
+using FittingWayFinder = std::function<std::optional<Curve>(const Pose& leaving, const Pose& arriving, const JobContext& job,
                                                           SearchEffort effort)>;
 
 /// Remembers the result of each search, found or not. So a path that differs by a few legs costs only those.
@@ -20,13 +20,13 @@ class RememberedWays {
 public:
     explicit RememberedWays(FittingWayFinder finder) : finder_{std::move(finder)} {}
 
-    std::optional<Turn> operator()(const Pose& leaving, const Pose& arriving, const JobContext& job,
+    std::optional<Curve> operator()(const Pose& leaving, const Pose& arriving, const JobContext& job,
                                    SearchEffort effort = SearchEffort::Thorough);
 
 private:
     FittingWayFinder finder_;
     std::mutex mutex_;
-    std::map<std::array<double, 6>, std::optional<Turn>> found_;
+    std::map<std::array<double, 6>, std::optional<Curve>> found_;
 };
 
 }  // namespace furrow

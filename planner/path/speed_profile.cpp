@@ -1,6 +1,6 @@
 #include "planner/path/speed_profile.h"
 
-#include "planner/turns/turn_sampling.h"
+#include "planner/geometry/curve_sampling.h"
 #include "planner/units/angle.h"
 
 #include <algorithm>
@@ -22,7 +22,7 @@ constexpr double kHeadingJumpRad = 1e-6;
 struct Step {
     Pose from;
     Pose to;
-    TurnPiece piece;
+    CurvePiece piece;
     double limitMps = 0.0;
 };
 
@@ -50,23 +50,23 @@ double kindLimit(SegmentKind kind, Gear gear, const Machine& machine) {
     return tractor.turningSpeed.si();
 }
 
-double sidewaysLimit(const TurnPiece& piece, const Machine& machine) {
+double sidewaysLimit(const CurvePiece& piece, const Machine& machine) {
     const double curvature = std::max(std::abs(piece.curvature.si()), std::abs(piece.endCurvature.si()));
     return std::sqrt(machine.spec().tractor.maxLateralAcceleration.si() / curvature);
 }
 
 /// Adds the leg's samples as steps, split where the gear changes.
 void addRuns(const Leg& leg, double longestMps, const Machine& machine, std::vector<Run>& runs) {
-    const std::vector<TurnSample> samples = sampled(leg.line, kChordTolerance);
+    const std::vector<CurveSample> samples = sampled(leg.line, kChordTolerance);
     const Run* open = nullptr;
     for (std::size_t i = 0; i + 1 < samples.size(); ++i) {
-        const TurnSample& a = samples[i];
-        const TurnSample& b = samples[i + 1];
+        const CurveSample& a = samples[i];
+        const CurveSample& b = samples[i + 1];
         if (open == nullptr || a.gear != runs.back().gear) {
             runs.push_back({.leg = &leg, .gear = a.gear});
             open = &runs.back();
         }
-        const TurnPiece piece{.length = b.way - a.way, .curvature = a.curvature, .endCurvature = b.arriving, .gear = a.gear};
+        const CurvePiece piece{.length = b.way - a.way, .curvature = a.curvature, .endCurvature = b.arriving, .gear = a.gear};
         const double limit = std::min({kindLimit(leg.kind, a.gear, machine), sidewaysLimit(piece, machine), longestMps});
         runs.back().steps.push_back({.from = a.pose, .to = b.pose, .piece = piece, .limitMps = limit});
     }

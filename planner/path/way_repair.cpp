@@ -2,7 +2,7 @@
 
 #include "planner/geometry/tolerances.h"
 #include "planner/headland/smooth_ring.h"
-#include "planner/turns/curve_parts.h"
+#include "planner/geometry/curve_parts.h"
 
 #include <algorithm>
 #include <cmath>

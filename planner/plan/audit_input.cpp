@@ -1,7 +1,7 @@
 #include "planner/plan/audit_input.h"
 
 #include "planner/plan/general_parameters.h"
-#include "planner/turns/turn_sampling.h"
+#include "planner/geometry/curve_sampling.h"
 
 #include <ranges>
 
@@ -9,9 +9,9 @@ namespace furrow {
 
 namespace {
 
-Polyline lineOf(const Turn& turn) {
+Polyline lineOf(const Curve& turn) {
     Polyline line;
-    for (const TurnSample& sample : sampled(turn, kChordTolerance)) {
+    for (const CurveSample& sample : sampled(turn, kChordTolerance)) {
         line.push_back(sample.pose.position);
     }
     return line;

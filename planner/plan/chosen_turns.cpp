@@ -49,16 +49,16 @@ bool ChosenTurns::belongsBetween(const Leg& leaving, const Leg& arriving) const 
     return from != cellOfSwath_.end() && to != cellOfSwath_.end() && from->second == to->second;
 }
 
-std::optional<Turn> ChosenTurns::fitting(const Method<TurnPlanner>& kind, const Leg& leaving, const Leg& arriving) const {
+std::optional<Curve> ChosenTurns::fitting(const Method<TurnPlanner>& kind, const Leg& leaving, const Leg& arriving) const {
     return ways_.byOne(kind, leaving.line.end(), arriving.line.start);
 }
 
-std::optional<Turn> ChosenTurns::between(const Leg& leaving, const Leg& arriving) const {
+std::optional<Curve> ChosenTurns::between(const Leg& leaving, const Leg& arriving) const {
     if (&kind_ == &kBestFeasibleMethod) {
         return std::nullopt;
     }
     const bool isSmooth = std::ranges::contains(kSmooth, &kind_);
-    std::optional<Turn> turn;
+    std::optional<Curve> turn;
     if (isSmooth || belongsBetween(leaving, arriving)) {
         turn = fitting(kind_, leaving, arriving);
     }
@@ -68,9 +68,9 @@ std::optional<Turn> ChosenTurns::between(const Leg& leaving, const Leg& arriving
     return turn;
 }
 
-std::optional<Turn> ChosenTurns::anywhere(const Leg& leaving, const Leg& arriving) const {
+std::optional<Curve> ChosenTurns::anywhere(const Leg& leaving, const Leg& arriving) const {
     const Rig& rig = ways_.rig();
-    Turn turn = connection(leaving.line.end(), arriving.line.start, rig.machine(), kind_.run);
+    Curve turn = connection(leaving.line.end(), arriving.line.start, rig.machine(), kind_.run);
     return rig.driven(Rig::inLine(turn.start), turn) ? std::optional{std::move(turn)} : std::nullopt;
 }
 

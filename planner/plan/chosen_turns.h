@@ -20,17 +20,17 @@ public:
     ChosenTurns(const Settings& settings, const SwathSet& swaths, const Decomposition& cells, const FittingWays& ways);
 
     /// The turn from one leg to the next of the chosen kind, where it belongs and fits.
-    std::optional<Turn> between(const Leg& leaving, const Leg& arriving) const;
+    std::optional<Curve> between(const Leg& leaving, const Leg& arriving) const;
 
     /// The same from any leg to any other, as long as it leads through no obstacle: for machines that may leave the field.
-    std::optional<Turn> anywhere(const Leg& leaving, const Leg& arriving) const;
+    std::optional<Curve> anywhere(const Leg& leaving, const Leg& arriving) const;
 
     /// How many turns between swaths are of another kind, and why; nothing where all are as chosen.
     std::optional<Finding> told(std::span<const Leg> legs) const;
 
 private:
     bool belongsBetween(const Leg& leaving, const Leg& arriving) const;
-    std::optional<Turn> fitting(const Method<TurnPlanner>& kind, const Leg& leaving, const Leg& arriving) const;
+    std::optional<Curve> fitting(const Method<TurnPlanner>& kind, const Leg& leaving, const Leg& arriving) const;
 
     const Method<TurnPlanner>& kind_;
     const FittingWays& ways_;

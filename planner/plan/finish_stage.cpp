@@ -70,7 +70,7 @@ Result<std::optional<FullLockPasses>> fullLockPasses(const DriveTask& task, cons
     if (canReverse(machine) || machine.spec().tractor.canTurnInPlace) {
         return std::optional<FullLockPasses>{};
     }
-    return FullLockPasses::of(ground, lowered, [&legs, &ways, job](const Turn& line) { return placeFor(line, legs, ways, job).access; }, job)
+    return FullLockPasses::of(ground, lowered, [&legs, &ways, job](const Curve& line) { return placeFor(line, legs, ways, job).access; }, job)
         .transform([](FullLockPasses&& made) { return std::optional{std::move(made)}; });
 }
 

@@ -162,11 +162,11 @@ SwathSet cutTo(const SwathSet& set, const MultiPolygon& part) {
     inside.swaths.clear();
     inside.totalLength = {};
     for (const Swath& swath : set.swaths) {
-        for (Turn& piece : edges.partsInside(lineOf(swath))) {
+        for (Curve& piece : edges.partsInside(lineOf(swath))) {
             Swath cut = swath;
             cut.start = piece.start.position;
             cut.end = piece.end().position;
-            cut.curve = swath.isCurved() ? std::move(piece) : Turn{};
+            cut.curve = swath.isCurved() ? std::move(piece) : Curve{};
             inside.totalLength += cut.length();
             inside.swaths.push_back(std::move(cut));
         }
@@ -178,7 +178,7 @@ Result<std::vector<Pose>> swathEnds(const PlanRequest& request, const MultiPolyg
     return swathsByMethod(request, mainland, job).transform([](const SwathSet& set) {
         std::vector<Pose> ends;
         for (const Swath& swath : set.swaths) {
-            const Turn line = lineOf(swath);
+            const Curve line = lineOf(swath);
             ends.push_back({.position = line.start.position, .heading = line.start.heading + degrees(180.0)});
             ends.push_back(line.end());
         }

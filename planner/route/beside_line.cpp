@@ -20,7 +20,7 @@ void Extent::add(const Extent& other) {
     leftM = std::max(leftM, other.leftM);
 }
 
-BesideLine::BesideLine(const Turn& line) : samples_{sampled(line, kChord)} {}
+BesideLine::BesideLine(const Curve& line) : samples_{sampled(line, kChord)} {}
 
 Extent BesideLine::of(const Ring& ring) const {
     Extent extent = of(ring.front());

@@ -1,7 +1,7 @@
 #pragma once
 
 #include "planner/geometry/polygon.h"
-#include "planner/turns/turn_sampling.h"
+#include "planner/geometry/curve_sampling.h"
 
 #include <vector>
 
@@ -22,7 +22,7 @@ struct Extent {
 /// Places beside a line of straights and arcs. The line is extended straight at both ends. Immutable.
 class BesideLine {
 public:
-    explicit BesideLine(const Turn& line);
+    explicit BesideLine(const Curve& line);
 
     /// The extent of a ring's corners. Cost: O(corners * chords of the line).
     Extent of(const Ring& ring) const;
@@ -30,7 +30,7 @@ public:
 private:
     Extent of(Point point) const;
 
-    std::vector<TurnSample> samples_;
+    std::vector<CurveSample> samples_;
 };
 
 }  // namespace furrow

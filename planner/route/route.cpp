@@ -1,7 +1,7 @@
 #include "planner/route/route.h"
 
 #include "planner/headland/smooth_ring.h"
-#include "planner/turns/curve_parts.h"
+#include "planner/geometry/curve_parts.h"
 #include "planner/turns/connection.h"
 #include "planner/units/angle.h"
 
@@ -37,20 +37,20 @@ Pose endPose(const RouteStep& step, const SwathSet& swaths) {
     return {.position = step.reversed ? swath.start : swath.end, .heading = drivingHeading(step, swaths)};
 }
 
-Turn drivenLine(const RouteStep& step, const SwathSet& swaths, const Machine& machine) {
+Curve drivenLine(const RouteStep& step, const SwathSet& swaths, const Machine& machine) {
     const Swath& swath = swaths.swaths[step.swath];
     if (!swath.isCurved()) {
         return {.type = {},
                 .start = vehicleAt(startPose(step, swaths), machine),
                 .pieces = {{.length = swath.length(), .curvature = {}}}};
     }
-    const Turn along = step.reversed ? reversedLine(swath.curve) : swath.curve;
-    const Turn line = movedLeft(along, -machine.spec().implement.lateralOffset);
+    const Curve along = step.reversed ? reversedLine(swath.curve) : swath.curve;
+    const Curve line = movedLeft(along, -machine.spec().implement.lateralOffset);
     const Length lead = -machine.spec().implement.offset;
     const Length length = line.length();
     if (swath.isClosed()) {
         // On a closed ring, the stretch ahead of the start is the ring again.
-        Turn twice = line;
+        Curve twice = line;
         twice.pieces.insert(twice.pieces.end(), line.pieces.begin(), line.pieces.end());
         const Length from = lead < Length{} ? length + lead : lead;
         return partOf(twice, from, from + length);
@@ -78,7 +78,7 @@ Polyline drivenMiddle(const RouteStep& step, const SwathSet& swaths) {
     return line;
 }
 
-Turn turnBetween(const RouteStep& from, const RouteStep& to, const SwathSet& swaths, const Machine& machine,
+Curve turnBetween(const RouteStep& from, const RouteStep& to, const SwathSet& swaths, const Machine& machine,
                  TurnPlanner* turn) {
     return connection(vehicleEnd(from, swaths, machine), vehicleStart(to, swaths, machine),
                       machine, turn);

@@ -5,7 +5,7 @@
 #include "planner/machine/machine.h"
 #include "planner/settings/settings.h"
 #include "planner/swaths/swath.h"
-#include "planner/turns/pose.h"
+#include "planner/geometry/pose.h"
 #include "planner/turns/turn_method.h"
 
 #include <vector>
@@ -36,7 +36,7 @@ Pose endPose(const RouteStep& step, const SwathSet& swaths);
 /// point itself follows it, as guidance steers, moved sideways by the implement's lateral offset. In a bend
 /// of radius R, the middle of an implement at a distance d behind the axle therefore runs outside of it by d²
 /// / 2R.
-Turn drivenLine(const RouteStep& step, const SwathSet& swaths, const Machine& machine);
+Curve drivenLine(const RouteStep& step, const SwathSet& swaths, const Machine& machine);
 
 /// The pose of the vehicle at the beginning and end of a step: the ends of that line.
 Pose vehicleStart(const RouteStep& step, const SwathSet& swaths, const Machine& machine);
@@ -46,7 +46,7 @@ Pose vehicleEnd(const RouteStep& step, const SwathSet& swaths, const Machine& ma
 Polyline drivenMiddle(const RouteStep& step, const SwathSet& swaths);
 
 /// The turn from the end of one step to the start of another, run-in included.
-Turn turnBetween(const RouteStep& from, const RouteStep& to, const SwathSet& swaths, const Machine& machine,
+Curve turnBetween(const RouteStep& from, const RouteStep& to, const SwathSet& swaths, const Machine& machine,
                  TurnPlanner* turn);
 
 /// L_0 of the paper for this order.

@@ -5,7 +5,7 @@
 #include "planner/route/beside_line.h"
 #include "planner/route/route.h"
 #include "planner/swaths/curved_swaths.h"
-#include "planner/turns/curve_parts.h"
+#include "planner/geometry/curve_parts.h"
 #include "planner/turns/dubins.h"
 #include "planner/turns/rig.h"
 
@@ -55,7 +55,7 @@ struct Breadth {
 struct Detour {
     double fromM = 0.0;
     double toM = 0.0;
-    Turn line;
+    Curve line;
 };
 
 /// The dimensions of a detour past an obstacle.
@@ -68,18 +68,18 @@ struct Shape {
     double leftM2 = 0.0;   ///< approximate unworked area
 };
 
-void append(Turn& line, const Turn& more) {
+void append(Curve& line, const Curve& more) {
     if (line.pieces.empty()) {
         line.start = more.start;
     }
     line.pieces.insert(line.pieces.end(), more.pieces.begin(), more.pieces.end());
 }
 
-Turn part(const Turn& line, double fromM, double toM) {
+Curve part(const Curve& line, double fromM, double toM) {
     return partOf(line, metres(fromM), metres(toM));
 }
 
-Turn moved(const Turn& line, double leftM) {
+Curve moved(const Curve& line, double leftM) {
     return movedLeft(line, metres(leftM));
 }
 
@@ -135,8 +135,8 @@ public:
     }
 
     /// The line with these detours in place of the stretches that they replace.
-    Turn with(const std::vector<Detour>& detours) const {
-        Turn line{.type = line_.type, .start = {}, .pieces = {}};
+    Curve with(const std::vector<Detour>& detours) const {
+        Curve line{.type = line_.type, .start = {}, .pieces = {}};
         double atM = 0.0;
         for (const Detour& detour : detours) {
             append(line, part(line_, atM, detour.fromM));
@@ -148,7 +148,7 @@ public:
     }
 
     /// Whether tractor and implement stay inside in both directions of driving.
-    bool isClear(const Turn& line) const {
+    bool isClear(const Curve& line) const {
         if (line.pieces.empty()) {
             return true;
         }
@@ -158,21 +158,21 @@ public:
         one.swaths.front().start = line.start.position;
         one.swaths.front().end = line.end().position;
         return std::ranges::all_of(std::array{false, true}, [&](bool reversed) {
-            const Turn driven = drivenLine({.swath = 0, .reversed = reversed}, one, task_.machine);
+            const Curve driven = drivenLine({.swath = 0, .reversed = reversed}, one, task_.machine);
             return lowered_.driven(Rig::inLine(driven.start), driven).has_value();
         });
     }
 
 private:
     /// The part of the line beside an extent, with the length of the machine before and after.
-    Turn around(const Extent& extent) const {
+    Curve around(const Extent& extent) const {
         return part(line_, std::max(0.0, extent.fromM - 2.0 * breadth_.endM), std::min(lengthM_, extent.toM + 2.0 * breadth_.endM));
     }
 
     /// The detour with the line before and after it, until a trailed implement is in line again in both
     /// directions.
-    Turn withLine(const Detour& detour) const {
-        Turn line = part(line_, std::max(0.0, detour.fromM - 3.0 * breadth_.endM), detour.fromM);
+    Curve withLine(const Detour& detour) const {
+        Curve line = part(line_, std::max(0.0, detour.fromM - 3.0 * breadth_.endM), detour.fromM);
         append(line, detour.line);
         append(line, part(line_, detour.toM, std::min(lengthM_, detour.toM + 3.0 * breadth_.endM)));
         return line;
@@ -255,7 +255,7 @@ private:
     }
 
     Pose poseAt(double alongM, double leftM) const {
-        const Turn rest = part(line_, alongM, lengthM_);
+        const Curve rest = part(line_, alongM, lengthM_);
         Pose pose = rest.pieces.empty() ? line_.end() : rest.start;
         const Point ahead = direction(pose.heading.si());
         pose.position = pose.position + leftM * Point{-ahead.y, ahead.x};
@@ -263,8 +263,8 @@ private:
     }
 
     /// The curve from one place beside the line to another that is farther on.
-    std::optional<Turn> change(double fromM, double fromLeftM, double toM, double toLeftM, double radiusM) const {
-        Turn turn = dubinsTurn(poseAt(fromM, fromLeftM), poseAt(toM, toLeftM), metres(radiusM));
+    std::optional<Curve> change(double fromM, double fromLeftM, double toM, double toLeftM, double radiusM) const {
+        Curve turn = dubinsTurn(poseAt(fromM, fromLeftM), poseAt(toM, toLeftM), metres(radiusM));
         if (turn.length().si() > kDetour * (toM - fromM)) {
             return std::nullopt;
         }
@@ -289,8 +289,8 @@ private:
             }
             append(detour.line, *out);
         }
-        const Turn beside = part(line_, plateauFromM, plateauToM);
-        for (const TurnPiece& piece : beside.pieces) {
+        const Curve beside = part(line_, plateauFromM, plateauToM);
+        for (const CurvePiece& piece : beside.pieces) {
             // No shift to the inner side of a bend that it would make too sharp.
             const double radiusM = piece.curvature == Curvature{} ? std::numeric_limits<double>::infinity() : 1.0 / piece.curvature.si();
             if (radiusM * shape.shiftM > 0.0 && std::abs(radiusM) - std::abs(shape.shiftM) < swathRadius(task_.machine).si()) {
@@ -309,7 +309,7 @@ private:
     }
 
     const Swath& swath_;
-    Turn line_;
+    Curve line_;
     double lengthM_;
     const Rig& lowered_;
     const WayRoundTask& task_;
@@ -321,7 +321,7 @@ private:
 
 /// The changed line, or the obstacles that it does not get round.
 struct LedSwath {
-    Turn line;
+    Curve line;
     std::vector<std::size_t> refused;
 };
 

@@ -113,9 +113,9 @@ Polyline longestEdge(const Polygon& region) {
 }
 
 /// The distance of these lines from the contour of their own mean height.
-double awayM(const std::vector<Turn>& parts, const ElevationGrid& heights) {
+double awayM(const std::vector<Curve>& parts, const ElevationGrid& heights) {
     std::vector<std::pair<double, double>> seen;  // height and slope
-    for (const Turn& part : parts) {
+    for (const Curve& part : parts) {
         const Length length = part.length();
         Pose pose = part.start;
         Length passed;
@@ -232,10 +232,10 @@ private:
             std::ranges::min_element(places, {}, [](double place) { return std::abs(place); }) - places.begin());
         std::size_t first = nearest;
         std::size_t last = nearest;
-        std::vector<std::vector<Turn>> parts(places.size());
+        std::vector<std::vector<Curve>> parts(places.size());
         const auto follows = [&](std::size_t i) {
             for (const GuideLine& line : parallels.at(places[i], radius_)) {
-                for (Turn& part : working.partsInside(drivable(line))) {
+                for (Curve& part : working.partsInside(drivable(line))) {
                     if (part.length() >= spacing_.width) {
                         parts[i].push_back(std::move(part));
                     }
@@ -252,7 +252,7 @@ private:
             --first;
         }
         for (std::size_t i = first; i <= last; ++i) {
-            for (Turn& part : parts[i]) {
+            for (Curve& part : parts[i]) {
                 block.lines.push_back({static_cast<int>(i), std::move(part)});
             }
         }

@@ -1,9 +1,9 @@
 #include "planner/swaths/curved_swaths.h"
 
 #include "planner/jobs/parallel.h"
-#include "planner/turns/curve_parts.h"
+#include "planner/geometry/curve_parts.h"
 #include "planner/swaths/heading_search.h"
-#include "planner/turns/turn_sampling.h"
+#include "planner/geometry/curve_sampling.h"
 #include "planner/units/angle.h"
 
 #include <algorithm>
@@ -52,12 +52,12 @@ Angle meanHeading(const std::vector<Swath>& swaths) {
 
 // No strip turns far enough to come back to itself. Where the line bends more tightly than half the width,
 // every arc is a strip of its own.
-void addStrips(const Turn& whole, Length width, MultiPolygon& strips) {
+void addStrips(const Curve& whole, Length width, MultiPolygon& strips) {
     const double halfM = 0.5 * width.si();
-    const auto strip = [halfM](const Turn& line) {
+    const auto strip = [halfM](const Curve& line) {
         Ring left;
         Ring right;
-        for (const TurnSample& sample : sampled(line, kStripChord)) {
+        for (const CurveSample& sample : sampled(line, kStripChord)) {
             const Point ahead = direction(sample.pose.heading.si());
             const Point side{-ahead.y, ahead.x};
             left.push_back(sample.pose.position + halfM * side);
@@ -67,9 +67,9 @@ void addStrips(const Turn& whole, Length width, MultiPolygon& strips) {
         right.insert(right.end(), left.begin(), left.end());
         return Polygon{.outer = std::move(right), .holes = {}};
     };
-    const auto addPart = [&](const Turn& part) {
+    const auto addPart = [&](const Curve& part) {
         Polygon polygon = strip(part);
-        const TurnPiece& first = part.pieces.front();
+        const CurvePiece& first = part.pieces.front();
         if (std::abs(first.curvature.si()) * halfM >= 1.0) {
             // A sector about a centre inside the strip.
             const Point ahead = direction(part.start.heading.si());
@@ -84,7 +84,7 @@ void addStrips(const Turn& whole, Length width, MultiPolygon& strips) {
         }
         strips.push_back(std::move(polygon));
     };
-    Turn open{.type = {}, .start = whole.start, .pieces = {}};
+    Curve open{.type = {}, .start = whole.start, .pieces = {}};
     double turnedRad = 0.0;
     Pose at = whole.start;
     const auto close = [&] {
@@ -94,10 +94,10 @@ void addStrips(const Turn& whole, Length width, MultiPolygon& strips) {
         open = {.type = {}, .start = at, .pieces = {}};
         turnedRad = 0.0;
     };
-    for (const TurnPiece& piece : whole.pieces) {
+    for (const CurvePiece& piece : whole.pieces) {
         const double bend = std::abs(piece.curvature.si());
         const auto parts = std::max(1, static_cast<int>(std::ceil(bend * piece.length.si() / kMostTurnedRad)));
-        TurnPiece part = piece;
+        CurvePiece part = piece;
         part.length = piece.length / parts;
         const bool isSector = bend * halfM >= 1.0;
         for (int k = 0; k < parts; ++k) {
@@ -184,13 +184,13 @@ Result<std::vector<SwathLine>> parallelSwathLines(const GuideLine& guide, const 
     }
     const std::vector<double> places = trackPlaces(lowM, highM, spacing, anchored);
     const Length radius = swathRadius(task.machine);
-    const auto beside = parallelMap<std::vector<Turn>>(
+    const auto beside = parallelMap<std::vector<Curve>>(
         places.size(),
         [&](std::size_t i) {
-            std::vector<Turn> parts;
+            std::vector<Curve> parts;
             const std::vector<GuideLine> lines = parallels.at(places[i], radius);
             for (const GuideLine& line : lines) {
-                for (Turn& part : edges.partsInside(drivable(line))) {
+                for (Curve& part : edges.partsInside(drivable(line))) {
                     // Shorter parts are remains of a bend that is too tight to be followed.
                     if (lines.size() == 1 || part.length() >= spacing.width) {
                         parts.push_back(std::move(part));
@@ -208,7 +208,7 @@ Result<std::vector<SwathLine>> parallelSwathLines(const GuideLine& guide, const 
     for (std::size_t i = 0; i < beside->size(); ++i) {
         const double steps = std::round(places[i] / stepM);
         const bool isOnLane = anchored && std::abs(places[i] - steps * stepM) < kFlushM;
-        for (const Turn& part : (*beside)[i]) {
+        for (const Curve& part : (*beside)[i]) {
             lines.push_back({static_cast<int>(i), part, isOnLane ? std::optional{static_cast<int>(steps)} : std::nullopt});
         }
     }

@@ -15,7 +15,7 @@ Length swathRadius(const Machine& machine);
 /// A line to work along, inside the mainland.
 struct SwathLine {
     int track = 0;
-    Turn line;
+    Curve line;
     std::optional<int> lane = {};
 };
 
@@ -32,7 +32,7 @@ Result<std::vector<SwathLine>> parallelSwathLines(const GuideLine& guide, const 
                                                   const SwathTask& task, const JobContext& job);
 
 /// Adds the area worked along a line, as strips without folds.
-void addStrips(const Turn& line, Length width, MultiPolygon& strips);
+void addStrips(const Curve& line, Length width, MultiPolygon& strips);
 
 /// The coverage of a mainland by the swaths of a set, straight or not, with their present ends. Cancelled.
 Result<StripCoverage> coverageOf(const SwathSet& set, const MultiPolygon& mainland, const JobContext& job);

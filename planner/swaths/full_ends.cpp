@@ -2,7 +2,7 @@
 
 #include "planner/geometry/tolerances.h"
 #include "planner/swaths/clamped_integral.h"
-#include "planner/turns/curve_parts.h"
+#include "planner/geometry/curve_parts.h"
 #include "planner/swaths/methods.h"
 
 #include <algorithm>

@@ -86,8 +86,8 @@ GuideLine guideLineThrough(const Polyline& points, Length radius, Length toleran
     return line;
 }
 
-Turn drivable(const GuideLine& line) {
-    Turn turn{.type = {}, .start = line.start, .pieces = {}};
+Curve drivable(const GuideLine& line) {
+    Curve turn{.type = {}, .start = line.start, .pieces = {}};
     for (const GuidePiece& piece : line.pieces) {
         if (piece.lengthM <= 0.0) {
             continue;

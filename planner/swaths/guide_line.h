@@ -2,7 +2,7 @@
 
 #include "planner/geometry/box_tree.h"
 #include "planner/geometry/polygon.h"
-#include "planner/turns/turn.h"
+#include "planner/geometry/curve.h"
 
 #include <optional>
 #include <vector>
@@ -26,7 +26,7 @@ struct GuideLine {
 GuideLine guideLineThrough(const Polyline& points, Length radius, Length tolerance);
 
 /// The same line as stretches to drive. Its corners must already be rounded.
-Turn drivable(const GuideLine& line);
+Curve drivable(const GuideLine& line);
 
 /// Rounding a sharper bend leaves more than half a width between neighbouring parallels.
 inline constexpr Angle kSharpestBend = degrees(100.0);

@@ -64,7 +64,7 @@ Result<MultiPolygon> aheadOf(const Pose& end, Length width, const MultiPolygon& 
 Result<MultiPolygon> lanesOf(const SwathSet& set, const MultiPolygon& mainland, const JobContext& job) {
     MultiPolygon lanes;
     for (const Swath& swath : set.swaths) {
-        const Turn line = lineOf(swath);
+        const Curve line = lineOf(swath);
         addStrips(line, swath.width, lanes);
         if (swath.isClosed()) {
             continue;

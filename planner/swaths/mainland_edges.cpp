@@ -1,8 +1,8 @@
 #include "planner/swaths/mainland_edges.h"
 
 #include "planner/geometry/segment.h"
-#include "planner/turns/curve_parts.h"
-#include "planner/turns/turn_sampling.h"
+#include "planner/geometry/curve_parts.h"
+#include "planner/geometry/curve_sampling.h"
 
 #include <algorithm>
 #include <cmath>
@@ -40,8 +40,8 @@ bool MainlandEdges::contains(Point point) const {
     return inside;
 }
 
-std::vector<Turn> MainlandEdges::partsInside(const Turn& line) const {
-    const std::vector<TurnSample> samples = sampled(line, kChord);
+std::vector<Curve> MainlandEdges::partsInside(const Curve& line) const {
+    const std::vector<CurveSample> samples = sampled(line, kChord);
     std::vector<double> crossings{0.0};
     for (std::size_t k = 0; k + 1 < samples.size(); ++k) {
         const Point a = samples[k].pose.position;
@@ -67,7 +67,7 @@ std::vector<Turn> MainlandEdges::partsInside(const Turn& line) const {
     std::ranges::sort(crossings);
     // The middle of each stretch decides whether it is inside. A line that touches a corner crosses there
     // twice or not at all.
-    std::vector<Turn> parts;
+    std::vector<Curve> parts;
     Length begin;
     bool open = false;
     const auto close = [&](Length end) {

@@ -2,7 +2,7 @@
 
 #include "planner/geometry/box_tree.h"
 #include "planner/geometry/polygon.h"
-#include "planner/turns/turn.h"
+#include "planner/geometry/curve.h"
 
 #include <vector>
 
@@ -17,7 +17,7 @@ public:
     bool contains(Point point) const;
 
     /// The parts of a line inside, in order, with ends exact to a millimetre.
-    std::vector<Turn> partsInside(const Turn& line) const;
+    std::vector<Curve> partsInside(const Curve& line) const;
 
     Bounds box() const { return box_; }
     /// Points of the edges, no farther apart than `apart`.

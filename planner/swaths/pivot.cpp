@@ -25,7 +25,7 @@ std::pair<double, double> reachOf(const MultiPolygon& mainland, Point centre) {
     return {MainlandEdges{mainland}.contains(centre) ? 0.0 : nearestM, farthestM};
 }
 
-Turn ringAround(Point centre, double radiusM, double fromRad) {
+Curve ringAround(Point centre, double radiusM, double fromRad) {
     const Curvature curvature = Curvature::fromSi(1.0 / radiusM);
     return {.type = {},
             .start = {.position = centre + radiusM * direction(fromRad), .heading = radians(fromRad + 0.5 * std::numbers::pi)},
@@ -33,13 +33,13 @@ Turn ringAround(Point centre, double radiusM, double fromRad) {
 }
 
 /// The parts of a ring inside the mainland. A part across the start of the ring stays in one piece.
-std::vector<Turn> piecesOf(const Turn& ring, const MainlandEdges& edges) {
-    std::vector<Turn> parts = edges.partsInside(ring);
+std::vector<Curve> piecesOf(const Curve& ring, const MainlandEdges& edges) {
+    std::vector<Curve> parts = edges.partsInside(ring);
     if (parts.size() < 2 || !edges.contains(ring.start.position)) {
         return parts;
     }
     // The last part continues at the beginning of the first.
-    Turn joined = std::move(parts.back());
+    Curve joined = std::move(parts.back());
     parts.pop_back();
     joined.pieces.insert(joined.pieces.end(), parts.front().pieces.begin(), parts.front().pieces.end());
     parts.front() = std::move(joined);
@@ -79,7 +79,7 @@ Result<SwathSet> pivot(const SwathTask& task, const JobContext& job) {
             leftOut = static_cast<int>(std::ceil((radiusM - nearestM) / stepM));
             break;
         }
-        for (Turn& part : piecesOf(ringAround(centre, radiusM, fromRad), edges)) {
+        for (Curve& part : piecesOf(ringAround(centre, radiusM, fromRad), edges)) {
             lines.push_back({track, std::move(part)});
         }
         // The next ring begins farther on, by the length of the way over to it: two arcs of the smallest

@@ -145,7 +145,7 @@ Result<SwathSet> alongRows(const SwathTask& task, const JobContext& job) {
     std::vector<SwathLine> lines;
     for (std::size_t i = 0; i < rows.size(); ++i) {
         for (const GuideLine& line : followedLine(rows[i].line, radius)) {
-            for (Turn& part : edges.partsInside(drivable(line))) {
+            for (Curve& part : edges.partsInside(drivable(line))) {
                 lines.push_back({static_cast<int>(i), std::move(part), rows[i].number - 1});
             }
         }

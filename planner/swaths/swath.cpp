@@ -1,12 +1,12 @@
 #include "planner/swaths/swath.h"
 
-#include "planner/turns/turn_sampling.h"
+#include "planner/geometry/curve_sampling.h"
 
 #include <cmath>
 
 namespace furrow {
 
-Turn lineOf(const Swath& swath) {
+Curve lineOf(const Swath& swath) {
     if (swath.isCurved()) {
         return swath.curve;
     }
@@ -21,7 +21,7 @@ Polyline middleLine(const Swath& swath, Length chordTolerance) {
         return {swath.start, swath.end};
     }
     Polyline line;
-    for (const TurnSample& sample : sampled(swath.curve, chordTolerance)) {
+    for (const CurveSample& sample : sampled(swath.curve, chordTolerance)) {
         line.push_back(sample.pose.position);
     }
     return line;

@@ -7,7 +7,7 @@
 #include "planner/machine/machine.h"
 #include "planner/settings/settings.h"
 #include "planner/swaths/objective.h"
-#include "planner/turns/turn.h"
+#include "planner/geometry/curve.h"
 
 #include <algorithm>
 #include <optional>
@@ -34,7 +34,7 @@ struct Swath {
     bool goesRound = false;  ///< leaves its track to pass obstacles
     /// The line from start to end as lines and arcs, if it is not straight along the set's heading. Otherwise
     /// without pieces.
-    Turn curve = {};
+    Curve curve = {};
 
     bool isCurved() const { return !curve.pieces.empty(); }
     /// A ring is always driven in the same direction.
@@ -47,7 +47,7 @@ struct Swath {
 Polyline middleLine(const Swath& swath, Length chordTolerance = kSwathChord);
 
 /// The line of a swath, straight or not.
-Turn lineOf(const Swath& swath);
+Curve lineOf(const Swath& swath);
 
 /// A heading that a search examined closely.
 struct HeadingCandidate {

@@ -25,7 +25,7 @@ constexpr std::array kForward{&kDubinsMethod, &kOmegaMethod, &kPTurnMethod, &kUT
 constexpr std::array kReversing{&kReedsSheppMethod, &kFishtailMethod, &kThreePointMethod};
 
 struct Candidate {
-    Turn turn;
+    Curve turn;
     Duration time;
 };
 
@@ -33,7 +33,7 @@ struct Candidate {
 std::vector<Candidate> candidates(const Pose& leaving, const Pose& arriving, const Machine& machine) {
     std::vector<Candidate> found;
     const auto add = [&](const Method<TurnPlanner>* method) {
-        Turn turn = connection(leaving, arriving, machine, method->run);
+        Curve turn = connection(leaving, arriving, machine, method->run);
         // A method that does not suit the poses returns another method's turn.
         if (turn.type == method->info.id || method == &kDubinsMethod) {
             const Duration time = roughDuration(turn, machine);
@@ -48,11 +48,11 @@ std::vector<Candidate> candidates(const Pose& leaving, const Pose& arriving, con
     return found;
 }
 
-Turn runBestFeasible(const Pose& from, const Pose& to, const Machine& machine) {
-    Turn quickest = dubinsTurn(from, to, machine.minTurningRadius());
+Curve runBestFeasible(const Pose& from, const Pose& to, const Machine& machine) {
+    Curve quickest = dubinsTurn(from, to, machine.minTurningRadius());
     if (canReverse(machine)) {
         for (const auto* method : kReversing) {
-            Turn other = method->run(from, to, machine);
+            Curve other = method->run(from, to, machine);
             if (roughDuration(other, machine) < roughDuration(quickest, machine)) {
                 quickest = std::move(other);
             }
@@ -62,11 +62,11 @@ Turn runBestFeasible(const Pose& from, const Pose& to, const Machine& machine) {
 }
 
 /// The time, with every metre weighted by the cost of its place.
-double costS(const Turn& turn, const Machine& machine, const TravelCost& travel) {
+double costS(const Curve& turn, const Machine& machine, const TravelCost& travel) {
     double cost = 0.0;
     Pose pose = turn.start;
     double wayM = 0.0;
-    for (const TurnPiece& piece : turn.pieces) {
+    for (const CurvePiece& piece : turn.pieces) {
         cost += piece.length.si() * meanCost(travel, pose, piece, machine.minTurningRadius());
         wayM += piece.length.si();
         pose = advanced(pose, piece, piece.length);
@@ -75,12 +75,12 @@ double costS(const Turn& turn, const Machine& machine, const TravelCost& travel)
 }
 
 /// Whether to search another way.
-bool isDear(const Turn& turn, const Machine& machine, const TravelCost& travel) {
+bool isDear(const Curve& turn, const Machine& machine, const TravelCost& travel) {
     return travel && costS(turn, machine, travel) >= kDearWay * roughDuration(turn, machine).si();
 }
 
 /// The same way, with the pieces in [from, to) replaced by one forward curve.
-Turn withOneCurve(const Turn& way, std::size_t from, std::size_t to, Length radius) {
+Curve withOneCurve(const Curve& way, std::size_t from, std::size_t to, Length radius) {
     Pose begins = way.start;
     for (std::size_t i = 0; i < from; ++i) {
         begins = advanced(begins, way.pieces[i], way.pieces[i].length);
@@ -90,8 +90,8 @@ Turn withOneCurve(const Turn& way, std::size_t from, std::size_t to, Length radi
         ends = advanced(ends, way.pieces[i], way.pieces[i].length);
     }
     const auto at = [&](std::size_t i) { return way.pieces.begin() + static_cast<std::ptrdiff_t>(i); };
-    Turn other{.type = way.type, .start = way.start, .pieces = {way.pieces.begin(), at(from)}};
-    const Turn curve = dubinsTurn(begins, ends, radius);
+    Curve other{.type = way.type, .start = way.start, .pieces = {way.pieces.begin(), at(from)}};
+    const Curve curve = dubinsTurn(begins, ends, radius);
     other.pieces.insert(other.pieces.end(), curve.pieces.begin(), curve.pieces.end());
     other.pieces.insert(other.pieces.end(), at(to), way.pieces.end());
     return other;
@@ -99,12 +99,12 @@ Turn withOneCurve(const Turn& way, std::size_t from, std::size_t to, Length radi
 
 /// Removes bends as long as the way fits and costs no more, longest stretches first. A search turns in steps,
 /// so its way along an edge goes to and fro, and bends are driven slowly.
-Turn straightened(Turn way, const Rig& rig, const TravelCost& travel, const JobContext& job) {
+Curve straightened(Curve way, const Rig& rig, const TravelCost& travel, const JobContext& job) {
     const Machine& machine = rig.machine();
     double cost = costS(way, machine, travel);
     for (std::size_t from = 0; from < way.pieces.size() && !job.stopRequested(); ++from) {
         for (std::size_t to = way.pieces.size(); to > from + kCurvePieces; --to) {
-            Turn other = withOneCurve(way, from, to, machine.minTurningRadius());
+            Curve other = withOneCurve(way, from, to, machine.minTurningRadius());
             const double otherCost = costS(other, machine, travel);
             if (otherCost <= kNoDearer * cost && rig.driven(Rig::inLine(other.start), other)) {
                 way = std::move(other);
@@ -117,7 +117,7 @@ Turn straightened(Turn way, const Rig& rig, const TravelCost& travel, const JobC
 }
 
 /// The searched way, with the straight that the implement needs before it is lowered, if that fits.
-std::optional<Turn> searched(const Rig& rig, const Pose& leaving, const Pose& arriving, const TravelCost& travel,
+std::optional<Curve> searched(const Rig& rig, const Pose& leaving, const Pose& arriving, const TravelCost& travel,
                              const JobContext& job, SearchEffort effort) {
     if (effort == SearchEffort::None) {
         return std::nullopt;
@@ -140,7 +140,7 @@ std::optional<Turn> searched(const Rig& rig, const Pose& leaving, const Pose& ar
 
 }  // namespace
 
-std::optional<Turn> fittingConnection(const Rig& rig, const Pose& leaving, const Pose& arriving,
+std::optional<Curve> fittingConnection(const Rig& rig, const Pose& leaving, const Pose& arriving,
                                       const TravelCost& travel, const JobContext& job, SearchEffort effort) {
     const Machine& machine = rig.machine();
     std::vector<Candidate> turns = candidates(leaving, arriving, machine);
@@ -156,17 +156,17 @@ std::optional<Turn> fittingConnection(const Rig& rig, const Pose& leaving, const
     return better ? std::optional{std::move(fits->turn)} : way;
 }
 
-std::optional<Turn> fittingTurn(const Rig& rig, const Pose& leaving, const Pose& arriving, const TravelCost& travel,
+std::optional<Curve> fittingTurn(const Rig& rig, const Pose& leaving, const Pose& arriving, const TravelCost& travel,
                                 const Method<TurnPlanner>& kind) {
     const Machine& machine = rig.machine();
-    Turn turn = connection(leaving, arriving, machine, kind.run);
+    Curve turn = connection(leaving, arriving, machine, kind.run);
     if (turn.type != kind.info.id || isDear(turn, machine, travel) || !rig.driven(Rig::inLine(leaving), turn)) {
         return std::nullopt;
     }
     return turn;
 }
 
-Turn feasibleConnection(const Rig& rig, const Pose& leaving, const Pose& arriving, const TravelCost& travel,
+Curve feasibleConnection(const Rig& rig, const Pose& leaving, const Pose& arriving, const TravelCost& travel,
                         const JobContext& job) {
     auto way = fittingConnection(rig, leaving, arriving, travel, job);
     return way ? std::move(*way) : std::move(candidates(leaving, arriving, rig.machine()).front().turn);

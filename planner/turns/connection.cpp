@@ -25,12 +25,12 @@ Pose vehicleAt(const Pose& implement, const Machine& machine) {
             .heading = implement.heading};
 }
 
-Turn connection(const Pose& leaving, const Pose& arriving, const Machine& machine, TurnPlanner* turn) {
+Curve connection(const Pose& leaving, const Pose& arriving, const Machine& machine, TurnPlanner* turn) {
     const double runInM = machine.runIn().si();
     if (runInM > 0.0 && !isStraightAhead(leaving, arriving)) {
         const Pose before{.position = arriving.position - runInM * direction(arriving.heading.si()),
                           .heading = arriving.heading};
-        Turn made = turn(leaving, before, machine);
+        Curve made = turn(leaving, before, machine);
         if (made.type != kStraightMethod.info.id) {
             made.pieces.push_back({.length = metres(runInM), .curvature = {}});
             return made;

@@ -10,6 +10,6 @@ Pose vehicleAt(const Pose& implement, const Machine& machine);
 /// The way from the end of one working stretch to the start of the next, both poses of the vehicle. It is the
 /// turn and the straight run-in that the implement needs before it is lowered. Two cases need no run-in:
 /// straight ahead on the same line, and turns on the spot.
-Turn connection(const Pose& leaving, const Pose& arriving, const Machine& machine, TurnPlanner* turn);
+Curve connection(const Pose& leaving, const Pose& arriving, const Machine& machine, TurnPlanner* turn);
 
 }  // namespace furrow

@@ -50,7 +50,7 @@ public:
         return angle >= clothoidsAngle_ ? angle / curvature_ + clothoid_ : 2.0 * elementaryClothoid(angle);
     }
 
-    void drive(Turn& turn, int side, Gear gear, double angle) const {
+    void drive(Curve& turn, int side, Gear gear, double angle) const {
         const auto add = [&](double length, double from, double to) {
             turn.pieces.push_back({.length = metres(length),
                                    .curvature = Curvature::fromSi(side * from),
@@ -98,9 +98,9 @@ constexpr double kLargestClothoidsAngle = kPi;
 constexpr double kAheadSlackM = 1e-9;
 constexpr double kAheadSlackRad = 1e-10;
 
-Turn shortestTurn(const Pose& from, const Pose& to, Length radius, CurvatureRate rate, bool reversing) {
+Curve shortestTurn(const Pose& from, const Pose& to, Length radius, CurvatureRate rate, bool reversing) {
     const words::Goal goal = words::goalSeenFrom(from, to, 1.0);
-    Turn turn{.type = reversing ? "reeds-shepp-cc" : "dubins-cc", .start = from, .pieces = {}};
+    Curve turn{.type = reversing ? "reeds-shepp-cc" : "dubins-cc", .start = from, .pieces = {}};
     const double ahead = goal.position.x;
     if (std::abs(goal.position.y) <= kAheadSlackM &&
         std::abs(std::remainder(goal.heading, 2.0 * kPi)) <= kAheadSlackRad && (reversing || ahead >= 0.0)) {
@@ -155,11 +155,11 @@ Turn shortestTurn(const Pose& from, const Pose& to, Length radius, CurvatureRate
     return turn;
 }
 
-Turn runForward(const Pose& from, const Pose& to, const Machine& machine) {
+Curve runForward(const Pose& from, const Pose& to, const Machine& machine) {
     return continuousDubinsTurn(from, to, machine.minTurningRadius(), machine.maxCurvatureRate());
 }
 
-Turn runWithReversing(const Pose& from, const Pose& to, const Machine& machine) {
+Curve runWithReversing(const Pose& from, const Pose& to, const Machine& machine) {
     return canReverse(machine)
                ? continuousReedsSheppTurn(from, to, machine.minTurningRadius(), machine.maxCurvatureRate())
                : runForward(from, to, machine);
@@ -167,11 +167,11 @@ Turn runWithReversing(const Pose& from, const Pose& to, const Machine& machine) 
 
 }  // namespace
 
-Turn continuousDubinsTurn(const Pose& from, const Pose& to, Length radius, CurvatureRate rate) {
+Curve continuousDubinsTurn(const Pose& from, const Pose& to, Length radius, CurvatureRate rate) {
     return shortestTurn(from, to, radius, rate, false);
 }
 
-Turn continuousReedsSheppTurn(const Pose& from, const Pose& to, Length radius, CurvatureRate rate) {
+Curve continuousReedsSheppTurn(const Pose& from, const Pose& to, Length radius, CurvatureRate rate) {
     return shortestTurn(from, to, radius, rate, true);
 }
 

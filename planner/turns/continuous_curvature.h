@@ -26,10 +26,10 @@ namespace furrow {
 ///
 /// Source: Fraichard & Scheuer 2004, From Reeds and Shepp's to continuous-curvature paths,
 /// doi 10.1109/TRO.2004.833789. Added here: all families of words rather than some, and the larger radii.
-Turn continuousDubinsTurn(const Pose& from, const Pose& to, Length radius, CurvatureRate rate);
+Curve continuousDubinsTurn(const Pose& from, const Pose& to, Length radius, CurvatureRate rate);
 
 /// The same with reversing.
-Turn continuousReedsSheppTurn(const Pose& from, const Pose& to, Length radius, CurvatureRate rate);
+Curve continuousReedsSheppTurn(const Pose& from, const Pose& to, Length radius, CurvatureRate rate);
 
 extern const Method<TurnPlanner> kContinuousDubinsMethod;
 /// For machines that can reverse. Others get the forward one.

@@ -107,15 +107,15 @@ Word shortestWord(const Pose& from, const Pose& to, Length radius) {
     return ShortestWord{words::goalSeenFrom(from, to, 1.0 / radius.si())}.word();
 }
 
-Turn runDubins(const Pose& from, const Pose& to, const Machine& machine) {
+Curve runDubins(const Pose& from, const Pose& to, const Machine& machine) {
     return dubinsTurn(from, to, machine.minTurningRadius());
 }
 
 }  // namespace
 
-Turn dubinsTurn(const Pose& from, const Pose& to, Length radius) {
+Curve dubinsTurn(const Pose& from, const Pose& to, Length radius) {
     const Word word = shortestWord(from, to, radius);
-    Turn turn{.type = "dubins", .start = from, .pieces = {}};
+    Curve turn{.type = "dubins", .start = from, .pieces = {}};
     turn.pieces.reserve(3);
     const double parts[] = {word.first, word.middle, word.last};
     for (int i = 0; i < 3; ++i) {

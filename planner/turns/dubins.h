@@ -9,7 +9,7 @@ namespace furrow {
 /// best of the six words LSL, RSR, LSR, RSL, RLR, LRL in closed form. The end pose is exact except for
 /// rounding. Source: Dubins 1957, doi 10.2307/2372560; solved for the centres of the arcs, the words as in
 /// Shkel & Lumelsky 2001, doi 10.1016/S0921-8890(00)00127-5.
-Turn dubinsTurn(const Pose& from, const Pose& to, Length radius);
+Curve dubinsTurn(const Pose& from, const Pose& to, Length radius);
 
 /// The length of that curve only, several times cheaper than the curve.
 Length dubinsLength(const Pose& from, const Pose& to, Length radius);

@@ -1,7 +1,7 @@
 #include "planner/turns/footprint_check.h"
 
 #include "planner/geometry/tolerances.h"
-#include "planner/turns/turn_sampling.h"
+#include "planner/geometry/curve_sampling.h"
 
 #include <algorithm>
 #include <cmath>
@@ -62,9 +62,9 @@ bool isInside(const Pose& pose, const Ring& footprint, const BoundaryDistance& e
     return outsideM(pose, footprint, edges) <= kContactM;
 }
 
-bool staysInside(const Turn& turn, const Ring& footprint, const BoundaryDistance& edges, Length step) {
+bool staysInside(const Curve& turn, const Ring& footprint, const BoundaryDistance& edges, Length step) {
     Pose pose = turn.start;
-    for (const TurnPiece& piece : turn.pieces) {
+    for (const CurvePiece& piece : turn.pieces) {
         const auto steps = std::max(1, static_cast<int>(std::ceil(piece.length / step)));
         for (int i = 1; i <= steps; ++i) {
             const Length way = piece.length * (static_cast<double>(i) / steps);

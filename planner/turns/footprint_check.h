@@ -1,14 +1,14 @@
 #pragma once
 
 #include "planner/geometry/boundary_distance.h"
-#include "planner/turns/turn.h"
+#include "planner/geometry/curve.h"
 
 namespace furrow {
 
 /// Whether a footprint stays inside the edges along a turn, tested at places no farther apart than `step`.
 /// Places out of the edges' reach count as inside, so start from a pose that is inside. Cost: corners times
 /// places.
-bool staysInside(const Turn& turn, const Ring& footprint, const BoundaryDistance& edges, Length step);
+bool staysInside(const Curve& turn, const Ring& footprint, const BoundaryDistance& edges, Length step);
 bool isInside(const Pose& pose, const Ring& footprint, const BoundaryDistance& edges);
 
 /// The distance of a footprint from the edges that it must not cross. Negative if it crosses them.

@@ -66,13 +66,13 @@ constexpr double kFreeRad = 0.5;
 
 /// A way out from beside an edge. A way in is the same, driven backwards in time.
 struct Escape {
-    std::vector<TurnPiece> pieces;
+    std::vector<CurvePiece> pieces;
     Pose end;
 };
 
-std::vector<TurnPiece> backInTime(std::vector<TurnPiece> pieces) {
+std::vector<CurvePiece> backInTime(std::vector<CurvePiece> pieces) {
     std::ranges::reverse(pieces);
-    for (TurnPiece& piece : pieces) {
+    for (CurvePiece& piece : pieces) {
         std::swap(piece.curvature, piece.endCurvature);
         piece.gear = piece.gear == Gear::Forward ? Gear::Reverse : Gear::Forward;
     }
@@ -81,7 +81,7 @@ std::vector<TurnPiece> backInTime(std::vector<TurnPiece> pieces) {
 
 struct Node {
     RigState state;
-    std::vector<TurnPiece> pieces;  ///< that led to this node
+    std::vector<CurvePiece> pieces;  ///< that led to this node
     std::size_t before = 0;
     double timeS = 0.0;   ///< with every stretch weighted by the cost of its place
     double plainS = 0.0;  ///< the same without weights
@@ -113,7 +113,7 @@ public:
         ends_.push_back({.pieces = {}, .end = to});
     }
 
-    std::optional<Turn> run(SearchEffort effort) {
+    std::optional<Curve> run(SearchEffort effort) {
         mostWayM_ = reach_ * (200.0 + 60.0 * radiusM_ + 8.0 * distance(from().position, to_.position));
         const double byGrid = grid_.from(from().position, mostWayM_);
         greed_ = byGrid > kNearRadii * radiusM_ ? kGreedAfar : kGreed;
@@ -126,7 +126,7 @@ public:
         for (Escape& escape : *out) {
             double timeS = 0.0;
             Node node{.state = Rig::inLine(escape.end), .pieces = std::move(escape.pieces)};
-            for (const TurnPiece& piece : node.pieces) {
+            for (const CurvePiece& piece : node.pieces) {
                 timeS += secondsOf(piece, nullptr);
             }
             node.timeS = timeS;
@@ -180,7 +180,7 @@ private:
 
     const Pose& from() const { return nodes_.front().state.tractor; }
 
-    TurnPiece pieceOf(Gear gear, double curvature, double lengthM) const {
+    CurvePiece pieceOf(Gear gear, double curvature, double lengthM) const {
         return {.length = metres(lengthM),
                 .curvature = Curvature::fromSi(curvature),
                 .endCurvature = Curvature::fromSi(curvature),
@@ -238,7 +238,7 @@ private:
             }
             std::optional<RigState> next;
             for (const double share : kEscapeShares) {
-                const TurnPiece piece = pieceOf(gear, side * share / radiusM_, kEscapeStepM);
+                const CurvePiece piece = pieceOf(gear, side * share / radiusM_, kEscapeStepM);
                 next = rig_.driven(state, piece);
                 if (next) {
                     escape.pieces.push_back(piece);
@@ -258,13 +258,13 @@ private:
         return (reverses_ ? reedsSheppLength(pose, to_, radius) : dubinsLength(pose, to_, radius)).si();
     }
 
-    double secondsOf(const TurnPiece& piece, const TurnPiece* before) const {
+    double secondsOf(const CurvePiece& piece, const CurvePiece* before) const {
         const bool changes = before != nullptr && before->gear != piece.gear;
         const double speed = piece.gear == Gear::Forward ? forwardMps_ : reverseMps_;
         return piece.length.si() / speed + (changes ? gearChangeS_ : 0.0);
     }
 
-    double costAlong(const Pose& from, const TurnPiece& piece) const {
+    double costAlong(const Pose& from, const CurvePiece& piece) const {
         return meanCost(travel_, from, piece, metres(radiusM_));
     }
 
@@ -282,8 +282,8 @@ private:
     void expand(std::size_t index) {
         const Node node = nodes_[index];
         const auto move = [&](Gear gear, double curvature, double lengthM) {
-            const TurnPiece piece = pieceOf(gear, curvature, lengthM);
-            const TurnPiece* const last = node.pieces.empty() ? nullptr : &node.pieces.back();
+            const CurvePiece piece = pieceOf(gear, curvature, lengthM);
+            const CurvePiece* const last = node.pieces.empty() ? nullptr : &node.pieces.back();
             const double plainS = secondsOf(piece, last);
             Node next{.state = {},
                       .pieces = {piece},
@@ -330,14 +330,14 @@ private:
     /// Tries the rest of the way as one curve.
     void shoot(std::size_t index) {
         const Node& node = nodes_[index];
-        const auto attempt = [&](Turn rest, const Escape& end) {
+        const auto attempt = [&](Curve rest, const Escape& end) {
             const std::size_t checked = rest.pieces.size();
             rest.pieces.insert(rest.pieces.end(), end.pieces.begin(), end.pieces.end());
             double timeS = node.timeS;
             double plainS = node.plainS;
-            const TurnPiece* before = node.pieces.empty() ? nullptr : &node.pieces.back();
+            const CurvePiece* before = node.pieces.empty() ? nullptr : &node.pieces.back();
             Pose pose = rest.start;
-            for (const TurnPiece& piece : rest.pieces) {
+            for (const CurvePiece& piece : rest.pieces) {
                 const double pieceS = secondsOf(piece, before);
                 timeS += costAlong(pose, piece) * pieceS;
                 plainS += pieceS;
@@ -348,7 +348,7 @@ private:
                 return;
             }
             // The way in along the edge has already been checked.
-            const Turn open{.type = rest.type, .start = rest.start, .pieces = {rest.pieces.begin(), rest.pieces.begin() + static_cast<std::ptrdiff_t>(checked)}};
+            const Curve open{.type = rest.type, .start = rest.start, .pieces = {rest.pieces.begin(), rest.pieces.begin() + static_cast<std::ptrdiff_t>(checked)}};
             if (rig_.driven(node.state, open, room_)) {
                 bestS_ = timeS;
                 bestPlainS_ = plainS;
@@ -364,16 +364,16 @@ private:
         }
     }
 
-    Turn joined(std::size_t index, const Turn& rest) const {
-        Turn turn{.type = kCombinedTurn, .start = nodes_.front().state.tractor, .pieces = {}};
+    Curve joined(std::size_t index, const Curve& rest) const {
+        Curve turn{.type = kCombinedTurn, .start = nodes_.front().state.tractor, .pieces = {}};
         for (std::size_t i = index; i != 0; i = nodes_[i].before) {
             turn.pieces.insert(turn.pieces.end(), nodes_[i].pieces.rbegin(), nodes_[i].pieces.rend());
         }
         std::ranges::reverse(turn.pieces);
         turn.pieces.insert(turn.pieces.end(), rest.pieces.begin(), rest.pieces.end());
         // Successive moves with equal gear and curvature become one.
-        std::vector<TurnPiece> merged;
-        for (const TurnPiece& piece : turn.pieces) {
+        std::vector<CurvePiece> merged;
+        for (const CurvePiece& piece : turn.pieces) {
             if (!merged.empty() && merged.back().gear == piece.gear && merged.back().curvature == piece.curvature &&
                 merged.back().endCurvature == piece.endCurvature && piece.curvature == piece.endCurvature) {
                 merged.back().length = merged.back().length + piece.length;
@@ -404,14 +404,14 @@ private:
     FootprintRoom room_;  ///< at the current node
     std::unordered_map<Key, double> reached_;
     std::priority_queue<std::pair<double, std::size_t>, std::vector<std::pair<double, std::size_t>>, std::greater<>> open_;
-    std::optional<Turn> best_;
+    std::optional<Curve> best_;
     double bestS_ = kInfinite;
     double bestPlainS_ = kInfinite;
 };
 
 }  // namespace
 
-std::optional<Turn> searchManoeuvre(const Rig& rig, const Pose& from, const Pose& to, const TravelCost& travel,
+std::optional<Curve> searchManoeuvre(const Rig& rig, const Pose& from, const Pose& to, const TravelCost& travel,
                                     const JobContext& job, SearchEffort effort) {
     auto way = Search{rig, from, to, travel, job, kNear}.run(effort);
     // The way may be long: round a bay of a large field, or round a neck too narrow for the implement.

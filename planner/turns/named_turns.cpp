@@ -38,11 +38,11 @@ public:
         }
     }
 
-    Turn turn(std::string_view type, const Pose& from, const Pose& to, Length radius) const {
+    Curve turn(std::string_view type, const Pose& from, const Pose& to, Length radius) const {
         if (best_.count == 0) {
             return dubinsTurn(from, to, radius);
         }
-        Turn turn{.type = type, .start = from, .pieces = {}};
+        Curve turn{.type = type, .start = from, .pieces = {}};
         for (int i = 0; i < best_.count; ++i) {
             const Part& part = best_.parts[i];
             if (part.amount > words::kNoPart) {
@@ -212,22 +212,22 @@ std::optional<LoopAndStraight> loopAndStraight(const Goal& goal, int side) {
 }
 
 template <class Drive>
-Turn withReversing(Drive drive, const Pose& from, const Pose& to, const Machine& machine) {
+Curve withReversing(Drive drive, const Pose& from, const Pose& to, const Machine& machine) {
     return canReverse(machine) ? drive(from, to, machine.minTurningRadius())
                                : dubinsTurn(from, to, machine.minTurningRadius());
 }
 
 }  // namespace
 
-Turn uTurn(const Pose& from, const Pose& to, Length radius) {
+Curve uTurn(const Pose& from, const Pose& to, Length radius) {
     return shortestArcStraightArc(from, to, radius, 1).turn("u", from, to, radius);
 }
 
-Turn omegaTurn(const Pose& from, const Pose& to, Length radius) {
+Curve omegaTurn(const Pose& from, const Pose& to, Length radius) {
     return shortestThreeArcs(from, to, radius, 1).turn("omega", from, to, radius);
 }
 
-Turn pTurn(const Pose& from, const Pose& to, Length radius) {
+Curve pTurn(const Pose& from, const Pose& to, Length radius) {
     const auto about = [](const Pose& p) { return Pose{p.position, p.heading + radians(kPi)}; };
     const Goal there = words::goalSeenFrom(from, to, 1.0 / radius.si());
     // The same turn driven from the goal to the start: first becomes last, left becomes right.
@@ -244,11 +244,11 @@ Turn pTurn(const Pose& from, const Pose& to, Length radius) {
     return shortest.turn("p", from, to, radius);
 }
 
-Turn fishtailTurn(const Pose& from, const Pose& to, Length radius) {
+Curve fishtailTurn(const Pose& from, const Pose& to, Length radius) {
     return shortestArcStraightArc(from, to, radius, -1).turn("fishtail", from, to, radius);
 }
 
-Turn threePointTurn(const Pose& from, const Pose& to, Length radius) {
+Curve threePointTurn(const Pose& from, const Pose& to, Length radius) {
     return shortestThreeArcs(from, to, radius, -1).turn("three-point", from, to, radius);
 }
 

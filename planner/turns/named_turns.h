@@ -17,7 +17,7 @@ namespace furrow {
 ///       /         \       w + (pi - 2) R long between level swaths w apart.
 ///      |           |
 ///      ^           v
-Turn uTurn(const Pose& from, const Pose& to, Length radius);
+Curve uTurn(const Pose& from, const Pose& to, Length radius);
 
 /// Omega or bulb turn: arc away from the goal, loop of more than half a circle, another arc away from the
 /// goal. For swaths nearer than two radii.
@@ -27,7 +27,7 @@ Turn uTurn(const Pose& from, const Pose& to, Length radius);
 ///       \       /
 ///        `\   /'
 ///          ^ v
-Turn omegaTurn(const Pose& from, const Pose& to, Length radius);
+Curve omegaTurn(const Pose& from, const Pose& to, Length radius);
 
 /// P turn: the whole bulb lies to one side. It has an arc away from the goal, a loop of more than half a
 /// circle that ends on the goal's line, and a straight along it; or the same backwards, the straight first.
@@ -38,7 +38,7 @@ Turn omegaTurn(const Pose& from, const Pose& to, Length radius);
 ///      \      |
 ///       `\    |
 ///         ^   v
-Turn pTurn(const Pose& from, const Pose& to, Length radius);
+Curve pTurn(const Pose& from, const Pose& to, Length radius);
 
 /// Fishtail or swallowtail: forward arc, straight in reverse, forward arc to the same side. The reverse
 /// straight is at most two radii long. For swaths nearer than two radii and machines that can reverse.
@@ -47,7 +47,7 @@ Turn pTurn(const Pose& from, const Pose& to, Length radius);
 ///       `.        .'     Two quarter circles and 2 R - w in reverse between level swaths w apart.
 ///         \      /
 ///          ^    v        (drawn apart; the arcs cross where the swaths are near)
-Turn fishtailTurn(const Pose& from, const Pose& to, Length radius);
+Curve fishtailTurn(const Pose& from, const Pose& to, Length radius);
 
 /// Three-point turn: forward arc, reverse arc with the wheels the other way, forward arc, none over half a
 /// circle. For swaths nearer than two radii and machines that can reverse.
@@ -55,7 +55,7 @@ Turn fishtailTurn(const Pose& from, const Pose& to, Length radius);
 ///      1 .-.   .-. 3      1 forward by c, 2 back by pi - 2 c, 3 forward by c with cos c = (2 R - w) / 4 R:
 ///       /   `2'   `       pi R in all between level swaths w apart.
 ///      ^           v      (drawn apart; between near swaths 1 and 3 cross)
-Turn threePointTurn(const Pose& from, const Pose& to, Length radius);
+Curve threePointTurn(const Pose& from, const Pose& to, Length radius);
 
 extern const Method<TurnPlanner> kUTurnMethod;
 extern const Method<TurnPlanner> kOmegaMethod;

@@ -23,16 +23,16 @@ words::Word shortestWord(const Pose& from, const Pose& to, Length radius) {
     return search.best();
 }
 
-Turn runReedsShepp(const Pose& from, const Pose& to, const Machine& machine) {
+Curve runReedsShepp(const Pose& from, const Pose& to, const Machine& machine) {
     return canReverse(machine) ? reedsSheppTurn(from, to, machine.minTurningRadius())
                                : dubinsTurn(from, to, machine.minTurningRadius());
 }
 
 }  // namespace
 
-Turn reedsSheppTurn(const Pose& from, const Pose& to, Length radius) {
+Curve reedsSheppTurn(const Pose& from, const Pose& to, Length radius) {
     const words::Word word = shortestWord(from, to, radius);
-    Turn turn{.type = "reeds-shepp", .start = from, .pieces = {}};
+    Curve turn{.type = "reeds-shepp", .start = from, .pieces = {}};
     turn.pieces.reserve(5);
     for (int i = 0; i < word.count; ++i) {
         const words::Part& part = word.parts[i];

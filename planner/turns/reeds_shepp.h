@@ -10,7 +10,7 @@ namespace furrow {
 /// of less than 1e-9 rad is left out. Up to five pieces, each with a length. About 1 microsecond. Source:
 /// Reeds & Shepp 1990, doi 10.2140/pjm.1990.145.367. The words are solved for the centres of the arcs (see
 /// word_search.h). This covers their formulas 8.1 to 8.11 with all reflections and time flips.
-Turn reedsSheppTurn(const Pose& from, const Pose& to, Length radius);
+Curve reedsSheppTurn(const Pose& from, const Pose& to, Length radius);
 
 /// The length of that curve only.
 Length reedsSheppLength(const Pose& from, const Pose& to, Length radius);

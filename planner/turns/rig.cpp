@@ -2,7 +2,7 @@
 
 #include "planner/geometry/tolerances.h"
 #include "planner/turns/footprint_check.h"
-#include "planner/turns/turn_sampling.h"
+#include "planner/geometry/curve_sampling.h"
 
 #include <algorithm>
 #include <cmath>
@@ -89,7 +89,7 @@ double Rig::roomM(const RigState& state) const {
     return crossed > 0.0 ? -crossed : room;
 }
 
-std::optional<RigState> Rig::follow(const RigState& from, const TurnPiece& piece, Length step,
+std::optional<RigState> Rig::follow(const RigState& from, const CurvePiece& piece, Length step,
                                     const std::function<bool(const RigState&)>& visit) const {
     const Length longest = trailer_ ? std::min(step, trailer_->longestStep()) : step;
     const auto steps = std::max(1, static_cast<int>(std::ceil(piece.length / longest)));
@@ -124,11 +124,11 @@ bool Rig::isClearAhead(const RigState& state, double wayM, double touchingM) con
            isClearAhead(trailed_, trailer_->poseOf(state.tractor, state.implement), wayM, touchingM);
 }
 
-std::optional<RigState> Rig::driven(const RigState& from, const TurnPiece& piece, Length touching, FootprintRoom known) const {
+std::optional<RigState> Rig::driven(const RigState& from, const CurvePiece& piece, Length touching, FootprintRoom known) const {
     return drivenOn(from, piece, touching, known);
 }
 
-std::optional<RigState> Rig::drivenOn(const RigState& from, const TurnPiece& piece, Length touching, FootprintRoom& room) const {
+std::optional<RigState> Rig::drivenOn(const RigState& from, const CurvePiece& piece, Length touching, FootprintRoom& room) const {
     // No point moves by more than this for each metre of the way.
     const double bent = std::max(std::abs(piece.curvature.si()), std::abs(piece.endCurvature.si()));
     const double swings = std::max(1.0 + bent * tractor_.radiusM, trailer_ ? 1.0 + trailed_.radiusM / trailer_->trailingM : 0.0);
@@ -175,10 +175,10 @@ std::optional<RigState> Rig::drivenOn(const RigState& from, const TurnPiece& pie
     return at;
 }
 
-std::optional<RigState> Rig::driven(const RigState& from, const Turn& turn, FootprintRoom room) const {
+std::optional<RigState> Rig::driven(const RigState& from, const Curve& turn, FootprintRoom room) const {
     // A turn on the spot begins with another heading than requested.
     RigState state = trailer_ ? RigState{turn.start, from.implement} : inLine(turn.start);
-    for (const TurnPiece& piece : turn.pieces) {
+    for (const CurvePiece& piece : turn.pieces) {
         const auto next = drivenOn(state, piece, metres(kContactM), room);
         if (!next) {
             return std::nullopt;

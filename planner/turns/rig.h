@@ -4,7 +4,7 @@
 #include "planner/machine/machine.h"
 #include "planner/turns/footprint_check.h"
 #include "planner/turns/trailer.h"
-#include "planner/turns/turn.h"
+#include "planner/geometry/curve.h"
 
 #include <algorithm>
 #include <functional>
@@ -45,14 +45,14 @@ public:
     /// room; an excess between two samples is at most a millimetre or two.
     /// @param touching  a smaller excess does not count
     /// @param known     the room at `from`, if already computed
-    std::optional<RigState> driven(const RigState& from, const TurnPiece& piece, Length touching = metres(1e-3),
+    std::optional<RigState> driven(const RigState& from, const CurvePiece& piece, Length touching = metres(1e-3),
                                    FootprintRoom known = {}) const;
     /// The state after all of a turn.
-    std::optional<RigState> driven(const RigState& from, const Turn& turn, FootprintRoom known = {}) const;
+    std::optional<RigState> driven(const RigState& from, const Curve& turn, FootprintRoom known = {}) const;
 
     /// Follows a piece of a turn and visits the state after every `step` and at its end. Empty as soon as
     /// `visit` returns false.
-    std::optional<RigState> follow(const RigState& from, const TurnPiece& piece, Length step,
+    std::optional<RigState> follow(const RigState& from, const CurvePiece& piece, Length step,
                                    const std::function<bool(const RigState&)>& visit) const;
 
     bool hasTrailer() const { return trailer_.has_value(); }
@@ -74,7 +74,7 @@ private:
     bool isClearAhead(const Part& part, const Pose& pose, double wayM, double touchingM) const;
     bool isClearAhead(const RigState& state, double wayM, double touchingM) const;
     /// @param room  at `from`, then at the end; never more than the real room
-    std::optional<RigState> drivenOn(const RigState& from, const TurnPiece& piece, Length touching, FootprintRoom& room) const;
+    std::optional<RigState> drivenOn(const RigState& from, const CurvePiece& piece, Length touching, FootprintRoom& room) const;
     /// The depth of the field's edges in a part, or in both parts.
     double crossedM(const Part& part, const Pose& pose) const;
     double crossedM(const RigState& state) const;

@@ -4,7 +4,7 @@
 
 namespace furrow {
 
-Turn straightTurn(const Pose& from, const Pose& to) {
+Curve straightTurn(const Pose& from, const Pose& to) {
     const Point way = to.position - from.position;
     const double lengthM = norm(way);
     const Angle heading = lengthM > 0.0 ? radians(std::atan2(way.y, way.x)) : from.heading;

@@ -6,7 +6,7 @@
 namespace furrow {
 
 /// For machines that turn on the spot: straight from place to place. The heading jumps at both ends.
-Turn straightTurn(const Pose& from, const Pose& to);
+Curve straightTurn(const Pose& from, const Pose& to);
 
 extern const Method<TurnPlanner> kStraightMethod;
 

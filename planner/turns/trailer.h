@@ -2,7 +2,7 @@
 
 #include "planner/geometry/polygon.h"
 #include "planner/machine/machine.h"
-#include "planner/turns/turn.h"
+#include "planner/geometry/curve.h"
 
 #include <optional>
 

@@ -4,7 +4,7 @@
 
 namespace furrow {
 
-double meanCost(const TravelCost& travel, const Pose& from, const TurnPiece& piece, Length step) {
+double meanCost(const TravelCost& travel, const Pose& from, const CurvePiece& piece, Length step) {
     if (!travel) {
         return 1.0;
     }

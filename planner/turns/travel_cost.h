@@ -1,6 +1,6 @@
 #pragma once
 
-#include "planner/turns/turn.h"
+#include "planner/geometry/curve.h"
 
 #include <functional>
 
@@ -10,7 +10,7 @@ namespace furrow {
 using TravelCost = std::function<double(Point)>;
 
 /// The mean along a piece of a turn, sampled once for each `step`. 1 if `travel` is empty.
-double meanCost(const TravelCost& travel, const Pose& from, const TurnPiece& piece, Length step);
+double meanCost(const TravelCost& travel, const Pose& from, const CurvePiece& piece, Length step);
 
 /// If a way costs this many times its time, another way is searched.
 inline constexpr double kDearWay = 1.5;

@@ -1,14 +1,14 @@
 #pragma once
 
 #include "planner/machine/machine.h"
-#include "planner/turns/turn.h"
+#include "planner/geometry/curve.h"
 
 namespace furrow {
 
 /// The common signature of all turn methods: a manoeuvre in free space between two poses. It always succeeds
 /// for finite poses and a valid machine. If the machine or the poses do not allow the manoeuvre, another one
 /// replaces it; the turn's type says which.
-using TurnPlanner = Turn(const Pose& from, const Pose& to, const Machine& machine);
+using TurnPlanner = Curve(const Pose& from, const Pose& to, const Machine& machine);
 
 /// Whether a turn may reverse: the tractor can, and it does not pull an implement that cannot be pushed.
 inline bool canReverse(const Machine& machine) {
@@ -22,6 +22,6 @@ Duration gearChangeDuration(const Machine& machine);
 
 /// The time of a turn at the speeds for turning and reversing. Acceleration and braking count only at changes
 /// of gear.
-Duration roughDuration(const Turn& turn, const Machine& machine);
+Duration roughDuration(const Curve& turn, const Machine& machine);
 
 }  // namespace furrow

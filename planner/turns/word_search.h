@@ -1,6 +1,6 @@
 #pragma once
 
-#include "planner/turns/pose.h"
+#include "planner/geometry/pose.h"
 
 #include <algorithm>
 #include <array>

@@ -9,7 +9,7 @@
 using namespace furrow;
 using namespace furrow::test;
 
-using Named = Turn (*)(const Pose&, const Pose&, Length);
+using Named = Curve (*)(const Pose&, const Pose&, Length);
 Q_DECLARE_METATYPE(Named)
 
 /// Every figure is for a thousand turns: milliseconds read as microseconds each.

@@ -4,7 +4,7 @@
 #include "planner/headland/edge_following.h"
 #include "planner/headland/smooth_ring.h"
 #include "planner/machine/machine_library.h"
-#include "planner/turns/turn_sampling.h"
+#include "planner/geometry/curve_sampling.h"
 #include "tests/support/result_check.h"
 #include "tests/support/wkt.h"
 
@@ -38,12 +38,12 @@ Polygon regular(int corners, double radiusM) {
     return polygon;
 }
 
-Turn roundedAlong(const Polygon& field) {
+Curve roundedAlong(const Polygon& field) {
     const auto base = eroded({field}, metres(kHalfWidthM), metres(0.01), {}).value();
     return smoothRing(base.front().outer, agbot().minTurningRadius(), metres(0.25), metres(kOverhangM)).value();
 }
 
-Ring followed(const Turn& line, const Polygon& field, std::span<const Point> left = {}) {
+Ring followed(const Curve& line, const Polygon& field, std::span<const Point> left = {}) {
     const BoundaryDistance edges{{field}, metres(10.0)};
     return followingTheEdge(line, edges, agbot(), {.beside = {}, .leftOut = left, .aroundM = 6.0});
 }
@@ -134,7 +134,7 @@ private slots:
     /// Where a corner is left out the line stays.
     void leftOut() {
         const Polygon field = rectangle(60.0, 50.0);
-        const Turn line = roundedAlong(field);
+        const Curve line = roundedAlong(field);
         const Point corner{0.0, 0.0};
         const Ring left = followed(line, field, std::span{&corner, 1});
         // The corner of the eroded rectangle, to be rounded again.

@@ -3,7 +3,7 @@
 #include "planner/geometry/geos_bridge.h"
 #include "planner/headland/finishing_passes.h"
 #include "planner/machine/machine_library.h"
-#include "planner/turns/turn_sampling.h"
+#include "planner/geometry/curve_sampling.h"
 #include "tests/planner/turns/turn_check.h"
 #include "tests/support/field_generator.h"
 #include "tests/support/result_check.h"
@@ -35,7 +35,7 @@ const Machine& cultivator() {
 }
 
 Polygon worked(const HeadlandPass& pass, const Machine& machine = agbot()) {
-    const Turn& line = pass.stretches.front().line;
+    const Curve& line = pass.stretches.front().line;
     const Point along = direction(line.start.heading.si());
     const Point back = machine.spec().implement.offset.si() * along;
     const Point from = line.start.position + back;
@@ -124,7 +124,7 @@ private slots:
             MultiPolygon open = strewn;
             for (const HeadlandPass& pass : *passes) {
                 ++all;
-                const Turn& line = pass.stretches.front().line;
+                const Curve& line = pass.stretches.front().line;
                 std::vector<Polyline> outlines;
                 for (const Pose& pose : {line.start, line.end()}) {
                     outlines.push_back(placed(machine.workingFootprint(), pose));

@@ -28,8 +28,8 @@ const double kOuterM = 12.0 + std::sqrt(7.0 * 7.0 + 1.0 - 5.2 * 5.2);
 // The rounding of a headland pass: the boom's end is 12 m outside of what the tractor drives.
 constexpr double kRoundedM = 12.0 + 7.0;
 
-constexpr auto kThere = [](const Turn&) { return PassAccess::There; };
-constexpr auto kNoneRefused = [](const Turn&) { return false; };
+constexpr auto kThere = [](const Curve&) { return PassAccess::There; };
+constexpr auto kNoneRefused = [](const Curve&) { return false; };
 
 /// Two sides of 200 m from a tip at the origin, one along the x axis.
 MultiPolygon tipOf(double angleRad) {
@@ -118,11 +118,11 @@ private slots:
         const MultiPolygon left = leftBeyondArc(angle, kRoundedM);
         const Rig lowered{tip, sprayer(), ImplementAt::Lowered};
         auto all = FullLockPasses::of(tip, lowered, kThere, {}).value();
-        const Turn best = all.over(left.front(), kNoneRefused, {})->line;
+        const Curve best = all.over(left.front(), kNoneRefused, {})->line;
 
-        const auto isBest = [&](const Turn& line) { return distance(line.start.position, best.start.position) < 1.0; };
+        const auto isBest = [&](const Curve& line) { return distance(line.start.position, best.start.position) < 1.0; };
         auto others = FullLockPasses::of(
-                          tip, lowered, [&](const Turn& line) { return isBest(line) ? PassAccess::NoWayIn : PassAccess::There; }, {})
+                          tip, lowered, [&](const Curve& line) { return isBest(line) ? PassAccess::NoWayIn : PassAccess::There; }, {})
                           .value();
         const auto other = others.over(left.front(), kNoneRefused, {});
         QVERIFY(other && !isBest(other->line));
@@ -132,7 +132,7 @@ private slots:
         int asked = 0;
         auto none = FullLockPasses::of(
                         tip, lowered,
-                        [&](const Turn&) {
+                        [&](const Curve&) {
                             ++asked;
                             return PassAccess::NoWayOut;
                         },

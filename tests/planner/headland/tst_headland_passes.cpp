@@ -6,7 +6,7 @@
 #include "planner/headland/smooth_ring.h"
 #include "planner/machine/machine_library.h"
 #include "planner/turns/dubins.h"
-#include "planner/turns/turn_sampling.h"
+#include "planner/geometry/curve_sampling.h"
 #include "tests/support/field_generator.h"
 #include "tests/support/result_check.h"
 #include "tests/support/stages.h"
@@ -49,17 +49,17 @@ Result<Headland> headlandOf(const Field& field, const Machine& machine,
     return test::headlandBy(kConstantWidthMethod, field, machine, settings, metres(marginM));
 }
 
-double totalTurning(const Turn& line) {
+double totalTurning(const Curve& line) {
     double turned = 0.0;
-    for (const TurnPiece& piece : line.pieces) {
+    for (const CurvePiece& piece : line.pieces) {
         turned += 0.5 * (piece.curvature + piece.endCurvature).si() * piece.length.si();
     }
     return turned;
 }
 
-double sharpest(const Turn& line) {
+double sharpest(const Curve& line) {
     double most = 0.0;
-    for (const TurnPiece& piece : line.pieces) {
+    for (const CurvePiece& piece : line.pieces) {
         most = std::max({most, std::abs(piece.curvature.si()), std::abs(piece.endCurvature.si())});
     }
     return most;
@@ -70,9 +70,9 @@ double apart(const Pose& a, const Pose& b) {
                     std::abs(std::remainder(a.heading.si() - b.heading.si(), 2.0 * kPi)));
 }
 
-Pose poseAt(const Turn& line, double wayM) {
+Pose poseAt(const Curve& line, double wayM) {
     Pose pose = line.start;
-    for (const TurnPiece& piece : line.pieces) {
+    for (const CurvePiece& piece : line.pieces) {
         if (wayM <= piece.length.si()) {
             return advanced(pose, piece, metres(wayM));
         }
@@ -82,9 +82,9 @@ Pose poseAt(const Turn& line, double wayM) {
     return pose;
 }
 
-Polyline pointsOf(const Turn& line) {
+Polyline pointsOf(const Curve& line) {
     Polyline points;
-    for (const TurnSample& sample : sampled(line, metres(0.001))) {
+    for (const CurveSample& sample : sampled(line, metres(0.001))) {
         points.push_back(sample.pose.position);
     }
     return points;
@@ -107,7 +107,7 @@ double angleBetween(const Pose& a, const Pose& b) {
 double totalTurning(const HeadlandPass& pass) {
     double turned = 0.0;
     for (std::size_t i = 0; i < pass.stretches.size(); ++i) {
-        const Turn& line = pass.stretches[i].line;
+        const Curve& line = pass.stretches[i].line;
         turned += totalTurning(line) + angleBetween(line.end(), pass.stretches[(i + 1) % pass.stretches.size()].line.start);
     }
     return turned;
@@ -178,7 +178,7 @@ private slots:
                 VERIFY_TOLD(apart(line->end(), line->start) < 1e-6, said);
                 VERIFY_TOLD(std::abs(totalTurning(*line) - 2.0 * kPi) < 1e-6, said);
                 VERIFY_TOLD(sharpest(*line) <= (1.0 + 1e-9) / radiusM, said);
-                for (const TurnPiece& piece : line->pieces) {
+                for (const CurvePiece& piece : line->pieces) {
                     VERIFY_TOLD(piece.length.si() >= 0.0 && piece.gear == Gear::Forward, said);
                 }
             }
@@ -203,7 +203,7 @@ private slots:
         const auto line = smoothRing(
             test::polygonsFromWkt("POLYGON((0 0, 90 -10, 110 50, 60 30, 10 70, 0 0))").front().outer, metres(4.0), metres(0.1));
         QVERIFY(line.has_value());
-        const Turn back = reversedLine(*line);
+        const Curve back = reversedLine(*line);
         COMPARE_WITHIN(back.length().si(), line->length().si(), 1e-9);
         COMPARE_WITHIN(totalTurning(back), -2.0 * kPi, 1e-9);
         for (double wayM = 0.0; wayM <= line->length().si(); wayM += 1.7) {
@@ -251,7 +251,7 @@ private slots:
                     field, 0.5 * driven.workingFootprintWidth() + pass * driven.operatingWidth(), field, driven,
                     {}, {});
                 VERIFY_RESULT(tracks);
-                for (const Turn& line : tracks->lines) {
+                for (const Curve& line : tracks->lines) {
                     const QString said = QStringLiteral("seed %1, field %2, pass %3").arg(kSeed).arg(i).arg(pass);
                     ++rings;
                     VERIFY_TOLD(apart(line.end(), line.start) < 1e-5, said.toUtf8());
@@ -297,7 +297,7 @@ private slots:
         VERIFY_RESULT(tracks);
         QCOMPARE(tracks->givenUp, 0);
         QCOMPARE(tracks->lines.size(), std::size_t{2});
-        for (const Turn& line : tracks->lines) {
+        for (const Curve& line : tracks->lines) {
             QVERIFY(sharpest(line) <= (1.0 + 1e-9) / 6.0);
             // Both go along the lane: 4.5 m from its middle at most.
             double nearest = 1e9;
@@ -313,7 +313,7 @@ private slots:
     void aLineIsCutWhereItLeavesForLong() {
         const Machine& machine = agbot();
         const Curvature bend = Curvature::fromSi(1.0 / 15.0);
-        const Turn line{.type = {},
+        const Curve line{.type = {},
                         .start = {.position = {30.0, 15.0}, .heading = degrees(180.0)},
                         .pieces = {{.length = metres(30.0 * std::numbers::pi), .curvature = bend, .endCurvature = bend}}};
         const auto parts = partsInside(line, {test::rectangle(60.0, 40.0)}, machine, {});
@@ -332,7 +332,7 @@ private slots:
         const Machine& machine = agbot();
         const MultiPolygon yard{test::rectangle(60.0, 40.0)};
         const Ring round{{5.0, 5.0}, {55.0, 5.0}, {55.0, 35.0}, {5.0, 35.0}};
-        const Turn line = smoothRing(round, machine.minTurningRadius(), metres(0.01)).value();
+        const Curve line = smoothRing(round, machine.minTurningRadius(), metres(0.01)).value();
         const auto whole = partsInside(line, yard, machine, {});
         QCOMPARE(whole.size(), std::size_t{1});
         QCOMPARE(whole.front(), line);
@@ -340,7 +340,7 @@ private slots:
         VERIFY_RESULT(pillared);
         const auto parts = partsInside(line, *pillared, machine, {});
         double leftM = 0.0;
-        for (const Turn& part : parts) {
+        for (const Curve& part : parts) {
             leftM += part.length().si();
             for (double wayM = 0.0; wayM < part.length().si(); wayM += 0.1) {
                 // Nose and tail keep clear of the pillar.
@@ -373,7 +373,7 @@ private slots:
         VERIFY_RESULT(tracks);
         QCOMPARE(tracks->lines.size(), std::size_t{1});
         QCOMPARE(tracks->givenUp, 0);
-        const std::vector<Turn> parts = partsInside(tracks->lines.front(), field, machine, {});
+        const std::vector<Curve> parts = partsInside(tracks->lines.front(), field, machine, {});
         QCOMPARE(parts.size(), std::size_t{1});
         QCOMPARE(parts.front(), tracks->lines.front());
     }
@@ -597,7 +597,7 @@ private slots:
                 QVERIFY(stretch.working || next.working);
                 manoeuvres += stretch.working ? 0 : 1;
                 if (stretch.working || kind == "loop") {
-                    for (const TurnPiece& piece : stretch.line.pieces) {
+                    for (const CurvePiece& piece : stretch.line.pieces) {
                         QVERIFY(piece.gear == Gear::Forward);
                     }
                 }
@@ -634,7 +634,7 @@ private slots:
         QCOMPARE(std::ranges::count(outermost.stretches, false, &PassStretch::working), std::ptrdiff_t{4});
         COMPARE_WITHIN(driven->uncutCorners.si(), 0.0, 1e-12);
         for (std::size_t i = 0; i < outermost.stretches.size(); ++i) {
-            const Turn& line = outermost.stretches[i].line;
+            const Curve& line = outermost.stretches[i].line;
             QVERIFY(apart(line.end(), outermost.stretches[(i + 1) % outermost.stretches.size()].line.start) < 1e-5);
             QVERIFY(sharpest(line) <= (1.0 + 1e-9) / agbot().minTurningRadius().si());
         }
@@ -657,7 +657,7 @@ private slots:
         QVERIFY(line.has_value());
         const MultiPolygon drivable{test::rectangle(100.0, 60.0)};
         for (const CornerMethod method : {CornerMethod::Loop, CornerMethod::Reverse}) {
-            for (const Turn& way : {*line, reversedLine(*line)}) {
+            for (const Curve& way : {*line, reversedLine(*line)}) {
                 std::vector<RoundedCorner> left;
                 CornerWays ways;
                 const auto stretches = withCorners(

@@ -45,7 +45,7 @@ struct Ground {
 };
 
 /// Of one straight stretch: from where the implement is at its start to where it is at its end.
-Polygon worked(const Turn& line, const Machine& machine) {
+Polygon worked(const Curve& line, const Machine& machine) {
     const Point along = direction(line.start.heading.si());
     const Point left{-along.y, along.x};
     const Point back = machine.spec().implement.offset.si() * along;
@@ -63,7 +63,7 @@ Ring grown(const Bounds& box, double by) {
 }
 
 /// Whether the lowered machine is inside at the ends of a line, to a centimetre.
-bool endsInside(const Turn& line, const Ground& ground) {
+bool endsInside(const Curve& line, const Ground& ground) {
     const PreparedArea area{dilated(ground.drivable, metres(0.01), metres(0.001), {}).value()};
     for (const Pose& pose : {line.start, line.end()}) {
         const Point nose = direction(pose.heading.si());
@@ -109,12 +109,12 @@ private slots:
         QCOMPARE(pass.stretches.size(), std::size_t{4});
         MultiPolygon rectangles;
         for (std::size_t i = 0; i < 4; ++i) {
-            const Turn& line = pass.stretches[i].line;
-            const Turn& next = pass.stretches[(i + 1) % 4].line;
+            const Curve& line = pass.stretches[i].line;
+            const Curve& next = pass.stretches[(i + 1) % 4].line;
             QVERIFY(pass.stretches[i].working);
             COMPARE_WITHIN(std::remainder(next.start.heading.si() - line.end().heading.si(), 2.0 * kPi),
                            0.5 * kPi, 1e-6);
-            for (const TurnPiece& piece : line.pieces) {
+            for (const CurvePiece& piece : line.pieces) {
                 QVERIFY(piece.gear == Gear::Forward && piece.curvature == Curvature{} && piece.endCurvature == Curvature{});
             }
             QVERIFY(endsInside(line, ground));
@@ -156,7 +156,7 @@ private slots:
         const HeadlandPass& pass = strips->front();
         QVERIFY(!pass.closed && pass.ring == 1);
         QCOMPARE(pass.stretches.size(), std::size_t{1});
-        const Turn& line = pass.stretches.front().line;
+        const Curve& line = pass.stretches.front().line;
         // The field's frame is centred on its own bounds.
         const Bounds box = bounds(ground.field.workable());
         const double middleY = box.min.y + 20.0 + 0.5 * armM;

@@ -24,22 +24,22 @@ const Machine& sprayer() {
 }
 
 /// Round a rectangle, a boom's half and a little away from its edges.
-Turn round(double width, double height, bool clockwise = false) {
+Curve round(double width, double height, bool clockwise = false) {
     const double in = 12.02;
     const Ring ring{{in, in}, {width - in, in}, {width - in, height - in}, {in, height - in}};
-    const Turn line = smoothRing(ring, metres(7.0), metres(0.1)).value();
+    const Curve line = smoothRing(ring, metres(7.0), metres(0.1)).value();
     return clockwise ? reversedLine(line) : line;
 }
 
 /// Where the boom's tips get to over two rounds, the second one told.
-std::vector<Point> tips(const Turn& line) {
+std::vector<Point> tips(const Curve& line) {
     const Implement& implement = sprayer().spec().implement;
     const double trailing = (implement.hitchOffset - implement.offset).si();
     double heading = line.start.heading.si();
     std::vector<Point> found;
     for (int round = 0; round < 2; ++round) {
         Pose pose = line.start;
-        for (const TurnPiece& piece : line.pieces) {
+        for (const CurvePiece& piece : line.pieces) {
             const int steps = static_cast<int>(std::ceil(piece.length.si() / 0.005));
             for (int i = 0; i < steps; ++i) {
                 const Pose at = advanced(pose, piece, piece.length * (static_cast<double>(i) / steps));
@@ -82,16 +82,16 @@ private slots:
     void roundARectangle() {
         QFETCH(bool, clockwise);
         const MultiPolygon field{test::rectangle(300.0, 200.0)};
-        const Turn line = round(300.0, 200.0, clockwise);
-        const Turn swung = swungOut(line, Rig{field, sprayer(), ImplementAt::Lowered});
+        const Curve line = round(300.0, 200.0, clockwise);
+        const Curve swung = swungOut(line, Rig{field, sprayer(), ImplementAt::Lowered});
         // Closed, as tight as it may be, and all corners are another shape now: 4 straights, one cut in two, 8 arcs.
         COMPARE_WITHIN(distance(swung.end().position, swung.start.position), 0.0, 1e-9);
-        QVERIFY(std::ranges::all_of(swung.pieces, [](const TurnPiece& piece) {
+        QVERIFY(std::ranges::all_of(swung.pieces, [](const CurvePiece& piece) {
             return std::abs(piece.curvature.si()) < 1.0 / 7.0 + 1e-12 && piece.length > metres(0.0);
         }));
         QCOMPARE(swung.pieces.size(), std::size_t{13});
         double turned = 0.0;
-        for (const TurnPiece& piece : swung.pieces) {
+        for (const CurvePiece& piece : swung.pieces) {
             turned += piece.length.si() * piece.curvature.si();
         }
         COMPARE_WITHIN(std::abs(turned), 2.0 * kPi, 1e-9);
@@ -108,8 +108,8 @@ private slots:
     /// No room to come back to the line: as it was, but begun in the middle of a straight.
     void noRoom() {
         const MultiPolygon field{test::rectangle(40.0, 40.0)};
-        const Turn line = round(40.0, 40.0);
-        const Turn swung = swungOut(line, Rig{field, sprayer(), ImplementAt::Lowered});
+        const Curve line = round(40.0, 40.0);
+        const Curve swung = swungOut(line, Rig{field, sprayer(), ImplementAt::Lowered});
         QCOMPARE(swung.pieces.size(), line.pieces.size() + 1);
         COMPARE_WITHIN(swung.length().si(), line.length().si(), 1e-9);
     }

@@ -41,7 +41,7 @@ Leg roundPass(int number) {
 /// There is a way wherever the test says so.
 std::vector<Leg> repaired(std::vector<Leg> legs, const std::function<bool(const Pose&, const Pose&)>& leads) {
     RememberedWays ways{[&](const Pose& leaving, const Pose& arriving, const JobContext&, SearchEffort) {
-        return leads(leaving, arriving) ? std::optional<Turn>{Turn{.type = {}, .start = leaving, .pieces = {}}} : std::nullopt;
+        return leads(leaving, arriving) ? std::optional<Curve>{Curve{.type = {}, .start = leaving, .pieces = {}}} : std::nullopt;
     }};
     const MultiPolygon field{test::rectangle(200.0, 200.0, {-50.0, -50.0})};
     const Rig lowered{field, test::agbot(), ImplementAt::Lowered};

@@ -73,7 +73,7 @@ double turnedRad(const Plan& plan) {
     double sum = 0.0;
     for (const HeadlandPass& pass : plan.headland.rings) {
         for (const PassStretch& stretch : pass.stretches) {
-            for (const TurnPiece& piece : stretch.line.pieces) {
+            for (const CurvePiece& piece : stretch.line.pieces) {
                 sum += 0.5 * (piece.curvature + piece.endCurvature).si() * piece.length.si();
             }
         }

@@ -3,7 +3,7 @@
 #include "planner/plan/general_parameters.h"
 #include "planner/plan/method_registry.h"
 #include "planner/plan/plan.h"
-#include "planner/turns/turn_sampling.h"
+#include "planner/geometry/curve_sampling.h"
 #include "tests/support/field_generator.h"
 #include "tests/support/result_check.h"
 

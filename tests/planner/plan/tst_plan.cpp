@@ -264,8 +264,8 @@ private slots:
             for (std::size_t k = 0; k < rings.size(); ++k) {
                 VERIFY_TOLD(rings[k].stretches.size() == others[k].stretches.size(), told);
                 for (std::size_t n = 0; n < rings[k].stretches.size(); ++n) {
-                    const Turn& line = rings[k].stretches[n].line;
-                    const Turn& other = others[k].stretches[n].line;
+                    const Curve& line = rings[k].stretches[n].line;
+                    const Curve& other = others[k].stretches[n].line;
                     const double apartM = std::max(distance(line.start.position + offset, other.start.position),
                                                    distance(line.end().position + offset, other.end().position));
                     VERIFY_TOLD(apartM < 1e-3, told + QByteArray::number(apartM));

@@ -4,7 +4,7 @@
 #include "planner/machine/machine_library.h"
 #include "planner/plan/method_registry.h"
 #include "planner/plan/plan.h"
-#include "planner/turns/curve_parts.h"
+#include "planner/geometry/curve_parts.h"
 #include "tests/support/field_generator.h"
 #include "tests/support/result_check.h"
 

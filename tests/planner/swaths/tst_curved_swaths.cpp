@@ -2,13 +2,13 @@
 #include "planner/machine/machine_library.h"
 #include "planner/route/methods.h"
 #include "planner/route/route.h"
-#include "planner/turns/curve_parts.h"
+#include "planner/geometry/curve_parts.h"
 #include "planner/swaths/curved_swaths.h"
 #include "planner/swaths/full_ends.h"
 #include "planner/swaths/methods.h"
 #include "planner/swaths/strip_coverage.h"
 #include "planner/turns/connection.h"
-#include "planner/turns/turn_sampling.h"
+#include "planner/geometry/curve_sampling.h"
 #include "tests/support/field_generator.h"
 #include "tests/support/result_check.h"
 #include "tests/support/stages.h"
@@ -314,7 +314,7 @@ private slots:
     // Driven one way and the other: the vehicle's line starts its lead ahead on the curve and goes straight on beyond
     // its end; the implement's middle stays within d² / 2R of the swath.
     void theVehicleFollowsTheCurve() {
-        const Turn curve{.type = {},
+        const Curve curve{.type = {},
                          .start = {.position = {0.0, 0.0}, .heading = {}},
                          .pieces = {{.length = metres(50.0), .curvature = {}},
                                     {.length = metres(40.0), .curvature = Curvature::fromSi(0.05), .endCurvature = Curvature::fromSi(0.05)},
@@ -330,7 +330,7 @@ private slots:
                 VERIFY_RESULT(machine);
                 for (const bool reversed : {false, true}) {
                     const RouteStep step{.swath = 0, .reversed = reversed};
-                    const Turn line = drivenLine(step, set, *machine);
+                    const Curve line = drivenLine(step, set, *machine);
                     const Pose start = vehicleAt(startPose(step, set), *machine);
                     const Pose end = vehicleAt(endPose(step, set), *machine);
                     COMPARE_WITHIN(distance(line.start.position, start.position), 0.0, 1e-6);
@@ -338,7 +338,7 @@ private slots:
                     COMPARE_WITHIN(distance(vehicleStart(step, set, *machine).position, line.start.position), 0.0, 1e-9);
                     COMPARE_WITHIN(distance(vehicleEnd(step, set, *machine).position, line.end().position), 0.0, 1e-9);
                     const Polyline middle = middleLine(set.swaths.front(), metres(0.0001));
-                    for (const TurnSample& sample : sampled(line, metres(0.001))) {
+                    for (const CurveSample& sample : sampled(line, metres(0.001))) {
                         const Point ahead = direction(sample.pose.heading.si());
                         const Point implement = sample.pose.position + offsetM * ahead + asideM * Point{-ahead.y, ahead.x};
                         QVERIFY(toLine(implement, middle) <= 0.5 * offsetM * offsetM * 0.05 * 1.1 + 1e-3);
@@ -352,7 +352,7 @@ private slots:
     void endsAreDrawnOut() {
         const MultiPolygon mainland{{.outer = {{-500, -100}, {0, -100}, {200, 100}, {-500, 100}}, .holes = {}}};
         const Machine machine = machineOf(6.0, 5.0);
-        const Turn curve{.type = {},
+        const Curve curve{.type = {},
                          .start = {.position = {-400.0, 0.0}, .heading = {}},
                          .pieces = {{.length = metres(500.0), .curvature = {}}}};
         SwathSet set{.swaths = {{.start = {-400.0, 0.0}, .end = {100.0, 0.0}, .number = 1, .width = metres(6.0), .curve = curve}}};

@@ -1,7 +1,7 @@
-#include "planner/turns/curve_parts.h"
+#include "planner/geometry/curve_parts.h"
 #include "planner/swaths/guide_curve.h"
 #include "planner/swaths/guide_line.h"
-#include "planner/turns/turn_sampling.h"
+#include "planner/geometry/curve_sampling.h"
 #include "tests/support/field_generator.h"
 #include "tests/support/result_check.h"
 
@@ -17,7 +17,7 @@ constexpr double kPi = std::numbers::pi;
 
 Polyline pointsOf(const GuideLine& line, double chordM = 0.001) {
     Polyline points;
-    for (const TurnSample& sample : sampled(drivable(line), metres(chordM))) {
+    for (const CurveSample& sample : sampled(drivable(line), metres(chordM))) {
         points.push_back(sample.pose.position);
     }
     return points;
@@ -80,7 +80,7 @@ private slots:
     void cornersAreRoundedWithTheRadius() {
         const auto guide = guideCurve(kRightAngle, metres(6.0), metres(0.0), "swaths.line");
         VERIFY_RESULT(guide);
-        const Turn line = drivable(*guide);
+        const Curve line = drivable(*guide);
         QCOMPARE(line.pieces.size(), std::size_t{3});
         COMPARE_WITHIN(line.pieces[0].length.si(), 194.0, 1e-4);
         COMPARE_WITHIN(line.pieces[1].curvature.si(), 1.0 / 6.0, 1e-9);
@@ -95,7 +95,7 @@ private slots:
         const ParallelLines parallels{*guide};
         const auto inside = parallels.at(10.0, metres(6.0));
         QCOMPARE(inside.size(), std::size_t{1});
-        const Turn line = drivable(inside.front());
+        const Curve line = drivable(inside.front());
         QCOMPARE(line.pieces.size(), std::size_t{3});
         COMPARE_WITHIN(line.pieces[0].length.si(), 184.0, 1e-3);
         COMPARE_WITHIN(1.0 / line.pieces[1].curvature.si(), 6.0, 1e-6);
@@ -191,10 +191,10 @@ private slots:
                 const std::vector<GuideLine> lines = parallels.at(k * kSpacingM, metres(kRadiusM));
                 Polyline here;
                 for (const GuideLine& line : lines) {
-                    const Turn way = drivable(line);
+                    const Curve way = drivable(line);
                     const QByteArray told = "round " + QByteArray::number(round) + ", parallel " + QByteArray::number(k);
                     VERIFY_TOLD(sharpestBend(way).si() <= (1.0 + 1e-5) / kRadiusM, told);
-                    for (const TurnSample& sample : sampled(way, metres(0.004))) {
+                    for (const CurveSample& sample : sampled(way, metres(0.004))) {
                         const Point point = sample.pose.position;
                         here.push_back(point);
                         VERIFY_TOLD(toLine(point, reference) > std::abs(k) * kSpacingM - 0.01, told);

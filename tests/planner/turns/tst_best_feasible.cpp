@@ -4,7 +4,7 @@
 #include "planner/turns/best_feasible.h"
 #include "planner/turns/dubins.h"
 #include "planner/turns/reeds_shepp.h"
-#include "planner/turns/turn_sampling.h"
+#include "planner/geometry/curve_sampling.h"
 #include "tests/planner/turns/turn_check.h"
 
 #include <QTest>
@@ -46,10 +46,10 @@ Machine machineOf(double radiusM, bool reverses = true) {
 
 /// By hand: way by speed, and for each change of gear what is lost by braking from the one speed and speeding up to the
 /// other: v / a for a way that takes half of that at full speed.
-double secondsOf(const Turn& turn) {
+double secondsOf(const Curve& turn) {
     double sum = 0.0;
     for (std::size_t i = 0; i < turn.pieces.size(); ++i) {
-        const TurnPiece& piece = turn.pieces[i];
+        const CurvePiece& piece = turn.pieces[i];
         sum += piece.length.si() / (piece.gear == Gear::Forward ? kForwardMps : kReverseMps);
         if (i > 0 && turn.pieces[i - 1].gear != piece.gear) {
             sum += (kForwardMps + kReverseMps) / (2.0 * kAccelerationMps2);
@@ -58,15 +58,15 @@ double secondsOf(const Turn& turn) {
     return sum;
 }
 
-bool reverses(const Turn& turn) {
-    return std::ranges::any_of(turn.pieces, [](const TurnPiece& piece) { return piece.gear == Gear::Reverse; });
+bool reverses(const Curve& turn) {
+    return std::ranges::any_of(turn.pieces, [](const CurvePiece& piece) { return piece.gear == Gear::Reverse; });
 }
 
 /// Whether the raised machine stays inside, give or take a centimetre, looked at every 5 cm.
-bool fits(const Turn& turn, const MultiPolygon& inside, const Machine& machine) {
+bool fits(const Curve& turn, const MultiPolygon& inside, const Machine& machine) {
     const PreparedArea area{dilated(inside, metres(0.01), metres(0.001), {}).value()};
     Pose pose = turn.start;
-    for (const TurnPiece& piece : turn.pieces) {
+    for (const CurvePiece& piece : turn.pieces) {
         const int steps = 1 + static_cast<int>(piece.length.si() / 0.05);
         for (int i = 0; i <= steps; ++i) {
             Ring outline = placed(machine.turningFootprint(), advanced(pose, piece, piece.length * (static_cast<double>(i) / steps)));
@@ -110,7 +110,7 @@ private slots:
             if (reverses) {
                 quickestS = std::min(quickestS, secondsOf(reedsSheppTurn(pair.from, pair.to, metres(pair.radiusM))));
             }
-            for (const Turn& turn : {kBestFeasibleMethod.run(pair.from, pair.to, machine),
+            for (const Curve& turn : {kBestFeasibleMethod.run(pair.from, pair.to, machine),
                                      feasibleConnection(Rig{open, machine}, pair.from, pair.to, {}, {})}) {
                 const Pose end = test::driven(turn);
                 VERIFY_TOLD(distance(turn.start.position, pair.from.position) < 1e-9, told);
@@ -147,7 +147,7 @@ private slots:
         const Pose from = test::pose(30.0, 50.0 - depthM, 90.0);
         const Pose to = test::pose(32.5, 50.0 - depthM, -90.0);
         QCOMPARE(fits(dubinsTurn(from, to, metres(4.0)), inside, machine), dubinsFits);
-        const Turn turn = feasibleConnection(rig, from, to, {}, {});
+        const Curve turn = feasibleConnection(rig, from, to, {}, {});
         const Pose end = test::driven(turn);
         QVERIFY(distance(end.position, to.position) < 1e-6 && test::headingGap(end, to) < 1e-6);
         QVERIFY2(fits(turn, inside, machine), turn.type.data());
@@ -161,7 +161,7 @@ private slots:
         const MultiPolygon strip{test::rectangle(40.0, 6.0)};
         const Pose from = test::pose(20.0, 2.0, 0.0);
         const Pose to = test::pose(20.0, 4.0, 180.0);
-        const Turn turn = feasibleConnection(Rig{strip, machine}, from, to, {}, {});
+        const Curve turn = feasibleConnection(Rig{strip, machine}, from, to, {}, {});
         QVERIFY(!fits(turn, strip, machine));
         QVERIFY(secondsOf(turn) <= secondsOf(dubinsTurn(from, to, metres(4.0))) + 1e-6);
     }
@@ -175,12 +175,12 @@ private slots:
         inside.front().holes.push_back({{30, 20}, {30, 40}, {50, 40}, {50, 20}});
         const Pose from = test::pose(20.0, 30.0, 0.0);
         const Pose to = test::pose(65.0, 30.0, 0.0);
-        const Turn turn = feasibleConnection(Rig{inside, machine}, from, to, {}, {});
+        const Curve turn = feasibleConnection(Rig{inside, machine}, from, to, {}, {});
         QCOMPARE(turn.type, kCombinedTurn);
         QVERIFY(fits(turn, inside, machine));
         const Pose end = test::driven(turn);
         QVERIFY(distance(end.position, to.position) < 1e-6 && test::headingGap(end, to) < 1e-6);
-        const TurnPiece& last = turn.pieces.back();
+        const CurvePiece& last = turn.pieces.back();
         QVERIFY(last.curvature == Curvature{} && last.gear == Gear::Forward && last.length >= metres(3.0));
     }
 };

@@ -13,7 +13,7 @@ constexpr std::uint64_t kSeed = 20'250'501;
 
 /// The method under test and the one without clothoids.
 struct Case {
-    Turn (*turn)(const Pose&, const Pose&, Length, CurvatureRate);
+    Curve (*turn)(const Pose&, const Pose&, Length, CurvatureRate);
     Length (*plain)(const Pose&, const Pose&, Length);
     bool reversing;
 };
@@ -52,20 +52,20 @@ private slots:
         QFETCH(double, c);
         QFETCH(double, s);
         // With the curvature pi u the heading is pi u² / 2: the integrals themselves.
-        const TurnPiece piece{
+        const CurvePiece piece{
             .length = metres(t), .curvature = {}, .endCurvature = Curvature::fromSi(kPi * t)};
         const Pose end = advanced(pose(0, 0, 0), piece, piece.length);
         COMPARE_WITHIN(end.position.x, c, 1e-13);
         COMPARE_WITHIN(end.position.y, s, 1e-13);
         COMPARE_WITHIN(headingGap(end, {.heading = radians(0.5 * kPi * t * t)}), 0.0, 1e-13);
         // And back again, in reverse from its end.
-        const TurnPiece back{
+        const CurvePiece back{
             .length = metres(t), .curvature = piece.endCurvature, .endCurvature = {}, .gear = Gear::Reverse};
         const Pose start = advanced(end, back, back.length);
         COMPARE_WITHIN(distance(start.position, {0.0, 0.0}), 0.0, 1e-13);
         COMPARE_WITHIN(headingGap(start, pose(0, 0, 0)), 0.0, 1e-13);
         // Part of the way is the clothoid to a smaller t.
-        const TurnPiece half{
+        const CurvePiece half{
             .length = metres(0.5 * t), .curvature = {}, .endCurvature = Curvature::fromSi(0.5 * kPi * t)};
         COMPARE_WITHIN(distance(advanced(pose(3, 4, 50), piece, half.length).position,
                                 advanced(pose(3, 4, 50), half, half.length).position),
@@ -81,7 +81,7 @@ private slots:
         QTest::newRow("straight ahead, nearer than two clothoids") << pose(1.5, 0, 0) << 1.5;
         // A single turn by an angle a is a / k + k / rate long. Its end, driven by hand below.
         for (const double a : {1.25, 0.5 * kPi, kPi}) {
-            const Turn turn{.type = "test",
+            const Curve turn{.type = "test",
                             .start = pose(0, 0, 0),
                             .pieces = {{metres(5.0), {}, Curvature::fromSi(0.25)},
                                        {metres((a - 1.25) * 4.0), Curvature::fromSi(0.25)},
@@ -95,7 +95,7 @@ private slots:
     void lengthsByHand() {
         QFETCH(Pose, to);
         QFETCH(double, lengthM);
-        const Turn turn = continuousDubinsTurn(pose(0, 0, 0), to, metres(4.0), CurvatureRate::fromSi(0.05));
+        const Curve turn = continuousDubinsTurn(pose(0, 0, 0), to, metres(4.0), CurvatureRate::fromSi(0.05));
         COMPARE_WITHIN(turn.length().si(), lengthM, 1e-7);
         COMPARE_WITHIN(distance(driven(turn).position, to.position), 0.0, 1e-7);
         QCOMPARE(turn.type, std::string_view{"dubins-cc"});
@@ -115,7 +115,7 @@ private slots:
             const auto drive = [&](const Pose& from, const Pose& to) {
                 return method->turn(from, to, radius, CurvatureRate::fromSi(rate));
             };
-            const Turn turn = drive(pair.from, pair.to);
+            const Curve turn = drive(pair.from, pair.to);
             const QByteArray text = told(kSeed, i, pair) + ", rate " + QByteArray::number(rate, 'g', 17);
             const double length = turn.length().si();
             const Pose end = driven(turn);
@@ -126,7 +126,7 @@ private slots:
             VERIFY_TOLD(distance(turn.end().position, pair.to.position) < 1e-6, text);
             double curvature = 0.0;
             Gear gear = Gear::Forward;
-            for (const TurnPiece& piece : turn.pieces) {
+            for (const CurvePiece& piece : turn.pieces) {
                 VERIFY_TOLD(piece.length.si() > 0.0, text);
                 VERIFY_TOLD(method->reversing || piece.gear == Gear::Forward, text);
                 VERIFY_TOLD(std::abs(piece.curvature.si() - curvature) < 1e-9, text);
@@ -188,7 +188,7 @@ private slots:
             for (int y = -6; y <= 6; ++y) {
                 for (int b = 0; b < 360; b += 30) {
                     const PosePair pair{pose(0, 0, 0), pose(2 * x, 2 * y, b), 3.0};
-                    const Turn turn =
+                    const Curve turn =
                         method->turn(pair.from, pair.to, metres(3.0), CurvatureRate::fromSi(0.1));
                     const Pose end = driven(turn);
                     VERIFY_TOLD(distance(end.position, pair.to.position) < 1e-6, told(0, 0, pair));
@@ -206,7 +206,7 @@ private slots:
                                pose(0, 0, 180), pose(-1e-3, 0, 0), pose(-20, 0, 0), pose(1e5, 1e4, 200),
                                pose(-1e5, 3, 0), pose(1e4, 1e-9, 0), pose(0.1, 0.1, 45)}) {
             for (const double rate : {1e-4, 0.02, 1.0, 1e6}) {
-                const Turn turn = method->turn(from, to, metres(3.0), CurvatureRate::fromSi(rate));
+                const Curve turn = method->turn(from, to, metres(3.0), CurvatureRate::fromSi(rate));
                 const Pose end = driven(turn);
                 const PosePair pair{from, to, 3.0};
                 VERIFY_TOLD(std::isfinite(turn.length().si()), told(0, 0, pair));

@@ -93,10 +93,10 @@ double shortestByCompass(const Pose& from, const Pose& to, double radiusM) {
 }
 
 /// Where one ends that drives the pieces, by rotating around each piece's centre.
-Pose driven(const Turn& turn) {
+Pose driven(const Curve& turn) {
     Point place = turn.start.position;
     double heading = turn.start.heading.si();
-    for (const TurnPiece& piece : turn.pieces) {
+    for (const CurvePiece& piece : turn.pieces) {
         const double way = piece.length.si() * (piece.gear == Gear::Forward ? 1.0 : -1.0);
         const double k = piece.curvature.si();
         if (k == 0.0) {
@@ -198,7 +198,7 @@ private slots:
         QFETCH(double, radiusM);
         QFETCH(double, lengthM);
         COMPARE_WITHIN(dubinsLength(from, to, metres(radiusM)).si(), lengthM, 1e-6);
-        const Turn turn = dubinsTurn(from, to, metres(radiusM));
+        const Curve turn = dubinsTurn(from, to, metres(radiusM));
         COMPARE_WITHIN(turn.length().si(), lengthM, 1e-6);
         const Pose end = driven(turn);
         COMPARE_WITHIN(distance(end.position, to.position), 0.0, 1e-6);
@@ -211,7 +211,7 @@ private slots:
         std::mt19937_64 random{kSeed};
         for (int i = 0; i < 20'000; ++i) {
             const Pair pair = randomPair(random);
-            const Turn turn = dubinsTurn(pair.from, pair.to, metres(pair.radiusM));
+            const Curve turn = dubinsTurn(pair.from, pair.to, metres(pair.radiusM));
             const Pose end = driven(turn);
             VERIFY_TOLD(distance(end.position, pair.to.position) < 1e-6, told(i, pair));
             VERIFY_TOLD(std::abs(std::remainder(end.heading.si() - pair.to.heading.si(), 2.0 * kPi)) < 1e-6, told(i, pair));
@@ -225,9 +225,9 @@ private slots:
         std::mt19937_64 random{kSeed + 1};
         for (int i = 0; i < 20'000; ++i) {
             const Pair pair = randomPair(random);
-            const Turn turn = dubinsTurn(pair.from, pair.to, metres(pair.radiusM));
+            const Curve turn = dubinsTurn(pair.from, pair.to, metres(pair.radiusM));
             VERIFY_TOLD(turn.pieces.size() <= 3, told(i, pair));
-            for (const TurnPiece& piece : turn.pieces) {
+            for (const CurvePiece& piece : turn.pieces) {
                 VERIFY_TOLD(piece.gear == Gear::Forward && piece.length.si() > 0.0, told(i, pair));
                 VERIFY_TOLD(std::abs(piece.curvature.si()) <= 1.0 / pair.radiusM, told(i, pair));
                 VERIFY_TOLD(piece.curvature.si() == 0.0 || piece.length.si() < 2.0 * kPi * pair.radiusM, told(i, pair));
@@ -258,7 +258,7 @@ private slots:
                 for (int a = 0; a < 360; a += 45) {
                     for (int b = 0; b < 360; b += 45) {
                         const Pair pair{pose(0, 0, a), pose(x, y, b), r};
-                        const Turn turn = dubinsTurn(pair.from, pair.to, metres(r));
+                        const Curve turn = dubinsTurn(pair.from, pair.to, metres(r));
                         const Pose end = driven(turn);
                         VERIFY_TOLD(distance(end.position, pair.to.position) < 1e-6, told(checked, pair));
                         // The compass takes exact fits of 0 for full circles now and then: never shorter than ours.
@@ -292,7 +292,7 @@ private slots:
     }
 
     void straightTurnJumps() {
-        const Turn turn = straightTurn(pose(0, 0, 90), pose(3, 4, -90));
+        const Curve turn = straightTurn(pose(0, 0, 90), pose(3, 4, -90));
         COMPARE_WITHIN(turn.length().si(), 5.0, 1e-12);
         COMPARE_WITHIN(turn.start.heading.si(), std::atan2(4.0, 3.0), 1e-12);
         COMPARE_WITHIN(distance(turn.end().position, {3.0, 4.0}), 0.0, 1e-12);
@@ -322,7 +322,7 @@ private slots:
         QFETCH(double, x);
         QFETCH(double, y);
         QFETCH(double, headingDeg);
-        const TurnPiece piece{.length = metres(wayM), .curvature = Curvature::fromSi(curvature),
+        const CurvePiece piece{.length = metres(wayM), .curvature = Curvature::fromSi(curvature),
                               .gear = forward ? Gear::Forward : Gear::Reverse};
         const Pose end = advanced(pose(0, 0, 0), piece, metres(wayM));
         COMPARE_WITHIN(end.position.x, x, 1e-12 * (1.0 + wayM));

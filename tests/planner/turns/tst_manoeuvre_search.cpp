@@ -3,7 +3,7 @@
 #include "planner/geometry/geos_bridge.h"
 #include "planner/turns/manoeuvre_search.h"
 #include "planner/turns/turn_method.h"
-#include "planner/turns/turn_sampling.h"
+#include "planner/geometry/curve_sampling.h"
 #include "tests/planner/turns/turn_check.h"
 #include "tests/support/field_generator.h"
 #include "tests/support/wkt.h"
@@ -65,9 +65,9 @@ Polyline closed(Ring ring) {
     return ring;
 }
 
-double reversedM(const Turn& turn) {
+double reversedM(const Curve& turn) {
     double sum = 0.0;
-    for (const TurnPiece& piece : turn.pieces) {
+    for (const CurvePiece& piece : turn.pieces) {
         sum += piece.gear == Gear::Reverse ? piece.length.si() : 0.0;
     }
     return sum;
@@ -82,7 +82,7 @@ struct Walls {
 };
 
 /// What is wrong with a way; empty where nothing is.
-QByteArray faultOf(const Turn& way, const Pose& from, const Pose& to, const Machine& machine, const Walls& walls) {
+QByteArray faultOf(const Curve& way, const Pose& from, const Pose& to, const Machine& machine, const Walls& walls) {
     if (way.type != kCombinedTurn) {
         return "its type";
     }
@@ -95,7 +95,7 @@ QByteArray faultOf(const Turn& way, const Pose& from, const Pose& to, const Mach
     }
     const Ring footprint = machine.turningFootprint();
     Pose pose = way.start;
-    for (const TurnPiece& piece : way.pieces) {
+    for (const CurvePiece& piece : way.pieces) {
         if (piece.length < metres(0.0)) {
             return "a negative length";
         }
@@ -118,7 +118,7 @@ QByteArray faultOf(const Turn& way, const Pose& from, const Pose& to, const Mach
     return {};
 }
 
-std::optional<Turn> found(const MultiPolygon& inside, const Machine& machine, const Pose& from, const Pose& to) {
+std::optional<Curve> found(const MultiPolygon& inside, const Machine& machine, const Pose& from, const Pose& to) {
     return searchManoeuvre(Rig{inside, machine}, from, to, {}, {});
 }
 
@@ -158,8 +158,8 @@ private slots:
         const MultiPolygon inside = room("POLYGON((0 0, 40 0, 40 20, 0 20, 0 0), (15 5, 15 16, 25 16, 25 5, 15 5))");
         const Pose from = test::pose(5, 8, 0);
         const Pose to = test::pose(35, 8, 0);
-        const auto passesBelow = [](const Turn& way) {
-            return std::ranges::any_of(sampled(way, metres(0.01)), [](const TurnSample& sample) {
+        const auto passesBelow = [](const Curve& way) {
+            return std::ranges::any_of(sampled(way, metres(0.01)), [](const CurveSample& sample) {
                 return sample.pose.position.x > 18.0 && sample.pose.position.x < 22.0 && sample.pose.position.y < 5.0;
             });
         };

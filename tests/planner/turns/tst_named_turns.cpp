@@ -14,7 +14,7 @@ constexpr double kPi = std::numbers::pi;
 constexpr std::uint64_t kSeed = 20'250'601;
 constexpr double kR = 3.0;
 
-using Drive = Turn (*)(const Pose&, const Pose&, Length);
+using Drive = Curve (*)(const Pose&, const Pose&, Length);
 
 struct Case {
     std::string_view type;
@@ -36,9 +36,9 @@ double arcCosine(double x) {
 }
 
 /// Letters and signs of a turn: "L+ S+ L+".
-QByteArray shapeOf(const Turn& turn) {
+QByteArray shapeOf(const Curve& turn) {
     QByteArray shape;
-    for (const TurnPiece& piece : turn.pieces) {
+    for (const CurvePiece& piece : turn.pieces) {
         const double k = piece.curvature.si();
         shape += k > 0.0 ? 'L' : k < 0.0 ? 'R' : 'S';
         shape += piece.gear == Gear::Forward ? '+' : '-';
@@ -112,7 +112,7 @@ private slots:
         const Pose from = pose(0, 0, 90);
         for (const int side : {1, -1}) {
             const Pose to = pose(side * w, farther, -90);
-            const Turn driveable = turn->drive(from, to, metres(kR));
+            const Curve driveable = turn->drive(from, to, metres(kR));
             COMPARE_WITHIN(driveable.length().si(), lengthM, 1e-8);
             COMPARE_WITHIN(distance(driven(driveable).position, to.position), 0.0, 1e-8);
             COMPARE_WITHIN(headingGap(driven(driveable), to), 0.0, 1e-8);
@@ -142,14 +142,14 @@ private slots:
             const PosePair pair = i % 2 == 0 ? swathPair(random) : randomPair(random);
             const QByteArray text = told(kSeed, i, pair);
             const Length radius = metres(pair.radiusM);
-            const Turn found = turn->drive(pair.from, pair.to, radius);
+            const Curve found = turn->drive(pair.from, pair.to, radius);
             const Pose end = driven(found);
             worstM = std::max(worstM, distance(end.position, pair.to.position));
             VERIFY_TOLD(distance(end.position, pair.to.position) < 1e-6, text);
             VERIFY_TOLD(headingGap(end, pair.to) < 1e-7, text);
             VERIFY_TOLD(found.type == turn->type || found.type == "dubins", text);
             kept[i % 2] += found.type == turn->type ? 1 : 0;
-            for (const TurnPiece& piece : found.pieces) {
+            for (const CurvePiece& piece : found.pieces) {
                 VERIFY_TOLD(piece.length.si() > 0.0, text);
                 VERIFY_TOLD(std::abs(piece.curvature.si()) <= 1.0 / pair.radiusM, text);
                 VERIFY_TOLD(piece.gear == Gear::Forward || turn->reverses, text);
@@ -177,7 +177,7 @@ private slots:
                     continue;
                 }
                 const Pose to = pose(w, w / std::tan(degrees(edge).si()), -90);
-                const Turn found = turn->drive(pose(0, 0, 90), to, metres(kR));
+                const Curve found = turn->drive(pose(0, 0, 90), to, metres(kR));
                 QVERIFY2(found.type == turn->type,
                          qPrintable(QStringLiteral("%1 m, %2 degrees").arg(w).arg(edge)));
             }
@@ -196,7 +196,7 @@ private slots:
             const double across = (i % 2 == 0 ? 0.5 : -0.5) * kPi;
             const double by = std::pow(10.0, std::uniform_real_distribution<double>{-12.0, 0.0}(random)) * (i % 4 < 2 ? 1.0 : -1.0);
             pair.to.heading = pair.from.heading + radians(across + by);
-            const Turn found = turn->drive(pair.from, pair.to, metres(pair.radiusM));
+            const Curve found = turn->drive(pair.from, pair.to, metres(pair.radiusM));
             const double mostM = 5.0 * distance(pair.from.position, pair.to.position) + 16.0 * kPi * pair.radiusM;
             VERIFY_TOLD(found.length().si() < mostM, told(kSeed, i, pair));
         }
@@ -207,7 +207,7 @@ private slots:
             for (const Pose& to :
                  {pose(0, 0, 0), pose(0, 0, 180), pose(5, 0, 0), pose(-5, 0, 0), pose(1e6, 3, 180),
                   pose(0, 2 * kR, 180), pose(0, 4 * kR, 0), pose(0, 1e-9, 180)}) {
-                const Turn found = turn.drive(pose(0, 0, 0), to, metres(kR));
+                const Curve found = turn.drive(pose(0, 0, 0), to, metres(kR));
                 const Pose end = driven(found);
                 COMPARE_WITHIN(distance(end.position, to.position), 0.0, 1e-6 + 1e-12 * norm(to.position));
                 COMPARE_WITHIN(headingGap(end, to), 0.0, 1e-7);

@@ -44,7 +44,7 @@ private slots:
         QFETCH(double, lengthM);
         const Length radius = metres(2.0);
         COMPARE_WITHIN(reedsSheppLength(pose(0, 0, 0), to, radius).si(), lengthM, 1e-7);
-        const Turn turn = reedsSheppTurn(pose(0, 0, 0), to, radius);
+        const Curve turn = reedsSheppTurn(pose(0, 0, 0), to, radius);
         COMPARE_WITHIN(turn.length().si(), lengthM, 1e-7);
         const Pose end = driven(turn);
         COMPARE_WITHIN(distance(end.position, to.position), 0.0, 1e-7);
@@ -59,7 +59,7 @@ private slots:
         for (int i = 0; i < 60'000; ++i) {
             const PosePair pair = i % 3 == 0 ? swathPair(random) : randomPair(random);
             const Length radius = metres(pair.radiusM);
-            const Turn turn = reedsSheppTurn(pair.from, pair.to, radius);
+            const Curve turn = reedsSheppTurn(pair.from, pair.to, radius);
             const Pose end = driven(turn);
             worstM = std::max(worstM, distance(end.position, pair.to.position));
             worstRad = std::max(worstRad, headingGap(end, pair.to));
@@ -68,7 +68,7 @@ private slots:
             VERIFY_TOLD(distance(turn.end().position, end.position) < 1e-9 * (1.0 + 100.0 * pair.radiusM),
                         told(kSeed, i, pair));
             VERIFY_TOLD(turn.pieces.size() <= 5, told(kSeed, i, pair));
-            for (const TurnPiece& piece : turn.pieces) {
+            for (const CurvePiece& piece : turn.pieces) {
                 VERIFY_TOLD(piece.length.si() > 0.0, told(kSeed, i, pair));
                 VERIFY_TOLD(std::abs(piece.curvature.si()) <= 1.0 / pair.radiusM, told(kSeed, i, pair));
                 VERIFY_TOLD(piece.curvature == piece.endCurvature, told(kSeed, i, pair));
@@ -99,7 +99,7 @@ private slots:
                 for (int a = 0; a < 360; a += 45) {
                     for (int b = 0; b < 360; b += 45) {
                         const PosePair pair{pose(0, 0, a), pose(x, y, b), 2.0};
-                        const Turn turn = reedsSheppTurn(pair.from, pair.to, radius);
+                        const Curve turn = reedsSheppTurn(pair.from, pair.to, radius);
                         const Pose end = driven(turn);
                         VERIFY_TOLD(distance(end.position, pair.to.position) < 1e-6, told(0, 0, pair));
                         VERIFY_TOLD(headingGap(end, pair.to) < 1e-7, told(0, 0, pair));

@@ -48,7 +48,7 @@ MultiPolygon open() {
     return {test::centredRectangle(2000.0, 2000.0)};
 }
 
-TurnPiece piece(double lengthM, double curvature, Gear gear = Gear::Forward) {
+CurvePiece piece(double lengthM, double curvature, Gear gear = Gear::Forward) {
     return {.length = metres(lengthM),
             .curvature = Curvature::fromSi(curvature),
             .endCurvature = Curvature::fromSi(curvature),
@@ -196,9 +196,9 @@ private slots:
         QVERIFY(rig.driven(from, piece(6.9, 0.0)).has_value());
         QVERIFY(!rig.driven(from, piece(7.1, 0.0)).has_value());
         // Back again before the end does not help.
-        const Turn outAndBack{.type = "made", .start = from.tractor, .pieces = {piece(8.0, 0.0), piece(8.0, 0.0, Gear::Reverse)}};
+        const Curve outAndBack{.type = "made", .start = from.tractor, .pieces = {piece(8.0, 0.0), piece(8.0, 0.0, Gear::Reverse)}};
         QVERIFY(!rig.driven(from, outAndBack).has_value());
-        const Turn inside{.type = "made", .start = from.tractor, .pieces = {piece(5.0, 0.0), piece(3.0, 0.2, Gear::Reverse)}};
+        const Curve inside{.type = "made", .start = from.tractor, .pieces = {piece(5.0, 0.0), piece(3.0, 0.2, Gear::Reverse)}};
         const auto after = rig.driven(from, inside);
         QVERIFY(after.has_value());
         const Pose end = test::driven(inside);
@@ -229,7 +229,7 @@ private slots:
                 const RigState from = Rig::inLine(test::pose(test::uniform(random, box.min.x, box.max.x), test::uniform(random, box.min.y, box.max.y),
                                                              test::uniform(random, 0.0, 2.0 * kPi)));
                 const double curvature = i % 3 == 0 ? test::uniform(random, -0.25, 0.25) : 0.0;
-                const TurnPiece way = piece(test::uniform(random, 0.05, 25.0), curvature, i % 2 == 0 ? Gear::Forward : Gear::Reverse);
+                const CurvePiece way = piece(test::uniform(random, 0.05, 25.0), curvature, i % 2 == 0 ? Gear::Forward : Gear::Reverse);
                 if (rig.outsideM(from) > 0.0) {
                     continue;
                 }
@@ -259,7 +259,7 @@ private slots:
     // A bend that the tractor takes inside, while the swinging tail of what is mounted does not.
     void theTailSwingsOut() {
         const RigState from = Rig::inLine(test::pose(10.0, 17.9, 0.0));
-        const TurnPiece bend = piece(2.0, -1.0 / 4.0);
+        const CurvePiece bend = piece(2.0, -1.0 / 4.0);
         QVERIFY(!Rig(square(), mounted()).driven(from, bend).has_value());
         MachineSpec narrow = mounted().spec();
         narrow.implement.raisedWidth = metres(2.0);

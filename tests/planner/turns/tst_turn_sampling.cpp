@@ -1,5 +1,5 @@
 #include "planner/turns/dubins.h"
-#include "planner/turns/turn_sampling.h"
+#include "planner/geometry/curve_sampling.h"
 #include "tests/support/result_check.h"
 
 #include <cmath>
@@ -44,7 +44,7 @@ private slots:
         QFETCH(double, turnedDeg);
         QFETCH(double, toleranceM);
         const double angle = degrees(turnedDeg).si();
-        const Turn turn{.type = "test",
+        const Curve turn{.type = "test",
                         .start = pose(0, 0, 0),
                         .pieces = {{.length = metres(std::abs(radiusM) * angle),
                                     .curvature = Curvature::fromSi(1.0 / radiusM)}}};
@@ -79,7 +79,7 @@ private slots:
     }
     void endsAreExact() {
         QFETCH(Pose, to);
-        const Turn turn = dubinsTurn(pose(0, 0, 90), to, metres(2.1));
+        const Curve turn = dubinsTurn(pose(0, 0, 90), to, metres(2.1));
         const auto samples = sampled(turn, kChordTolerance);
         QVERIFY(samples.front().pose == turn.start);
         QCOMPARE(samples.front().way.si(), 0.0);
@@ -97,12 +97,12 @@ private slots:
     }
 
     void everyChangeOfPieceIsASample() {
-        const Turn turn = dubinsTurn(pose(0, 0, 90), pose(10, 0, -90), metres(2.1));
+        const Curve turn = dubinsTurn(pose(0, 0, 90), pose(10, 0, -90), metres(2.1));
         QCOMPARE(turn.pieces.size(), std::size_t{3});
         const auto samples = sampled(turn, kChordTolerance);
         double way = 0.0;
-        for (const TurnPiece& piece : turn.pieces) {
-            const auto at = std::ranges::find_if(samples, [&](const TurnSample& s) { return std::abs(s.way.si() - way) < 1e-9; });
+        for (const CurvePiece& piece : turn.pieces) {
+            const auto at = std::ranges::find_if(samples, [&](const CurveSample& s) { return std::abs(s.way.si() - way) < 1e-9; });
             QVERIFY(at != samples.end());
             QCOMPARE(at->curvature.si(), piece.curvature.si());
             way += piece.length.si();
@@ -126,11 +126,11 @@ private slots:
         QFETCH(double, from);
         QFETCH(double, to);
         QFETCH(bool, forward);
-        const TurnPiece piece{.length = metres(lengthM),
+        const CurvePiece piece{.length = metres(lengthM),
                               .curvature = Curvature::fromSi(from),
                               .endCurvature = Curvature::fromSi(to),
                               .gear = forward ? Gear::Forward : Gear::Reverse};
-        const Turn turn{.type = "test", .start = pose(3, 4, 50), .pieces = {piece}};
+        const Curve turn{.type = "test", .start = pose(3, 4, 50), .pieces = {piece}};
         const auto samples = sampled(turn, kChordTolerance);
         for (std::size_t i = 0; i + 1 < samples.size(); ++i) {
             const double share = samples[i].way.si() / lengthM;

@@ -1,6 +1,6 @@
 #pragma once
 
-#include "planner/turns/turn.h"
+#include "planner/geometry/curve.h"
 #include "planner/units/angle.h"
 #include "tests/support/field_generator.h"
 #include "tests/support/result_check.h"
@@ -23,10 +23,10 @@ inline Pose mirrored(const Pose& p) {
 
 /// Where one ends that drives the pieces: arcs by rotating around their centre, clothoids by Simpson's rule
 /// over short steps with a known heading (error below 1e-9 of the length).
-inline Pose driven(const Turn& turn) {
+inline Pose driven(const Curve& turn) {
     std::complex<double> place{turn.start.position.x, turn.start.position.y};
     double heading = turn.start.heading.si();
-    for (const TurnPiece& piece : turn.pieces) {
+    for (const CurvePiece& piece : turn.pieces) {
         const double sign = piece.gear == Gear::Forward ? 1.0 : -1.0;
         const double length = piece.length.si();
         const double k0 = piece.curvature.si();

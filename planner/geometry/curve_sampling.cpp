@@ -1,16 +1,16 @@
-#include "planner/turns/turn_sampling.h"
+#include "planner/geometry/curve_sampling.h"
 
 #include <algorithm>
 #include <cmath>
 
 namespace furrow {
 
-std::vector<TurnSample> sampled(const Turn& turn, Length chordTolerance) {
-    std::vector<TurnSample> samples;
+std::vector<CurveSample> sampled(const Curve& turn, Length chordTolerance) {
+    std::vector<CurveSample> samples;
     Pose pose = turn.start;
     Length way;
     Curvature arriving;
-    for (const TurnPiece& piece : turn.pieces) {
+    for (const CurvePiece& piece : turn.pieces) {
         // The largest curvature holds for the whole clothoid, so its flat end gets more samples than needed.
         const double curvature = std::max(std::abs(piece.curvature.si()), std::abs(piece.endCurvature.si()));
         // The distance between an arc and its chord over the angle phi is R (1 - cos(phi / 2)).
@@ -32,7 +32,7 @@ std::vector<TurnSample> sampled(const Turn& turn, Length chordTolerance) {
         // A turn to the present place has only its start and its end.
         samples.push_back({way, pose, {}, Gear::Forward, {}});
     }
-    const TurnPiece last = turn.pieces.empty() ? TurnPiece{} : turn.pieces.back();
+    const CurvePiece last = turn.pieces.empty() ? CurvePiece{} : turn.pieces.back();
     samples.push_back({way, pose, last.endCurvature, last.gear, last.endCurvature});
     return samples;
 }

@@ -1,4 +1,4 @@
-#include "planner/turns/curve_parts.h"
+#include "planner/geometry/curve_parts.h"
 
 #include <algorithm>
 #include <cmath>
@@ -12,12 +12,12 @@ constexpr Length kLeastPiece = metres(1e-9);
 
 }  // namespace
 
-Turn partOf(const Turn& line, Length from, Length to) {
-    Turn part{.type = line.type, .start = line.start, .pieces = {}};
+Curve partOf(const Curve& line, Length from, Length to) {
+    Curve part{.type = line.type, .start = line.start, .pieces = {}};
     Pose pose = line.start;
     Length way;
     bool begun = false;
-    for (const TurnPiece& piece : line.pieces) {
+    for (const CurvePiece& piece : line.pieces) {
         const Length begin = std::clamp(from - way, Length{}, piece.length);
         const Length end = std::clamp(to - way, Length{}, piece.length);
         if (end - begin > kLeastPiece) {
@@ -25,7 +25,7 @@ Turn partOf(const Turn& line, Length from, Length to) {
                 part.start = advanced(pose, piece, begin);
                 begun = true;
             }
-            TurnPiece kept = piece;
+            CurvePiece kept = piece;
             kept.length = end - begin;
             part.pieces.push_back(kept);
         }
@@ -35,14 +35,14 @@ Turn partOf(const Turn& line, Length from, Length to) {
     return part;
 }
 
-Turn movedLeft(const Turn& line, Length left) {
+Curve movedLeft(const Curve& line, Length left) {
     if (left == Length{}) {
         return line;
     }
-    Turn moved = line;
+    Curve moved = line;
     const Point ahead = direction(line.start.heading.si());
     moved.start.position = line.start.position + left.si() * Point{-ahead.y, ahead.x};
-    for (TurnPiece& piece : moved.pieces) {
+    for (CurvePiece& piece : moved.pieces) {
         const double shrinks = 1.0 - piece.curvature.si() * left.si();
         piece.length = shrinks * piece.length;
         piece.curvature = piece.endCurvature = Curvature::fromSi(piece.curvature.si() / shrinks);
@@ -50,8 +50,8 @@ Turn movedLeft(const Turn& line, Length left) {
     return moved;
 }
 
-Turn extended(const Turn& line, Length before, Length after) {
-    Turn longer = line;
+Curve extended(const Curve& line, Length before, Length after) {
+    Curve longer = line;
     if (before > Length{}) {
         longer.start.position = line.start.position - before.si() * direction(line.start.heading.si());
         longer.pieces.insert(longer.pieces.begin(), {.length = before, .curvature = {}});
@@ -62,9 +62,9 @@ Turn extended(const Turn& line, Length before, Length after) {
     return longer;
 }
 
-Curvature sharpestBend(const Turn& line) {
+Curvature sharpestBend(const Curve& line) {
     double most = 0.0;
-    for (const TurnPiece& piece : line.pieces) {
+    for (const CurvePiece& piece : line.pieces) {
         most = std::max(most, std::abs(piece.curvature.si()));
     }
     return Curvature::fromSi(most);

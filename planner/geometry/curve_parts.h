@@ -1,22 +1,22 @@
 #pragma once
 
-#include "planner/turns/turn.h"
+#include "planner/geometry/curve.h"
 
 namespace furrow {
 
 // For lines of straights and arcs in forward gear. No bend is sharper than the requested offsets allow.
 
 /// The part of the line between `from` and `to`, both within its length. Pieces without length are left out.
-Turn partOf(const Turn& line, Length from, Length to);
+Curve partOf(const Curve& line, Length from, Length to);
 
 /// The parallel line at this distance to the left (negative: to the right). Precondition: no arc to that side
 /// has a smaller radius.
-Turn movedLeft(const Turn& line, Length left);
+Curve movedLeft(const Curve& line, Length left);
 
 /// The line with straight stretches before and after it.
-Turn extended(const Turn& line, Length before, Length after);
+Curve extended(const Curve& line, Length before, Length after);
 
 /// The sharpest bend of the line, not negative.
-Curvature sharpestBend(const Turn& line);
+Curvature sharpestBend(const Curve& line);
 
 }  // namespace furrow

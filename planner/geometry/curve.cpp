@@ -1,6 +1,5 @@
-#include "planner/turns/turn.h"
+#include "planner/geometry/curve.h"
 
-#include "planner/turns/turn_method.h"
 #include "planner/units/angle.h"
 
 #include <algorithm>
@@ -42,48 +41,28 @@ Point clothoidDisplacement(double way, double k, double rate) {
 
 }  // namespace
 
-Curvature TurnPiece::curvatureAt(Length way) const {
+Curvature CurvePiece::curvatureAt(Length way) const {
     // A piece without length has only its beginning.
     return length.si() > 0.0 ? curvature + (endCurvature - curvature) * (way / length) : curvature;
 }
 
-Length Turn::length() const {
+Length Curve::length() const {
     Length sum;
-    for (const TurnPiece& piece : pieces) {
+    for (const CurvePiece& piece : pieces) {
         sum += piece.length;
     }
     return sum;
 }
 
-Pose Turn::end() const {
+Pose Curve::end() const {
     Pose pose = start;
-    for (const TurnPiece& piece : pieces) {
+    for (const CurvePiece& piece : pieces) {
         pose = advanced(pose, piece, piece.length);
     }
     return pose;
 }
 
-Duration gearChangeDuration(const Machine& machine) {
-    const Tractor& tractor = machine.spec().tractor;
-    return seconds((machine.turningSpeed() + tractor.reverseSpeed).si() / (2.0 * tractor.maxAcceleration.si()));
-}
-
-Duration roughDuration(const Turn& turn, const Machine& machine) {
-    Duration sum;
-    const TurnPiece* before = nullptr;
-    for (const TurnPiece& piece : turn.pieces) {
-        if (before != nullptr && before->gear != piece.gear) {
-            sum += gearChangeDuration(machine);
-        }
-        before = &piece;
-        const Speed speed =
-            piece.gear == Gear::Forward ? machine.turningSpeed() : machine.spec().tractor.reverseSpeed;
-        sum += seconds(piece.length.si() / speed.si());
-    }
-    return sum;
-}
-
-Pose advanced(const Pose& from, const TurnPiece& piece, Length way) {
+Pose advanced(const Pose& from, const CurvePiece& piece, Length way) {
     const double signedWay = piece.gear == Gear::Forward ? way.si() : -way.si();
     if (piece.endCurvature != piece.curvature && piece.length.si() > 0.0) {
         const double k = piece.curvature.si();

@@ -1,7 +1,7 @@
 #pragma once
 
 #include "planner/geometry/polygon.h"
-#include "planner/turns/turn.h"
+#include "planner/geometry/curve.h"
 
 #include <vector>
 
@@ -10,7 +10,7 @@ namespace furrow {
 /// Largest distance between a curve and the chords between its samples.
 inline constexpr Length kChordTolerance = metres(0.005);
 
-struct TurnSample {
+struct CurveSample {
     Length way;  ///< driven since the start of the turn
     Pose pose;
     Curvature curvature;  ///< here; at a jump, of the piece that begins
@@ -20,7 +20,7 @@ struct TurnSample {
 
 /// Samples from the start to the end of a turn, at every change of piece and close enough in between. At
 /// least two. Cost: O(samples).
-std::vector<TurnSample> sampled(const Turn& turn, Length chordTolerance);
+std::vector<CurveSample> sampled(const Curve& turn, Length chordTolerance);
 
 /// A shape around the reference point with the nose to +x, moved to a pose.
 Ring placed(const Ring& shape, const Pose& pose);
