@@ -1,9 +1,9 @@
 #include "app/cli/list_command.h"
 
 #include "app/cli/exit_status.h"
-#include "planner/io/boundary_import.h"
-#include "planner/io/format_registry.h"
-#include "planner/io/terminals.h"
+#include "planner/io/delivery/terminals.h"
+#include "planner/io/formats/registry.h"
+#include "planner/io/import/boundary_import.h"
 #include "planner/machine/machine_file.h"
 #include "planner/machine/machine_library.h"
 #include "planner/plan/method_registry.h"

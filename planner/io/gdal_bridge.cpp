@@ -1,13 +1,13 @@
 #include "planner/io/gdal_bridge.h"
 
+#include "planner/core/file_error.h"
 #include "planner/core/text_file.h"
-#include "planner/io/boundary_source.h"
-#include "planner/io/coordinate_check.h"
-#include "planner/io/file_error.h"
-#include "planner/io/file_folder.h"
-#include "planner/io/gdal_drivers.h"
-#include "planner/io/gdal_messages.h"
-#include "planner/io/geojson_crs.h"
+#include "planner/gdal/drivers.h"
+#include "planner/gdal/messages.h"
+#include "planner/io/files/file_folder.h"
+#include "planner/io/formats/geojson/geojson_check.h"
+#include "planner/io/formats/geojson/geojson_crs.h"
+#include "planner/io/formats/vector/vector_source.h"
 
 #include <cpl_conv.h>
 #include <cpl_string.h>

@@ -1,7 +1,7 @@
 #include "planner/io/gdal_writer.h"
 
-#include "planner/io/gdal_drivers.h"
-#include "planner/io/gdal_messages.h"
+#include "planner/gdal/drivers.h"
+#include "planner/gdal/messages.h"
 
 #include <cpl_conv.h>
 #include <cpl_string.h>

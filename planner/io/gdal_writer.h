@@ -2,7 +2,7 @@
 
 #include "planner/core/geo_point.h"
 #include "planner/core/result.h"
-#include "planner/io/atomic_files.h"
+#include "planner/io/files/atomic_files.h"
 #include "planner/jobs/job.h"
 
 #include <cstdint>

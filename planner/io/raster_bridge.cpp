@@ -1,6 +1,6 @@
 #include "planner/io/raster_bridge.h"
 
-#include "planner/io/gdal_drivers.h"
+#include "planner/gdal/drivers.h"
 
 #include <gdal_priv.h>
 #include <gdal_utils.h>

@@ -1,5 +1,5 @@
-#include "planner/io/export_check.h"
-#include "planner/io/format_registry.h"
+#include "planner/io/check/export_check.h"
+#include "planner/io/formats/registry.h"
 
 #include <cstddef>
 #include <cstdint>

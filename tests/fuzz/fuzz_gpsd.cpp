@@ -1,4 +1,4 @@
-#include "planner/io/track_formats.h"
+#include "planner/io/tracks/track_parts.h"
 
 #include <cstddef>
 #include <cstdint>

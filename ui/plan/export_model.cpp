@@ -1,7 +1,7 @@
 #include "ui/plan/export_model.h"
 
-#include "planner/io/format_registry.h"
-#include "planner/io/plan_folder.h"
+#include "planner/io/delivery/plan_folder.h"
+#include "planner/io/formats/registry.h"
 #include "ui/text/display.h"
 #include "ui/text/message_text.h"
 #include "ui/text/unit_text.h"

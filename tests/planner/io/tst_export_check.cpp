@@ -1,5 +1,5 @@
-#include "planner/io/export_check.h"
-#include "planner/io/format_registry.h"
+#include "planner/io/check/export_check.h"
+#include "planner/io/formats/registry.h"
 #include "planner/plan/method_registry.h"
 #include "planner/plan/plan.h"
 #include "tests/planner/io/format_cases.h"

@@ -1,8 +1,8 @@
 #include "tests/planner/io/format_cases.h"
 
-#include "planner/io/boundary_import.h"
-#include "planner/io/field_files.h"
-#include "planner/io/field_reader.h"
+#include "planner/io/delivery/field_files.h"
+#include "planner/io/import/boundary_import.h"
+#include "planner/io/import/field_reader.h"
 #include "tests/support/real_fields.h"
 #include "tests/support/result_check.h"
 

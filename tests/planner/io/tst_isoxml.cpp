@@ -1,6 +1,6 @@
 #include "planner/geodesy/local_frame.h"
-#include "planner/io/boundary_import.h"
-#include "planner/io/isoxml_writer.h"
+#include "planner/io/formats/isoxml/isoxml_writer.h"
+#include "planner/io/import/boundary_import.h"
 #include "planner/machine/machine_library.h"
 #include "planner/plan/method_registry.h"
 #include "planner/plan/plan.h"

@@ -1,6 +1,6 @@
 #include "planner/field/field.h"
 #include "planner/geodesy/local_frame.h"
-#include "planner/io/boundary_import.h"
+#include "planner/io/import/boundary_import.h"
 #include "tests/support/geo_rings.h"
 #include "tests/support/result_check.h"
 #include "tests/support/scratch.h"

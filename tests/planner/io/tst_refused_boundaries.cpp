@@ -1,4 +1,4 @@
-#include "planner/io/boundary_import.h"
+#include "planner/io/import/boundary_import.h"
 #include "tests/support/north_field.h"
 #include "tests/support/result_check.h"
 #include "tests/support/scratch.h"

@@ -1,6 +1,6 @@
-#include "planner/io/field_reader.h"
-#include "planner/io/file_folder.h"
-#include "planner/io/track_reader.h"
+#include "planner/io/files/file_folder.h"
+#include "planner/io/import/field_reader.h"
+#include "planner/io/import/track_reader.h"
 #include "tests/planner/io/format_cases.h"
 
 #include <QTest>

@@ -1,7 +1,7 @@
 // Recorded tracks: the same four corners in every format (tests/data/tracks/make_samples.py says where they
 // are), real recordings where the shared data lies beside the project, and everything that can be wrong.
 
-#include "planner/io/track_reader.h"
+#include "planner/io/import/track_reader.h"
 
 #include <QDir>
 #include <QFile>

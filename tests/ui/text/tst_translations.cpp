@@ -1,6 +1,6 @@
 #include "planner/core/message.h"
-#include "planner/io/format_registry.h"
-#include "planner/io/terminals.h"
+#include "planner/io/delivery/terminals.h"
+#include "planner/io/formats/registry.h"
 #include "planner/machine/machine_file.h"
 #include "planner/machine/machine_library.h"
 #include "planner/plan/method_registry.h"
