@@ -177,19 +177,19 @@ int listMachines(bool asJson) {
 
 int listFormats(bool asJson) {
     Json all = Json::array();
-    for (const FormatInfo& format : formats()) {
+    for (const Format& format : formats()) {
         if (asJson) {
             all.push_back({{"id", format.id},
                            {"name", format.name},
                            {"extensions", format.extensions},
-                           {"read", format.read},
-                           {"reads_tracks", format.readsTracks},
+                           {"read", format.readsFields()},
+                           {"reads_tracks", format.readsTracks()},
                            {"write", format.writes()},
-                           {"writes_fields", format.writesFields},
+                           {"writes_fields", format.writesFields()},
                            {"carries", format.carries}});
         } else {
-            std::println("{:14} {:22} {:5} {:7} {:6} {}", format.id, format.name, format.read ? "read" : "",
-                         format.readsTracks ? "tracks" : "", format.writes() ? "write" : "", format.carries);
+            std::println("{:14} {:22} {:5} {:7} {:6} {}", format.id, format.name, format.readsFields() ? "read" : "",
+                         format.readsTracks() ? "tracks" : "", format.writes() ? "write" : "", format.carries);
         }
     }
     if (asJson) {

@@ -1,6 +1,7 @@
 #include "planner/project/project_file.h"
 
 #include "planner/core/file_error.h"
+#include "planner/core/text.h"
 #include "planner/core/text_file.h"
 #include "planner/io/files/atomic_files.h"
 #include "planner/io/files/file_folder.h"

@@ -1,4 +1,4 @@
-#include "planner/io/tracks/track_parts.h"
+#include "planner/io/formats/logs/logs.h"
 
 #include <cstddef>
 #include <cstdint>

@@ -1,4 +1,4 @@
-#include "planner/io/tracks/track_parts.h"
+#include "planner/io/formats/ros/ros.h"
 
 #include <unistd.h>
 

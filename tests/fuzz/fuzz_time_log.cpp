@@ -1,4 +1,4 @@
-#include "planner/io/tracks/track_parts.h"
+#include "planner/io/formats/isoxml/isoxml.h"
 
 #include <unistd.h>
 

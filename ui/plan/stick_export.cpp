@@ -1,5 +1,6 @@
 #include "ui/plan/stick_export.h"
 
+#include "planner/io/content/plan_content.h"
 #include "planner/io/delivery/stick_writer.h"
 #include "planner/io/delivery/terminals.h"
 #include "ui/text/display.h"

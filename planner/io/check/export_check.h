@@ -1,14 +1,12 @@
 #pragma once
 
-#include "planner/core/result.h"
 #include "planner/io/content/export_job.h"
 
 #include <span>
-#include <string_view>
 
 namespace furrow {
 
-struct FormatInfo;
+struct Format;
 
 /// What receivers would stumble over in files that are well-formed, and that no schema notices (DESIGN 31): each
 /// file is taken apart again by code of its own and looked at for
@@ -20,12 +18,9 @@ struct FormatInfo;
 /// - paths that leave the plan's, or go another way, times that fall, headings across the motion, speeds in the
 ///   wrong unit; and the rules of each format (kinds of points of a guidance pattern, rows of a mission, ...).
 ///
-/// @param formatId  as in the registry; nothing is looked at for an id that is not written
+/// @param files  what `format` made of the job; nothing is looked at where it is not written
 /// @return what was looked at, and one sentence for each kind of mistake and file, the worst first
 /// Cost: O(n log n) for n points.
-ExportChecks checkExport(std::string_view formatId, const ExportJob& job, std::span<const FileToWrite> files);
-
-/// What a format makes of a job, checked. The files hold their bytes.
-Result<FormatFiles> checkedFiles(const FormatInfo& format, const ExportJob& job);
+ExportChecks checkExport(const Format& format, const ExportJob& job, std::span<const FileToWrite> files);
 
 }  // namespace furrow

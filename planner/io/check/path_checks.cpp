@@ -22,10 +22,10 @@ constexpr double kAlongRad = 35.0 / 180.0 * std::numbers::pi;
 constexpr double kSpeedShare = 0.1;
 constexpr double kSpeedSlackMps = 0.1;
 
-std::vector<Point> placesOf(const FoundPath& path, const Plan& plan) {
+std::vector<Point> placesOf(const ReceivedPath& path, const Plan& plan) {
     std::vector<Point> places;
     places.reserve(path.samples.size());
-    for (const FoundSample& sample : path.samples) {
+    for (const ReceivedSample& sample : path.samples) {
         places.push_back(sample.isLocal ? sample.local : plan.field().frame().toLocal(sample.geo));
     }
     return places;
@@ -51,7 +51,7 @@ std::vector<Point> linePlanned(const Plan& plan) {
 
 }  // namespace
 
-std::optional<Message> pathFollowed(const FoundPath& path, const Plan& plan) {
+std::optional<Message> pathFollowed(const ReceivedPath& path, const Plan& plan) {
     const std::vector<Point> places = placesOf(path, plan);
     const std::vector<Point> planned = linePlanned(plan);
     if (places.empty()) {
@@ -74,7 +74,7 @@ std::optional<Message> pathFollowed(const FoundPath& path, const Plan& plan) {
     return ends ? std::nullopt : std::optional{Message{"the path does not begin and end as the plan does"}};
 }
 
-std::optional<Message> pathLength(const FoundPath& path, const Plan& plan) {
+std::optional<Message> pathLength(const ReceivedPath& path, const Plan& plan) {
     const double writtenM = lengthM(placesOf(path, plan));
     const double plannedM = lengthM(linePlanned(plan));
     const bool right = std::abs(writtenM - plannedM) < kLengthShare * plannedM + kLengthSlackM;
@@ -83,7 +83,7 @@ std::optional<Message> pathLength(const FoundPath& path, const Plan& plan) {
                : std::optional{message("the path is {:.0f} m long, not {:.0f} m", writtenM, plannedM)};
 }
 
-std::optional<Message> pathTimes(const FoundPath& path, const Plan&) {
+std::optional<Message> pathTimes(const ReceivedPath& path, const Plan&) {
     std::optional<double> last;
     std::optional<double> first;
     for (std::size_t i = 0; i < path.samples.size(); ++i) {
@@ -102,10 +102,10 @@ std::optional<Message> pathTimes(const FoundPath& path, const Plan&) {
                : std::nullopt;
 }
 
-std::optional<Message> pathHeadings(const FoundPath& path, const Plan& plan) {
+std::optional<Message> pathHeadings(const ReceivedPath& path, const Plan& plan) {
     const std::vector<Point> places = placesOf(path, plan);
     for (std::size_t i = 0; i + 1 < places.size(); ++i) {
-        const FoundSample& sample = path.samples[i];
+        const ReceivedSample& sample = path.samples[i];
         const Point step = places[i + 1] - places[i];
         if (!sample.headingRad || norm(step) < kSmallestStepM) {
             continue;
@@ -122,7 +122,7 @@ std::optional<Message> pathHeadings(const FoundPath& path, const Plan& plan) {
     return std::nullopt;
 }
 
-std::optional<Message> pathSpeeds(const FoundPath& path, const Plan& plan) {
+std::optional<Message> pathSpeeds(const ReceivedPath& path, const Plan& plan) {
     double written = -1.0;
     for (std::size_t i = 0; i < path.samples.size(); ++i) {
         if (const auto speed = path.samples[i].speedMps) {

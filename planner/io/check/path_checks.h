@@ -11,7 +11,7 @@ struct Plan;
 
 /// What a written path is looked at for, against the plan that was meant. The first thing that is wrong, if any.
 /// Cost of each: linear in the samples of both.
-using PathCheck = std::optional<Message>(const FoundPath& path, const Plan& plan);
+using PathCheck = std::optional<Message>(const ReceivedPath& path, const Plan& plan);
 
 PathCheck pathFollowed;  ///< every sample lies on the plan's path, in its order; a whole one from start to end
 PathCheck pathLength;    ///< of a whole path: as long as the plan's, to 1 %

@@ -33,11 +33,12 @@ struct ExportJob {
     JobContext job;
 };
 
-/// What was looked at in written files, and what was found; see checkExport.
+/// What was looked at in written files, and what was found; see checkExport in io/check.
 struct ExportChecks {
     std::vector<std::string_view> made;  ///< ids of the checks that had something to look at: "rings-closed" ...
     std::vector<Message> problems;       ///< empty for good files
 
+    /// Those of other files of the same export.
     void add(const ExportChecks& more);
 };
 
@@ -48,17 +49,8 @@ struct FormatFiles {
     ExportChecks checks = {};
 };
 
-/// The common signature of all formats.
-///
-/// @return InputRefused: the format cannot hold this plan or these fields, and why. WriteFailed: a library
-///         refused. Cancelled.
-using FormatWriter = Result<FormatFiles>(const ExportJob& job);
-
-/// What a plan says about its field in the words of machines: boundary, mainland, a guidance line for each
-/// direction that is driven (the longest swath of that direction's first track; A+ and curves as such), and
-/// with `headlandLines` each headland pass as a curve.
-/// Cost: linear in the points of plan and field.
-FieldContent contentOf(const Plan& plan, const ExportOptions& options = {});
+/// Files that are made already, without notes.
+FormatFiles asFormatFiles(std::vector<FileInMemory> files);
 
 /// InputRefused: a format of paths was asked for, and there is no plan.
 Error needsPlan(std::string_view format);

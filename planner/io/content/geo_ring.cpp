@@ -21,6 +21,10 @@ bool edgesMeet(GeoPoint p, GeoPoint q, GeoPoint r, GeoPoint s) {
 
 }  // namespace
 
+bool isOnEarth(GeoPoint point) {
+    return std::abs(point.lonDeg) <= 180.0 && std::abs(point.latDeg) <= 90.0;  // false for NaN
+}
+
 bool isCounterClockwise(std::span<const GeoPoint> ring) {
     double twiceArea = 0.0;
     for (std::size_t i = 0, j = ring.size() - 1; i < ring.size(); j = i++) {

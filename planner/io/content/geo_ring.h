@@ -6,6 +6,9 @@
 
 namespace furrow {
 
+/// A finite longitude and latitude in their ranges.
+bool isOnEarth(GeoPoint point);
+
 /// Which way round a ring runs, seen from above; right across the antimeridian too.
 bool isCounterClockwise(std::span<const GeoPoint> ring);
 

@@ -1,7 +1,7 @@
 #pragma once
 
 #include "planner/io/content/export_job.h"
-#include "planner/io/gdal_writer.h"
+#include "planner/gdal/vector_writer.h"
 #include "planner/route/route.h"
 
 #include <vector>

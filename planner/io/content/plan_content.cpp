@@ -1,6 +1,6 @@
-#include "planner/core/file_error.h"
+#include "planner/io/content/plan_content.h"
+
 #include "planner/geometry/simplify.h"
-#include "planner/io/content/export_job.h"
 #include "planner/io/content/guidance_lines.h"
 #include "planner/plan/method_registry.h"
 #include "planner/plan/plan.h"
@@ -75,11 +75,6 @@ FieldContent contentOf(const Plan& plan, const ExportOptions& options) {
         addHeadlandLines(plan, content.lines);
     }
     return content;
-}
-
-Error needsPlan(std::string_view format) {
-    return inputRefused(std::string{format}, "this format holds the path of a plan, and there is only a field",
-                        "plan the field first: furrow-cli plan FIELD --out plan");
 }
 
 }  // namespace furrow

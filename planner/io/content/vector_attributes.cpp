@@ -1,7 +1,6 @@
 #include "planner/io/content/vector_attributes.h"
 
 #include <algorithm>
-#include <charconv>
 #include <vector>
 
 namespace furrow {
@@ -51,18 +50,6 @@ std::string nameOf(const VectorFeature& feature) {
 std::string idOf(const VectorFeature& feature) {
     const std::string given = firstAttribute(feature, kIdNames);
     return given.empty() ? feature.key : given;
-}
-
-std::optional<double> numberOf(std::string text) {
-    std::ranges::replace(text, ',', '.');
-    const std::size_t first = text.find_first_not_of(" \t+");
-    const std::size_t last = text.find_last_not_of(" \t");
-    if (first == std::string::npos) {
-        return std::nullopt;
-    }
-    double number = 0.0;
-    const auto [end, error] = std::from_chars(text.data() + first, text.data() + last + 1, number);
-    return error == std::errc{} && end == text.data() + last + 1 ? std::optional{number} : std::nullopt;
 }
 
 }  // namespace furrow

@@ -1,8 +1,7 @@
 #pragma once
 
-#include "planner/io/gdal_bridge.h"
+#include "planner/gdal/vector_feature.h"
 
-#include <optional>
 #include <span>
 #include <string>
 #include <string_view>
@@ -26,8 +25,5 @@ std::string firstAttribute(const VectorFeature& feature, std::span<const std::st
 
 std::string idOf(const VectorFeature& feature);
 std::string nameOf(const VectorFeature& feature);
-
-/// A number in either way of writing; nothing where the text is something else.
-std::optional<double> numberOf(std::string text);
 
 }  // namespace furrow

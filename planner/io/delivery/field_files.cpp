@@ -1,9 +1,10 @@
 #include "planner/io/delivery/field_files.h"
 
-#include "planner/io/check/export_check.h"
+#include "planner/io/delivery/checked_files.h"
 #include "planner/io/files/file_folder.h"
 #include "planner/io/formats/registry.h"
-#include "planner/io/gdal_writer.h"
+#include "planner/gdal/zip.h"
+#include "planner/core/text.h"
 
 #include <algorithm>
 #include <ranges>
@@ -18,8 +19,8 @@ namespace fs = std::filesystem;
 
 Error noFormat(Message what) {
     std::string known;
-    for (const FormatInfo& format : formats()) {
-        if (format.writesFields) {
+    for (const Format& format : formats()) {
+        if (format.writesFields()) {
             known += (known.empty() ? "" : ", ") + std::string{format.id};
         }
     }
@@ -29,7 +30,7 @@ Error noFormat(Message what) {
             .remedy = message("give a file name with an ending, or --format with one of: {}", known)};
 }
 
-Result<const FormatInfo*> formatFor(const fs::path& out, std::optional<std::string_view> formatId) {
+Result<const Format*> formatFor(const fs::path& out, std::optional<std::string_view> formatId) {
     const std::string name = inSmallLetters(out.filename().string());
     std::string_view wanted = formatId.value_or("");
     if (wanted.empty() && (name == "taskdata" || name == "taskdata.xml")) {
@@ -40,15 +41,15 @@ Result<const FormatInfo*> formatFor(const fs::path& out, std::optional<std::stri
         wanted = "shapefile-zip";
     }
     if (!wanted.empty()) {
-        const auto known = std::ranges::find(formats(), wanted, &FormatInfo::id);
-        if (known == formats().end() || !known->writesFields) {
+        const auto known = std::ranges::find(formats(), wanted, &Format::id);
+        if (known == formats().end() || !known->writesFields()) {
             return std::unexpected(noFormat(message("fields cannot be written as '{}'", wanted)));
         }
         return &*known;
     }
     const std::string ending = extensionInSmallLetters(out);
-    for (const FormatInfo& format : formats()) {
-        if (!format.writesFields || ending.size() < 2) {
+    for (const Format& format : formats()) {
+        if (!format.writesFields() || ending.size() < 2) {
             continue;
         }
         for (const auto word : std::views::split(format.extensions, ' ')) {
@@ -94,12 +95,16 @@ Result<WrittenFiles> writeFields(std::span<const FieldContent> fields, const fs:
         return std::unexpected(made.error());
     }
     if (extensionInSmallLetters(out) == ".zip" && (*format)->id != "shapefile-zip") {
-        auto zip = zipOf(made->files);
+        std::vector<FileInMemory> inside;
+        for (const FileToWrite& file : made->files) {
+            inside.push_back({file.path.generic_string(), file.text()});
+        }
+        auto zip = zipOf(inside);
         if (!zip) {
             return std::unexpected(zip.error());
         }
         made->files.clear();
-        made->files.push_back({out.filename(), [zip = *std::move(zip)] { return zip; }});
+        made->files.push_back(toWrite({out.filename().string(), *std::move(zip)}));
     }
     // A single file is what was asked for by its name.
     const bool single = made->files.size() == 1 && out.has_extension();

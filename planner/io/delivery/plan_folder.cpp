@@ -1,6 +1,7 @@
 #include "planner/io/delivery/plan_folder.h"
 
-#include "planner/io/check/export_check.h"
+#include "planner/io/content/plan_content.h"
+#include "planner/io/delivery/checked_files.h"
 #include "planner/io/delivery/terminals.h"
 #include "planner/io/files/file_folder.h"
 #include "planner/io/formats/registry.h"
@@ -84,7 +85,7 @@ std::span<const std::string_view> standardPlanFormats() {
 Result<WrittenFiles> writePlanFolder(const Plan& plan, const fs::path& folder,
                                      std::span<const std::string_view> formatIds, const JobContext& job,
                                      const ExportOptions& options) {
-    std::vector<const FormatInfo*> wanted;
+    std::vector<const Format*> wanted;
     for (const std::string_view id : formatIds) {
         const auto known = findPlanFormat(id);
         if (!known) {
@@ -98,13 +99,13 @@ Result<WrittenFiles> writePlanFolder(const Plan& plan, const fs::path& folder,
     std::vector<FileToWrite> files;
     std::vector<Message> notes;
     ExportChecks checks;
-    for (const FormatInfo* format : wanted) {
+    for (const Format* format : wanted) {
         auto made = checkedFiles(*format, {.fields = {&content, 1}, .plan = &plan, .options = options, .job = job});
         if (!made) {
             return std::unexpected(made.error());
         }
         for (FileToWrite& file : made->files) {
-            fs::path path = fs::path{format->folder} / file.path;
+            fs::path path = fs::path{format->writing.folder} / file.path;
             // Formats that share a folder share what explains them.
             if (!std::ranges::contains(files, path, &FileToWrite::path)) {
                 files.push_back({std::move(path), std::move(file.text)});

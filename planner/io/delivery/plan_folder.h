@@ -24,7 +24,7 @@ struct WrittenFiles {
     std::string summary;         ///< the text of summary.json
 };
 
-/// Writes a plan to a folder: summary.json always, and each format's files at its place (see FormatInfo). The
+/// Writes a plan to a folder: summary.json always, and each format's files at its place (see Format). The
 /// folder is made if it is not there. Everything is written and synced beside its final name first and renamed
 /// when all of it is on the disk, so that a full disk, a cancel or a crash leaves what was there before. A plan that was
 /// there is replaced as a whole: summary.json lists the files of a plan, and those that the new one does not have are

@@ -1,6 +1,6 @@
 #include "planner/io/delivery/stick_writer.h"
 
-#include "planner/io/check/content_check.h"
+#include "planner/io/check/read_back.h"
 #include "planner/io/import/field_reader.h"
 
 #include <algorithm>

@@ -1,6 +1,7 @@
 #include "planner/io/delivery/terminals.h"
 
-#include "planner/io/check/export_check.h"
+#include "planner/io/content/plan_content.h"
+#include "planner/io/delivery/checked_files.h"
 #include "planner/io/formats/registry.h"
 #include "planner/plan/plan.h"
 #include "planner/settings/settings.h"
@@ -91,7 +92,7 @@ Result<const Terminal*> findTerminal(std::string_view id) {
 }
 
 Result<FormatFiles> terminalFiles(const Terminal& terminal, const Plan& plan, const JobContext& job) {
-    const FormatInfo* format = *findPlanFormat(terminal.format);
+    const Format* format = *findPlanFormat(terminal.format);
     const FieldContent content = contentOf(plan, terminal.options);
     auto made =
         checkedFiles(*format, {.fields = {&content, 1}, .plan = &plan, .options = terminal.options, .job = job});

@@ -82,6 +82,10 @@ private:
 
 }  // namespace
 
+FileToWrite toWrite(FileInMemory file) {
+    return {std::move(file.path), [bytes = std::move(file.bytes)] { return bytes; }};
+}
+
 Result<std::vector<fs::path>> writeTogether(const fs::path& folder, std::span<const FileToWrite> files,
                                             const JobContext& job) {
     std::vector<PendingFile> pending;

@@ -1,5 +1,6 @@
 #pragma once
 
+#include "planner/core/file_in_memory.h"
 #include "planner/core/result.h"
 #include "planner/jobs/job.h"
 
@@ -16,6 +17,9 @@ struct FileToWrite {
     std::filesystem::path path;
     std::function<std::string()> text;
 };
+
+/// One that is made already.
+FileToWrite toWrite(FileInMemory file);
 
 /// Writes files together. The folders are made if they are not there. Everything is written and synced
 /// beside its final name first and renamed when all of it is on the disk, so that a full disk, a cancel or

@@ -1,15 +1,11 @@
 #include "planner/io/files/file_folder.h"
 
 #include "planner/core/file_error.h"
-#include "planner/gdal/drivers.h"
-
-#include <cpl_error.h>
-#include <cpl_string.h>
-#include <cpl_vsi.h>
+#include "planner/core/text.h"
 
 #include <algorithm>
 #include <cstdint>
-#include <format>
+#include <optional>
 #include <system_error>
 #include <tuple>
 
@@ -20,63 +16,12 @@ namespace {
 namespace fs = std::filesystem;
 
 constexpr std::size_t kMostEntries = 10'000;
+// macOS adds one of its own to each.
+constexpr std::size_t kMostListed = 2 * kMostEntries;
 
 // Text of machines shrinks to a twentieth at best; what shrinks further was made to fill memories.
 constexpr std::uintmax_t kMostExpansion = 1000;
 constexpr std::uintmax_t kHarmlessBytes = std::uintmax_t{64} << 20;
-
-/// Keeps GDAL from printing.
-class Quiet {
-public:
-    Quiet() { CPLPushErrorHandler(CPLQuietErrorHandler); }
-    ~Quiet() { CPLPopErrorHandler(); }
-    Quiet(const Quiet&) = delete;
-    Quiet& operator=(const Quiet&) = delete;
-};
-
-struct FileCloser {
-    void operator()(VSILFILE* file) const { VSIFCloseL(file); }
-};
-
-}  // namespace
-
-Result<std::string> systemFileStart(const std::string& systemPath, const std::string& where,
-                                    std::size_t wanted) {
-    registerGdalDrivers();
-    const Quiet quiet;
-    const std::unique_ptr<VSILFILE, FileCloser> file{VSIFOpenL(systemPath.c_str(), "rb")};
-    if (!file) {
-        return std::unexpected(readFailed(where, "the file cannot be read", "check that you may read it"));
-    }
-    std::string bytes;
-    // In blocks: the length that a zip states may be wrong, and is not trusted.
-    constexpr std::size_t kBlock = 1 << 20;
-    while (bytes.size() < wanted) {
-        const std::size_t before = bytes.size();
-        const std::size_t block = std::min(kBlock, wanted - before);
-        bytes.resize(before + block);
-        const std::size_t got = VSIFReadL(bytes.data() + before, 1, block, file.get());
-        bytes.resize(before + got);
-        if (got < block) {
-            if (VSIFErrorL(file.get()) != 0) {
-                return std::unexpected(readFailed(where, "the file is damaged", "copy or export it again"));
-            }
-            break;
-        }
-    }
-    return bytes;
-}
-
-Result<std::string> systemFileBytes(const std::string& systemPath, const std::string& where) {
-    auto bytes = systemFileStart(systemPath, where, kLargestFileBytes + 1);
-    if (bytes && bytes->size() > kLargestFileBytes) {
-        return std::unexpected(inputRefused(where, "the file is larger than 1 GiB",
-                                            "cut it into the days or fields that it holds"));
-    }
-    return bytes;
-}
-
-namespace {
 
 Result<void> checkOrdinary(const fs::path& path) {
     std::error_code failed;
@@ -97,36 +42,25 @@ Result<void> checkOrdinary(const fs::path& path) {
 /// @param packedBytes  of a zip, the size of its file
 Result<std::vector<FileFolder::Entry>> entriesUnder(const std::string& root, const std::string& where, int depth,
                                                     std::optional<std::uintmax_t> packedBytes) {
-    registerGdalDrivers();
-    const Quiet quiet;
-    std::vector<FileFolder::Entry> entries;
-    VSIDIR* listing = VSIOpenDir(root.c_str(), depth, nullptr);
-    if (listing == nullptr) {
+    const auto files = filesBelow(root, depth, kMostListed + 1);
+    if (!files) {
         return std::unexpected(readFailed(where, "the folder or zip cannot be read",
                                           "it may be damaged; copy or export it again"));
     }
-    bool tooMany = false;
+    std::vector<FileFolder::Entry> entries;
     std::uintmax_t bytes = 0;
-    while (const VSIDIREntry* found = VSIGetNextDirEntry(listing)) {
-        if (VSI_ISDIR(found->nMode)) {
-            continue;
-        }
-        if (entries.size() == kMostEntries) {
-            tooMany = true;
-            break;
-        }
-        bytes += found->nSize;
-        const std::string_view inner = found->pszName;
+    for (const ListedFile& file : *files) {
+        bytes += file.bytes;
+        const std::string_view inner = file.path;
         const std::size_t slash = inner.rfind('/');
         const std::string_view folder = slash == std::string_view::npos ? "" : inner.substr(0, slash);
         const std::string_view name = slash == std::string_view::npos ? inner : inner.substr(slash + 1);
         // What macOS adds for itself.
         if (!folder.starts_with("__MACOSX") && !name.starts_with("._")) {
-            entries.push_back({std::string{name}, std::string{folder}, std::format("{}/{}", root, inner)});
+            entries.push_back({std::string{name}, std::string{folder}, root + "/" + file.path});
         }
     }
-    VSICloseDir(listing);
-    if (tooMany) {
+    if (entries.size() > kMostEntries || files->size() > kMostListed) {
         return std::unexpected(inputRefused(where, message("it holds more than {} files", kMostEntries),
                                             "give the folder of one recording"));
     }
@@ -140,18 +74,6 @@ Result<std::vector<FileFolder::Entry>> entriesUnder(const std::string& root, con
 }
 
 }  // namespace
-
-std::string inSmallLetters(std::string_view text) {
-    std::string small{text};
-    std::ranges::transform(small, small.begin(), [](char letter) {
-        return letter >= 'A' && letter <= 'Z' ? static_cast<char>(letter - 'A' + 'a') : letter;
-    });
-    return small;
-}
-
-std::string extensionInSmallLetters(const fs::path& path) {
-    return inSmallLetters(path.extension().string());
-}
 
 bool isZip(std::string_view start) {
     return start.starts_with("PK\x03\x04");
@@ -174,8 +96,7 @@ Result<std::string> fileStart(const fs::path& path, std::size_t bytes) {
 
 Result<FileFolder> FileFolder::open(const fs::path& path, int depth) {
     const std::string absolute = fs::absolute(path).lexically_normal().string();
-    // Braces keep a name with blanks, brackets or another ".zip" in it in one piece.
-    const std::string root = fs::is_directory(path) ? absolute : std::format("/vsizip/{{{}}}", absolute);
+    const std::string root = fs::is_directory(path) ? absolute : systemPathInto(absolute);
     std::error_code failed;
     const std::uintmax_t bytes = fs::file_size(path, failed);
     auto entries = entriesUnder(root.ends_with('/') ? root.substr(0, root.size() - 1) : root, path.string(), depth,
@@ -195,6 +116,16 @@ const FileFolder::Entry* FileFolder::find(std::string_view folder, std::string_v
         return entry.folder == folder && inSmallLetters(entry.name) == wanted;
     });
     return found == entries_.end() ? nullptr : &*found;
+}
+
+std::vector<const FileFolder::Entry*> FileFolder::called(std::string_view name) const {
+    std::vector<const Entry*> found;
+    for (const Entry& entry : entries_) {
+        if (inSmallLetters(entry.name) == name) {
+            found.push_back(&entry);
+        }
+    }
+    return found;
 }
 
 std::string FileFolder::placeOf(const Entry& entry) const {

@@ -1,27 +1,20 @@
 #pragma once
 
 #include "planner/core/result.h"
+#include "planner/gdal/system_files.h"
 
 #include <cstddef>
 #include <filesystem>
-#include <optional>
 #include <string>
 #include <string_view>
 #include <vector>
 
 namespace furrow {
 
-/// The largest file that is read into memory at once.
-inline constexpr std::size_t kLargestFileBytes = std::size_t{1} << 30;
-
 /// The bytes of a file, at most `limit` of them where `limit` is given as what is wanted of its beginning.
 /// ReadFailed: not there, not readable, a folder. InputRefused: empty, larger than kLargestFileBytes.
 Result<std::string> fileBytes(const std::filesystem::path& path);
 Result<std::string> fileStart(const std::filesystem::path& path, std::size_t bytes);
-
-/// The same of what GDAL opens by this path, in a zip too; `where` names it in messages.
-Result<std::string> systemFileBytes(const std::string& systemPath, const std::string& where);
-Result<std::string> systemFileStart(const std::string& systemPath, const std::string& where, std::size_t bytes);
 
 /// Whether a file that starts like this is a zip.
 bool isZip(std::string_view start);
@@ -45,6 +38,8 @@ public:
     const std::vector<Entry>& entries() const { return entries_; }
     /// The first entry of this name, capitals or not, in this inner folder.
     const Entry* find(std::string_view folder, std::string_view name) const;
+    /// Every entry of this name, given in small letters, capitals or not, in any inner folder.
+    std::vector<const Entry*> called(std::string_view name) const;
     /// "logs.zip, TASKDATA/TLG00001.bin"
     std::string placeOf(const Entry& entry) const;
     /// Of an entry. ReadFailed: damaged. InputRefused: larger than kLargestFileBytes.
@@ -54,11 +49,5 @@ private:
     std::string name_;
     std::vector<Entry> entries_;
 };
-
-/// Letters of ASCII made small; the others stay.
-std::string inSmallLetters(std::string_view text);
-
-/// ".geojson" of "Home Field.GeoJSON".
-std::string extensionInSmallLetters(const std::filesystem::path& path);
 
 }  // namespace furrow

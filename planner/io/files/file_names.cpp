@@ -1,5 +1,6 @@
 #include "planner/io/files/file_names.h"
 
+#include "planner/core/text.h"
 #include "planner/io/files/file_folder.h"
 
 #include <algorithm>

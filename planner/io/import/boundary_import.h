@@ -2,19 +2,17 @@
 
 #include "planner/core/result.h"
 #include "planner/field/field.h"
+#include "planner/io/content/field_choice.h"
 #include "planner/jobs/job.h"
 
 #include <filesystem>
-#include <optional>
-#include <span>
-#include <string>
-#include <string_view>
 #include <vector>
 
 namespace furrow {
 
-/// Reads the fields of a file or folder: what readFields reads, without its lines. Of vector files: GeoJSON, Shapefile, KML, GeoPackage, GML, FlatGeobuf, file
-/// geodatabase, WKT, CSV (a WKT column, or longitude and latitude with one point a row), loose or zipped.
+/// Reads the fields of a file or folder: what readFields reads, without its lines. Of vector files: GeoJSON,
+/// Shapefile, KML, GeoPackage, GML, FlatGeobuf, file geodatabase, WKT, CSV (a WKT column, or longitude and latitude with
+/// one point a row), loose or zipped.
 ///
 /// A feature with polygons is a field; several polygons in it are parts of one field. Where a file has no
 /// polygon, lines that end where they begin are taken. Features that say what they are in an attribute
@@ -30,17 +28,5 @@ namespace furrow {
 /// Cost: linear in the size of the file. Thread-safe. Nothing is fetched from a network.
 Result<std::vector<FieldSource>> readBoundaries(const std::filesystem::path& path,
                                                 const JobContext& job = {});
-
-/// The field that is meant: by its id, its name, or its number in the list from 1, in this order.
-///
-/// @param fieldId  may be left out where there is only one field
-/// @return Usage, listing fields or naming near ones: several fields and no id, no such field, an id that
-///         several fields share.
-Result<std::size_t> pickFieldIndex(std::span<const FieldSource> fields, std::optional<std::string_view> fieldId);
-/// The field itself.
-Result<FieldSource> pickField(std::span<const FieldSource> fields, std::optional<std::string_view> fieldId);
-
-/// On the ellipsoid, holes taken out, obstacles not; of what was read, before any repair.
-Area areaOf(const FieldSource& field);
 
 }  // namespace furrow

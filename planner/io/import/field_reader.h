@@ -1,20 +1,12 @@
 #pragma once
 
 #include "planner/core/result.h"
-#include "planner/io/content/field_content.h"
+#include "planner/io/content/imported_fields.h"
 #include "planner/jobs/job.h"
 
 #include <filesystem>
-#include <vector>
 
 namespace furrow {
-
-/// What a file or folder holds of fields.
-struct ImportedFields {
-    std::vector<FieldContent> fields;      ///< each with at least one part, not checked yet
-    std::vector<GuidanceLine> looseLines;  ///< that belong to none of them
-    std::vector<Note> notes;               ///< what was passed over or could not be read, and why
-};
 
 /// Reads fields with everything that belongs to them. The format is told by the content:
 /// - ISOXML 3 and 4: TASKDATA.XML in any spelling, its folder, or a zip with or without a folder; parts in files of

@@ -1,7 +1,7 @@
 #include "planner/io/import/guide_import.h"
 
-#include "planner/io/gdal_bridge.h"
-#include "planner/io/raster_bridge.h"
+#include "planner/io/formats/vector/vector_file.h"
+#include "planner/gdal/elevation.h"
 #include "planner/plan/method_registry.h"
 #include "planner/swaths/methods.h"
 

@@ -28,13 +28,6 @@ GeoPolygon polygonOf(const Json& rings) {
 
 }  // namespace
 
-Error damagedPlan(Message where, Message what) {
-    return {.code = ErrorCode::InputRefused,
-            .what = std::move(what),
-            .where = where,
-            .remedy = "write the plan again with furrow-cli plan"};
-}
-
 Result<std::string> planFileBytes(const std::filesystem::path& path) {
     auto bytes = fileBytes(path);
     if (!bytes && bytes.error().code == ErrorCode::ReadFailed) {

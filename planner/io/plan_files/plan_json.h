@@ -3,6 +3,7 @@
 #include "planner/core/result.h"
 #include "planner/geodesy/local_frame.h"
 #include "planner/geometry/polygon.h"
+#include "planner/io/content/plan_error.h"
 
 #include <nlohmann/json.hpp>
 
@@ -13,9 +14,6 @@ namespace furrow {
 
 // What every reader of a written plan's files needs. Those that take JSON throw what nlohmann throws where
 // members are missing or of another kind.
-
-/// InputRefused: a file of a plan that is not as Furrow writes it.
-Error damagedPlan(Message where, Message what);
 
 /// ReadFailed: not there or not readable.
 Result<std::string> planFileBytes(const std::filesystem::path& path);

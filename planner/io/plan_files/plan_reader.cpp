@@ -1,8 +1,10 @@
 #include "planner/io/plan_files/plan_reader.h"
 
 #include "planner/field/field.h"
-#include "planner/io/import/boundary_import.h"
-#include "planner/io/plan_files/path_csv.h"
+#include "planner/io/formats/csv/path_csv.h"
+#include "planner/io/content/field_choice.h"
+#include "planner/io/content/imported_fields.h"
+#include "planner/io/import/field_reader.h"
 #include "planner/io/plan_files/plan_json.h"
 #include "planner/machine/machine_file.h"
 #include "planner/plan/general_parameters.h"
@@ -188,6 +190,14 @@ void numberSegments(std::vector<PathSegment>& segments, const FeatureReader& fea
     }
 }
 
+Result<Field> fieldOf(const fs::path& geojson, const JobContext& job) {
+    auto read = readFields(geojson, job);
+    const auto sources =
+        read ? boundariesOf(*std::move(read), geojson.filename().string()) : std::unexpected(read.error());
+    const auto source = sources ? pickField(*sources, std::nullopt) : std::unexpected(sources.error());
+    return source ? Field::create(*source, job) : std::unexpected(source.error());
+}
+
 Result<Machine> machineOf(const Json& summary, const fs::path& path) {
     if (!summary.contains("machine") || !summary["machine"].is_object()) {
         return std::unexpected(damagedPlan(path.string(), "it names no machine"));
@@ -205,9 +215,7 @@ Result<WrittenPlan> readPlan(const fs::path& path, const JobContext& job) {
     if (!collection) {
         return std::unexpected(collection.error());
     }
-    const auto sources = readBoundaries(geojson, job);
-    const auto source = sources ? pickField(*sources, std::nullopt) : std::unexpected(sources.error());
-    const auto field = source ? Field::create(*source, job) : std::unexpected(source.error());
+    const auto field = fieldOf(geojson, job);
     if (!field) {
         return std::unexpected(field.error());
     }

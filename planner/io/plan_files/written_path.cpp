@@ -1,6 +1,6 @@
 #include "planner/io/plan_files/written_path.h"
 
-#include "planner/io/plan_files/path_csv.h"
+#include "planner/io/formats/csv/path_csv.h"
 #include "planner/io/plan_files/plan_json.h"
 
 #include <algorithm>

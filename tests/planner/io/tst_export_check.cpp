@@ -1,4 +1,5 @@
 #include "planner/io/check/export_check.h"
+#include "planner/io/content/plan_content.h"
 #include "planner/io/formats/registry.h"
 #include "planner/plan/method_registry.h"
 #include "planner/plan/plan.h"
@@ -64,8 +65,8 @@ struct Export {
 Export exported(std::string_view format, const Plan* of, std::vector<FieldContent> fields = {fieldWithEverything()},
                 ExportOptions options = {}) {
     Export made{.fields = of == nullptr ? std::move(fields) : std::vector{contentOf(*of, options)}, .plan = of, .options = options};
-    const auto found = std::ranges::find(formats(), format, &FormatInfo::id);
-    made.files = found->writer(made.job()).value().files;
+    const auto found = std::ranges::find(formats(), format, &Format::id);
+    made.files = found->writing.write(made.job()).value().files;
     return made;
 }
 
@@ -258,7 +259,7 @@ private slots:
     void findsNothingInFields_data() {
         QTest::addColumn<QString>("format");
         QTest::addColumn<int>("index");
-        for (const FormatInfo& format : formats()) {
+        for (const Format& format : formats()) {
             for (int i = 0; format.writesFields && i < static_cast<int>(std::size(kFormatCases)); ++i) {
                 QTest::addRow("%s, %s", format.id.data(), kFormatCases[i].name)
                     << QString::fromUtf8(format.id.data()) << i;
@@ -269,7 +270,7 @@ private slots:
         QFETCH(QString, format);
         QFETCH(int, index);
         const Export made = exported(format.toStdString(), nullptr, {kFormatCases[index].field()});
-        const ExportChecks checks = checkExport(format.toStdString(), made.job(), made.files);
+        const ExportChecks checks = checkExport(*formatCalled(format.toStdString()), made.job(), made.files);
         QVERIFY2(checks.problems.empty(), checks.problems.empty() ? "" : checks.problems.front().c_str());
         QVERIFY(checks.made.size() >= 5);
     }
@@ -277,7 +278,7 @@ private slots:
     void findsNothingInPlans_data() {
         QTest::addColumn<QString>("format");
         QTest::addColumn<const Plan*>("made");
-        for (const FormatInfo& format : formats()) {
+        for (const Format& format : formats()) {
             if (format.writes()) {
                 const QString id = QString::fromUtf8(format.id.data());
                 QTest::addRow("%s", format.id.data()) << id << &plan();
@@ -290,7 +291,7 @@ private slots:
         QFETCH(QString, format);
         QFETCH(const Plan*, made);
         const Export files = exported(format.toStdString(), made);
-        const ExportChecks checks = checkExport(format.toStdString(), files.job(), files.files);
+        const ExportChecks checks = checkExport(*formatCalled(format.toStdString()), files.job(), files.files);
         QVERIFY2(checks.problems.empty(), checks.problems.empty() ? "" : checks.problems.front().c_str());
         QVERIFY(checks.made.size() >= 5);
     }
@@ -318,7 +319,7 @@ private slots:
         } else {
             made.files.erase(file);
         }
-        const ExportChecks checks = checkExport(row.format, made.job(), made.files);
+        const ExportChecks checks = checkExport(*formatCalled(row.format), made.job(), made.files);
         const bool told = std::ranges::any_of(checks.problems, [&row](const Message& problem) { return problem.contains(row.problem); });
         QVERIFY2(told, checks.problems.empty() ? "nothing was found" : checks.problems.front().c_str());
     }
@@ -343,7 +344,7 @@ private slots:
         QFETCH(bool, good);
         Export made = exported("geojson", nullptr);
         made.files.front().path = path.toStdString();
-        const ExportChecks checks = checkExport("geojson", made.job(), made.files);
+        const ExportChecks checks = checkExport(*formatCalled("geojson"), made.job(), made.files);
         const bool told = std::ranges::any_of(checks.problems, [](const Message& problem) { return problem.contains("some systems do not allow"); });
         QCOMPARE(told, !good);
     }
@@ -352,32 +353,32 @@ private slots:
         Export made = exported("geojson", nullptr);
         made.files.push_back(made.files.front());
         made.files.back().path = "FIELDS.geojson";
-        const ExportChecks checks = checkExport("geojson", made.job(), made.files);
+        const ExportChecks checks = checkExport(*formatCalled("geojson"), made.job(), made.files);
         QVERIFY(std::ranges::any_of(checks.problems, [](const Message& problem) { return problem.contains("in capitals only"); }));
         // Two fields whose names do so lie in folders that do not.
         FieldContent other = plainField();
         other.field.name = "NORTH FIELD";
         for (const char* format : {"agopengps", "aggps"}) {
             const Export both = exported(format, nullptr, {plainField(), other});
-            const ExportChecks good = checkExport(format, both.job(), both.files);
+            const ExportChecks good = checkExport(*formatCalled(format), both.job(), both.files);
             QVERIFY2(good.problems.empty(), good.problems.empty() ? "" : good.problems.front().c_str());
         }
     }
 
     void lettersThatOldTerminalsCannotShow() {
         const Export good = exported("isoxml-v3", nullptr, {fieldWithEverything()}, {.asciiNames = true});
-        QVERIFY(checkExport("isoxml-v3", good.job(), good.files).problems.empty());
+        QVERIFY(checkExport(*formatCalled("isoxml-v3"), good.job(), good.files).problems.empty());
         Export wrong = exported("isoxml-v3", nullptr);
         wrong.options.asciiNames = true;  // what was asked for, and is not what was written
-        const ExportChecks checks = checkExport("isoxml-v3", wrong.job(), wrong.files);
+        const ExportChecks checks = checkExport(*formatCalled("isoxml-v3"), wrong.job(), wrong.files);
         QVERIFY(std::ranges::any_of(checks.problems, [](const Message& problem) { return problem.contains("letters beyond A to Z"); }));
     }
 
     void everyFormatIsChecked() {
-        for (const FormatInfo& format : formats()) {
+        for (const Format& format : formats()) {
             if (format.writes()) {
                 const Export made = exported(format.id, &plan());
-                QVERIFY2(!checkExport(format.id, made.job(), made.files).made.empty(), format.id.data());
+                QVERIFY2(!checkExport(format, made.job(), made.files).made.empty(), format.id.data());
             }
         }
     }

@@ -1,7 +1,7 @@
 #include "planner/io/files/file_names.h"
 #include "planner/io/formats/agopengps/agopengps_plane.h"
 #include "planner/io/formats/isoxml/isoxml_writer.h"
-#include "planner/io/gdal_writer.h"
+#include "planner/gdal/zip.h"
 #include "planner/io/import/boundary_import.h"
 #include "planner/io/import/field_reader.h"
 #include "tests/planner/io/format_cases.h"
@@ -192,7 +192,7 @@ private slots:
         const Scratch scratch;
         // 200 MB of zeros become some 200 kB.
         const std::string zeros(std::size_t{200} << 20, '0');
-        const std::vector<FileToWrite> files{{"TASKDATA/TASKDATA.XML", [&zeros] { return zeros; }}};
+        const std::vector<FileInMemory> files{{"TASKDATA/TASKDATA.XML", zeros}};
         const auto zip = zipOf(files);
         VERIFY_RESULT(zip);
         QVERIFY(zip->size() * 1000 < zeros.size());

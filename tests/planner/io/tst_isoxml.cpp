@@ -1,4 +1,5 @@
 #include "planner/geodesy/local_frame.h"
+#include "planner/io/content/plan_content.h"
 #include "planner/io/formats/isoxml/isoxml_writer.h"
 #include "planner/io/import/boundary_import.h"
 #include "planner/machine/machine_library.h"

@@ -1,12 +1,12 @@
 #include "planner/field/field.h"
 #include "planner/imagery/imagery.h"
 #include "planner/io/delivery/field_files.h"
-#include "planner/io/gdal_writer.h"
+#include "planner/gdal/zip.h"
 #include "planner/io/import/boundary_import.h"
 #include "planner/io/import/field_reader.h"
 #include "planner/io/import/guide_import.h"
 #include "planner/io/import/track_reader.h"
-#include "planner/io/raster_bridge.h"
+#include "planner/gdal/elevation.h"
 #include "planner/machine/machine_file.h"
 #include "planner/project/project_file.h"
 #include "tests/support/furrow_cli.h"
@@ -203,7 +203,7 @@ std::vector<std::filesystem::path> writeTricks(const Scratch& scratch) {
     for (const Trick& trick : tricks()) {
         files.push_back(scratch.write(trick.file, trick.content));
     }
-    const std::vector<FileToWrite> inside{{"doc.kml", kml}, {"link.geojson", [] { return tricks().front().content; }}};
+    const std::vector<FileInMemory> inside{{"doc.kml", kml()}, {"link.geojson", tricks().front().content}};
     files.push_back(scratch.write("away.kmz", zipOf(inside).value()));
     files.push_back(scratch.write("away.zip", zipOf(inside).value()));
     files.push_back(scratch.path("TASKDATA"));

@@ -1,3 +1,4 @@
+#include "planner/io/content/plan_content.h"
 #include "planner/io/delivery/plan_folder.h"
 #include "planner/io/delivery/terminals.h"
 #include "planner/io/formats/registry.h"

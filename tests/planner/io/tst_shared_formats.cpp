@@ -1,3 +1,4 @@
+#include "planner/core/text.h"
 #include "planner/io/files/file_folder.h"
 #include "planner/io/import/field_reader.h"
 #include "planner/io/import/track_reader.h"

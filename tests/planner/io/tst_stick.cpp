@@ -1,3 +1,4 @@
+#include "planner/io/content/plan_content.h"
 #include "planner/io/delivery/stick_writer.h"
 #include "tests/planner/io/format_cases.h"
 #include "tests/support/result_check.h"

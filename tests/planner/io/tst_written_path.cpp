@@ -1,8 +1,8 @@
 // A plan's files read back: the path to the last bit, and every way in which files can be wrong.
 
 #include "planner/io/delivery/plan_folder.h"
+#include "planner/io/formats/csv/path_csv.h"
 #include "planner/io/import/boundary_import.h"
-#include "planner/io/plan_files/path_csv.h"
 #include "planner/io/plan_files/written_path.h"
 #include "planner/machine/machine_library.h"
 #include "tests/support/result_check.h"

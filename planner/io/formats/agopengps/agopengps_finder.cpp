@@ -1,6 +1,7 @@
+#include "planner/io/formats/agopengps/agopengps.h"
+
 #include "planner/core/separated_text.h"
-#include "planner/io/content/export_job.h"
-#include "planner/io/content/received_content.h"
+#include "planner/core/text.h"
 #include "planner/io/formats/agopengps/agopengps_plane.h"
 
 #include <cmath>
@@ -68,15 +69,15 @@ public:
     FolderContent(std::string folder, const std::map<std::string, std::string_view>& files)
         : folder_{std::move(folder)}, files_{files} {}
 
-    std::vector<FoundContent> take() {
+    std::vector<ReceivedContent> take() {
         const auto field = files_.find("Field.txt");
         if (field == files_.end() || !readOrigin(field->second)) {
-            FoundContent& missing = begin("Field.txt");
+            ReceivedContent& missing = begin("Field.txt");
             missing.faults.push_back(isMissing(field == files_.end() ? "Field.txt" : "StartFix"));
             return std::move(all_);
         }
-        readRings("Boundary.txt", "$Boundary", FoundArea::Kind::Field);
-        readRings("Headland.txt", "$Headland", FoundArea::Kind::Other);
+        readRings("Boundary.txt", "$Boundary", ReceivedArea::Kind::Field);
+        readRings("Headland.txt", "$Headland", ReceivedArea::Kind::Other);
         readTracks();
         readFlags();
         for (const auto& [name, text] : files_) {
@@ -88,8 +89,8 @@ public:
     }
 
 private:
-    FoundContent& begin(const std::string& name) {
-        all_.push_back({.file = folder_ + "/" + name, .repeatsFirst = false, .winding = FoundContent::Winding::OuterLeft});
+    ReceivedContent& begin(const std::string& name) {
+        all_.push_back({.file = folder_ + "/" + name, .repeatsFirst = false, .winding = ReceivedContent::Winding::OuterLeft});
         return all_.back();
     }
 
@@ -145,19 +146,19 @@ private:
         return points;
     }
 
-    void readRings(const char* name, std::string_view title, FoundArea::Kind kind) {
+    void readRings(const char* name, std::string_view title, ReceivedArea::Kind kind) {
         const auto file = files_.find(name);
         if (file == files_.end()) {
             return;
         }
-        FoundContent& found = begin(name);
+        ReceivedContent& found = begin(name);
         Rows rows{file->second};
         rows.is(title);
-        FoundArea area{.kind = kind, .name = std::filesystem::path{folder_}.filename().string(), .rings = {}};
+        ReceivedArea area{.kind = kind, .name = std::filesystem::path{folder_}.filename().string(), .rings = {}};
         bool first = true;
         bool headings = true;
         while (!rows.atEnd() && !rows.bad()) {
-            if (kind == FoundArea::Kind::Field) {
+            if (kind == ReceivedArea::Kind::Field) {
                 const std::string_view flag = rows.next();
                 rows.check(flag == "True" || flag == "False");
             }
@@ -179,7 +180,7 @@ private:
         }
     }
 
-    static void finish(const Rows& rows, FoundContent& found) {
+    static void finish(const Rows& rows, ReceivedContent& found) {
         if (rows.bad()) {
             found.faults.push_back(badLine(*rows.bad()));
         }
@@ -190,8 +191,8 @@ private:
         if (file == files_.end()) {
             return;
         }
-        FoundContent& found = begin("TrackLines.txt");
-        FoundNames names{.names = {}};
+        ReceivedContent& found = begin("TrackLines.txt");
+        ReceivedNames names{.names = {}};
         Rows rows{file->second};
         rows.is("$TrackLines");
         while (!rows.atEnd() && !rows.bad()) {
@@ -221,7 +222,7 @@ private:
         if (file == files_.end()) {
             return;
         }
-        FoundContent& found = begin("Flags.txt");
+        ReceivedContent& found = begin("Flags.txt");
         Rows rows{file->second};
         rows.is("$Flags");
         const std::size_t count = rows.count();
@@ -235,12 +236,12 @@ private:
     }
 
     void readPath(const std::string& name, std::string_view text) {
-        FoundContent& found = begin(name);
+        ReceivedContent& found = begin(name);
         Rows rows{text};
         rows.is("$RecPath");
         const std::size_t count = rows.count();
         // It drives forwards only: stretches where the plan reverses.
-        FoundPath path{.samples = {}, .isWhole = false, .knowsGear = true};
+        ReceivedPath path{.samples = {}, .isWhole = false, .knowsGear = true};
         for (std::size_t i = 0; i < count && !rows.atEnd(); ++i) {
             const auto row = rows.numbers(4);
             rows.check(rows.last().ends_with("True") || rows.last().ends_with("False"));
@@ -261,21 +262,21 @@ private:
     std::string folder_;
     const std::map<std::string, std::string_view>& files_;
     std::optional<AgOpenGpsPlane> plane_;
-    std::vector<FoundContent> all_;
+    std::vector<ReceivedContent> all_;
 };
 
 }  // namespace
 
-std::vector<FoundContent> findAgOpenGps(std::span<const ExportedFile> files, const ExportJob& job) {
+std::vector<ReceivedContent> findAgOpenGps(std::span<const FileInMemory> files, const ExportJob& job) {
     std::map<std::string, std::map<std::string, std::string_view>> folders;
-    for (const ExportedFile& file : files) {
+    for (const FileInMemory& file : files) {
         const std::filesystem::path path{file.path};
         folders[path.parent_path().generic_string()][path.filename().string()] = file.bytes;
     }
-    std::vector<FoundContent> all;
+    std::vector<ReceivedContent> all;
     bool paths = false;
     for (const auto& [folder, texts] : folders) {
-        for (FoundContent& found : FolderContent{folder, texts}.take()) {
+        for (ReceivedContent& found : FolderContent{folder, texts}.take()) {
             paths = paths || !found.paths.empty();
             all.push_back(std::move(found));
         }

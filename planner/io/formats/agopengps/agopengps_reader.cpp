@@ -2,10 +2,10 @@
 
 #include "planner/core/file_error.h"
 #include "planner/core/separated_text.h"
+#include "planner/core/text.h"
 #include "planner/core/text_file.h"
 #include "planner/io/content/geo_ring.h"
 #include "planner/io/formats/agopengps/agopengps_plane.h"
-#include "planner/io/tracks/track_parts.h"
 #include "planner/units/angle.h"
 
 #include <algorithm>
@@ -138,7 +138,7 @@ private:
             }
             const auto lat = numberIn(parts[0]);
             const auto lon = parts.size() == 2 ? numberIn(parts[1]) : std::nullopt;
-            const bool good = lat && lon && isOnEarth(*lon, *lat);
+            const bool good = lat && lon && isOnEarth({*lon, *lat});
             return good ? std::optional{GeoPoint{*lon, *lat}} : std::nullopt;
         }
         return std::nullopt;
@@ -362,7 +362,7 @@ private:
             }
             const auto lat = numberIn(parts[0]);
             const auto lon = numberIn(parts[1]);
-            if (lat && lon && isOnEarth(*lon, *lat)) {
+            if (lat && lon && isOnEarth({*lon, *lat})) {
                 content_.field.gates.push_back({.name = std::string{parts[7]}, .position = {*lon, *lat}, .width = {}});
             }
         }

@@ -1,4 +1,4 @@
-#include "planner/io/formats/agopengps/agopengps_writer.h"
+#include "planner/io/formats/agopengps/agopengps.h"
 
 #include "planner/geodesy/local_frame.h"
 #include "planner/io/content/geo_ring.h"

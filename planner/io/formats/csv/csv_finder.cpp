@@ -1,9 +1,11 @@
+#include "planner/io/formats/csv/csv.h"
+
 #include "planner/core/separated_text.h"
-#include "planner/io/content/export_job.h"
-#include "planner/io/content/received_content.h"
+#include "planner/core/text.h"
 
 #include <algorithm>
 #include <array>
+#include <optional>
 #include <string>
 #include <utility>
 
@@ -57,7 +59,7 @@ std::vector<GeoPolygon> polygonsIn(std::string_view wkt) {
     return polygons;
 }
 
-void readBoundaries(std::string_view text, FoundContent& found) {
+void readBoundaries(std::string_view text, ReceivedContent& found) {
     nextLine(text);
     for (std::size_t number = 2; !text.empty(); ++number) {
         const std::vector<std::string> cells = quotedCellsOf(nextLine(text), ',');
@@ -68,12 +70,12 @@ void readBoundaries(std::string_view text, FoundContent& found) {
         }
         for (GeoPolygon& polygon : polygons) {
             found.areas.push_back(
-                {.kind = FoundArea::Kind::Field, .name = cells[1], .rings = std::move(polygon), .statedM2 = std::nullopt});
+                {.kind = ReceivedArea::Kind::Field, .name = cells[1], .rings = std::move(polygon), .statedM2 = std::nullopt});
         }
     }
 }
 
-void readPathTable(std::string_view text, FoundContent& found) {
+void readPathTable(std::string_view text, ReceivedContent& found) {
     const std::vector<std::string_view> names = cellsOf(nextLine(text), ',');
     constexpr std::array<std::string_view, 6> kColumns = {"t_s",         "lon_deg",   "lat_deg",
                                                           "heading_rad", "speed_mps", "gear"};
@@ -85,7 +87,7 @@ void readPathTable(std::string_view text, FoundContent& found) {
             return;
         }
     }
-    FoundPath path{.samples = {}, .knowsGear = true};
+    ReceivedPath path{.samples = {}, .knowsGear = true};
     for (std::size_t number = 2; !text.empty(); ++number) {
         const std::vector<std::string_view> cells = cellsOf(nextLine(text), ',');
         std::vector<double> values;
@@ -107,65 +109,17 @@ void readPathTable(std::string_view text, FoundContent& found) {
     found.paths.push_back(std::move(path));
 }
 
-// MAV_CMD that are written, and MAV_FRAME
-constexpr std::int64_t kWaypoint = 16;
-constexpr std::array<std::int64_t, 4> kCommands = {kWaypoint, 178, 181, 194};
-constexpr double kAbsolute = 0.0;
-constexpr double kRelative = 3.0;
-
 }  // namespace
 
-std::vector<FoundContent> findCsv(std::span<const ExportedFile> files, const ExportJob& job) {
-    std::vector<FoundContent> all;
-    for (const ExportedFile& file : files) {
-        FoundContent& found = all.emplace_back(FoundContent{.file = file.path});
+std::vector<ReceivedContent> findCsv(std::span<const FileInMemory> files, const ExportJob& job) {
+    std::vector<ReceivedContent> all;
+    for (const FileInMemory& file : files) {
+        ReceivedContent& found = all.emplace_back(ReceivedContent{.file = file.path});
         if (job.plan != nullptr) {
             readPathTable(file.bytes, found);
         } else {
             readBoundaries(file.bytes, found);
         }
-    }
-    return all;
-}
-
-std::vector<FoundContent> findWaypoints(std::span<const ExportedFile> files, const ExportJob&) {
-    std::vector<FoundContent> all;
-    for (const ExportedFile& file : files) {
-        FoundContent& found = all.emplace_back(FoundContent{.file = file.path});
-        std::string_view text = file.bytes;
-        if (nextLine(text) != "QGC WPL 110") {
-            found.faults.push_back(badLine(1));
-            continue;
-        }
-        FoundOrder rows;
-        FoundPath path;
-        for (std::size_t number = 2; !text.empty(); ++number) {
-            const std::vector<std::string_view> cells = cellsOf(nextLine(text), '\t');
-            std::vector<double> values;
-            for (const std::string_view cell : cells) {
-                if (const auto value = decimalIn(cell)) {
-                    values.push_back(*value);
-                }
-            }
-            constexpr std::size_t kColumns = 12;
-            const bool isHome = number == 2;
-            const bool good = cells.size() == kColumns && values.size() == kColumns && values[1] == (isHome ? 1.0 : 0.0) &&
-                              values[2] == (isHome ? kAbsolute : kRelative) &&
-                              std::ranges::contains(kCommands, static_cast<std::int64_t>(values[3]));
-            if (!good) {
-                found.faults.push_back(badLine(number));
-                break;
-            }
-            rows.numbers.push_back(static_cast<std::int64_t>(values[0]));
-            const GeoPoint place{values[9], values[8]};
-            if (isHome) {
-                found.points.push_back(place);
-            } else if (static_cast<std::int64_t>(values[3]) == kWaypoint) {
-                path.samples.push_back({.geo = place});
-            }
-        }
-        found.orders.push_back(std::move(rows));
-        found.paths.push_back(std::move(path));
     }
     return all;
 }

@@ -1,4 +1,9 @@
+#include "planner/io/content/geo_ring.h"
+#include "planner/io/formats/csv/csv.h"
+
 #include "planner/core/separated_text.h"
+#include "planner/core/text.h"
+#include "planner/core/text_file.h"
 #include "planner/io/tracks/track_parts.h"
 #include "planner/units/angle.h"
 
@@ -140,7 +145,7 @@ std::optional<Layout> yieldMonitorLayout(std::string_view firstLine) {
         value[i] = *number;
     }
     constexpr double kEpochAtLeastS = 1e8;
-    if (!isOnEarth(value[0], value[1]) || value[3] < kEpochAtLeastS || value[4] < 0.0 || value[4] > 3600.0) {
+    if (!isOnEarth({value[0], value[1]}) || value[3] < kEpochAtLeastS || value[4] < 0.0 || value[4] > 3600.0) {
         return std::nullopt;
     }
     Layout layout{.separator = ',', .yieldMonitor = true};
@@ -300,7 +305,7 @@ private:
         }
         const auto a = std::ranges::minmax(rows_, {}, &Row::a);
         const auto b = std::ranges::minmax(rows_, {}, &Row::b);
-        return isOnEarth(a.min.a, b.min.b) && isOnEarth(a.max.a, b.max.b) && a.max.a - a.min.a < 1.0 &&
+        return isOnEarth({a.min.a, b.min.b}) && isOnEarth({a.max.a, b.max.b}) && a.max.a - a.min.a < 1.0 &&
                b.max.b - b.min.b < 1.0;
     }
 
@@ -316,7 +321,7 @@ private:
         track.samples.reserve(rows_.size());
         constexpr double kFarthestLocalM = 1e6;
         for (Row& row : rows_) {
-            if (geographic ? !isOnEarth(row.a, row.b)
+            if (geographic ? !isOnEarth({row.a, row.b})
                            : std::abs(row.a) > kFarthestLocalM || std::abs(row.b) > kFarthestLocalM) {
                 return std::unexpected(trackRefused(
                     std::format("{}, line {}", where_, row.line),
@@ -358,6 +363,15 @@ Result<TrackFile> tableTracks(std::string_view text, const std::string& where, c
                          "name the columns, for example time,lon,lat,speed_kmh in the first line"));
     }
     return TableReader{*layout, where, job}.read(text);
+}
+
+Recognition recogniseTrackTable(const ChosenFile& chosen) {
+    return chosen.isPlainText() ? Recognition::Perhaps : Recognition::No;
+}
+
+Result<TrackFile> readTrackTable(const ChosenFile& chosen, const JobContext& job) {
+    const auto text = fileBytes(chosen.path());
+    return text ? tableTracks(withoutByteOrderMark(*text), chosen.path().string(), job) : std::unexpected(text.error());
 }
 
 }  // namespace furrow

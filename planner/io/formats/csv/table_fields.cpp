@@ -1,9 +1,9 @@
 #include "planner/io/formats/csv/table_fields.h"
 
 #include "planner/core/file_error.h"
+#include "planner/core/text.h"
 #include "planner/io/content/geo_ring.h"
 #include "planner/io/content/vector_attributes.h"
-#include "planner/io/files/file_folder.h"
 
 #include <algorithm>
 #include <cmath>
@@ -31,8 +31,8 @@ Result<std::vector<VectorFeature>> fieldsFromRows(const std::vector<VectorFeatur
         const std::string lonText = firstAttribute(row, kLongitudeNames);
         const std::string latText = firstAttribute(row, kLatitudeNames);
         const Message where = message("{}, row {}", file, i + 1);
-        const std::optional<double> lon = numberOf(lonText);
-        const std::optional<double> lat = numberOf(latText);
+        const std::optional<double> lon = numberIn(lonText, true);
+        const std::optional<double> lat = numberIn(latText, true);
         if (!lon || !lat) {
             return std::unexpected(
                 inputRefused(where, message("'{}', '{}' is no longitude and latitude", lonText, latText),

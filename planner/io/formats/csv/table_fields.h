@@ -1,7 +1,7 @@
 #pragma once
 
 #include "planner/core/result.h"
-#include "planner/io/gdal_bridge.h"
+#include "planner/gdal/vector_feature.h"
 
 #include <string>
 

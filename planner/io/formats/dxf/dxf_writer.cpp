@@ -1,7 +1,8 @@
+#include "planner/io/formats/dxf/dxf.h"
+
+#include "planner/gdal/utm_zone.h"
 #include "planner/geodesy/local_frame.h"
 #include "planner/io/content/map_layers.h"
-#include "planner/io/formats/kml/kml.h"
-#include "planner/io/gdal_writer.h"
 #include "planner/plan/plan.h"
 
 #include <algorithm>

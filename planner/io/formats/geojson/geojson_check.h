@@ -7,8 +7,6 @@
 
 namespace furrow {
 
-struct VectorFeature;
-
 /// What GDAL leaves out of a GeoJSON text without a word: positions with something else than two numbers. NaN
 /// and Infinity, which JSON does not know but GDAL reads, are left to the check of the field, which names
 /// their place.
@@ -18,9 +16,5 @@ struct VectorFeature;
 /// @return InputRefused: a coordinate that is no number, with its feature, part, ring and vertex. ReadFailed:
 ///         no JSON from some line on. Cost: one pass, nothing kept.
 Result<void> checkGeoJson(std::string_view text, const std::string& name, bool opened);
-
-/// Of a file that does not say which coordinate system it uses. InputRefused: a finite point of the feature
-/// is no longitude and latitude.
-Result<void> checkDegrees(const VectorFeature& feature, const std::string& where);
 
 }  // namespace furrow

@@ -1,15 +1,13 @@
 #include "planner/io/formats/geojson/geojson_crs.h"
 
 #include "planner/core/file_error.h"
-#include "planner/io/files/file_folder.h"
+#include "planner/core/text.h"
+#include "planner/gdal/named_system.h"
 
-#include <cpl_error.h>
-#include <cpl_string.h>
 #include <nlohmann/json.hpp>
-#include <ogr_spatialref.h>
 
 #include <algorithm>
-#include <optional>
+#include <functional>
 #include <utility>
 #include <vector>
 
@@ -128,16 +126,6 @@ private:
     std::vector<Json*> kept_;  ///< objects and arrays around the current place, within a coordinate system
 };
 
-/// What is understood without asking anybody: codes, names, well-known text, the addresses of OGC's register.
-std::optional<OGRSpatialReference> systemCalled(const std::string& name) {
-    OGRSpatialReference system;
-    CPLPushErrorHandler(CPLQuietErrorHandler);
-    const bool known = system.SetFromUserInput(
-                           name.c_str(), OGRSpatialReference::SET_FROM_USER_INPUT_LIMITATIONS_get()) == OGRERR_NONE;
-    CPLPopErrorHandler();
-    return known ? std::optional{system} : std::nullopt;
-}
-
 std::string wordIn(const Json& object, const char* key) {
     const auto member = object.is_object() ? object.find(key) : object.end();
     return member == object.end() ? std::string{} : member->is_string() ? member->get<std::string>() : member->dump();
@@ -163,19 +151,13 @@ std::string nameIn(const Json& crs) {
                                  : crs.dump();
 }
 
-/// Whichever of longitude and latitude either names first: GeoJSON has its own order.
-bool isSame(const OGRSpatialReference& a, const OGRSpatialReference& b) {
-    constexpr const char* kOptions[] = {"CRITERION=EQUIVALENT_EXCEPT_AXIS_ORDER_GEOGCRS",
-                                        "IGNORE_DATA_AXIS_TO_SRS_AXIS_MAPPING=YES", nullptr};
-    return a.IsSame(&b, kOptions) != 0;
-}
-
 Error refused(const Found& found, const std::string& name, Message what, Message remedy) {
     return inputRefused(found.feature == 0 ? Message{name} : message("{}, {}", name, message("feature {}", found.feature)),
                         std::move(what), std::move(remedy));
 }
 
-Result<OGRSpatialReference> understood(const Found& found, const std::string& name) {
+/// The name of a system that is known.
+Result<std::string> knownName(const Found& found, const std::string& name) {
     constexpr const char* kRemedy = "export the field again in WGS84 (longitude and latitude)";
     if (isLink(found.value)) {
         const Json properties = found.value.value("properties", Json{});
@@ -185,13 +167,12 @@ Result<OGRSpatialReference> understood(const Found& found, const std::string& na
             message("its coordinate system would have to be fetched from '{}'", href.empty() ? wordIn(properties, "url") : href),
             kRemedy));
     }
-    const std::string called = nameIn(found.value);
-    auto system = systemCalled(called);
-    if (!system) {
+    std::string called = nameIn(found.value);
+    if (!isKnownSystem(called)) {
         return std::unexpected(
             refused(found, name, message("its coordinate system '{}' is not known", called.substr(0, 200)), kRemedy));
     }
-    return *std::move(system);
+    return called;
 }
 
 std::vector<std::string_view> recordsOf(std::string_view text, bool sequence) {
@@ -225,21 +206,20 @@ Result<bool> checkCrs(std::string_view text, bool sequence, const std::string& n
         }
     }
     bool isNull = false;
-    OGRSpatialReference ofFile;
-    ofFile.SetWellKnownGeogCS("WGS84");
+    std::string ofFile = "WGS84";
     std::ranges::stable_sort(all, std::greater{}, &Found::ofFile);
     for (const Found& found : all) {
         if (found.value.is_null()) {
             isNull = isNull || found.ofFile;
             continue;
         }
-        const auto system = understood(found, name);
+        const auto system = knownName(found, name);
         if (!system) {
             return std::unexpected(system.error());
         }
         if (found.ofFile) {
             ofFile = *system;
-        } else if (!isSame(*system, ofFile)) {
+        } else if (!areSameSystem(*system, ofFile)) {
             return std::unexpected(refused(found, name, "it has another coordinate system than the file",
                                            "export the fields again in one coordinate system"));
         }

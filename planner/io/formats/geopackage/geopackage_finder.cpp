@@ -1,37 +1,20 @@
-#include "planner/io/content/export_job.h"
-#include "planner/io/content/received_content.h"
+#include "planner/io/formats/geopackage/geopackage.h"
+
+#include "planner/core/text.h"
 #include "planner/io/files/byte_reader.h"
+#include "planner/io/files/sqlite.h"
 
 #include <sqlite3.h>
 
 #include <algorithm>
 #include <cstdint>
-#include <memory>
+#include <optional>
 #include <string>
 #include <utility>
 
 namespace furrow {
 
 namespace {
-
-struct DatabaseCloser {
-    void operator()(sqlite3* database) const { sqlite3_close(database); }
-};
-struct StatementCloser {
-    void operator()(sqlite3_stmt* statement) const { sqlite3_finalize(statement); }
-};
-using Statement = std::unique_ptr<sqlite3_stmt, StatementCloser>;
-
-Statement prepared(sqlite3* database, const std::string& text) {
-    sqlite3_stmt* made = nullptr;
-    sqlite3_prepare_v2(database, text.c_str(), -1, &made, nullptr);
-    return Statement{made};
-}
-
-std::string textAt(sqlite3_stmt* statement, int column) {
-    const auto* text = sqlite3_column_text(statement, column);
-    return text == nullptr ? std::string{} : std::string{reinterpret_cast<const char*>(text)};
-}
 
 // OGC 12-128r18 (GeoPackage), 2.1.3: a header, then well-known binary; here always little-endian and flat.
 enum WkbKind : std::uint32_t { kPoint = 1, kLine = 2, kPolygon = 3, kMultiPolygon = 6 };
@@ -107,17 +90,16 @@ private:
 
 class LayerContent {
 public:
-    LayerContent(sqlite3* database, std::string table, FoundContent& found)
-        : table_{std::move(table)}, found_{found}, rows_{prepared(database, "SELECT * FROM \"" + table_ + "\"")} {}
+    LayerContent(sqlite3* database, std::string table, ReceivedContent& found)
+        : table_{std::move(table)}, found_{found}, rows_{prepared(database, ("SELECT * FROM \"" + table_ + "\"").c_str())} {}
 
     void take(const std::string& geometryColumn) {
-        FoundOrder order;
-        FoundPath path;
+        ReceivedNumbers order;
+        ReceivedPath path;
         const int geometryAt = columnOf(geometryColumn.c_str());
         while (rows_ && geometryAt >= 0 && sqlite3_step(rows_.get()) == SQLITE_ROW) {
-            const auto* blob = static_cast<const char*>(sqlite3_column_blob(rows_.get(), geometryAt));
-            const auto size = static_cast<std::size_t>(sqlite3_column_bytes(rows_.get(), geometryAt));
-            Geometry geometry = blob == nullptr ? Geometry{} : Wkb{{blob, size}}.read();
+            const std::string_view blob = bytesAt(rows_.get(), geometryAt);
+            Geometry geometry = blob.empty() ? Geometry{} : Wkb{blob}.read();
             if (!geometry.good) {
                 found_.faults.push_back(cannotBeRead());
                 return;
@@ -150,16 +132,16 @@ private:
     }
     std::string value(const char* name) const {
         const int at = columnOf(name);
-        return at < 0 ? std::string{} : textAt(rows_.get(), at);
+        return at < 0 ? std::string{} : std::string{textAt(rows_.get(), at)};
     }
 
     void add(Geometry&& geometry) {
         const std::string name = value("name").empty() ? table_ : value("name");
         const bool single = geometry.polygons.size() == 1;
         for (GeoPolygon& polygon : geometry.polygons) {
-            found_.areas.push_back({.kind = table_ == "boundary"    ? FoundArea::Kind::Field
-                                            : table_ == "obstacles" ? FoundArea::Kind::Obstacle
-                                                                    : FoundArea::Kind::Other,
+            found_.areas.push_back({.kind = table_ == "boundary"    ? ReceivedArea::Kind::Field
+                                            : table_ == "obstacles" ? ReceivedArea::Kind::Obstacle
+                                                                    : ReceivedArea::Kind::Other,
                                     .name = name,
                                     .rings = std::move(polygon),
                                     .statedM2 = single ? decimalIn(value("area_m2")) : std::nullopt});
@@ -172,25 +154,20 @@ private:
     }
 
     std::string table_;
-    FoundContent& found_;
-    Statement rows_;
+    ReceivedContent& found_;
+    SqliteStatement rows_;
 };
 
 }  // namespace
 
-std::vector<FoundContent> findGeoPackage(std::span<const ExportedFile> files, const ExportJob&) {
-    std::vector<FoundContent> all;
-    for (const ExportedFile& file : files) {
-        FoundContent& found = all.emplace_back(FoundContent{.file = file.path});
-        sqlite3* opened = nullptr;
-        sqlite3_open(":memory:", &opened);
-        const std::unique_ptr<sqlite3, DatabaseCloser> database{opened};
+std::vector<ReceivedContent> findGeoPackage(std::span<const FileInMemory> files, const ExportJob&) {
+    std::vector<ReceivedContent> all;
+    for (const FileInMemory& file : files) {
+        ReceivedContent& found = all.emplace_back(ReceivedContent{.file = file.path});
         std::string bytes = file.bytes;
-        const auto size = static_cast<sqlite3_int64>(bytes.size());
-        const bool good = sqlite3_deserialize(opened, "main", reinterpret_cast<unsigned char*>(bytes.data()), size, size,
-                                              SQLITE_DESERIALIZE_READONLY) == SQLITE_OK;
-        const Statement layers =
-            good ? prepared(opened, "SELECT table_name, column_name, srs_id, z, m FROM gpkg_geometry_columns") : Statement{};
+        const SqliteDatabase database = databaseIn(bytes);
+        const SqliteStatement layers =
+            prepared(database.get(), "SELECT table_name, column_name, srs_id, z, m FROM gpkg_geometry_columns");
         if (!layers) {
             found.faults.push_back(isNot("GeoPackage"));
             continue;
@@ -199,7 +176,8 @@ std::vector<FoundContent> findGeoPackage(std::span<const ExportedFile> files, co
         while (sqlite3_step(layers.get()) == SQLITE_ROW) {
             constexpr int kWgs84 = 4326;
             found.namesCrs = *found.namesCrs && sqlite3_column_int(layers.get(), 2) == kWgs84;
-            LayerContent{opened, textAt(layers.get(), 0), found}.take(textAt(layers.get(), 1));
+            const std::string column{textAt(layers.get(), 1)};
+            LayerContent{database.get(), std::string{textAt(layers.get(), 0)}, found}.take(column);
         }
     }
     return all;

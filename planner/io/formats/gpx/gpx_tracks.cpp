@@ -1,3 +1,7 @@
+#include "planner/io/content/geo_ring.h"
+#include "planner/io/formats/gpx/gpx.h"
+
+#include "planner/core/text.h"
 #include "planner/io/tracks/track_parts.h"
 
 #include <pugixml.hpp>
@@ -51,7 +55,7 @@ public:
             const double nan = std::numeric_limits<double>::quiet_NaN();
             const double lon = numberIn(point.attribute("lon").as_string()).value_or(nan);
             const double lat = numberIn(point.attribute("lat").as_string()).value_or(nan);
-            if (!isOnEarth(lon, lat)) {
+            if (!isOnEarth({lon, lat})) {
                 return std::unexpected(trackRefused(
                     std::format("{}, {}, point {}", where_, name, track.samples.size() + 1),
                     std::format("lon=\"{}\" lat=\"{}\" is no place on Earth",
@@ -128,6 +132,15 @@ Result<TrackFile> gpxTracks(std::string_view text, const std::string& where, con
                                             "export the recorded track, not only its waypoints"));
     }
     return std::move(reader.file);
+}
+
+Recognition recogniseGpxTracks(const ChosenFile& chosen) {
+    return chosen.xmlRoot() == "gpx" ? Recognition::Likely : Recognition::No;
+}
+
+Result<TrackFile> readGpxTracks(const ChosenFile& chosen, const JobContext& job) {
+    const auto text = fileBytes(chosen.path());
+    return text ? gpxTracks(*text, chosen.path().string(), job) : std::unexpected(text.error());
 }
 
 }  // namespace furrow

@@ -1,6 +1,7 @@
+#include "planner/io/formats/gpx/gpx.h"
+
 #include "planner/io/content/map_layers.h"
 #include "planner/io/files/file_names.h"
-#include "planner/io/formats/kml/kml.h"
 #include "planner/plan/plan.h"
 
 #include <pugixml.hpp>

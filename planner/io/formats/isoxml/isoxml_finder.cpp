@@ -1,7 +1,7 @@
+#include "planner/io/formats/isoxml/isoxml.h"
+
+#include "planner/core/text.h"
 #include "planner/geodesy/local_frame.h"
-#include "planner/io/content/export_job.h"
-#include "planner/io/content/received_content.h"
-#include "planner/io/files/file_folder.h"
 
 #include <pugixml.hpp>
 
@@ -22,9 +22,9 @@ constexpr std::string_view kNotKnown = "{} is not known before version 4";
 
 class TaskDataContent {
 public:
-    TaskDataContent(const ExportJob& job, std::span<const ExportedFile> files) : job_{job}, files_{files} {}
+    TaskDataContent(const ExportJob& job, std::span<const FileInMemory> files) : job_{job}, files_{files} {}
 
-    FoundContent of(const ExportedFile& file) {
+    ReceivedContent of(const FileInMemory& file) {
         found_.file = file.path;
         pugi::xml_document document;
         if (!document.load_buffer(file.bytes.data(), file.bytes.size())) {
@@ -38,7 +38,7 @@ public:
         }
         isV4_ = std::string_view{root.attribute("VersionMajor").value()} == "4";
         checkIds(root);
-        FoundNames fields = list();
+        ReceivedNames fields = list();
         std::size_t number = 0;
         for (const pugi::xml_node field : root.children("PFD")) {
             fields.names.emplace_back(field.attribute("C").value());
@@ -59,7 +59,7 @@ private:
         found_.faults.push_back(message(pattern, values...));
     }
 
-    FoundNames list() const {
+    ReceivedNames list() const {
         const auto longest = static_cast<std::size_t>(std::max(job_.options.longestName, 8));
         return {.names = {}, .longest = std::min(kLongestName, longest), .ascii = job_.options.asciiNames};
     }
@@ -86,7 +86,7 @@ private:
     /// The list of links beside it is named in it, and links each field once, to something else each time.
     void checkLinks(pugi::xml_node root, const std::string& path) {
         const std::string listPath = path.substr(0, path.size() - std::string_view{"TASKDATA.XML"}.size()) + "LINKLIST.XML";
-        const auto list = std::ranges::find(files_, listPath, &ExportedFile::path);
+        const auto list = std::ranges::find(files_, listPath, &FileInMemory::path);
         const bool isNamed = std::ranges::any_of(root.children("AFE"), [](pugi::xml_node file) {
             return std::string_view{file.attribute("A").value()} == "LINKLIST.XML";
         });
@@ -139,9 +139,9 @@ private:
 
     void addArea(pugi::xml_node node) {
         const std::string_view type = node.attribute("A").value();
-        FoundArea area{.kind = type == "1"   ? FoundArea::Kind::Field
-                               : type == "6" ? FoundArea::Kind::Obstacle
-                                             : FoundArea::Kind::Other,
+        ReceivedArea area{.kind = type == "1"   ? ReceivedArea::Kind::Field
+                               : type == "6" ? ReceivedArea::Kind::Obstacle
+                                             : ReceivedArea::Kind::Other,
                        .name = node.attribute("B").value(),
                        .rings = {},
                        .statedM2 = node.attribute("C").as_double()};
@@ -199,9 +199,9 @@ private:
     }
 
     void addField(pugi::xml_node field, std::size_t number) {
-        FoundNames areas = list();
-        FoundNames lines = list();
-        FoundNames patterns = list();
+        ReceivedNames areas = list();
+        ReceivedNames lines = list();
+        ReceivedNames patterns = list();
         const std::size_t before = found_.areas.size();
         for (const pugi::xml_node polygon : field.children("PLN")) {
             areas.names.emplace_back(polygon.attribute("B").value());
@@ -224,7 +224,7 @@ private:
                 addPattern(pattern);
             }
         }
-        for (FoundNames* each : {&areas, &lines, &patterns}) {
+        for (ReceivedNames* each : {&areas, &lines, &patterns}) {
             found_.names.push_back(std::move(*each));
         }
     }
@@ -257,9 +257,9 @@ private:
         double most = 0.0;
         double inside = buffersM2(number);
         for (std::size_t i = firstArea; i < found_.areas.size(); ++i) {
-            const FoundArea& area = found_.areas[i];
-            const bool isHeadland = area.kind == FoundArea::Kind::Other && area.name.starts_with("Headland");
-            (area.kind == FoundArea::Kind::Field ? most : inside) += isHeadland ? 0.0 : area.statedM2.value_or(0.0);
+            const ReceivedArea& area = found_.areas[i];
+            const bool isHeadland = area.kind == ReceivedArea::Kind::Other && area.name.starts_with("Headland");
+            (area.kind == ReceivedArea::Kind::Field ? most : inside) += isHeadland ? 0.0 : area.statedM2.value_or(0.0);
         }
         const double stated = field.attribute("D").as_double();
         constexpr double kShare = 0.005;
@@ -269,16 +269,16 @@ private:
     }
 
     const ExportJob& job_;
-    std::span<const ExportedFile> files_;
-    FoundContent found_;
+    std::span<const FileInMemory> files_;
+    ReceivedContent found_;
     bool isV4_ = true;
 };
 
 }  // namespace
 
-std::vector<FoundContent> findIsoxml(std::span<const ExportedFile> files, const ExportJob& job) {
-    std::vector<FoundContent> all;
-    for (const ExportedFile& file : files) {
+std::vector<ReceivedContent> findIsoxml(std::span<const FileInMemory> files, const ExportJob& job) {
+    std::vector<ReceivedContent> all;
+    for (const FileInMemory& file : files) {
         if (file.path.ends_with("TASKDATA.XML")) {
             all.push_back(TaskDataContent{job, files}.of(file));
         }

@@ -1,7 +1,7 @@
 #include "planner/io/formats/isoxml/isoxml_links.h"
 
+#include "planner/core/text.h"
 #include "planner/geodesy/local_frame.h"
-#include "planner/io/files/file_folder.h"
 
 #include <pugixml.hpp>
 

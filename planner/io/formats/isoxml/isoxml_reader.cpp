@@ -93,8 +93,8 @@ private:
     }
 
     std::optional<GeoPoint> pointOf(pugi::xml_node node) {
-        const auto lat = decimal(attribute(node, "C"));
-        const auto lon = decimal(attribute(node, "D"));
+        const auto lat = plainDecimalIn(attribute(node, "C"));
+        const auto lon = plainDecimalIn(attribute(node, "D"));
         if (!lat || !lon || std::abs(*lat) > 90.0 || std::abs(*lon) > 180.0) {
             badPlace_ = message("'{}', '{}' is no latitude and longitude", attribute(node, "C"), attribute(node, "D"));
             tell(message("{}; what it belongs to was left out", badPlace_));
@@ -306,7 +306,7 @@ private:
         name = name.empty() ? attribute(group, "B") : name;
         GuidanceLine read{.name = std::string{name}, .points = points, .width = millimetres(attribute(line, "C")),
                           .repeats = attribute(pattern, "E") != kNone};
-        if (const auto heading = decimal(attribute(pattern, "G"))) {
+        if (const auto heading = plainDecimalIn(attribute(pattern, "G"))) {
             read.bearing = degrees(*heading);
         }
         if (kind == kAb && points.size() == 2) {

@@ -2,7 +2,7 @@
 
 #include "planner/core/result.h"
 #include "planner/io/files/file_folder.h"
-#include "planner/io/import/field_reader.h"
+#include "planner/io/content/imported_fields.h"
 
 #include <functional>
 #include <string>

@@ -1,3 +1,7 @@
+#include "planner/core/text.h"
+#include "planner/io/content/geo_ring.h"
+#include "planner/io/formats/isoxml/isoxml.h"
+
 #include "planner/io/files/byte_reader.h"
 #include "planner/io/tracks/track_parts.h"
 
@@ -167,7 +171,7 @@ struct Stamp {
         constexpr int kNoFix = 0;
         constexpr int kFault = 14;
         return status != kNoFix && status != kFault &&
-               isOnEarth(kDegreesPerUnit * east, kDegreesPerUnit * north) && (north != 0 || east != 0);
+               isOnEarth({kDegreesPerUnit * east, kDegreesPerUnit * north}) && (north != 0 || east != 0);
     }
 };
 

@@ -2,7 +2,9 @@
 
 #include "planner/geodesy/local_frame.h"
 #include "planner/io/content/geo_ring.h"
+#include "planner/io/content/plan_content.h"
 #include "planner/io/files/file_names.h"
+#include "planner/io/formats/isoxml/isoxml.h"
 #include "planner/io/formats/isoxml/isoxml_codes.h"
 #include "planner/io/formats/isoxml/isoxml_links.h"
 

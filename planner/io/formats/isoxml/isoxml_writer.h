@@ -25,8 +25,4 @@ std::string isoxmlText(std::span<const FieldContent> fields, IsoxmlVersion versi
 /// The same of a plan, in version 4.
 std::string isoxmlTaskData(const Plan& plan);
 
-/// TASKDATA/TASKDATA.XML, in version 4 with LINKLIST.XML beside it.
-FormatWriter writeIsoxml4;
-FormatWriter writeIsoxml3;
-
 }  // namespace furrow

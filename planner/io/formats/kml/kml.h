@@ -1,6 +1,6 @@
 #pragma once
 
-#include "planner/io/content/export_job.h"
+#include "planner/io/content/format_parts.h"
 
 namespace furrow {
 
@@ -9,11 +9,7 @@ namespace furrow {
 FormatWriter writeKml;
 /// The same zipped, with doc.kml in it.
 FormatWriter writeKmz;
-/// path.gpx (version 1.1): the path as a track with a segment between two changes of gear, a route with a point at
-/// each end of each swath, gates as waypoints. Fields alone are tracks that end where they begin.
-FormatWriter writeGpx;
-/// plan_EPSG<code>.dxf (R12): polylines in metres of the field's UTM zone, layers BOUNDARY, HOLE, OBSTACLE,
-/// HEADLAND, SWATH and PATH.
-FormatWriter writeDxf;
+/// Of either.
+ContentFinder findKml;
 
 }  // namespace furrow

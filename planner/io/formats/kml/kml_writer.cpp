@@ -1,8 +1,9 @@
+#include "planner/io/formats/kml/kml.h"
+
+#include "planner/gdal/zip.h"
 #include "planner/io/content/geo_ring.h"
 #include "planner/io/content/map_layers.h"
 #include "planner/io/files/file_names.h"
-#include "planner/io/formats/kml/kml.h"
-#include "planner/io/gdal_writer.h"
 #include "planner/plan/plan.h"
 
 #include <pugixml.hpp>
@@ -209,10 +210,10 @@ Result<FormatFiles> writeKml(const ExportJob& job) {
 }
 
 Result<FormatFiles> writeKmz(const ExportJob& job) {
-    const FileToWrite document{"doc.kml", [text = kmlText(job)] { return text; }};
+    const FileInMemory document{"doc.kml", kmlText(job)};
     return zipOf({&document, 1}).transform([](std::string zip) {
         FormatFiles made;
-        made.files.push_back({"plan.kmz", [zip = std::move(zip)] { return zip; }});
+        made.files.push_back(toWrite({"plan.kmz", std::move(zip)}));
         return made;
     });
 }

@@ -1,3 +1,8 @@
+#include "planner/io/content/geo_ring.h"
+#include "planner/io/formats/logs/logs.h"
+
+#include "planner/core/separated_text.h"
+#include "planner/core/text.h"
 #include "planner/io/tracks/track_parts.h"
 
 #include <nlohmann/json.hpp>
@@ -24,7 +29,7 @@ std::optional<double> finiteNumber(const Json& object, const char* key) {
 std::optional<TrackSample> sampleOf(const Json& report) {
     const auto lon = finiteNumber(report, "lon");
     const auto lat = finiteNumber(report, "lat");
-    if (!lon || !lat || !isOnEarth(*lon, *lat) || finiteNumber(report, "mode").value_or(0.0) < 2.0) {
+    if (!lon || !lat || !isOnEarth({*lon, *lat}) || finiteNumber(report, "mode").value_or(0.0) < 2.0) {
         return std::nullopt;
     }
     TrackSample sample{.geo = {.lonDeg = *lon, .latDeg = *lat}};

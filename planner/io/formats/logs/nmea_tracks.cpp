@@ -1,6 +1,9 @@
-#include "planner/io/tracks/track_parts.h"
+#include "planner/io/content/geo_ring.h"
+#include "planner/io/formats/logs/logs.h"
 
 #include "planner/core/separated_text.h"
+#include "planner/core/text.h"
+#include "planner/io/tracks/track_parts.h"
 
 #include <array>
 #include <charconv>
@@ -55,7 +58,7 @@ std::optional<double> angleDeg(std::string_view value, std::string_view hemisphe
 std::optional<GeoPoint> placeFrom(const Fields& fields, std::size_t at) {
     const auto lat = angleDeg(fields[at], fields[at + 1], 'N', 'S');
     const auto lon = angleDeg(fields[at + 2], fields[at + 3], 'E', 'W');
-    if (!lat || !lon || !isOnEarth(*lon, *lat)) {
+    if (!lat || !lon || !isOnEarth({*lon, *lat})) {
         return std::nullopt;
     }
     return GeoPoint{.lonDeg = *lon, .latDeg = *lat};

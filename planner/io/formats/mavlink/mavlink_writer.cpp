@@ -1,5 +1,6 @@
+#include "planner/io/formats/mavlink/mavlink.h"
+
 #include "planner/geometry/simplify.h"
-#include "planner/io/formats/ros/ros.h"
 #include "planner/plan/plan.h"
 
 #include <nlohmann/json.hpp>

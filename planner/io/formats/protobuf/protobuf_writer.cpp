@@ -1,5 +1,6 @@
+#include "planner/io/formats/protobuf/protobuf.h"
+
 #include "planner/io/files/file_names.h"
-#include "planner/io/formats/ros/ros.h"
 #include "planner/plan/plan.h"
 
 #include "path_message.pb.h"

@@ -1,6 +1,10 @@
 #pragma once
 
-#include "planner/io/content/export_job.h"
+#include "planner/io/content/format_parts.h"
+
+#include <filesystem>
+#include <string>
+#include <vector>
 
 namespace furrow {
 
@@ -8,16 +12,24 @@ namespace furrow {
 /// map_frame.yaml, which says where the frame "map" lies.
 FormatWriter writeRosbagSqlite;
 FormatWriter writeRosbagMcap;
+/// Of either storage.
+ContentFinder findRosbag;
+
 /// nav_msgs_path.yaml: the same message as `ros2 topic pub` takes it.
 FormatWriter writeNavPathYaml;
+ContentFinder findNavPathYaml;
+
 /// compute_coverage_path_goal.yaml: a goal of opennav_coverage (ComputeCoveragePath) with the plan's headland,
 /// heading and order, in metres of the frame "map". Its planner makes swaths and turns of its own from it.
 FormatWriter writeCoverageGoal;
-/// plan.waypoints: a mission as text (QGC WPL 110) for ArduPilot Rover and the like.
-FormatWriter writeWaypoints;
-/// plan.plan: the same for QGroundControl, with the boundary and obstacles as fences.
-FormatWriter writeGroundStationPlan;
-/// path.pb: the message furrow.v1.PathMessage of planner/io/proto/path_message.proto.
-FormatWriter writeProtobuf;
+ContentFinder findCoverageGoal;
+
+/// A file of a rosbag2, or a folder with some. Bags of ROS 1 are known, and refused.
+FormatRecogniser recogniseRosbag;
+TrackReader readRosbag;
+
+/// Of one or more files of one bag, in their order.
+Result<TrackFile> rosbagTracks(const std::vector<std::filesystem::path>& files, const std::string& where,
+                               const JobContext& job);
 
 }  // namespace furrow

@@ -1,16 +1,17 @@
-#include "planner/core/separated_text.h"
-#include "planner/io/content/export_job.h"
-#include "planner/io/content/received_content.h"
-#include "planner/io/files/byte_reader.h"
-#include "planner/plan/plan.h"
+#include "planner/io/formats/ros/ros.h"
 
-#include "path_message.pb.h"
+#include "planner/core/separated_text.h"
+#include "planner/core/text.h"
+#include "planner/io/files/byte_reader.h"
+#include "planner/io/files/sqlite.h"
+#include "planner/plan/plan.h"
 
 #include <sqlite3.h>
 
+#include <algorithm>
 #include <cmath>
 #include <cstdint>
-#include <memory>
+#include <optional>
 #include <string>
 #include <utility>
 
@@ -25,14 +26,15 @@ std::optional<double> yawOf(double z, double w) {
     return std::abs(std::hypot(z, w) - 1.0) < 1e-6 ? std::optional{2.0 * std::atan2(z, w)} : std::nullopt;
 }
 
-struct BagMessage {
+/// nav_msgs/msg/Path with its topic.
+struct PathMessage {
     std::string topic;
     std::string_view cdr;
 };
 
 /// nav_msgs/msg/Path in little-endian CDR.
-FoundPath pathOf(std::string_view cdr, bool whole, FoundContent& found) {
-    FoundPath path{.samples = {}, .isWhole = whole};
+ReceivedPath pathOf(std::string_view cdr, bool whole, ReceivedContent& found) {
+    ReceivedPath path{.samples = {}, .isWhole = whole};
     ByteReader encapsulation{cdr};
     const bool littleEndian = encapsulation.integer<std::uint8_t>() == 0 && encapsulation.integer<std::uint8_t>() == 1;
     ByteReader reader{cdr.substr(std::min<std::size_t>(4, cdr.size()))};
@@ -68,33 +70,19 @@ FoundPath pathOf(std::string_view cdr, bool whole, FoundContent& found) {
     return path;
 }
 
-struct DatabaseCloser {
-    void operator()(sqlite3* database) const { sqlite3_close(database); }
-};
-struct StatementCloser {
-    void operator()(sqlite3_stmt* statement) const { sqlite3_finalize(statement); }
-};
-
-std::vector<BagMessage> messagesOfDatabase(std::string& bytes, sqlite3* database, std::vector<std::string>& data) {
-    const auto size = static_cast<sqlite3_int64>(bytes.size());
-    sqlite3_stmt* made = nullptr;
-    if (sqlite3_deserialize(database, "main", reinterpret_cast<unsigned char*>(bytes.data()), size, size,
-                            SQLITE_DESERIALIZE_READONLY) == SQLITE_OK) {
-        sqlite3_prepare_v2(database,
-                           "SELECT name, data FROM messages JOIN topics ON topics.id = topic_id ORDER BY timestamp", -1,
-                           &made, nullptr);
-    }
-    const std::unique_ptr<sqlite3_stmt, StatementCloser> rows{made};
+/// Of a database in memory; `kept` holds their bytes.
+std::vector<PathMessage> messagesOfDatabase(std::string& bytes, std::vector<std::string>& kept) {
+    const SqliteDatabase database = databaseIn(bytes);
+    const SqliteStatement rows =
+        prepared(database.get(), "SELECT name, data FROM messages JOIN topics ON topics.id = topic_id ORDER BY timestamp");
     std::vector<std::string> topics;
     while (rows && sqlite3_step(rows.get()) == SQLITE_ROW) {
-        const auto* name = reinterpret_cast<const char*>(sqlite3_column_text(rows.get(), 0));
-        const auto* blob = static_cast<const char*>(sqlite3_column_blob(rows.get(), 1));
-        topics.emplace_back(name == nullptr ? "" : name);
-        data.emplace_back(blob == nullptr ? "" : blob, static_cast<std::size_t>(sqlite3_column_bytes(rows.get(), 1)));
+        topics.emplace_back(textAt(rows.get(), 0));
+        kept.emplace_back(bytesAt(rows.get(), 1));
     }
-    std::vector<BagMessage> messages;
+    std::vector<PathMessage> messages;
     for (std::size_t i = 0; i < topics.size(); ++i) {
-        messages.push_back({topics[i], data[i]});
+        messages.push_back({topics[i], kept[i]});
     }
     return messages;
 }
@@ -106,7 +94,7 @@ constexpr std::uint8_t kChunk = 6;
 constexpr std::string_view kMcapMagic{"\x89MCAP0\r\n", 8};
 
 void messagesOfRecords(std::string_view records, std::vector<std::pair<std::uint16_t, std::string>>& channels,
-                       std::vector<BagMessage>& messages) {
+                       std::vector<PathMessage>& messages) {
     ByteReader reader{records};
     while (reader.left() >= 9) {
         const auto opcode = reader.integer<std::uint8_t>();
@@ -141,31 +129,13 @@ double numberAfter(std::string_view text, std::string_view name) {
     return decimalIn(rest.substr(0, rest.find_first_of(",}"))).value_or(std::nan(""));
 }
 
-GeoPoint geoOf(const v1::Place& place) {
-    return {place.lon_deg(), place.lat_deg()};
-}
-
-FoundArea areaOf(const v1::Polygon& polygon, FoundArea::Kind kind) {
-    FoundArea area{.kind = kind, .name = polygon.name(), .rings = {}, .statedM2 = std::nullopt};
-    for (const v1::Place& place : polygon.outer()) {
-        area.rings.outer.push_back(geoOf(place));
-    }
-    for (const v1::Ring& ring : polygon.holes()) {
-        GeoRing& hole = area.rings.holes.emplace_back();
-        for (const v1::Place& place : ring.places()) {
-            hole.push_back(geoOf(place));
-        }
-    }
-    return area;
-}
-
 }  // namespace
 
-std::vector<FoundContent> findRosbag(std::span<const ExportedFile> files, const ExportJob&) {
-    std::vector<FoundContent> all;
+std::vector<ReceivedContent> findRosbag(std::span<const FileInMemory> files, const ExportJob&) {
+    std::vector<ReceivedContent> all;
     std::optional<double> announced;
     std::size_t count = 0;
-    for (const ExportedFile& file : files) {
+    for (const FileInMemory& file : files) {
         if (file.path.ends_with("metadata.yaml")) {
             for (std::string_view text = file.bytes; !text.empty() && !announced;) {
                 const std::string_view line = nextLine(text);
@@ -177,18 +147,13 @@ std::vector<FoundContent> findRosbag(std::span<const ExportedFile> files, const 
         if (!isDatabase && !file.path.ends_with(".mcap")) {
             continue;
         }
-        FoundContent& found = all.emplace_back(FoundContent{.file = file.path});
+        ReceivedContent& found = all.emplace_back(ReceivedContent{.file = file.path});
         std::string bytes = file.bytes;
         std::vector<std::string> data;
-        std::vector<BagMessage> messages;
-        sqlite3* opened = nullptr;
-        if (isDatabase) {
-            sqlite3_open(":memory:", &opened);
-        }
-        const std::unique_ptr<sqlite3, DatabaseCloser> database{opened};
+        std::vector<PathMessage> messages;
         const bool framed = bytes.starts_with(kMcapMagic) && bytes.ends_with(kMcapMagic) && bytes.size() >= 16;
         if (isDatabase) {
-            messages = messagesOfDatabase(bytes, opened, data);
+            messages = messagesOfDatabase(bytes, data);
         } else if (framed) {
             std::vector<std::pair<std::uint16_t, std::string>> channels;
             messagesOfRecords(std::string_view{bytes}.substr(8, bytes.size() - 16), channels, messages);
@@ -197,7 +162,7 @@ std::vector<FoundContent> findRosbag(std::span<const ExportedFile> files, const 
         if (messages.empty()) {
             found.faults.push_back(cannotBeRead());
         }
-        for (const BagMessage& each : messages) {
+        for (const PathMessage& each : messages) {
             found.paths.push_back(pathOf(each.cdr, each.topic == kWholePath, found));
         }
     }
@@ -207,14 +172,14 @@ std::vector<FoundContent> findRosbag(std::span<const ExportedFile> files, const 
     return all;
 }
 
-std::vector<FoundContent> findNavPathYaml(std::span<const ExportedFile> files, const ExportJob&) {
-    std::vector<FoundContent> all;
-    for (const ExportedFile& file : files) {
+std::vector<ReceivedContent> findNavPathYaml(std::span<const FileInMemory> files, const ExportJob&) {
+    std::vector<ReceivedContent> all;
+    for (const FileInMemory& file : files) {
         if (!file.path.ends_with("nav_msgs_path.yaml")) {
             continue;
         }
-        FoundContent& found = all.emplace_back(FoundContent{.file = file.path});
-        FoundPath path;
+        ReceivedContent& found = all.emplace_back(ReceivedContent{.file = file.path});
+        ReceivedPath path;
         std::string_view text = file.bytes;
         found.namesCrs = text.contains("frame_id: map");
         for (std::size_t number = 1; !text.empty(); ++number) {
@@ -237,14 +202,14 @@ std::vector<FoundContent> findNavPathYaml(std::span<const ExportedFile> files, c
     return all;
 }
 
-std::vector<FoundContent> findCoverageGoal(std::span<const ExportedFile> files, const ExportJob& job) {
-    std::vector<FoundContent> all;
-    for (const ExportedFile& file : files) {
+std::vector<ReceivedContent> findCoverageGoal(std::span<const FileInMemory> files, const ExportJob& job) {
+    std::vector<ReceivedContent> all;
+    for (const FileInMemory& file : files) {
         if (!file.path.ends_with("goal.yaml") || job.plan == nullptr) {
             continue;
         }
-        FoundContent& found = all.emplace_back(FoundContent{.file = file.path});
-        FoundArea area{.name = job.plan->field().name(), .rings = {}, .statedM2 = std::nullopt};
+        ReceivedContent& found = all.emplace_back(ReceivedContent{.file = file.path});
+        ReceivedArea area{.name = job.plan->field().name(), .rings = {}, .statedM2 = std::nullopt};
         std::string_view text = file.bytes;
         found.namesCrs = text.contains("frame_id: map");
         int rings = 0;
@@ -266,37 +231,6 @@ std::vector<FoundContent> findCoverageGoal(std::span<const ExportedFile> files, 
             found.faults.push_back(message("'{}' is said to be {:.3f} m wide", "headland_mode", width));
         }
         found.areas.push_back(std::move(area));
-    }
-    return all;
-}
-
-std::vector<FoundContent> findPathMessage(std::span<const ExportedFile> files, const ExportJob&) {
-    std::vector<FoundContent> all;
-    for (const ExportedFile& file : files) {
-        FoundContent& found = all.emplace_back(FoundContent{.file = file.path, .repeatsFirst = false});
-        v1::PathMessage message;
-        if (!message.ParseFromString(file.bytes)) {
-            found.faults.push_back(cannotBeRead());
-            continue;
-        }
-        found.namesCrs = message.frame().proj().starts_with("+proj=");
-        for (const v1::Polygon& polygon : message.fence()) {
-            found.areas.push_back(areaOf(polygon, FoundArea::Kind::Field));
-        }
-        for (const v1::Polygon& polygon : message.keep_out()) {
-            found.areas.push_back(areaOf(polygon, FoundArea::Kind::Obstacle));
-        }
-        FoundPath path{.samples = {}, .knowsGear = true};
-        for (const v1::Segment& segment : message.segments()) {
-            for (const v1::Sample& sample : segment.samples()) {
-                path.samples.push_back({.geo = geoOf(sample.place()),
-                                        .timeS = sample.time_s(),
-                                        .headingRad = sample.heading_rad(),
-                                        .speedMps = sample.speed_mps(),
-                                        .reverse = segment.reverse()});
-            }
-        }
-        found.paths.push_back(std::move(path));
     }
     return all;
 }

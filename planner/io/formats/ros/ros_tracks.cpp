@@ -1,3 +1,7 @@
+#include "planner/io/content/geo_ring.h"
+#include "planner/io/formats/ros/ros.h"
+
+#include "planner/core/text.h"
 #include "planner/io/files/byte_reader.h"
 #include "planner/io/formats/ros/rosbag_storage.h"
 #include "planner/io/tracks/track_parts.h"
@@ -13,6 +17,8 @@
 namespace furrow {
 
 namespace {
+
+namespace fs = std::filesystem;
 
 struct Topic;
 
@@ -78,7 +84,7 @@ bool decodeNavSatFix(ByteReader& bytes, double recordedS, Topic& topic) {
     const double lon = bytes.real();
     constexpr int kNoFix = -1;
     add(topic, {.geo = {.lonDeg = lon, .latDeg = lat}, .timeS = timeS},
-        status != kNoFix && isOnEarth(lon, lat));
+        status != kNoFix && isOnEarth({lon, lat}));
     return bytes.ok();
 }
 
@@ -214,6 +220,31 @@ private:
     std::map<std::string, Topic> topics_;
 };
 
+constexpr std::string_view kMcapMagic = "\x89MCAP";
+constexpr std::string_view kSqliteMagic = "SQLite format 3";
+constexpr std::string_view kRos1Magic = "#ROSBAG V";
+
+bool isBagFile(const fs::path& path) {
+    const std::string extension = extensionInSmallLetters(path);
+    return extension == ".db3" || extension == ".mcap";
+}
+
+/// A later piece of a bag has a larger number at its end: x_2.db3 before x_10.db3.
+std::vector<fs::path> bagFilesIn(const fs::path& folder) {
+    std::vector<fs::path> files;
+    std::error_code failed;
+    for (fs::directory_iterator it{folder, failed}, end; !failed && it != end; it.increment(failed)) {
+        if (isBagFile(it->path()) && it->is_regular_file(failed)) {
+            files.push_back(it->path());
+        }
+    }
+    std::ranges::sort(files, {}, [](const fs::path& file) {
+        const std::string name = file.filename().string();
+        return std::pair{name.size(), name};
+    });
+    return files;
+}
+
 }  // namespace
 
 Result<TrackFile> rosbagTracks(const std::vector<std::filesystem::path>& files, const std::string& where,
@@ -228,6 +259,27 @@ Result<TrackFile> rosbagTracks(const std::vector<std::filesystem::path>& files, 
         }
     }
     return tracks.finished();
+}
+
+Recognition recogniseRosbag(const ChosenFile& chosen) {
+    if (chosen.isDirectory()) {
+        return bagFilesIn(chosen.path()).empty() ? Recognition::No : Recognition::Certain;
+    }
+    const bool known = chosen.start() && (chosen.start()->starts_with(kMcapMagic) || chosen.start()->starts_with(kSqliteMagic) ||
+                                          chosen.start()->starts_with(kRos1Magic) || isBagFile(chosen.path()));
+    return known ? Recognition::Certain : Recognition::No;
+}
+
+Result<TrackFile> readRosbag(const ChosenFile& chosen, const JobContext& job) {
+    const std::string where = chosen.path().string();
+    if (chosen.isDirectory()) {
+        return rosbagTracks(bagFilesIn(chosen.path()), where, job);
+    }
+    if (chosen.start()->starts_with(kRos1Magic) && !isBagFile(chosen.path())) {
+        return std::unexpected(
+            trackRefused(where, "this is a bag of ROS 1", "turn it into a rosbag2 with rosbags-convert"));
+    }
+    return rosbagTracks({chosen.path()}, where, job);
 }
 
 }  // namespace furrow

@@ -1,6 +1,7 @@
-#include "planner/core/file_error.h"
-#include "planner/io/formats/ros/nav_path.h"
 #include "planner/io/formats/ros/ros.h"
+
+#include "planner/io/files/sqlite.h"
+#include "planner/io/formats/ros/nav_path.h"
 #include "planner/plan/method_registry.h"
 #include "planner/plan/plan.h"
 
@@ -34,23 +35,9 @@ void noteReversing(const std::vector<NavPath>& paths, FormatFiles& made) {
     }
 }
 
-struct DatabaseCloser {
-    void operator()(sqlite3* database) const { sqlite3_close(database); }
-};
-struct StatementCloser {
-    void operator()(sqlite3_stmt* statement) const { sqlite3_finalize(statement); }
-};
-using Statement = std::unique_ptr<sqlite3_stmt, StatementCloser>;
-
-Statement prepared(sqlite3* database, const char* text) {
-    sqlite3_stmt* made = nullptr;
-    sqlite3_prepare_v2(database, text, -1, &made, nullptr);
-    return Statement{made};
-}
-
 bool insertTopics(sqlite3* database, const std::vector<NavTopic>& topics) {
-    const Statement addTopic = prepared(database, "INSERT INTO topics VALUES (?, ?, 'nav_msgs/msg/Path', 'cdr', '')");
-    const Statement addMessage =
+    const SqliteStatement addTopic = prepared(database, "INSERT INTO topics VALUES (?, ?, 'nav_msgs/msg/Path', 'cdr', '')");
+    const SqliteStatement addMessage =
         prepared(database, "INSERT INTO messages (topic_id, timestamp, data) VALUES (?, ?, ?)");
     for (std::size_t i = 0; i < topics.size(); ++i) {
         const auto id = static_cast<sqlite3_int64>(i + 1);
@@ -76,23 +63,21 @@ bool insertTopics(sqlite3* database, const std::vector<NavTopic>& topics) {
 
 /// The bytes of a database in memory.
 Result<std::string> databaseOf(const std::vector<NavPath>& paths) {
-    sqlite3* opened = nullptr;
-    sqlite3_open(":memory:", &opened);
-    const std::unique_ptr<sqlite3, DatabaseCloser> database{opened};
+    const SqliteDatabase database = emptyDatabase();
     constexpr const char* kTables =
         "CREATE TABLE topics (id INTEGER PRIMARY KEY, name TEXT NOT NULL, type TEXT NOT NULL,"
         " serialization_format TEXT NOT NULL, offered_qos_profiles TEXT NOT NULL);"
         "CREATE TABLE messages (id INTEGER PRIMARY KEY, topic_id INTEGER NOT NULL, timestamp INTEGER NOT NULL,"
         " data BLOB NOT NULL);"
         "CREATE INDEX timestamp_idx ON messages (timestamp ASC);";
-    const bool good = sqlite3_exec(opened, kTables, nullptr, nullptr, nullptr) == SQLITE_OK &&
-                      insertTopics(opened, topicsOf(paths));
+    const bool good = sqlite3_exec(database.get(), kTables, nullptr, nullptr, nullptr) == SQLITE_OK &&
+                      insertTopics(database.get(), topicsOf(paths));
     sqlite3_int64 size = 0;
     const std::unique_ptr<unsigned char, decltype(&sqlite3_free)> bytes{
-        good ? sqlite3_serialize(opened, "main", &size, 0) : nullptr, &sqlite3_free};
+        good ? sqlite3_serialize(database.get(), "main", &size, 0) : nullptr, &sqlite3_free};
     if (!bytes) {
         return std::unexpected(Error{.code = ErrorCode::WriteFailed,
-                                     .what = message("the recording cannot be made: {}", sqlite3_errmsg(opened)),
+                                     .what = message("the recording cannot be made: {}", sqlite3_errmsg(database.get())),
                                      .where = "rosbag2",
                                      .remedy = "choose the format rosbag2-mcap"});
     }

@@ -2,6 +2,7 @@
 
 #include "planner/io/files/byte_reader.h"
 #include "planner/io/files/checksum.h"
+#include "planner/io/files/sqlite.h"
 
 #include <lz4frame.h>
 #include <sqlite3.h>
@@ -246,16 +247,6 @@ private:
 
 // --- sqlite3 ----------------------------------------------------------------------------------------
 
-struct DatabaseCloser {
-    void operator()(sqlite3* database) const { sqlite3_close(database); }
-};
-using Database = std::unique_ptr<sqlite3, DatabaseCloser>;
-
-struct StatementCloser {
-    void operator()(sqlite3_stmt* statement) const { sqlite3_finalize(statement); }
-};
-using Statement = std::unique_ptr<sqlite3_stmt, StatementCloser>;
-
 /// As a URI: nothing is written beside the file, unless changes still wait there.
 std::string uriOf(const fs::path& path) {
     std::string uri = "file:";
@@ -269,81 +260,79 @@ std::string uriOf(const fs::path& path) {
     return uri + (fs::exists(path.string() + "-wal") ? "?mode=ro" : "?mode=ro&immutable=1");
 }
 
-std::string_view textAt(sqlite3_stmt* statement, int column) {
-    const auto* text = static_cast<const char*>(sqlite3_column_blob(statement, column));
-    return text == nullptr
-               ? std::string_view{}
-               : std::string_view{text, static_cast<std::size_t>(sqlite3_column_bytes(statement, column))};
+/// What may be wrong with a database, or that nobody wants it any more.
+Error unreadable(const SqliteDatabase& database, const std::string& where, const JobContext& job) {
+    return job.stopRequested()
+               ? cancelled()
+               : damaged(where, message("it is no rosbag2 that can be read ({})",
+                                        database ? sqlite3_errmsg(database.get()) : "no memory"));
+}
+
+/// Nothing where the system cannot open it; `database` says why.
+bool openBag(const fs::path& path, SqliteDatabase& database, const JobContext& job) {
+    sqlite3* opened = nullptr;
+    const int status =
+        sqlite3_open_v2(uriOf(path).c_str(), &opened, SQLITE_OPEN_READONLY | SQLITE_OPEN_URI, nullptr);
+    database.reset(opened);
+    if (status != SQLITE_OK) {
+        return false;
+    }
+    // A file may hold views and triggers of its own; none of them runs anything.
+    sqlite3_db_config(opened, SQLITE_DBCONFIG_TRUSTED_SCHEMA, 0, nullptr);
+    sqlite3_db_config(opened, SQLITE_DBCONFIG_ENABLE_VIEW, 0, nullptr);
+    sqlite3_limit(opened, SQLITE_LIMIT_LENGTH, static_cast<int>(kLargestPieceBytes));
+    sqlite3_progress_handler(
+        opened, 10'000,
+        [](void* context) { return static_cast<const JobContext*>(context)->stopRequested() ? 1 : 0; },
+        const_cast<JobContext*>(&job));
+    return true;
+}
+
+struct BagTopic {
+    std::string name;
+    std::string type;
+};
+
+/// The topics that are wanted by their numbers; nothing where they cannot be read.
+std::optional<std::map<std::int64_t, BagTopic>> wantedTopics(sqlite3* database, const Wants& wants) {
+    const SqliteStatement rows = prepared(database, "SELECT id, name, type, serialization_format FROM topics");
+    std::map<std::int64_t, BagTopic> topics;
+    int step = SQLITE_ERROR;
+    while (rows && (step = sqlite3_step(rows.get())) == SQLITE_ROW) {
+        const std::string type{textAt(rows.get(), 2)};
+        if (textAt(rows.get(), 3) == "cdr" && wants(type)) {
+            topics[sqlite3_column_int64(rows.get(), 0)] = {std::string{textAt(rows.get(), 1)}, type};
+        }
+    }
+    return step == SQLITE_DONE ? std::optional{std::move(topics)} : std::nullopt;
 }
 
 Result<void> visitSqlite(const fs::path& path, const Wants& wants, const Visit& visit,
                          const JobContext& job) {
     const std::string where = path.string();
-    sqlite3* opened = nullptr;
-    const int status =
-        sqlite3_open_v2(uriOf(path).c_str(), &opened, SQLITE_OPEN_READONLY | SQLITE_OPEN_URI, nullptr);
-    const Database database{opened};
-    const auto failed = [&] {
-        return std::unexpected(
-            job.stopRequested()
-                ? cancelled()
-                : damaged(where, message("it is no rosbag2 that can be read ({})",
-                                             database ? sqlite3_errmsg(database.get()) : "no memory")));
-    };
-    if (status != SQLITE_OK) {
-        return failed();
+    SqliteDatabase database;
+    if (!openBag(path, database, job)) {
+        return std::unexpected(unreadable(database, where, job));
     }
-    // A file may hold views and triggers of its own; none of them runs anything.
-    sqlite3_db_config(database.get(), SQLITE_DBCONFIG_TRUSTED_SCHEMA, 0, nullptr);
-    sqlite3_db_config(database.get(), SQLITE_DBCONFIG_ENABLE_VIEW, 0, nullptr);
-    sqlite3_limit(database.get(), SQLITE_LIMIT_LENGTH, static_cast<int>(kLargestPieceBytes));
-    sqlite3_progress_handler(
-        database.get(), 10'000,
-        [](void* context) { return static_cast<const JobContext*>(context)->stopRequested() ? 1 : 0; },
-        const_cast<JobContext*>(&job));
-
-    struct Topic {
-        std::string name;
-        std::string type;
-    };
-    std::map<std::int64_t, Topic> topics;
-    sqlite3_stmt* prepared = nullptr;
-    if (sqlite3_prepare_v2(database.get(), "SELECT id, name, type, serialization_format FROM topics", -1,
-                           &prepared, nullptr) != SQLITE_OK) {
-        return failed();
-    }
-    Statement statement{prepared};
-    int step = 0;
-    while ((step = sqlite3_step(statement.get())) == SQLITE_ROW) {
-        const std::string_view type = textAt(statement.get(), 2);
-        if (textAt(statement.get(), 3) == "cdr" && wants(type)) {
-            topics[sqlite3_column_int64(statement.get(), 0)] = {std::string{textAt(statement.get(), 1)},
-                                                                std::string{type}};
-        }
-    }
-    if (step != SQLITE_DONE) {
-        return failed();
-    }
-    if (sqlite3_prepare_v2(database.get(),
-                           "SELECT topic_id, timestamp, data FROM messages ORDER BY timestamp, id", -1,
-                           &prepared, nullptr) != SQLITE_OK) {
-        return failed();
-    }
-    statement.reset(prepared);
-    while ((step = sqlite3_step(statement.get())) == SQLITE_ROW) {
-        const auto topic = topics.find(sqlite3_column_int64(statement.get(), 0));
-        if (topic == topics.end()) {
+    const auto topics = wantedTopics(database.get(), wants);
+    const SqliteStatement rows =
+        topics ? prepared(database.get(), "SELECT topic_id, timestamp, data FROM messages ORDER BY timestamp, id")
+               : SqliteStatement{};
+    int step = SQLITE_ERROR;
+    while (rows && (step = sqlite3_step(rows.get())) == SQLITE_ROW) {
+        const auto topic = topics->find(sqlite3_column_int64(rows.get(), 0));
+        if (topic == topics->end()) {
             continue;
         }
         if (auto visited = visit({.topic = topic->second.name,
                                   .type = topic->second.type,
-                                  .recordedNs = sqlite3_column_int64(statement.get(), 1),
-                                  .data = textAt(statement.get(), 2)});
+                                  .recordedNs = sqlite3_column_int64(rows.get(), 1),
+                                  .data = bytesAt(rows.get(), 2)});
             !visited) {
             return visited;
         }
     }
-    return step == SQLITE_DONE ? Result<void>{} : failed();
+    return step == SQLITE_DONE ? Result<void>{} : std::unexpected(unreadable(database, where, job));
 }
 
 }  // namespace

@@ -1,8 +1,9 @@
-#include "planner/io/content/export_job.h"
+#include "planner/io/formats/shapefile/shapefile.h"
+
+#include "planner/core/text.h"
+#include "planner/gdal/zip.h"
 #include "planner/io/content/geo_ring.h"
-#include "planner/io/content/received_content.h"
 #include "planner/io/files/byte_reader.h"
-#include "planner/io/gdal_writer.h"
 
 #include <algorithm>
 #include <bit>
@@ -162,7 +163,7 @@ std::vector<GeoPolygon> polygonsOf(const Shape& shape) {
     return polygons;
 }
 
-void addPolygons(const Shapes& read, const Table& table, const std::string& layer, FoundContent& found) {
+void addPolygons(const Shapes& read, const Table& table, const std::string& layer, ReceivedContent& found) {
     for (std::size_t i = 0; i < read.shapes.size(); ++i) {
         const std::string kind = table.value(i, "kind").empty() ? layer : table.value(i, "kind");
         std::vector<GeoPolygon> polygons = polygonsOf(read.shapes[i]);
@@ -173,9 +174,9 @@ void addPolygons(const Shapes& read, const Table& table, const std::string& laye
         stated = polygons.size() == 1 ? stated : std::nullopt;
         std::string name = table.value(i, "name") + table.value(i, "Name") + table.value(i, "FIELD_NAME");
         for (GeoPolygon& polygon : polygons) {
-            found.areas.push_back({.kind = kind == "field" || kind == "boundary" || kind == "Boundary" ? FoundArea::Kind::Field
-                                           : kind == "obstacle"                                        ? FoundArea::Kind::Obstacle
-                                                                                                       : FoundArea::Kind::Other,
+            found.areas.push_back({.kind = kind == "field" || kind == "boundary" || kind == "Boundary" ? ReceivedArea::Kind::Field
+                                           : kind == "obstacle"                                        ? ReceivedArea::Kind::Obstacle
+                                                                                                       : ReceivedArea::Kind::Other,
                                    .name = name.empty() ? layer : name,
                                    .rings = std::move(polygon),
                                    .statedM2 = stated});
@@ -183,10 +184,10 @@ void addPolygons(const Shapes& read, const Table& table, const std::string& laye
     }
 }
 
-void addLines(Shapes&& read, const Table& table, const std::string& layer, FoundContent& found) {
-    FoundOrder order;
-    FoundPath path;
-    FoundNames names{.names = {}, .mustDiffer = layer == "Swaths"};
+void addLines(Shapes&& read, const Table& table, const std::string& layer, ReceivedContent& found) {
+    ReceivedNumbers order;
+    ReceivedPath path;
+    ReceivedNames names{.names = {}, .mustDiffer = layer == "Swaths"};
     for (std::size_t i = 0; i < read.shapes.size(); ++i) {
         if (const auto number = decimalIn(table.value(i, "order"))) {
             order.numbers.push_back(static_cast<std::int64_t>(*number));
@@ -213,18 +214,18 @@ void addLines(Shapes&& read, const Table& table, const std::string& layer, Found
 
 }  // namespace
 
-std::vector<FoundContent> findShapefiles(std::span<const ExportedFile> files, const ExportJob&) {
+std::vector<ReceivedContent> findShapefiles(std::span<const FileInMemory> files, const ExportJob&) {
     std::map<std::string, std::string_view> byPath;
-    for (const ExportedFile& file : files) {
+    for (const FileInMemory& file : files) {
         byPath[file.path] = file.bytes;
     }
-    std::vector<FoundContent> all;
+    std::vector<ReceivedContent> all;
     for (const auto& [path, bytes] : byPath) {
         if (!path.ends_with(".shp")) {
             continue;
         }
-        FoundContent& found =
-            all.emplace_back(FoundContent{.file = path, .winding = FoundContent::Winding::OuterRight, .namesCrs = false});
+        ReceivedContent& found =
+            all.emplace_back(ReceivedContent{.file = path, .winding = ReceivedContent::Winding::OuterRight, .namesCrs = false});
         const std::string stem = path.substr(0, path.size() - 4);
         for (const char* companion : {".shx", ".dbf"}) {
             if (!byPath.contains(stem + companion)) {
@@ -261,12 +262,10 @@ std::vector<FoundContent> findShapefiles(std::span<const ExportedFile> files, co
     return all;
 }
 
-std::vector<FoundContent> findZippedShapefile(std::span<const ExportedFile> files, const ExportJob& job) {
-    std::vector<ExportedFile> inside;
-    for (const ExportedFile& file : files) {
-        for (const auto& [name, bytes] : filesInZip(file.bytes)) {
-            inside.push_back({name, bytes});
-        }
+std::vector<ReceivedContent> findZippedShapefile(std::span<const FileInMemory> files, const ExportJob& job) {
+    std::vector<FileInMemory> inside;
+    for (const FileInMemory& file : files) {
+        std::ranges::move(filesInZip(file.bytes), std::back_inserter(inside));
     }
     return findShapefiles(inside, job);
 }

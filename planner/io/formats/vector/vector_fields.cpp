@@ -1,11 +1,12 @@
 #include "planner/io/formats/vector/vector_fields.h"
 
 #include "planner/core/file_error.h"
+#include "planner/core/text.h"
 #include "planner/io/content/geo_ring.h"
 #include "planner/io/content/obstacle_shapes.h"
 #include "planner/io/content/vector_attributes.h"
 #include "planner/io/formats/csv/table_fields.h"
-#include "planner/io/gdal_bridge.h"
+#include "planner/io/formats/vector/vector_file.h"
 
 #include <algorithm>
 #include <cmath>
@@ -37,7 +38,7 @@ Result<Length> lengthIn(const VectorFeature& feature, std::string_view name, con
     if (text.empty()) {
         return metres(0.0);
     }
-    const std::optional<double> number = numberOf(text);
+    const std::optional<double> number = numberIn(text, true);
     if (!number || !std::isfinite(*number) || *number < 0.0) {
         return std::unexpected(inputRefused(message("{}, {}", where, name),
                                             message("'{}' is no length", text),
@@ -208,10 +209,10 @@ GuidanceLine guidanceOf(const VectorFeature& feature, GeoRing points) {
     GuidanceLine line{.kind = points.size() == 2 ? GuidanceKind::AbLine : GuidanceKind::Curve,
                       .name = nameOf(feature),
                       .points = std::move(points)};
-    if (const auto width = numberOf(attribute(feature, "width_m")); width && *width > 0.0 && std::isfinite(*width)) {
+    if (const auto width = numberIn(attribute(feature, "width_m"), true); width && *width > 0.0 && std::isfinite(*width)) {
         line.width = metres(*width);
     }
-    const auto bearing = numberOf(attribute(feature, "bearing"));
+    const auto bearing = numberIn(attribute(feature, "bearing"), true);
     if (kind == guidanceKindId(GuidanceKind::APlus) && bearing && std::isfinite(*bearing)) {
         line.kind = GuidanceKind::APlus;
         line.bearing = degrees(*bearing);
@@ -298,9 +299,7 @@ std::string kindOf(const VectorFeature& feature, bool isPlan) {
     if (isPlan || std::ranges::contains(kKinds, kind)) {
         return kind;
     }
-    std::string layer = attribute(feature, "layer");
-    std::ranges::transform(layer, layer.begin(),
-                           [](char letter) { return letter >= 'A' && letter <= 'Z' ? static_cast<char>(letter + 32) : letter; });
+    const std::string layer = inSmallLetters(attribute(feature, "layer"));
     const auto known = std::ranges::find(kDrawingLayers, layer, &std::pair<std::string_view, std::string_view>::first);
     return known == std::end(kDrawingLayers) ? std::string{} : std::string{known->second};
 }
@@ -454,6 +453,14 @@ Result<ImportedFields> vectorFields(const std::filesystem::path& path, const Job
         }
     }
     return imported;
+}
+
+Recognition recogniseVector(const ChosenFile& chosen) {
+    return chosen.isFolder() ? Recognition::No : Recognition::Perhaps;
+}
+
+Result<ImportedFields> readVectorFields(const ChosenFile& chosen, const JobContext& job) {
+    return vectorFields(chosen.path(), job);
 }
 
 Result<std::vector<GuidanceLine>> vectorLines(const std::filesystem::path& path, const JobContext& job) {

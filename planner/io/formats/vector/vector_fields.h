@@ -1,6 +1,9 @@
 #pragma once
 
-#include "planner/io/import/field_reader.h"
+#include "planner/io/content/format_parts.h"
+
+#include <filesystem>
+#include <vector>
 
 namespace furrow {
 
@@ -10,5 +13,10 @@ Result<ImportedFields> vectorFields(const std::filesystem::path& path, const Job
 
 /// Every line of such a file as a guidance line.
 Result<std::vector<GuidanceLine>> vectorLines(const std::filesystem::path& path, const JobContext& job);
+
+
+/// Every file that no other format knows better: GDAL tells its formats apart by opening them.
+FormatRecogniser recogniseVector;
+FieldReader readVectorFields;
 
 }  // namespace furrow

@@ -14,7 +14,7 @@ inline constexpr std::string_view kBoundaryFormats =
     "give GeoJSON, a shapefile (.shp or .zip), TASKDATA.XML, KML, KMZ, GeoPackage, GML, FlatGeobuf, DXF, WKT or CSV";
 
 /// One file to read boundaries from: loose, or inside a zip.
-struct BoundarySource {
+struct VectorSource {
     std::string path;  ///< as GDAL opens it
     std::string name;  ///< as people know it
 };
@@ -25,6 +25,6 @@ struct BoundarySource {
 /// @return at least one. ReadFailed: not on this computer, not there, not readable, a folder, nothing of use
 /// in
 ///         a zip. InputRefused: empty. Cost: a listing of the zip.
-Result<std::vector<BoundarySource>> boundarySources(const std::filesystem::path& chosen);
+Result<std::vector<VectorSource>> vectorSources(const std::filesystem::path& chosen);
 
 }  // namespace furrow

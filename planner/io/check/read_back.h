@@ -1,6 +1,6 @@
 #pragma once
 
-#include "planner/io/import/field_reader.h"
+#include "planner/io/content/imported_fields.h"
 
 #include <span>
 #include <string>

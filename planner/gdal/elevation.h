@@ -2,9 +2,9 @@
 
 #include "planner/core/result.h"
 #include "planner/geodesy/local_frame.h"
+#include "planner/geometry/elevation_grid.h"
 #include "planner/geometry/polygon.h"
 #include "planner/jobs/job.h"
-#include "planner/swaths/guide_data.h"
 
 #include <filesystem>
 

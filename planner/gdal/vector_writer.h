@@ -1,16 +1,13 @@
 #pragma once
 
+#include "planner/core/file_in_memory.h"
 #include "planner/core/geo_point.h"
 #include "planner/core/result.h"
-#include "planner/io/files/atomic_files.h"
 #include "planner/jobs/job.h"
 
 #include <cstdint>
-#include <optional>
 #include <span>
 #include <string>
-#include <string_view>
-#include <utility>
 #include <variant>
 #include <vector>
 
@@ -43,24 +40,7 @@ enum class VectorFormat { Shapefile, GeoPackage };
 /// The files of a dataset in WGS84, made in memory. A shapefile has a set of files for each layer, with .prj and
 /// .cpg; a GeoPackage is one file called `name`.
 /// WriteFailed: GDAL's reason. Cancelled. Cost: linear, all of it in memory.
-Result<std::vector<FileToWrite>> vectorFiles(VectorFormat format, const std::string& name,
+Result<std::vector<FileInMemory>> vectorFiles(VectorFormat format, const std::string& name,
                                              std::span<const VectorLayer> layers, const JobContext& job);
-
-/// A zip of these files, deflated, in memory. WriteFailed.
-Result<std::string> zipOf(std::span<const FileToWrite> files);
-
-/// Names and bytes of what is in a zip of our own making; nothing where it is none.
-std::vector<std::pair<std::string, std::string>> filesInZip(std::string_view zip);
-
-/// A UTM zone and the way into it.
-struct UtmZone {
-    int epsg = 0;  ///< 32601 to 32660, 32701 to 32760
-
-    static UtmZone of(GeoPoint place);
-    /// East and north in metres, in the order of the points. WriteFailed: a point that has no place there.
-    Result<std::vector<std::pair<double, double>>> project(std::span<const GeoPoint> points) const;
-    /// The same back.
-    Result<GeoRing> unproject(std::span<const std::pair<double, double>> places) const;
-};
 
 }  // namespace furrow

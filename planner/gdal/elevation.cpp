@@ -1,4 +1,4 @@
-#include "planner/io/raster_bridge.h"
+#include "planner/gdal/elevation.h"
 
 #include "planner/gdal/drivers.h"
 
@@ -50,6 +50,45 @@ double cellOf(GDALDataset& raster) {
     return system != nullptr && system->IsGeographic() != 0 ? step * 111e3 : step;
 }
 
+/// The raster warped onto the cells of a grid in the local frame; nothing where that fails.
+Dataset warpedOnto(const ElevationGrid& grid, GDALDataset& raster, const LocalFrame& frame, const JobContext& job) {
+    // Cells of the result have their values in their middles.
+    const double west = grid.origin.x - 0.5 * grid.cellM;
+    const double south = grid.origin.y - 0.5 * grid.cellM;
+    std::array<std::string, 18> words{
+        "-of", "MEM", "-ot", "Float64", "-r", "bilinear", "-t_srs", frame.projString(), "-dstnodata", "nan", "-te",
+        std::format("{}", west), std::format("{}", south),
+        std::format("{}", west + static_cast<double>(grid.columns) * grid.cellM),
+        std::format("{}", south + static_cast<double>(grid.rows) * grid.cellM), "-ts", std::format("{}", grid.columns),
+        std::format("{}", grid.rows)};
+    std::vector<char*> arguments;
+    for (std::string& word : words) {
+        arguments.push_back(word.data());
+    }
+    arguments.push_back(nullptr);
+    CPLPushErrorHandler(CPLQuietErrorHandler);
+    GDALWarpAppOptions* const options = GDALWarpAppOptionsNew(arguments.data(), nullptr);
+    GDALWarpAppOptionsSetProgress(options, goOn, const_cast<JobContext*>(&job));
+    GDALDatasetH source = &raster;
+    Dataset warped{GDALDataset::FromHandle(GDALWarp("", nullptr, 1, &source, options, nullptr))};
+    GDALWarpAppOptionsFree(options);
+    CPLPopErrorHandler();
+    return warped;
+}
+
+bool readHeights(GDALDataset& warped, ElevationGrid& grid) {
+    const int columns = static_cast<int>(grid.columns);
+    for (std::size_t row = 0; row < grid.rows; ++row) {
+        // Rasters begin in the north.
+        double* const line = grid.heightsM.data() + (grid.rows - 1 - row) * grid.columns;
+        if (warped.GetRasterBand(1)->RasterIO(GF_Read, 0, static_cast<int>(row), columns, 1, line, columns, 1, GDT_Float64,
+                                              0, 0, nullptr) != CE_None) {
+            return false;
+        }
+    }
+    return true;
+}
+
 }  // namespace
 
 Result<ElevationGrid> readElevation(const std::filesystem::path& path, const LocalFrame& frame, const Bounds& box,
@@ -71,52 +110,21 @@ Result<ElevationGrid> readElevation(const std::filesystem::path& path, const Loc
                                      .where = path.string(),
                                      .remedy = "export it again with its coordinate system"});
     }
-    const double cellM =
-        std::max({kFinestM, cellOf(*raster), std::max(box.width(), box.height()) / kMostCells});
-    const auto columns = static_cast<int>(std::ceil(box.width() / cellM)) + 1;
-    const auto rows = static_cast<int>(std::ceil(box.height() / cellM)) + 1;
-    // Cells of the result have their values in their middles.
-    const double west = box.min.x - 0.5 * cellM;
-    const double south = box.min.y - 0.5 * cellM;
-    const std::array<std::string, 17> words{
-        "-of", "MEM", "-ot", "Float64", "-r", "bilinear", "-t_srs", frame.projString(), "-dstnodata", "nan", "-te",
-        std::format("{}", west), std::format("{}", south), std::format("{}", west + columns * cellM),
-        std::format("{}", south + rows * cellM), "-ts", std::format("{}", columns)};
-    std::vector<char*> arguments;
-    for (const std::string& word : words) {
-        arguments.push_back(const_cast<char*>(word.c_str()));
-    }
-    std::string height = std::format("{}", rows);
-    arguments.push_back(height.data());
-    arguments.push_back(nullptr);
-    CPLPushErrorHandler(CPLQuietErrorHandler);
-    GDALWarpAppOptions* const options = GDALWarpAppOptionsNew(arguments.data(), nullptr);
-    GDALWarpAppOptionsSetProgress(options, goOn, const_cast<JobContext*>(&job));
-    GDALDatasetH source = raster.get();
-    const Dataset warped{GDALDataset::FromHandle(GDALWarp("", nullptr, 1, &source, options, nullptr))};
-    GDALWarpAppOptionsFree(options);
-    CPLPopErrorHandler();
+    const double cellM = std::max({kFinestM, cellOf(*raster), std::max(box.width(), box.height()) / kMostCells});
+    ElevationGrid grid{.origin = box.min,
+                       .cellM = cellM,
+                       .columns = static_cast<std::size_t>(std::ceil(box.width() / cellM)) + 1,
+                       .rows = static_cast<std::size_t>(std::ceil(box.height() / cellM)) + 1,
+                       .heightsM = {}};
+    grid.heightsM.assign(grid.columns * grid.rows, std::numeric_limits<double>::quiet_NaN());
+    const Dataset warped = warpedOnto(grid, *raster, frame, job);
     if (job.stopRequested()) {
         return std::unexpected(cancelled());
     }
-    ElevationGrid grid{.origin = box.min,
-                       .cellM = cellM,
-                       .columns = static_cast<std::size_t>(columns),
-                       .rows = static_cast<std::size_t>(rows),
-                       .heightsM = std::vector<double>(static_cast<std::size_t>(columns) * static_cast<std::size_t>(rows),
-                                                       std::numeric_limits<double>::quiet_NaN())};
-    if (!warped) {
+    if (!warped || !readHeights(*warped, grid)) {
         return std::unexpected(readFailed(path, "its heights cannot be read"));
     }
-    for (int row = 0; row < rows; ++row) {
-        // Rasters begin in the north.
-        double* const line = grid.heightsM.data() + static_cast<std::size_t>(rows - 1 - row) * grid.columns;
-        if (warped->GetRasterBand(1)->RasterIO(GF_Read, 0, row, columns, 1, line, columns, 1, GDT_Float64, 0, 0,
-                                               nullptr) != CE_None) {
-            return std::unexpected(readFailed(path, "its heights cannot be read"));
-        }
-    }
-    if (std::ranges::none_of(grid.heightsM, [](double height_) { return std::isfinite(height_); })) {
+    if (std::ranges::none_of(grid.heightsM, [](double heightM) { return std::isfinite(heightM); })) {
         return std::unexpected(Error{.code = ErrorCode::InputRefused,
                                      .what = "it has no heights where the field is",
                                      .where = path.string(),

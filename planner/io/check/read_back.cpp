@@ -1,4 +1,4 @@
-#include "planner/io/check/content_check.h"
+#include "planner/io/check/read_back.h"
 
 #include "planner/geodesy/local_frame.h"
 #include "planner/io/content/geo_ring.h"

@@ -1,7 +1,7 @@
-#include "planner/io/plan_files/path_csv.h"
+#include "planner/io/formats/csv/path_csv.h"
 
 #include "planner/core/separated_text.h"
-#include "planner/io/plan_files/plan_json.h"
+#include "planner/io/content/plan_error.h"
 
 #include <algorithm>
 #include <array>
