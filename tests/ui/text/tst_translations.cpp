@@ -113,9 +113,10 @@ QStringList placeholders(const QString& text) {
 
 /// Parts of the planner that only the command line and other programs speak through.
 bool isForPrograms(const QString& file) {
-    static const QStringList parts{"/evaluation/", "/report/", "/track/", "/io/track_", "/io/written_path", "/io/rosbag_storage",
-                                   "/io/guidance_lines", "/io/kml_", "/io/gpx_", "/io/dxf_", "/io/nav_path",
-                                   "/core/message", "/io/path_csv", "/io/settings_file", "/io/field_files"};
+    static const QStringList parts{"/evaluation/",    "/report/",       "/track/",      "/io/tracks/",  "_tracks.",     "/formats/logs/",
+                                   "/track_reader",   "/written_path",  "/rosbag_",     "/kml_writer",  "/gpx_writer",  "/dxf_writer",
+                                   "/guidance_lines", "/nav_path",      "/path_csv",    "/field_files", "/core/message",
+                                   "/settings_file"};
     return std::ranges::any_of(parts, [&file](const QString& part) { return file.contains(part); });
 }
 

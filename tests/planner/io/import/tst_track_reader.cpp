@@ -1,15 +1,13 @@
 // Recorded tracks: the same four corners in every format (tests/data/tracks/make_samples.py says where they
-// are), real recordings where the shared data lies beside the project, and everything that can be wrong.
+// are), and real recordings where the shared data lies beside the project.
 
 #include "planner/io/import/track_reader.h"
+#include "tests/planner/io/import/track_samples.h"
 
 #include <QDir>
 #include <QFile>
 #include <QTemporaryDir>
 #include <QTest>
-
-#include <lz4frame.h>
-#include <zstd.h>
 
 #include <cmath>
 #include <cstring>
@@ -18,81 +16,7 @@
 #include <random>
 
 using namespace furrow;
-
-namespace {
-
-constexpr double kStartS = 1777888800.0;  // date -u -d 2026-05-04T10:00:00Z +%s
-constexpr double kPi = std::numbers::pi;
-
-QString sample(const QString& name) {
-    return QStringLiteral(FURROW_TEST_DATA_DIR "/tracks/") + name;
-}
-
-std::filesystem::path pathOf(const QString& name) {
-    return name.toStdString();
-}
-
-QByteArray bytesOf(const QString& path) {
-    QFile file{path};
-    return file.open(QIODevice::ReadOnly) ? file.readAll() : QByteArray{};
-}
-
-QString written(const QTemporaryDir& folder, const QString& name, const QByteArray& bytes) {
-    QFile file{folder.filePath(name)};
-    QDir{}.mkpath(QFileInfo{file}.path());
-    file.remove();  // writing over a file waits for the disk
-    if (!file.open(QIODevice::WriteOnly)) {
-        return {};
-    }
-    file.write(bytes);
-    return file.fileName();
-}
-
-bool near(double a, double b, double tolerance) {
-    return std::abs(a - b) <= tolerance;
-}
-
-template <class T>
-T numberAt(const QByteArray& bytes, qsizetype at) {
-    T value{};
-    std::memcpy(&value, bytes.constData() + at, sizeof(T));
-    return value;
-}
-
-template <class T>
-QByteArray bytesOfNumber(T value) {
-    return QByteArray{reinterpret_cast<const char*>(&value), sizeof(T)};
-}
-
-QByteArray packed(const QByteArray& bytes, const QByteArray& compression) {
-    QByteArray out(static_cast<qsizetype>(ZSTD_compressBound(static_cast<std::size_t>(bytes.size())) + 1000),
-                   '\0');
-    const auto room = static_cast<std::size_t>(out.size());
-    const auto size = static_cast<std::size_t>(bytes.size());
-    return out.first(static_cast<qsizetype>(
-        compression == "zstd" ? ZSTD_compress(out.data(), room, bytes.constData(), size, 3)
-                              : LZ4F_compressFrame(out.data(), room, bytes.constData(), size, nullptr)));
-}
-
-/// The sample with its only chunk compressed; `statedSize` in place of its size, where that is given.
-QByteArray withCompressedChunk(const QByteArray& compression, quint64 statedSize = 0) {
-    const QByteArray plain = bytesOf(sample("odometry.mcap"));
-    // Magic, header record, chunk record: opcode, length, 16 bytes of times, size, checksum, name, records.
-    const qsizetype chunk = 8 + 9 + static_cast<qsizetype>(numberAt<quint64>(plain, 9));
-    const auto length = static_cast<qsizetype>(numberAt<quint64>(plain, chunk + 1));
-    const QByteArray body = plain.mid(chunk + 9, length);
-    const QByteArray records = body.mid(16 + 8 + 4 + 4 + 8);
-    const QByteArray small = packed(records, compression);
-    const QByteArray made =
-        body.first(16) +
-        bytesOfNumber<quint64>(statedSize > 0 ? statedSize : static_cast<quint64>(records.size())) +
-        body.mid(24, 4) + bytesOfNumber<quint32>(static_cast<quint32>(compression.size())) + compression +
-        bytesOfNumber<quint64>(static_cast<quint64>(small.size())) + small;
-    return plain.first(chunk + 1) + bytesOfNumber<quint64>(static_cast<quint64>(made.size())) + made +
-           plain.mid(chunk + 9 + length);
-}
-
-}  // namespace
+using namespace furrow::test;
 
 class TestTrackReader : public QObject {
     Q_OBJECT
@@ -109,15 +33,8 @@ private slots:
     void bareXAndY();
     void segmentsAreTracksOfTheirOwn();
     void logWithoutDateCountsOverMidnight();
-    void refusals_data();
-    void refusals();
-    void nothingIsWrittenBesideAZip();
     void logsOfOtherFoldersStayOut();
     void cancelled();
-    void cutOffAnywhere_data();
-    void cutOffAnywhere();
-    void damagedAnywhere_data();
-    void damagedAnywhere();
     void realRecordings_data();
     void realRecordings();
 };
@@ -311,76 +228,6 @@ void TestTrackReader::logWithoutDateCountsOverMidnight() {
     QVERIFY(near(samples[1].geo.lonDeg, -5.66, 1e-9));
 }
 
-void TestTrackReader::refusals_data() {
-    QTest::addColumn<QString>("name");
-    QTest::addColumn<QByteArray>("bytes");
-    QTest::addColumn<bool>("readFailed");
-    QTest::addColumn<QString>("part");
-    const auto row = [](const char* title, const char* name, const QByteArray& bytes, bool readFailed,
-                        const char* part) { QTest::newRow(title) << name << bytes << readFailed << part; };
-    row("empty", "a.csv", "", false, "the file is empty");
-    row("blank", "a.csv", "\n\n", false, "no header names");
-    row("no header", "a.csv", "1,2\n3,4\n", false, "no header names");
-    row("header alone", "a.csv", "lon,lat\n", false, "no row");
-    row("NaN in a table", "a.csv", "lon,lat\n5,52\nnan,52\n", false, "line 3");
-    row("words in a table", "a.csv", "lon,lat\n5,here\n", false, "'5', 'here' is no position");
-    row("latitude beyond the pole", "a.csv", "lon,lat\n5,91\n", false, "line 2");
-    row("infinite metres", "a.csv", "x_m,y_m\n1,1e300\n", false, "line 2");
-    row("GPX cut off", "a.gpx", "<?xml version=\"1.0\"?><gpx><trk><trkseg><trkpt lat=\"1\"", true, "damaged");
-    row("GPX with NaN", "a.gpx", "<gpx><trk><trkseg><trkpt lat=\"nan\" lon=\"5\"/></trkseg></trk></gpx>",
-        false, "point 1");
-    row("GPX without latitude", "a.gpx", "<gpx><trk><trkseg><trkpt lon=\"5\"/></trkseg></trk></gpx>", false,
-        "is no place on Earth");
-    row("GPX with waypoints only", "a.gpx", "<gpx><wpt lat=\"1\" lon=\"2\"/></gpx>", false, "no track");
-    row("XML of another kind", "a.xml", "<kml><Document/></kml>", false, "'kml' files");
-    row("gpsd without a fix", "a.log", "{\"class\":\"TPV\",\"mode\":1}\n", false, "none of its 1 position");
-    row("NMEA without a fix", "a.log", "$GPRMC,100000.00,V,,,,,,,040526,,,N\n", false, "none of its 1 RMC");
-    row("NMEA damaged", "a.log", "$GPRMC,100000.00,A,5205.4,N,00539.6,E,0,0,040526,,,R*00\n", true,
-        "wrong checksum");
-    row("NMEA of absurd numbers", "a.log", "$GPRMC,9e99,A,1e308,N,-5,E,inf,nan,999999,,,R\n", false,
-        "none of");
-    row("ROS 1", "a.bag", "#ROSBAG V2.0\n", false, "ROS 1");
-    row("no track at all", "a.png", QByteArray{"\x89PNG\r\n\x1a\n\0\0\0", 11}, false,
-        "no track that can be read");
-    row("MCAP with a record that leads back to itself", "a.mcap", QByteArray{"\x89MCAP0\r\n\x10\xF7\xFF\xFF\xFF\xFF\xFF\xFF\xFF", 17}, true, "cut off");
-    row("MCAP with nothing behind its magic", "a.mcap", QByteArray{"\x89MCAP0\r\n", 8}, true, "cut off");
-    row("MCAP chunk of absurd size", "a.mcap",
-        QByteArray{"\x89MCAP0\r\n\x06\xff\xff\xff\xff\xff\xff\xff\x7f", 17}, false, "256 MiB");
-    row("MCAP chunk larger than its file", "a.mcap",
-        QByteArray{"\x89MCAP0\r\n\x06\xff\xff\xff\x0f\0\0\0\0", 17}, true, "cut off");
-    row("sqlite3 cut off", "a.db3", QByteArray{"SQLite format 3\0", 16} + QByteArray(50, '\0'), true,
-        "no rosbag2");
-    row("a zip that is none", "a.zip", "PK\x03\x04 and nothing more", true, "damaged");
-}
-
-void TestTrackReader::refusals() {
-    QFETCH(QString, name);
-    QFETCH(QByteArray, bytes);
-    QFETCH(bool, readFailed);
-    QFETCH(QString, part);
-    const QTemporaryDir folder;
-    const auto read = readTracks(pathOf(written(folder, name, bytes)));
-    QVERIFY(!read);
-    QVERIFY2(read.error().line().find(part.toStdString()) != std::string::npos, read.error().line().c_str());
-    QCOMPARE(read.error().code, readFailed ? ErrorCode::ReadFailed : ErrorCode::InputRefused);
-    QVERIFY(!read.error().remedy.empty());
-    QVERIFY(read.error().where.find(name.toStdString()) != std::string::npos);
-    QVERIFY(read.error().line().find('\n') == std::string::npos);
-}
-
-void TestTrackReader::nothingIsWrittenBesideAZip() {
-    const QTemporaryDir folder;
-    const QString zip = written(folder, "inner/job.zip", bytesOf(sample("corners_isoxml.zip")));
-    QVERIFY(readTracks(pathOf(zip)));
-    QCOMPARE(QDir{folder.path()}.entryList(QDir::AllEntries | QDir::NoDotAndDotDot), QStringList{"inner"});
-    QCOMPARE(QDir{folder.filePath("inner")}.entryList(QDir::AllEntries | QDir::NoDotAndDotDot),
-             QStringList{"job.zip"});
-    const QString bag = written(folder, "bag/drive_0.db3", bytesOf(sample("rosbag_sqlite3/drive_0.db3")));
-    QVERIFY(readTracks(pathOf(bag)));
-    QCOMPARE(QDir{folder.filePath("bag")}.entryList(QDir::AllEntries | QDir::NoDotAndDotDot),
-             QStringList{"drive_0.db3"});
-}
-
 void TestTrackReader::logsOfOtherFoldersStayOut() {
     const QTemporaryDir folder;
     for (const char* name : {"TASKDATA.XML", "TLG00001.XML", "TLG00001.BIN"}) {
@@ -413,71 +260,6 @@ void TestTrackReader::cancelled() {
     const auto read = readTracks(pathOf(written(folder, "long.csv", text)), {.stop = stop.get_token()});
     QVERIFY(!read);
     QCOMPARE(read.error().code, ErrorCode::Cancelled);
-}
-
-void TestTrackReader::cutOffAnywhere_data() {
-    QTest::addColumn<QString>("file");
-    QTest::addColumn<bool>("mustFail");  // text of lines may end early
-    for (const char* file : {"corners.gpx", "corners_isoxml.zip", "odometry.mcap", "path.mcap"}) {
-        QTest::newRow(file) << file << true;
-    }
-    for (const char* file : {"corners_semicolon.csv", "corners_yield_monitor.txt", "corners_gpsd.log",
-                             "corners_nmea.log", "rosbag_sqlite3/drive_0.db3"}) {
-        QTest::newRow(file) << file << false;
-    }
-}
-
-void TestTrackReader::cutOffAnywhere() {
-    QFETCH(QString, file);
-    QFETCH(bool, mustFail);
-    const QByteArray whole = bytesOf(sample(file));
-    QVERIFY(!whole.isEmpty());
-    const QTemporaryDir folder;
-    // Behind the end of what is read there may be something nobody needs: blanks, an index.
-    const qsizetype last = mustFail ? whole.size() - 60 : whole.size();
-    const qsizetype step = std::max<qsizetype>(1, whole.size() / 250);
-    for (qsizetype size = 0; size < last; size += step) {
-        const auto read = readTracks(pathOf(written(folder, QFileInfo{file}.fileName(), whole.first(size))));
-        QVERIFY2(!mustFail || !read, qPrintable(QString::number(size)));
-        QVERIFY(read || !read.error().remedy.empty());
-    }
-}
-
-void TestTrackReader::damagedAnywhere_data() {
-    QTest::addColumn<QString>("file");
-    for (const char* file :
-         {"corners.gpx", "corners_isoxml.zip", "odometry.mcap", "path.mcap", "corners_nmea.log",
-          "corners_semicolon.csv", "corners_gpsd.log", "rosbag_sqlite3/drive_0.db3"}) {
-        QTest::newRow(file) << file;
-    }
-}
-
-/// Whatever a byte becomes: every place that is read is finite, and nothing crashes.
-void TestTrackReader::damagedAnywhere() {
-    QFETCH(QString, file);
-    const QByteArray whole = bytesOf(sample(file));
-    const QTemporaryDir folder;
-    std::mt19937 random{20260504};
-    for (int i = 0; i < 200; ++i) {
-        QByteArray bytes = whole;
-        for (int k = 0; k < 1 + i % 3; ++k) {
-            bytes[static_cast<qsizetype>(random() % static_cast<unsigned>(bytes.size()))] =
-                static_cast<char>(random() & 0xFFU);
-        }
-        const auto read = readTracks(pathOf(written(folder, QFileInfo{file}.fileName(), bytes)));
-        if (!read) {
-            continue;
-        }
-        for (const RecordedTrack& track : read->tracks) {
-            QVERIFY(!track.samples.empty());
-            for (const TrackSample& at : track.samples) {
-                QVERIFY(std::isfinite(at.geo.lonDeg) && std::isfinite(at.geo.latDeg));
-                QVERIFY(std::isfinite(at.local.x) && std::isfinite(at.local.y));
-                QVERIFY(std::abs(at.geo.lonDeg) <= 180.0 && std::abs(at.geo.latDeg) <= 90.0);
-                QVERIFY(std::isfinite(at.timeS.value_or(0.0)) && std::isfinite(at.speedMps.value_or(0.0)));
-            }
-        }
-    }
 }
 
 void TestTrackReader::realRecordings_data() {
