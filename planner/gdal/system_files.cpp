@@ -2,8 +2,8 @@
 
 #include "planner/core/file_error.h"
 #include "planner/gdal/drivers.h"
+#include "planner/gdal/messages.h"
 
-#include <cpl_error.h>
 #include <cpl_string.h>
 #include <cpl_vsi.h>
 
@@ -14,15 +14,6 @@
 namespace furrow {
 
 namespace {
-
-/// Keeps GDAL from printing.
-class Quiet {
-public:
-    Quiet() { CPLPushErrorHandler(CPLQuietErrorHandler); }
-    ~Quiet() { CPLPopErrorHandler(); }
-    Quiet(const Quiet&) = delete;
-    Quiet& operator=(const Quiet&) = delete;
-};
 
 struct FileCloser {
     void operator()(VSILFILE* file) const { VSIFCloseL(file); }
@@ -38,7 +29,7 @@ bool systemFileExists(const std::string& systemPath) {
 Result<std::string> systemFileStart(const std::string& systemPath, const std::string& where,
                                     std::size_t wanted) {
     registerGdalDrivers();
-    const Quiet quiet;
+    const GdalMessages unsaid;
     const std::unique_ptr<VSILFILE, FileCloser> file{VSIFOpenL(systemPath.c_str(), "rb")};
     if (!file) {
         return std::unexpected(readFailed(where, "the file cannot be read", "check that you may read it"));
@@ -78,7 +69,7 @@ std::string systemPathInto(const std::string& zip) {
 
 std::optional<std::vector<ListedFile>> filesBelow(const std::string& root, int depth, std::size_t most) {
     registerGdalDrivers();
-    const Quiet quiet;
+    const GdalMessages unsaid;
     VSIDIR* listing = VSIOpenDir(root.c_str(), depth, nullptr);
     if (listing == nullptr) {
         return std::nullopt;

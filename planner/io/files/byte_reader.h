@@ -29,7 +29,7 @@ public:
     double real() { return std::bit_cast<double>(integer<std::uint64_t>()); }
 
     std::string_view take(std::size_t count) {
-        if (count > left()) {
+        if (count > bytesLeft()) {
             ok_ = false;
             at_ = bytes_.size();
             return {};
@@ -44,7 +44,7 @@ public:
 
     bool ok() const { return ok_; }
     std::size_t at() const { return at_; }
-    std::size_t left() const { return bytes_.size() - at_; }
+    std::size_t bytesLeft() const { return bytes_.size() - at_; }
 
 private:
     std::string_view bytes_;

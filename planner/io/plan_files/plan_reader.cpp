@@ -205,6 +205,55 @@ Result<Machine> machineOf(const Json& summary, const fs::path& path) {
     return parseMachine(summary["machine"].dump(), path.string());
 }
 
+/// Frame, machine, and what the settings allow.
+Result<void> readSummary(const fs::path& path, WrittenPlan& plan) {
+    const auto summary = planJson(path);
+    const auto frame = summary ? planFrame(*summary, path) : std::unexpected(summary.error());
+    if (!frame) {
+        return std::unexpected(frame.error());
+    }
+    plan.frame = *frame;
+    auto machine = machineOf(*summary, path);
+    if (!machine) {
+        return std::unexpected(machine.error());
+    }
+    plan.machine = std::move(*machine);
+    const auto settings = summary->find("settings");
+    if (settings == summary->end() || !settings->is_object()) {
+        return {};
+    }
+    const auto stayInside = settings->find("path.stay_inside");
+    plan.mayLeaveField = stayInside != settings->end() && stayInside->is_boolean() && !stayInside->get<bool>();
+    const auto margin = settings->find(kMargin.key);
+    if (margin != settings->end() && margin->is_number()) {
+        plan.margin = metres(margin->get<double>());
+    }
+    return {};
+}
+
+/// The path as path.csv has it, with what only plan.geojson says of it.
+Result<void> readPath(const fs::path& folder, const FeatureReader& features, WrittenPlan& plan) {
+    const fs::path csv = folder / "path.csv";
+    const auto text = planFileBytes(csv);
+    auto read = text ? readPathCsv(*text, csv.string()) : std::unexpected(text.error());
+    if (!read) {
+        return std::unexpected(read.error());
+    }
+    plan.segments = std::move(read->segments);
+    if (plan.segments.size() != features.segments.size()) {
+        return std::unexpected(damagedPlan(folder.string(), message("path.csv has {} segments and plan.geojson {}",
+                                                                    plan.segments.size(), features.segments.size())));
+    }
+    for (std::size_t i = 0; i < plan.segments.size(); ++i) {
+        const PathSegment& drawn = features.segments[i].segment;
+        plan.segments[i].turnType = drawn.turnType;
+        plan.segments[i].number = drawn.number;
+        plan.segments[i].drivable = drawn.drivable;
+        plan.segments[i].reason = drawn.reason;
+    }
+    return {};
+}
+
 }  // namespace
 
 Result<WrittenPlan> readPlan(const fs::path& path, const JobContext& job) {
@@ -223,30 +272,8 @@ Result<WrittenPlan> readPlan(const fs::path& path, const JobContext& job) {
     plan.statedMotion = isFolder;
     plan.positionRounding = isFolder ? metres(0.0) : kGeoJsonRounding;
     if (isFolder) {
-        const fs::path summaryPath = path / "summary.json";
-        const auto summary = planJson(summaryPath);
-        if (!summary) {
-            return std::unexpected(summary.error());
-        }
-        const auto frame = planFrame(*summary, summaryPath);
-        if (!frame) {
-            return std::unexpected(frame.error());
-        }
-        plan.frame = *frame;
-        auto machine = machineOf(*summary, summaryPath);
-        if (!machine) {
-            return std::unexpected(machine.error());
-        }
-        plan.machine = std::move(*machine);
-        const auto settings = summary->find("settings");
-        if (settings != summary->end() && settings->is_object()) {
-            const auto stayInside = settings->find("path.stay_inside");
-            plan.mayLeaveField =
-                stayInside != settings->end() && stayInside->is_boolean() && !stayInside->get<bool>();
-            const auto margin = settings->find(kMargin.key);
-            if (margin != settings->end() && margin->is_number()) {
-                plan.margin = metres(margin->get<double>());
-            }
+        if (auto read = readSummary(path / "summary.json", plan); !read) {
+            return std::unexpected(read.error());
         }
     }
     plan.workable = inFrame(field->workable(), field->frame(), plan.frame);
@@ -259,25 +286,8 @@ Result<WrittenPlan> readPlan(const fs::path& path, const JobContext& job) {
         return std::unexpected(read.error());
     }
     if (isFolder) {
-        const fs::path csv = path / "path.csv";
-        const auto text = planFileBytes(csv);
-        auto read = text ? readPathCsv(*text, csv.string()) : std::unexpected(text.error());
-        if (!read) {
+        if (auto read = readPath(path, features, plan); !read) {
             return std::unexpected(read.error());
-        }
-        plan.segments = std::move(read->segments);
-        if (plan.segments.size() == features.segments.size()) {
-            for (std::size_t i = 0; i < plan.segments.size(); ++i) {
-                const PathSegment& drawn = features.segments[i].segment;
-                plan.segments[i].turnType = drawn.turnType;
-                plan.segments[i].number = drawn.number;
-                plan.segments[i].drivable = drawn.drivable;
-                plan.segments[i].reason = drawn.reason;
-            }
-        } else {
-            return std::unexpected(damagedPlan(
-                path.string(), message("path.csv has {} segments and plan.geojson {}",
-                                           plan.segments.size(), features.segments.size())));
         }
     } else {
         for (auto& each : features.segments) {

@@ -99,12 +99,35 @@ Json milliseconds(Duration duration) {
     return duration.si() * 1e3;
 }
 
+Json swathsJson(const Plan& plan) {
+    return {{"count", plan.swaths.swaths.size()},
+            {"total_length_m", plan.swaths.totalLength.si()},
+            {"heading_deg", headingsJson(plan.cells)},
+            {"proved", plan.swaths.proved},
+            {"coverage", plan.swaths.coverage},
+            {"overlap_m2", plan.swaths.overlap.si()},
+            {"shift_m", plan.swaths.shift.si()},
+            {"end_overlap_m2", plan.swaths.endOverlap.si()},
+            {"round_up_to_m", roundUpTo(plan.request.settings, plan.request.machine).si()},
+            {"obstacles_gone_round", plan.swaths.goneRound.size()}};
+}
+
+Json pathJson(const Plan& plan) {
+    return {{"length_m", plan.path.length().si()},
+            {"working_length_m", plan.path.workedLength().si()},
+            {"turn_length_m", plan.path.length(SegmentKind::Turn).si()},
+            {"transfer_length_m", plan.path.length(SegmentKind::Transfer).si()},
+            {"reverse_length_m", plan.path.reversedLength().si()},
+            {"time_s", plan.path.duration().si()},
+            {"turns", plan.path.turnCount()},
+            {"undrivable_turns", plan.path.undrivableCount()}};
+}
+
 }  // namespace
 
 std::string planSummaryJson(const Plan& plan, std::span<const std::string> files) {
     const Settings& settings = plan.request.settings;
     const Json machine = Json::parse(machineJson(plan.request.machine.spec()));
-    const double workedM = plan.path.workedLength().si();
     const double workedS = plan.path.workedDuration().si();
     Json summary{
         {"field",
@@ -129,17 +152,7 @@ std::string planSummaryJson(const Plan& plan, std::span<const std::string> files
           {"uncut_corners_m2", plan.headland.uncutCorners.si()},
           {"mainland_ratio", plan.headland.mainlandRatio}}},
         {"decomposition", decompositionJson(plan.cells)},
-        {"swaths",
-         {{"count", plan.swaths.swaths.size()},
-          {"total_length_m", plan.swaths.totalLength.si()},
-          {"heading_deg", headingsJson(plan.cells)},
-          {"proved", plan.swaths.proved},
-          {"coverage", plan.swaths.coverage},
-          {"overlap_m2", plan.swaths.overlap.si()},
-          {"shift_m", plan.swaths.shift.si()},
-          {"end_overlap_m2", plan.swaths.endOverlap.si()},
-          {"round_up_to_m", roundUpTo(settings, plan.request.machine).si()},
-          {"obstacles_gone_round", plan.swaths.goneRound.size()}}},
+        {"swaths", swathsJson(plan)},
         {"route",
          {{"method", methodOf("route", settings)},
           {"length_in_place_m", plan.route.lengthInPlace.si()},
@@ -147,15 +160,7 @@ std::string planSummaryJson(const Plan& plan, std::span<const std::string> files
           {"non_working_cost", plan.path.duration().si() - workedS},
           {"gap", nullptr},
           {"gap_total", nullptr}}},
-        {"path",
-         {{"length_m", plan.path.length().si()},
-          {"working_length_m", workedM},
-          {"turn_length_m", plan.path.length(SegmentKind::Turn).si()},
-          {"transfer_length_m", plan.path.length(SegmentKind::Transfer).si()},
-          {"reverse_length_m", plan.path.reversedLength().si()},
-          {"time_s", plan.path.duration().si()},
-          {"turns", plan.path.turnCount()},
-          {"undrivable_turns", plan.path.undrivableCount()}}},
+        {"path", pathJson(plan)},
         {"drivable", plan.drivable()},
         {"audit", Json::parse(auditJson(plan.audit, plan.findings, plan.field().frame()))},
         {"timing_ms",

@@ -53,7 +53,7 @@ public:
         } else {
             good_ = false;
         }
-        geometry.good = good_ && reader_.ok() && reader_.left() == 0;
+        geometry.good = good_ && reader_.ok() && reader_.bytesLeft() == 0;
         return geometry;
     }
 
@@ -69,7 +69,7 @@ private:
     GeoRing points() {
         GeoRing read;
         const auto count = reader_.integer<std::uint32_t>();
-        for (std::uint32_t i = 0; i < count && reader_.left() >= 16; ++i) {
+        for (std::uint32_t i = 0; i < count && reader_.bytesLeft() >= 16; ++i) {
             read.push_back(point());
         }
         good_ = read.size() == count && good_;

@@ -39,9 +39,9 @@ constexpr double kSamePlaceM = 0.01;
 // And the hole takes no less than this of what the obstacle does.
 constexpr double kSameArea = 0.999;
 
-class FieldReader {
+class PartfieldReader {
 public:
-    FieldReader(pugi::xml_node node, const std::string& where) : node_{node} {
+    PartfieldReader(pugi::xml_node node, const std::string& where) : node_{node} {
         field_.field.id = attribute(node, "A");
         const std::string_view name = attribute(node, "C");
         field_.field.name = name.empty() ? attribute(node, "B") : name;
@@ -398,6 +398,32 @@ Result<std::unique_ptr<pugi::xml_document>> parsed(std::string_view xml, const s
     return document;
 }
 
+using Documents = std::vector<std::unique_ptr<pugi::xml_document>>;
+
+/// The files that task data refers to, those with fields.
+Result<Documents> partsOf(pugi::xml_node root, const std::string& where, const IsoxmlPart& part, std::vector<Note>& notes) {
+    Documents documents;
+    int parts = 0;
+    for (const pugi::xml_node reference : root.children("XFR")) {
+        const std::string name{attribute(reference, "A")};
+        if (!name.starts_with("PFD")) {
+            continue;
+        }
+        if (++parts > kMostParts) {
+            return std::unexpected(inputRefused(where, message("it has more than {} parts", kMostParts),
+                                                "export fewer fields at once"));
+        }
+        const auto text = part(name);
+        auto document = text ? parsed(*text, name) : std::unexpected(text.error());
+        if (document) {
+            documents.push_back(*std::move(document));
+        } else {
+            notes.push_back({message("the part {} is left out: {}", name, document.error().what), where});
+        }
+    }
+    return documents;
+}
+
 }  // namespace
 
 bool looksLikeIsoxml(std::string_view start) {
@@ -417,33 +443,20 @@ Result<ImportedFields> readIsoxml(std::string_view xml, const std::string& where
         return std::unexpected(inputRefused(where, "this XML is no task data", "give the file TASKDATA.XML"));
     }
     ImportedFields imported;
-    std::vector<std::unique_ptr<pugi::xml_document>> documents;
+    const auto documents = partsOf(root, where, part, imported.notes);
+    if (!documents) {
+        return std::unexpected(documents.error());
+    }
     std::vector<pugi::xml_node> roots{root};
-    int parts = 0;
-    for (const pugi::xml_node reference : root.children("XFR")) {
-        const std::string name{attribute(reference, "A")};
-        if (!name.starts_with("PFD")) {
-            continue;  // only these hold fields
-        }
-        if (++parts > kMostParts) {
-            return std::unexpected(inputRefused(where, message("it has more than {} parts", kMostParts),
-                                                "export fewer fields at once"));
-        }
-        const auto text = part(name);
-        auto document = text ? parsed(*text, name) : std::unexpected(text.error());
-        if (!document) {
-            imported.notes.push_back({message("the part {} is left out: {}", name, document.error().what), where});
-            continue;
-        }
-        roots.push_back((*document)->child("XFC"));
-        documents.push_back(*std::move(document));
+    for (const auto& document : *documents) {
+        roots.push_back(document->child("XFC"));
     }
     for (const pugi::xml_node from : roots) {
         for (const pugi::xml_node node : from.children("PFD")) {
             if (job.stopRequested()) {
                 return std::unexpected(cancelled());
             }
-            FieldReader reader{node, where};
+            PartfieldReader reader{node, where};
             auto content = reader.read(imported.notes, job);
             if (!content) {
                 return std::unexpected(content.error());

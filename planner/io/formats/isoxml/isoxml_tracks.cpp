@@ -201,7 +201,7 @@ Result<RecordedTrack> readLog(std::string_view binary, const LogHeader& header, 
     ByteReader bytes{binary};
     RunningValues values{header};
     std::size_t records = 0;
-    while (bytes.left() > 0) {
+    while (bytes.bytesLeft() > 0) {
         const std::size_t begin = bytes.at();
         if (++records % 4096 == 0 && job.stopRequested()) {
             return std::unexpected(cancelled());

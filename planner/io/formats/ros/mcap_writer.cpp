@@ -2,6 +2,7 @@
 #include "planner/io/files/checksum.h"
 #include "planner/io/formats/ros/nav_path.h"
 
+#include <algorithm>
 #include <array>
 #include <cstdint>
 #include <string_view>
@@ -113,100 +114,140 @@ std::string messageRecord(std::size_t channel, std::uint32_t sequence, const Nav
     return record(kMessage, std::move(body));
 }
 
-}  // namespace
-
-std::string mcapOf(const std::vector<NavPath>& paths) {
-    const std::vector<NavTopic> topics = topicsOf(paths);
-    std::string records = schemaRecord() + channelRecords(topics);
-    // For each channel the times of its messages and where they begin in the chunk.
-    std::vector<std::vector<std::pair<std::uint64_t, std::uint64_t>>> places(topics.size());
-    std::uint64_t first = ~std::uint64_t{0};
+/// The messages in one chunk, and where they begin in it.
+struct MessageChunk {
+    std::string records;
+    std::uint64_t first = ~std::uint64_t{0};  ///< the earliest time
     std::uint64_t last = 0;
+    /// For each channel the times of its messages and their places.
+    std::vector<std::vector<std::pair<std::uint64_t, std::uint64_t>>> places;
+};
+
+MessageChunk chunkOf(const std::vector<NavTopic>& topics) {
+    MessageChunk chunk{.records = schemaRecord() + channelRecords(topics), .places = {}};
+    chunk.places.resize(topics.size());
     for (std::size_t channel = 0; channel < topics.size(); ++channel) {
         for (std::size_t i = 0; i < topics[channel].messages.size(); ++i) {
             const NavPath& path = *topics[channel].messages[i];
             const auto stamp = static_cast<std::uint64_t>(path.recordedNs());
-            first = std::min(first, stamp);
-            last = std::max(last, stamp);
-            places[channel].emplace_back(stamp, records.size());
-            records += messageRecord(channel, static_cast<std::uint32_t>(i), path);
+            chunk.first = std::min(chunk.first, stamp);
+            chunk.last = std::max(chunk.last, stamp);
+            chunk.places[channel].emplace_back(stamp, chunk.records.size());
+            chunk.records += messageRecord(channel, static_cast<std::uint32_t>(i), path);
         }
     }
+    return chunk;
+}
 
+std::string headerRecord() {
     ByteWriter header;
     addText(header, "ros2");
     addText(header, "furrow");
-    std::string file = std::string{kMagic} + record(kHeader, std::move(header));
+    return record(kHeader, std::move(header));
+}
 
-    const std::uint64_t chunkStart = file.size();
-    ByteWriter chunk;
-    chunk.integer(first);
-    chunk.integer(last);
-    chunk.integer(static_cast<std::uint64_t>(records.size()));
-    chunk.integer(crc32Of(records));
-    addText(chunk, "");  // not compressed
-    chunk.integer(static_cast<std::uint64_t>(records.size()));
-    chunk.bytes(records);
-    file += record(kChunk, std::move(chunk));
-    const std::uint64_t chunkLength = file.size() - chunkStart;
+std::string chunkRecord(const MessageChunk& chunk) {
+    ByteWriter body;
+    body.integer(chunk.first);
+    body.integer(chunk.last);
+    body.integer(static_cast<std::uint64_t>(chunk.records.size()));
+    body.integer(crc32Of(chunk.records));
+    addText(body, "");  // not compressed
+    body.integer(static_cast<std::uint64_t>(chunk.records.size()));
+    body.bytes(chunk.records);
+    return record(kChunk, std::move(body));
+}
 
-    std::vector<std::uint64_t> indexOffsets;
-    const std::uint64_t indexStart = file.size();
-    for (std::size_t channel = 0; channel < topics.size(); ++channel) {
-        indexOffsets.push_back(file.size());
-        ByteWriter index;
-        index.integer(channelId(channel));
-        index.integer(static_cast<std::uint32_t>(places[channel].size() * 16));
-        for (const auto& [stamp, offset] : places[channel]) {
-            index.integer(stamp);
-            index.integer(offset);
-        }
-        file += record(kMessageIndex, std::move(index));
+std::string messageIndexRecord(const MessageChunk& chunk, std::size_t channel) {
+    ByteWriter index;
+    index.integer(channelId(channel));
+    index.integer(static_cast<std::uint32_t>(chunk.places[channel].size() * 16));
+    for (const auto& [stamp, offset] : chunk.places[channel]) {
+        index.integer(stamp);
+        index.integer(offset);
     }
-    const std::uint64_t indexLength = file.size() - indexStart;
+    return record(kMessageIndex, std::move(index));
+}
 
-    ByteWriter dataEnd;
-    dataEnd.integer(std::uint32_t{0});  // checksum not given
-    file += record(kDataEnd, std::move(dataEnd));
+std::string dataEndRecord() {
+    ByteWriter body;
+    body.integer(std::uint32_t{0});  // checksum not given
+    return record(kDataEnd, std::move(body));
+}
 
-    const std::uint64_t summaryStart = file.size();
-    file += schemaRecord() + channelRecords(topics);
+std::string statisticsRecord(const MessageChunk& chunk, std::size_t messages) {
     ByteWriter statistics;
-    statistics.integer(static_cast<std::uint64_t>(paths.size()));
+    statistics.integer(static_cast<std::uint64_t>(messages));
     statistics.integer(std::uint16_t{1});  // schemas
-    statistics.integer(static_cast<std::uint32_t>(topics.size()));
+    statistics.integer(static_cast<std::uint32_t>(chunk.places.size()));
     statistics.integer(std::uint32_t{0});  // attachments
     statistics.integer(std::uint32_t{0});  // metadata
     statistics.integer(std::uint32_t{1});  // chunks
-    statistics.integer(first);
-    statistics.integer(last);
-    statistics.integer(static_cast<std::uint32_t>(topics.size() * 10));
-    for (std::size_t channel = 0; channel < topics.size(); ++channel) {
+    statistics.integer(chunk.first);
+    statistics.integer(chunk.last);
+    statistics.integer(static_cast<std::uint32_t>(chunk.places.size() * 10));
+    for (std::size_t channel = 0; channel < chunk.places.size(); ++channel) {
         statistics.integer(channelId(channel));
-        statistics.integer(static_cast<std::uint64_t>(places[channel].size()));
+        statistics.integer(static_cast<std::uint64_t>(chunk.places[channel].size()));
     }
-    file += record(kStatistics, std::move(statistics));
-    ByteWriter chunkIndex;
-    chunkIndex.integer(first);
-    chunkIndex.integer(last);
-    chunkIndex.integer(chunkStart);
-    chunkIndex.integer(chunkLength);
-    chunkIndex.integer(static_cast<std::uint32_t>(topics.size() * 10));
-    for (std::size_t channel = 0; channel < topics.size(); ++channel) {
-        chunkIndex.integer(channelId(channel));
-        chunkIndex.integer(indexOffsets[channel]);
-    }
-    chunkIndex.integer(indexLength);
-    addText(chunkIndex, "");
-    chunkIndex.integer(static_cast<std::uint64_t>(records.size()));
-    chunkIndex.integer(static_cast<std::uint64_t>(records.size()));
-    file += record(kChunkIndex, std::move(chunkIndex));
+    return record(kStatistics, std::move(statistics));
+}
 
+/// Where the chunk and the indexes of its channels lie in the file.
+struct ChunkPlace {
+    std::uint64_t start = 0;
+    std::uint64_t length = 0;
+    std::vector<std::uint64_t> indexes;
+    std::uint64_t indexLength = 0;
+};
+
+std::string chunkIndexRecord(const MessageChunk& chunk, const ChunkPlace& place) {
+    ByteWriter index;
+    index.integer(chunk.first);
+    index.integer(chunk.last);
+    index.integer(place.start);
+    index.integer(place.length);
+    index.integer(static_cast<std::uint32_t>(place.indexes.size() * 10));
+    for (std::size_t channel = 0; channel < place.indexes.size(); ++channel) {
+        index.integer(channelId(channel));
+        index.integer(place.indexes[channel]);
+    }
+    index.integer(place.indexLength);
+    addText(index, "");
+    index.integer(static_cast<std::uint64_t>(chunk.records.size()));
+    index.integer(static_cast<std::uint64_t>(chunk.records.size()));
+    return record(kChunkIndex, std::move(index));
+}
+
+std::string footerRecord(std::uint64_t summaryStart) {
     ByteWriter footer;
     footer.integer(summaryStart);
     footer.integer(std::uint64_t{0});  // no summary offsets
     footer.integer(std::uint32_t{0});  // checksum not given
-    return file + record(kFooter, std::move(footer)) + std::string{kMagic};
+    return record(kFooter, std::move(footer));
+}
+
+}  // namespace
+
+std::string mcapOf(const std::vector<NavPath>& paths) {
+    const std::vector<NavTopic> topics = topicsOf(paths);
+    const MessageChunk chunk = chunkOf(topics);
+    std::string file = std::string{kMagic} + headerRecord();
+    ChunkPlace place{.start = file.size(), .indexes = {}};
+    file += chunkRecord(chunk);
+    place.length = file.size() - place.start;
+    const std::uint64_t indexStart = file.size();
+    for (std::size_t channel = 0; channel < topics.size(); ++channel) {
+        place.indexes.push_back(file.size());
+        file += messageIndexRecord(chunk, channel);
+    }
+    place.indexLength = file.size() - indexStart;
+    file += dataEndRecord();
+    const std::uint64_t summaryStart = file.size();
+    file += schemaRecord() + channelRecords(topics);
+    file += statisticsRecord(chunk, paths.size());
+    file += chunkIndexRecord(chunk, place);
+    return file + footerRecord(summaryStart) + std::string{kMagic};
 }
 
 }  // namespace furrow

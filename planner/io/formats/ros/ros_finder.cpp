@@ -64,7 +64,7 @@ ReceivedPath pathOf(std::string_view cdr, bool whole, ReceivedContent& found) {
         path.samples.push_back(
             {.local = {values[0], values[1]}, .isLocal = true, .timeS = time, .headingRad = yaw});
     }
-    if (!littleEndian || !reader.ok() || reader.left() != 0) {
+    if (!littleEndian || !reader.ok() || reader.bytesLeft() != 0) {
         found.faults.push_back(cannotBeRead());
     }
     return path;
@@ -96,7 +96,7 @@ constexpr std::string_view kMcapMagic{"\x89MCAP0\r\n", 8};
 void messagesOfRecords(std::string_view records, std::vector<std::pair<std::uint16_t, std::string>>& channels,
                        std::vector<PathMessage>& messages) {
     ByteReader reader{records};
-    while (reader.left() >= 9) {
+    while (reader.bytesLeft() >= 9) {
         const auto opcode = reader.integer<std::uint8_t>();
         ByteReader body{reader.take(reader.integer<std::uint64_t>())};
         if (opcode == kChannel) {
@@ -108,7 +108,7 @@ void messagesOfRecords(std::string_view records, std::vector<std::pair<std::uint
             body.skip(4 + 8 + 8);
             for (const auto& [channel, topic] : channels) {
                 if (channel == id) {
-                    messages.push_back({topic, body.take(body.left())});
+                    messages.push_back({topic, body.take(body.bytesLeft())});
                     break;
                 }
             }

@@ -164,7 +164,7 @@ private:
         const auto crc = bytes.integer<std::uint32_t>();
         const std::string_view compression = stringIn(bytes);
         const auto packedSize = bytes.integer<std::uint64_t>();
-        if (!bytes.ok() || packedSize > bytes.left()) {
+        if (!bytes.ok() || packedSize > bytes.bytesLeft()) {
             return std::unexpected(damaged(where_, "a chunk of the recording is damaged"));
         }
         if (size > kLargestPieceBytes) {
@@ -193,7 +193,7 @@ private:
 
     Result<void> readRecords(std::string_view records) {
         ByteReader bytes{records};
-        while (bytes.left() > 0) {
+        while (bytes.bytesLeft() > 0) {
             const auto opcode = bytes.integer<std::uint8_t>();
             const auto length = bytes.integer<std::uint64_t>();
             const std::string_view body = bytes.take(length);
@@ -228,7 +228,7 @@ private:
                 return visit_({.topic = channel->second.topic,
                                .type = channel->second.type,
                                .recordedNs = static_cast<std::int64_t>(recorded),
-                               .data = bytes.take(bytes.left())});
+                               .data = bytes.take(bytes.bytesLeft())});
             }
         }
         return bytes.ok() ? Result<void>{}

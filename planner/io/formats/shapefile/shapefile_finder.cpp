@@ -8,6 +8,7 @@
 #include <algorithm>
 #include <bit>
 #include <map>
+#include <optional>
 #include <string>
 #include <utility>
 
@@ -29,6 +30,41 @@ struct Shapes {
     std::vector<Shape> shapes;
     bool good = false;
 };
+
+/// Nothing where its parts do not fit together.
+std::optional<Shape> shapeIn(ByteReader& record, std::int32_t kind) {
+    Shape shape;
+    if (kind == kPoint) {
+        const double x = record.real();
+        shape.push_back({{x, record.real()}});
+    }
+    if (kind != kPolyLine && kind != kPolygon) {
+        return shape;
+    }
+    record.skip(32);
+    const auto parts = static_cast<std::size_t>(std::max(record.integer<std::int32_t>(), 0));
+    const auto points = static_cast<std::size_t>(std::max(record.integer<std::int32_t>(), 0));
+    if (parts * 4 + points * 16 != record.bytesLeft()) {
+        return std::nullopt;
+    }
+    std::vector<std::size_t> starts;
+    for (std::size_t i = 0; i < parts; ++i) {
+        starts.push_back(static_cast<std::size_t>(std::max(record.integer<std::int32_t>(), 0)));
+    }
+    starts.push_back(points);
+    if (!std::ranges::is_sorted(starts)) {
+        return std::nullopt;
+    }
+    for (std::size_t i = 0; i < parts; ++i) {
+        GeoRing line;
+        for (std::size_t point = starts[i]; point < starts[i + 1]; ++point) {
+            const double x = record.real();
+            line.push_back({x, record.real()});
+        }
+        shape.push_back(std::move(line));
+    }
+    return shape;
+}
 
 Shapes shapesOf(std::string_view bytes) {
     Shapes read;
@@ -56,38 +92,11 @@ Shapes shapesOf(std::string_view bytes) {
         if (record.integer<std::int32_t>() != read.kind) {
             return read;
         }
-        Shape shape;
-        if (read.kind == kPoint) {
-            const double x = record.real();
-            shape.push_back({{x, record.real()}});
-        } else if (read.kind == kPolyLine || read.kind == kPolygon) {
-            record.skip(32);
-            const auto parts = static_cast<std::size_t>(std::max(record.integer<std::int32_t>(), 0));
-            const auto points = static_cast<std::size_t>(std::max(record.integer<std::int32_t>(), 0));
-            if (parts * 4 + points * 16 != record.left()) {
-                return read;
-            }
-            std::vector<std::size_t> starts;
-            for (std::size_t i = 0; i < parts; ++i) {
-                starts.push_back(static_cast<std::size_t>(std::max(record.integer<std::int32_t>(), 0)));
-            }
-            starts.push_back(points);
-            if (!std::ranges::is_sorted(starts)) {
-                return read;
-            }
-            for (std::size_t i = 0; i < parts; ++i) {
-                GeoRing line;
-                for (std::size_t point = starts[i]; point < starts[i + 1]; ++point) {
-                    const double x = record.real();
-                    line.push_back({x, record.real()});
-                }
-                shape.push_back(std::move(line));
-            }
-        }
-        if (!record.ok()) {
+        auto shape = shapeIn(record, read.kind);
+        if (!shape || !record.ok()) {
             return read;
         }
-        read.shapes.push_back(std::move(shape));
+        read.shapes.push_back(*std::move(shape));
     }
     read.good = at == bytes.size();
     return read;

@@ -379,6 +379,61 @@ Result<void> checkAreasAreKnown(std::span<const VectorFeature> features, std::sp
     return {};
 }
 
+/// What each feature of a file is.
+struct FeatureKinds {
+    std::vector<std::string> kinds;
+    bool isPlan = false;     ///< the file says of each thing what it is, as a written plan does
+    bool isDrawing = false;  ///< its layers say so
+
+    bool isField(std::size_t i) const { return kinds[i] == "field" || (kinds[i].empty() && !isPlan && !isDrawing); }
+};
+
+FeatureKinds kindsOf(const VectorFile& file) {
+    FeatureKinds all;
+    all.isPlan = std::ranges::any_of(
+        file.features, [](const VectorFeature& feature) { return attribute(feature, "kind") == "field"; });
+    for (const VectorFeature& feature : file.features) {
+        all.kinds.push_back(kindOf(feature, all.isPlan));
+    }
+    all.isDrawing = std::ranges::contains(all.kinds, "field") && !all.isPlan;
+    return all;
+}
+
+/// Takes the fields from a file's features; the numbers of those that are none.
+Result<std::vector<std::size_t>> takeFields(VectorFile& file, const FeatureKinds& kinds, const std::string& name,
+                                            ImportedFields& imported, const JobContext& job) {
+    // A guidance line may be closed, too: lines count only where nothing better is in the file.
+    bool hasPolygon = false;
+    bool hasClosedLine = false;
+    for (std::size_t i = 0; i < file.features.size(); ++i) {
+        hasPolygon = hasPolygon || (kinds.isField(i) && !file.features[i].polygons.empty());
+        hasClosedLine = hasClosedLine || (kinds.isField(i) && !file.features[i].closedLines.empty());
+    }
+    std::vector<std::size_t> others;
+    for (std::size_t i = 0; i < file.features.size(); ++i) {
+        VectorFeature& feature = file.features[i];
+        if (job.stopRequested()) {
+            return std::unexpected(cancelled());
+        }
+        if (kinds.isField(i) && (!hasPolygon || kinds.isDrawing)) {
+            closeLines(feature);
+            if (file.isTrack && !hasClosedLine) {
+                closeTracks(feature, imported.notes, name);
+            }
+        }
+        if (!kinds.isField(i) || feature.polygons.empty()) {
+            others.push_back(i);
+            continue;
+        }
+        Result<FieldSource> field = fieldFrom(feature, name);
+        if (!field) {
+            return std::unexpected(field.error());
+        }
+        imported.fields.push_back({.field = *std::move(field)});
+    }
+    return others;
+}
+
 }  // namespace
 
 Result<ImportedFields> vectorFields(const std::filesystem::path& path, const JobContext& job) {
@@ -392,50 +447,16 @@ Result<ImportedFields> vectorFields(const std::filesystem::path& path, const Job
             return std::unexpected(read.error());
         }
     }
-    const bool isPlan = std::ranges::any_of(
-        file->features, [](const VectorFeature& feature) { return attribute(feature, "kind") == "field"; });
-    std::vector<std::string> kinds;
-    for (const VectorFeature& feature : file->features) {
-        kinds.push_back(kindOf(feature, isPlan));
-    }
-    const bool isDrawing = std::ranges::contains(kinds, "field") && !isPlan;
-    const auto isField = [&](std::size_t i) {
-        return kinds[i] == "field" || (kinds[i].empty() && !isPlan && !isDrawing);
-    };
+    const FeatureKinds kinds = kindsOf(*file);
     ImportedFields imported;
-    if (isPlan || isDrawing) {
-        if (auto known = checkAreasAreKnown(file->features, kinds, isPlan, path, imported.notes); !known) {
+    if (kinds.isPlan || kinds.isDrawing) {
+        if (auto known = checkAreasAreKnown(file->features, kinds.kinds, kinds.isPlan, path, imported.notes); !known) {
             return std::unexpected(known.error());
         }
     }
-    // A guidance line may be closed, too: lines count only where nothing better is in the file.
-    bool hasPolygon = false;
-    bool hasClosedLine = false;
-    for (std::size_t i = 0; i < file->features.size(); ++i) {
-        hasPolygon = hasPolygon || (isField(i) && !file->features[i].polygons.empty());
-        hasClosedLine = hasClosedLine || (isField(i) && !file->features[i].closedLines.empty());
-    }
-    std::vector<std::size_t> others;
-    for (std::size_t i = 0; i < file->features.size(); ++i) {
-        VectorFeature& feature = file->features[i];
-        if (job.stopRequested()) {
-            return std::unexpected(cancelled());
-        }
-        if (isField(i) && (!hasPolygon || isDrawing)) {
-            closeLines(feature);
-            if (file->isTrack && !hasClosedLine) {
-                closeTracks(feature, imported.notes, name);
-            }
-        }
-        if (!isField(i) || feature.polygons.empty()) {
-            others.push_back(i);
-            continue;
-        }
-        Result<FieldSource> field = fieldFrom(feature, name);
-        if (!field) {
-            return std::unexpected(field.error());
-        }
-        imported.fields.push_back({.field = *std::move(field)});
+    const auto others = takeFields(*file, kinds, name, imported, job);
+    if (!others) {
+        return std::unexpected(others.error());
     }
     if (imported.fields.empty() && !file->isTrack) {
         imported.looseLines = guidanceIn(*file);
@@ -447,8 +468,8 @@ Result<ImportedFields> vectorFields(const std::filesystem::path& path, const Job
         return imported;
     }
     nameFields(imported.fields, name);
-    for (const std::size_t i : others) {
-        if (auto added = addBelongings(file->features[i], kinds[i], imported, name, job); !added) {
+    for (const std::size_t i : *others) {
+        if (auto added = addBelongings(file->features[i], kinds.kinds[i], imported, name, job); !added) {
             return std::unexpected(added.error());
         }
     }
