@@ -273,7 +273,7 @@ private slots:
         static const QRegularExpression sentence{QStringLiteral("[a-z]{3,} [a-z]{2,} [a-z]")};
         QStringList wrong;
         for (const QString& file : filesIn(QStringLiteral("/planner"), {"*.cpp"})) {
-            if (isForPrograms(file) || file.endsWith(QLatin1String{"/ros_writers.cpp"}) || file.endsWith(QLatin1String{"/text_writers.cpp"})) {
+            if (isForPrograms(file) || file.endsWith(QLatin1String{"/ros_writer.cpp"})) {
                 continue;
             }
             const QString text = code(file);

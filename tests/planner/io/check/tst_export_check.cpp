@@ -260,7 +260,7 @@ private slots:
         QTest::addColumn<QString>("format");
         QTest::addColumn<int>("index");
         for (const Format& format : formats()) {
-            for (int i = 0; format.writesFields && i < static_cast<int>(std::size(kFormatCases)); ++i) {
+            for (int i = 0; format.writesFields() && i < static_cast<int>(std::size(kFormatCases)); ++i) {
                 QTest::addRow("%s, %s", format.id.data(), kFormatCases[i].name)
                     << QString::fromUtf8(format.id.data()) << i;
             }

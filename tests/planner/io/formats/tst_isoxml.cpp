@@ -1,5 +1,6 @@
 #include "planner/geodesy/local_frame.h"
 #include "planner/io/content/plan_content.h"
+#include "planner/io/formats/isoxml/isoxml.h"
 #include "planner/io/formats/isoxml/isoxml_writer.h"
 #include "planner/io/import/boundary_import.h"
 #include "planner/plan/plan.h"

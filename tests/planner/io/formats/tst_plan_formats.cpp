@@ -40,7 +40,7 @@ class Written {
 public:
     Written() {
         std::vector<std::string_view> ids;
-        for (const FormatInfo& format : formats()) {
+        for (const Format& format : formats()) {
             if (format.writes()) {
                 ids.push_back(format.id);
             }
@@ -406,7 +406,7 @@ private slots:
         stretch.number = 99;
         shortened.path.segments.push_back(stretch);
         std::vector<std::string_view> ids;
-        for (const FormatInfo& format : formats()) {
+        for (const Format& format : formats()) {
             if (format.writes()) {
                 ids.push_back(format.id);
             }
