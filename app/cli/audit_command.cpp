@@ -5,8 +5,8 @@
 #include "app/cli/machine_argument.h"
 #include "app/cli/terminal.h"
 #include "planner/audit/audit.h"
-#include "planner/io/audit_json.h"
-#include "planner/io/plan_reader.h"
+#include "planner/io/plan_files/audit_json.h"
+#include "planner/io/plan_files/plan_reader.h"
 
 #include <algorithm>
 #include <format>

@@ -4,8 +4,8 @@
 #include "app/cli/terminal.h"
 #include "planner/evaluation/paper.h"
 #include "planner/evaluation/speed.h"
-#include "planner/io/atomic_files.h"
-#include "planner/io/boundary_import.h"
+#include "planner/io/files/atomic_files.h"
+#include "planner/io/import/boundary_import.h"
 
 #include <nlohmann/json.hpp>
 

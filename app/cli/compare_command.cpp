@@ -1,11 +1,11 @@
 #include "app/cli/compare_command.h"
 
-#include "planner/evaluation/comparison_report.h"
 #include "app/cli/exit_status.h"
 #include "app/cli/terminal.h"
-#include "planner/io/atomic_files.h"
-#include "planner/io/track_reader.h"
-#include "planner/io/written_path.h"
+#include "planner/evaluation/comparison_report.h"
+#include "planner/io/files/atomic_files.h"
+#include "planner/io/import/track_reader.h"
+#include "planner/io/plan_files/written_path.h"
 #include "planner/track/comparison.h"
 
 #include <algorithm>

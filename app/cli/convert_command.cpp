@@ -3,9 +3,9 @@
 #include "app/cli/exit_status.h"
 #include "app/cli/export_arguments.h"
 #include "app/cli/terminal.h"
-#include "planner/io/boundary_import.h"
-#include "planner/io/field_files.h"
-#include "planner/io/field_reader.h"
+#include "planner/io/delivery/field_files.h"
+#include "planner/io/import/boundary_import.h"
+#include "planner/io/import/field_reader.h"
 
 #include <nlohmann/json.hpp>
 

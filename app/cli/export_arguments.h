@@ -1,6 +1,6 @@
 #pragma once
 
-#include "planner/io/export_job.h"
+#include "planner/io/content/export_job.h"
 
 #include <CLI/CLI.hpp>
 

@@ -1,9 +1,9 @@
 #include "app/cli/list_command.h"
 
 #include "app/cli/exit_status.h"
-#include "planner/io/boundary_import.h"
-#include "planner/io/format_registry.h"
-#include "planner/io/terminals.h"
+#include "planner/io/delivery/terminals.h"
+#include "planner/io/formats/registry.h"
+#include "planner/io/import/boundary_import.h"
 #include "planner/machine/machine_file.h"
 #include "planner/machine/machine_library.h"
 #include "planner/plan/method_registry.h"
@@ -177,19 +177,19 @@ int listMachines(bool asJson) {
 
 int listFormats(bool asJson) {
     Json all = Json::array();
-    for (const FormatInfo& format : formats()) {
+    for (const Format& format : formats()) {
         if (asJson) {
             all.push_back({{"id", format.id},
                            {"name", format.name},
                            {"extensions", format.extensions},
-                           {"read", format.read},
-                           {"reads_tracks", format.readsTracks},
+                           {"read", format.readsFields()},
+                           {"reads_tracks", format.readsTracks()},
                            {"write", format.writes()},
-                           {"writes_fields", format.writesFields},
+                           {"writes_fields", format.writesFields()},
                            {"carries", format.carries}});
         } else {
-            std::println("{:14} {:22} {:5} {:7} {:6} {}", format.id, format.name, format.read ? "read" : "",
-                         format.readsTracks ? "tracks" : "", format.writes() ? "write" : "", format.carries);
+            std::println("{:14} {:22} {:5} {:7} {:6} {}", format.id, format.name, format.readsFields() ? "read" : "",
+                         format.readsTracks() ? "tracks" : "", format.writes() ? "write" : "", format.carries);
         }
     }
     if (asJson) {

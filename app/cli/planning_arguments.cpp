@@ -1,8 +1,8 @@
 #include "app/cli/planning_arguments.h"
 
 #include "app/cli/machine_argument.h"
-#include "planner/io/format_registry.h"
-#include "planner/io/settings_file.h"
+#include "planner/io/formats/registry.h"
+#include "planner/io/plan_files/settings_file.h"
 #include "planner/plan/method_registry.h"
 #include "planner/settings/operation.h"
 

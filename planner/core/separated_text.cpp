@@ -12,6 +12,23 @@ std::string_view nextLine(std::string_view& text) {
     return line;
 }
 
+Lines::Lines(std::string_view text) : rest_{text} {}
+
+bool Lines::next(std::string_view& line) {
+    if (rest_.empty()) {
+        return false;
+    }
+    const std::size_t end = rest_.find_first_of("\r\n");
+    line = rest_.substr(0, end);
+    if (end == std::string_view::npos) {
+        rest_ = {};
+    } else {
+        rest_.remove_prefix(end + (rest_.substr(end).starts_with("\r\n") ? 2 : 1));
+    }
+    ++number_;
+    return true;
+}
+
 std::vector<std::string_view> cellsOf(std::string_view line, char separator) {
     std::vector<std::string_view> cells;
     while (true) {

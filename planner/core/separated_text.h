@@ -10,6 +10,18 @@ namespace furrow {
 /// Takes the first line from a text, without its end.
 std::string_view nextLine(std::string_view& text);
 
+/// The lines of a text without their ends, one after the other, whichever system wrote them.
+class Lines {
+public:
+    explicit Lines(std::string_view text);
+    bool next(std::string_view& line);
+    std::size_t number() const { return number_; }  ///< of the last one, from 1
+
+private:
+    std::string_view rest_;
+    std::size_t number_ = 0;
+};
+
 /// Between separators, as they stand there; at least one.
 std::vector<std::string_view> cellsOf(std::string_view line, char separator);
 

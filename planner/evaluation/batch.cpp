@@ -2,8 +2,8 @@
 
 #include "planner/evaluation/batch_key.h"
 #include "planner/geometry/geos_bridge.h"
-#include "planner/io/boundary_import.h"
-#include "planner/io/plan_folder.h"
+#include "planner/io/delivery/plan_folder.h"
+#include "planner/io/import/boundary_import.h"
 #include "planner/jobs/parallel.h"
 #include "planner/plan/plan.h"
 

@@ -1,6 +1,6 @@
 #pragma once
 
-#include "planner/io/written_path.h"
+#include "planner/io/plan_files/written_path.h"
 #include "planner/track/comparison.h"
 #include "planner/track/recorded_track.h"
 

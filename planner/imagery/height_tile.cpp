@@ -1,6 +1,6 @@
 #include "planner/imagery/height_tile.h"
 
-#include "planner/io/gdal_messages.h"
+#include "planner/gdal/messages.h"
 
 #include <gdal_utils.h>
 

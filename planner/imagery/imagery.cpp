@@ -1,9 +1,9 @@
 #include "planner/imagery/imagery.h"
 
+#include "planner/core/file_error.h"
+#include "planner/gdal/messages.h"
 #include "planner/imagery/raster_imagery.h"
 #include "planner/imagery/tile_folder.h"
-#include "planner/io/file_error.h"
-#include "planner/io/gdal_messages.h"
 
 #include <algorithm>
 #include <mutex>

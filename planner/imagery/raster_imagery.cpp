@@ -1,8 +1,8 @@
 #include "planner/imagery/raster_imagery.h"
 
+#include "planner/core/file_error.h"
+#include "planner/gdal/messages.h"
 #include "planner/imagery/height_tile.h"
-#include "planner/io/file_error.h"
-#include "planner/io/gdal_messages.h"
 
 #include <gdal_alg.h>
 

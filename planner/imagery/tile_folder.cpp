@@ -1,12 +1,12 @@
 #include "planner/imagery/tile_folder.h"
 
+#include "planner/core/file_error.h"
 #include "planner/core/text_file.h"
+#include "planner/gdal/drivers.h"
+#include "planner/gdal/messages.h"
 #include "planner/imagery/tile_pixels.h"
 #include "planner/imagery/warped_tile.h"
-#include "planner/io/file_error.h"
-#include "planner/io/file_folder.h"
-#include "planner/io/gdal_drivers.h"
-#include "planner/io/gdal_messages.h"
+#include "planner/io/files/file_folder.h"
 
 #include <algorithm>
 #include <charconv>

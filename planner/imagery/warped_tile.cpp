@@ -1,8 +1,8 @@
 #include "planner/imagery/warped_tile.h"
 
-#include "planner/io/file_error.h"
-#include "planner/io/gdal_drivers.h"
-#include "planner/io/gdal_messages.h"
+#include "planner/core/file_error.h"
+#include "planner/gdal/drivers.h"
+#include "planner/gdal/messages.h"
 
 #include <cpl_string.h>
 #include <gdal_alg.h>

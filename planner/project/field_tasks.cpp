@@ -1,7 +1,7 @@
 #include "planner/project/field_tasks.h"
 
-#include "planner/io/boundary_import.h"
-#include "planner/io/guide_import.h"
+#include "planner/io/import/boundary_import.h"
+#include "planner/io/import/guide_import.h"
 #include "planner/machine/machine_library.h"
 #include "planner/project/project_file.h"
 

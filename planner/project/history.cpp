@@ -1,6 +1,6 @@
 #include "planner/project/history.h"
 
-#include "planner/io/file_folder.h"
+#include "planner/io/files/file_folder.h"
 #include "planner/project/project_edits.h"
 #include "planner/project/project_json.h"
 

@@ -1,6 +1,6 @@
 #include "planner/project/migrations.h"
 
-#include "planner/io/file_error.h"
+#include "planner/core/file_error.h"
 
 
 namespace furrow {

@@ -1,9 +1,10 @@
 #include "planner/project/project_file.h"
 
+#include "planner/core/file_error.h"
+#include "planner/core/text.h"
 #include "planner/core/text_file.h"
-#include "planner/io/atomic_files.h"
-#include "planner/io/file_error.h"
-#include "planner/io/file_folder.h"
+#include "planner/io/files/atomic_files.h"
+#include "planner/io/files/file_folder.h"
 #include "planner/project/migrations.h"
 #include "planner/project/project_json.h"
 #include "planner/version.h"

@@ -1,7 +1,7 @@
 // Projects of the window on the command line: the same plan, and what is given wins.
 
 #include "planner/geodesy/local_frame.h"
-#include "planner/io/plan_folder.h"
+#include "planner/io/delivery/plan_folder.h"
 #include "planner/machine/machine_library.h"
 #include "planner/plan/method_registry.h"
 #include "planner/project/field_tasks.h"

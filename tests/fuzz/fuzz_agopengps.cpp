@@ -1,4 +1,4 @@
-#include "planner/io/agopengps_reader.h"
+#include "planner/io/formats/agopengps/agopengps_reader.h"
 
 #include <algorithm>
 #include <cstddef>

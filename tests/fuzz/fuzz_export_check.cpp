@@ -1,5 +1,5 @@
-#include "planner/io/export_check.h"
-#include "planner/io/format_registry.h"
+#include "planner/io/check/export_check.h"
+#include "planner/io/formats/registry.h"
 
 #include <cstddef>
 #include <cstdint>
@@ -16,7 +16,7 @@ extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size
     }
     static const std::vector<FieldContent> meant{
         {.field = {.id = "a", .name = "a", .parts = {{.outer = {{9.0, 52.0}, {9.003, 52.0}, {9.003, 52.002}}, .holes = {}}}}}};
-    const FormatInfo& format = formats()[static_cast<unsigned char>(text.front()) % formats().size()];
+    const Format& format = formats()[static_cast<unsigned char>(text.front()) % formats().size()];
     const ExportJob job{.fields = meant, .plan = nullptr, .options = {}, .job = {}};
     // The name says what is in it.
     const char* const names[] = {"TASKDATA/TASKDATA.XML", "a/Boundary.txt", "boundary.shp", "a.kmz",  "a_EPSG32632.dxf",
@@ -25,6 +25,6 @@ extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size
     for (const char* name : names) {
         files.push_back({name, [text] { return std::string{text.substr(1)}; }});
     }
-    (void)checkExport(format.id, job, files);
+    (void)checkExport(format, job, files);
     return 0;
 }

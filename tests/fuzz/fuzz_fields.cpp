@@ -1,4 +1,4 @@
-#include "planner/io/field_reader.h"
+#include "planner/io/import/field_reader.h"
 
 #include <unistd.h>
 

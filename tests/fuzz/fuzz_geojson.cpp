@@ -1,4 +1,4 @@
-#include "planner/io/coordinate_check.h"
+#include "planner/io/formats/geojson/geojson_check.h"
 
 #include <cstddef>
 #include <cstdint>

@@ -1,5 +1,5 @@
-#include "planner/io/isoxml_links.h"
-#include "planner/io/isoxml_reader.h"
+#include "planner/io/formats/isoxml/isoxml_links.h"
+#include "planner/io/formats/isoxml/isoxml_reader.h"
 
 #include <cstddef>
 #include <cstdint>

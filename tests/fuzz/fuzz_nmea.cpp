@@ -1,4 +1,4 @@
-#include "planner/io/track_formats.h"
+#include "planner/io/formats/logs/logs.h"
 
 #include <cstddef>
 #include <cstdint>

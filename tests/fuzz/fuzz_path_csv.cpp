@@ -1,4 +1,4 @@
-#include "planner/io/path_csv.h"
+#include "planner/io/formats/csv/path_csv.h"
 
 #include <cstddef>
 #include <cstdint>

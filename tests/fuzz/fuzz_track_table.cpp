@@ -1,4 +1,4 @@
-#include "planner/io/track_formats.h"
+#include "planner/io/formats/csv/csv.h"
 
 #include <cstddef>
 #include <cstdint>

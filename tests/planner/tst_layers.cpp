@@ -5,21 +5,36 @@
 
 #include <algorithm>
 
-// The layers of the planner are the order of FURROW_PLANNER_LAYERS: a folder may include those before it.
+// The layers of the planner are the order of FURROW_PLANNER_LAYERS, the rooms of its io that of FURROW_IO_ROOMS: a folder
+// may include those before it.
 class LayersTest : public QObject {
     Q_OBJECT
 
     QStringList layers_;
+    QStringList rooms_;
+
+    /// The words of a list in a CMakeLists.txt, without its comments.
+    static QStringList listIn(const char* path, const char* name) {
+        QFile file{QStringLiteral(FURROW_SOURCE_DIR "/") + QLatin1StringView{path}};
+        QString text = file.open(QIODevice::ReadOnly) ? QString::fromUtf8(file.readAll()) : QString{};
+        text.remove(QRegularExpression{QStringLiteral("#[^\n]*")});
+        const QRegularExpression list{QStringLiteral("set\\(%1\\s+([^)]*)\\)").arg(QLatin1StringView{name})};
+        return list.match(text).captured(1).split(QRegularExpression{QStringLiteral("\\s+")}, Qt::SkipEmptyParts);
+    }
+
+    /// "formats/csv" of "planner/io/formats/csv/csv.h"; empty for what is in no room.
+    static QString roomOf(const QString& path) {
+        const QString below = path.section('/', 2, -2);
+        return path.startsWith(QStringLiteral("planner/io/")) ? below.section('/', 0, below.startsWith(QStringLiteral("formats/")) ? 1 : 0)
+                                                              : QString{};
+    }
 
 private slots:
     void initTestCase() {
-        QFile file{QStringLiteral(FURROW_SOURCE_DIR "/planner/CMakeLists.txt")};
-        QVERIFY(file.open(QIODevice::ReadOnly));
-        const QRegularExpression list{QStringLiteral("set\\(FURROW_PLANNER_LAYERS\\s+([^)]*)\\)")};
-        const auto match = list.match(QString::fromUtf8(file.readAll()));
-        QVERIFY(match.hasMatch());
-        layers_ = match.captured(1).split(QRegularExpression{QStringLiteral("\\s+")}, Qt::SkipEmptyParts);
+        layers_ = listIn("planner/CMakeLists.txt", "FURROW_PLANNER_LAYERS");
         QVERIFY(layers_.size() >= 15);
+        rooms_ = listIn("planner/io/CMakeLists.txt", "FURROW_IO_ROOMS");
+        QVERIFY(rooms_.size() >= 10);
     }
 
     void everyFolderIsALayer() {
@@ -64,6 +79,40 @@ private slots:
         QVERIFY(seen > 100);
     }
 
+    void everyFolderOfIoIsARoom() {
+        QStringList found;
+        QDirIterator files{QStringLiteral(FURROW_SOURCE_DIR "/planner/io"), {"*.h", "*.cpp"}, QDir::Files,
+                           QDirIterator::Subdirectories};
+        while (files.hasNext()) {
+            const QString room = roomOf(files.next().mid(QStringLiteral(FURROW_SOURCE_DIR "/").size()));
+            QVERIFY2(rooms_.contains(room), qPrintable(files.filePath()));
+            if (!found.contains(room)) {
+                found << room;
+            }
+        }
+        QCOMPARE(found.size(), rooms_.size());
+    }
+
+    void roomsOfIoIncludeUpwards() {
+        const QRegularExpression include{QStringLiteral("#include \"(planner/io/[^\"]+)\"")};
+        QStringList wrong;
+        QDirIterator files{QStringLiteral(FURROW_SOURCE_DIR "/planner/io"), {"*.h", "*.cpp"}, QDir::Files,
+                           QDirIterator::Subdirectories};
+        while (files.hasNext()) {
+            QFile file{files.next()};
+            QVERIFY(file.open(QIODevice::ReadOnly));
+            const QString path = file.fileName().mid(QStringLiteral(FURROW_SOURCE_DIR "/").size());
+            auto matches = include.globalMatch(QString::fromUtf8(file.readAll()));
+            while (matches.hasNext()) {
+                const QString target = matches.next().captured(1);
+                if (rooms_.indexOf(roomOf(target)) > rooms_.indexOf(roomOf(path))) {
+                    wrong << path + " includes " + target;
+                }
+            }
+        }
+        QVERIFY2(wrong.isEmpty(), qPrintable(wrong.join('\n')));
+    }
+
     // The audit shares no code with the stages it checks.
     void auditStandsAlone() {
         const QStringList allowed{"planner/core/", "planner/units/", "planner/jobs/", "planner/geometry/", "planner/audit/",
@@ -93,7 +142,9 @@ private slots:
         QTest::newRow("PROJ") << "proj.h" << QStringList{"geodesy"};
         QTest::newRow("PROJ's geodesics") << "geodesic.h" << QStringList{"geodesy"};
         QTest::newRow("oneTBB") << "tbb/" << QStringList{"jobs"};
-        QTest::newRow("GDAL") << "gdal" << QStringList{"io", "imagery"};
+        QTest::newRow("GDAL") << "<gdal" << QStringList{"gdal", "imagery"};
+        QTest::newRow("GDAL's shapes") << "<ogr" << QStringList{"gdal", "imagery"};
+        QTest::newRow("GDAL's files") << "<cpl_" << QStringList{"gdal", "imagery"};
     }
     void librariesStayWrapped() {
         QFETCH(QString, header);

@@ -1,7 +1,7 @@
 #pragma once
 
 #include "planner/evaluation/paper.h"
-#include "planner/io/boundary_import.h"
+#include "planner/io/import/boundary_import.h"
 
 #include <QByteArrayView>
 #include <QtEnvironmentVariables>

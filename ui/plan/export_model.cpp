@@ -1,7 +1,7 @@
 #include "ui/plan/export_model.h"
 
-#include "planner/io/format_registry.h"
-#include "planner/io/plan_folder.h"
+#include "planner/io/delivery/plan_folder.h"
+#include "planner/io/formats/registry.h"
 #include "ui/text/display.h"
 #include "ui/text/message_text.h"
 #include "ui/text/unit_text.h"
@@ -16,21 +16,21 @@ namespace furrow {
 
 namespace {
 
-std::vector<FormatInfo> planFormats() {
-    std::vector<FormatInfo> written;
-    std::ranges::copy_if(formats(), std::back_inserter(written), &FormatInfo::writes);
+std::vector<Format> planFormats() {
+    std::vector<Format> written;
+    std::ranges::copy_if(formats(), std::back_inserter(written), &Format::writes);
     return written;
 }
 
-const FormatInfo& formatAt(int row) {
-    static const std::vector<FormatInfo> all = planFormats();
+const Format& formatAt(int row) {
+    static const std::vector<Format> all = planFormats();
     return all[static_cast<std::size_t>(row)];
 }
 
 }  // namespace
 
 ExportModel::ExportModel(QObject* parent) : QAbstractListModel{parent} {
-    for (const FormatInfo& format : planFormats()) {
+    for (const Format& format : planFormats()) {
         const auto standard = standardPlanFormats();
         checked_.push_back(std::ranges::find(standard, format.id) != standard.end());
     }

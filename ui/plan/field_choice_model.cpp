@@ -1,6 +1,6 @@
 #include "ui/plan/field_choice_model.h"
 
-#include "planner/io/boundary_import.h"
+#include "planner/io/import/boundary_import.h"
 #include "ui/plan/field_outline.h"
 #include "ui/text/display.h"
 #include "ui/text/unit_text.h"

@@ -1,7 +1,7 @@
 #include "ui/plan/plan_jobs.h"
 
 #include "planner/imagery/imagery.h"
-#include "planner/io/boundary_import.h"
+#include "planner/io/import/boundary_import.h"
 #include "planner/plan/advice.h"
 #include "planner/plan/draft.h"
 #include "planner/project/field_tasks.h"

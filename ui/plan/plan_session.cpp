@@ -1,6 +1,6 @@
 #include "ui/plan/plan_session.h"
 
-#include "planner/io/boundary_import.h"
+#include "planner/io/import/boundary_import.h"
 #include "planner/plan/method_registry.h"
 #include "planner/project/project_edits.h"
 #include "planner/settings/operation.h"

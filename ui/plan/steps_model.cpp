@@ -1,6 +1,6 @@
 #include "ui/plan/steps_model.h"
 
-#include "planner/io/boundary_import.h"
+#include "planner/io/import/boundary_import.h"
 #include "planner/plan/method_registry.h"
 #include "ui/text/display.h"
 #include "ui/text/message_text.h"

@@ -1,7 +1,8 @@
 #include "ui/plan/stick_export.h"
 
-#include "planner/io/stick_writer.h"
-#include "planner/io/terminals.h"
+#include "planner/io/content/plan_content.h"
+#include "planner/io/delivery/stick_writer.h"
+#include "planner/io/delivery/terminals.h"
 #include "ui/text/display.h"
 #include "ui/text/message_text.h"
 #include "ui/text/unit_text.h"

@@ -1,6 +1,6 @@
 #pragma once
 
-#include "planner/io/export_job.h"
+#include "planner/io/content/export_job.h"
 #include "ui/jobs/job_runner.h"
 #include "ui/plan/plan_title.h"
 #include "ui/text/message_text.h"

@@ -1,6 +1,6 @@
 #pragma once
 
-#include "planner/io/field_content.h"
+#include "planner/io/content/field_content.h"
 #include "planner/machine/machine_library.h"
 #include "planner/plan/plan.h"
 #include "tests/support/geo_rings.h"

@@ -4,7 +4,7 @@
 // tst_machine_file, of other files of tst_boundary_import; cancelling stage by stage is in tst_plan, and what
 // the command line makes of it in tst_cli.
 
-#include "planner/io/boundary_import.h"
+#include "planner/io/import/boundary_import.h"
 #include "planner/plan/method_registry.h"
 #include "planner/plan/plan.h"
 #include "tests/support/field_generator.h"

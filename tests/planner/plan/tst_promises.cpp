@@ -1,7 +1,7 @@
 // What a setting says is what the plan does: margins, widths, wet spots, choices that promise time, advice.
 
-#include "planner/io/plan_folder.h"
-#include "planner/io/plan_reader.h"
+#include "planner/io/delivery/plan_folder.h"
+#include "planner/io/plan_files/plan_reader.h"
 #include "planner/machine/machine_library.h"
 #include "planner/plan/advice.h"
 #include "planner/plan/method_registry.h"

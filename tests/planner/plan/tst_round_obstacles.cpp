@@ -1,6 +1,8 @@
-#include "planner/io/export_check.h"
-#include "planner/io/format_registry.h"
-#include "planner/io/field_content.h"
+#include "planner/io/check/export_check.h"
+#include "planner/io/content/field_content.h"
+#include "planner/io/content/plan_content.h"
+#include "planner/io/delivery/checked_files.h"
+#include "planner/io/formats/registry.h"
 #include "planner/machine/machine_library.h"
 #include "planner/plan/method_registry.h"
 #include "planner/plan/plan.h"
@@ -306,8 +308,8 @@ private slots:
     // What terminals get: the line of every swath that goes round is one of its own.
     void exportsPassTheirChecks_data() {
         QTest::addColumn<QString>("format");
-        for (const FormatInfo& format : formats()) {
-            if (format.writer != nullptr) {
+        for (const Format& format : formats()) {
+            if (format.writes()) {
                 QTest::addRow("%s", format.id.data()) << QString::fromUtf8(format.id.data(), static_cast<qsizetype>(format.id.size()));
             }
         }
@@ -318,10 +320,10 @@ private slots:
         QCOMPARE(plan->swaths.goneRound.size(), std::size_t{2});
         const std::vector fields{contentOf(*plan, {})};
         const ExportJob job{.fields = fields, .plan = plan.get(), .options = {}, .job = {}};
-        const auto info = std::ranges::find(formats(), format.toStdString(), &FormatInfo::id);
+        const auto info = std::ranges::find(formats(), format.toStdString(), &Format::id);
         const auto written = checkedFiles(*info, job);
         VERIFY_RESULT(written);
-        const ExportChecks checks = checkExport(info->id, job, written->files);
+        const ExportChecks checks = checkExport(*info, job, written->files);
         QVERIFY2(checks.problems.empty(), checks.problems.empty() ? "" : std::string{checks.problems.front()}.c_str());
         const auto own = std::ranges::count_if(fields.front().lines, [](const GuidanceLine& line) {
             return line.name.starts_with("Swath ") && line.kind == GuidanceKind::Curve && !line.repeats;

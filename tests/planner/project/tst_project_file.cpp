@@ -1,4 +1,4 @@
-#include "planner/io/boundary_import.h"
+#include "planner/io/import/boundary_import.h"
 #include "planner/project/migrations.h"
 #include "planner/project/project_edits.h"
 #include "planner/project/project_file.h"

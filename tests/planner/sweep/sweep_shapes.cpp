@@ -1,6 +1,6 @@
 #include "tests/planner/sweep/sweep_shapes.h"
 
-#include "planner/io/boundary_import.h"
+#include "planner/io/import/boundary_import.h"
 #include "tests/support/field_generator.h"
 
 #include <algorithm>

@@ -1,6 +1,6 @@
 #include "tests/planner/sweep/sweep_verdict.h"
 
-#include "planner/io/guide_import.h"
+#include "planner/io/import/guide_import.h"
 #include "planner/machine/machine_library.h"
 #include "planner/plan/advice.h"
 #include "planner/plan/method_registry.h"

@@ -2,7 +2,7 @@
 // FURROW_WRITE_GOLDEN=1 writes them anew, and the difference of the file is part of that change.
 
 #include "planner/core/fingerprint.h"
-#include "planner/io/boundary_import.h"
+#include "planner/io/import/boundary_import.h"
 #include "planner/machine/machine_library.h"
 #include "planner/plan/plan.h"
 #include "tests/planner/sweep/sweep_shapes.h"

@@ -4,7 +4,7 @@
 //   FURROW_SIMPLER_MACHINE=M   the field robot, if it is not set
 //   FURROW_SIMPLER_OUT=FILE    where a line for each comparison is appended
 
-#include "planner/io/boundary_import.h"
+#include "planner/io/import/boundary_import.h"
 #include "planner/machine/machine_library.h"
 #include "planner/plan/method_registry.h"
 #include "planner/plan/plan.h"

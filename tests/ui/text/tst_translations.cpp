@@ -1,6 +1,6 @@
 #include "planner/core/message.h"
-#include "planner/io/format_registry.h"
-#include "planner/io/terminals.h"
+#include "planner/io/delivery/terminals.h"
+#include "planner/io/formats/registry.h"
 #include "planner/machine/machine_file.h"
 #include "planner/machine/machine_library.h"
 #include "planner/plan/method_registry.h"
@@ -113,9 +113,10 @@ QStringList placeholders(const QString& text) {
 
 /// Parts of the planner that only the command line and other programs speak through.
 bool isForPrograms(const QString& file) {
-    static const QStringList parts{"/evaluation/", "/report/", "/track/", "/io/track_", "/io/written_path", "/io/rosbag_storage",
-                                   "/io/guidance_lines", "/io/kml_", "/io/gpx_", "/io/dxf_", "/io/nav_path",
-                                   "/core/message", "/io/path_csv", "/io/settings_file", "/io/field_files"};
+    static const QStringList parts{"/evaluation/",    "/report/",       "/track/",      "/io/tracks/",  "_tracks.",     "/formats/logs/",
+                                   "/track_reader",   "/written_path",  "/rosbag_",     "/kml_writer",  "/gpx_writer",  "/dxf_writer",
+                                   "/guidance_lines", "/nav_path",      "/path_csv",    "/field_files", "/core/message",
+                                   "/settings_file"};
     return std::ranges::any_of(parts, [&file](const QString& part) { return file.contains(part); });
 }
 
@@ -272,7 +273,7 @@ private slots:
         static const QRegularExpression sentence{QStringLiteral("[a-z]{3,} [a-z]{2,} [a-z]")};
         QStringList wrong;
         for (const QString& file : filesIn(QStringLiteral("/planner"), {"*.cpp"})) {
-            if (isForPrograms(file) || file.endsWith(QLatin1String{"/ros_writers.cpp"}) || file.endsWith(QLatin1String{"/text_writers.cpp"})) {
+            if (isForPrograms(file) || file.endsWith(QLatin1String{"/ros_writer.cpp"})) {
                 continue;
             }
             const QString text = code(file);

@@ -1,4 +1,4 @@
-#include "planner/io/terminals.h"
+#include "planner/io/delivery/terminals.h"
 #include "tests/ui/window/window_test.h"
 
 #include <QFile>

@@ -1,0 +1,146 @@
+#include "planner/io/formats/vector/vector_file.h"
+
+#include "planner/core/file_error.h"
+#include "planner/core/text.h"
+#include "planner/core/text_file.h"
+#include "planner/gdal/drivers.h"
+#include "planner/gdal/loose_shapes.h"
+#include "planner/gdal/messages.h"
+#include "planner/gdal/system_files.h"
+#include "planner/gdal/vector_dataset.h"
+#include "planner/io/formats/geojson/geojson_check.h"
+#include "planner/io/formats/geojson/geojson_crs.h"
+#include "planner/io/formats/vector/vector_source.h"
+
+#include <algorithm>
+#include <vector>
+
+namespace furrow {
+
+namespace {
+
+/// Of a text that GDAL could not open.
+Result<void> checkUnopened(const VectorSource& source) {
+    const auto text = systemFileBytes(source.path, source.name);
+    return text ? checkGeoJson(*text, source.name, false) : Result<void>{};
+}
+
+/// What GDAL leaves out, or makes up, in an opened GeoJSON file. Nothing is assumed in the place of a coordinate
+/// system that it makes nothing of.
+Result<void> checkOpened(const VectorSource& source, const VectorDataset& dataset) {
+    const std::string driver = dataset.driver();
+    if (driver != "GeoJSON" && driver != "GeoJSONSeq" && driver != "JSONFG") {
+        return {};
+    }
+    const auto text = systemFileBytes(source.path, source.name);
+    if (!text) {
+        return std::unexpected(text.error());
+    }
+    const auto checked = driver == "GeoJSON" ? checkGeoJson(*text, source.name, true) : Result<void>{};
+    const auto isNull = checked.and_then([&] { return checkCrs(*text, driver == "GeoJSONSeq", source.name); });
+    if (!isNull) {
+        return std::unexpected(isNull.error());
+    }
+    if (dataset.lacksSystem() && !*isNull) {
+        return std::unexpected(inputRefused(source.name, "the coordinate system that it names is not known",
+                                            "export the field again in WGS84 (longitude and latitude)"));
+    }
+    return {};
+}
+
+bool looksLikeWkt(std::string_view start) {
+    const std::string small = inSmallLetters(trimmed(withoutByteOrderMark(start)).substr(0, 32));
+    constexpr std::string_view kWords[] = {"polygon",      "multipolygon",       "curvepolygon",
+                                           "multisurface", "geometrycollection", "srid="};
+    return std::ranges::any_of(kWords, [&small](std::string_view word) { return small.starts_with(word); });
+}
+
+/// Reads the text of a source, then what `read` finds in it.
+Result<void> readText(const VectorSource& source, const VectorReading& reading, decltype(readWktShapes)& read) {
+    const auto text = systemFileBytes(source.path, source.name);
+    return text ? read(*text, source.name, reading) : std::unexpected(text.error());
+}
+
+/// Why GDAL makes nothing of a source, or its polygons all the same.
+Result<void> readUnopened(const VectorSource& source, std::string_view start, const GdalMessages& messages,
+                          const VectorReading& reading) {
+    if (trimmed(withoutByteOrderMark(start)).starts_with('{')) {
+        if (auto checked = checkUnopened(source); !checked) {
+            return checked;
+        }
+    }
+    const std::string extension = extensionInSmallLetters(source.path);
+    if (extension == ".kml") {
+        return readText(source, reading, readPolygonElements);
+    }
+    if (extension == ".shp") {
+        std::filesystem::path index = source.path;
+        const bool hasIndex = systemFileExists(index.replace_extension("shx").string()) ||
+                              systemFileExists(index.replace_extension("SHX").string());
+        if (!hasIndex) {
+            return std::unexpected(readFailed(source.name, "the .shx file that belongs to it is missing",
+                                              "keep the .shp, .shx, .dbf and .prj files together"));
+        }
+    }
+    return std::unexpected(readFailed(
+        source.name,
+        messages.failed() ? message("no boundary can be read from this file ({})", messages.failure())
+                          : "this is no boundary file that can be read",
+        std::string{kBoundaryFormats}));
+}
+
+Result<void> readSource(const VectorSource& source, const VectorReading& reading) {
+    GdalMessages messages;
+    const std::string start = systemFileStart(source.path, source.name, 4096).value_or("");
+    if (extensionInSmallLetters(source.path) == ".wkt" || looksLikeWkt(start)) {
+        return readText(source, reading, readWktShapes);
+    }
+    messages.forget();
+    const auto dataset = VectorDataset::open(source.path, messages);
+    if (!dataset) {
+        return readUnopened(source, start, messages, reading);
+    }
+    const std::string driver = dataset->driver();
+    reading.file.isTable = reading.file.isTable || driver == "CSV";
+    reading.file.isTrack = reading.file.isTrack || driver == "GPX";
+    if (driver == "CSV") {
+        std::ranges::copy(dataset->columns(), std::back_inserter(reading.file.columns));
+    }
+    if (auto checked = checkOpened(source, *dataset); !checked) {
+        return checked;
+    }
+    // What was said while one driver after the other was tried does not matter once one has opened it.
+    messages.forget();
+    auto read = dataset->readLayers(source.path, source.name, messages, reading);
+    if (read && driver == "GML" && !dataset->hasLayers()) {
+        return readText(source, reading, readPolygonElements);
+    }
+    return read;
+}
+
+}  // namespace
+
+Result<VectorFile> readVectorFile(const std::filesystem::path& path,
+                                  std::span<const std::string_view> attributes, const JobContext& job) {
+    registerGdalDrivers();
+    const VectorReadingOptions options;
+    const GdalMessages messages;
+    const Result<std::vector<VectorSource>> sources = vectorSources(path);
+    if (!sources) {
+        return std::unexpected(sources.error());
+    }
+    VectorFile file;
+    const VectorReading reading{attributes, job, file};
+    for (std::size_t i = 0; i < sources->size(); ++i) {
+        if (job.stopRequested()) {
+            return std::unexpected(cancelled());
+        }
+        if (auto read = readSource((*sources)[i], reading); !read) {
+            return std::unexpected(read.error());
+        }
+        job.report(static_cast<double>(i + 1) / static_cast<double>(sources->size()));
+    }
+    return file;
+}
+
+}  // namespace furrow

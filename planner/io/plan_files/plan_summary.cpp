@@ -1,0 +1,180 @@
+#include "planner/io/plan_files/plan_summary.h"
+
+#include "planner/headland/methods.h"
+#include "planner/io/plan_files/audit_json.h"
+#include "planner/machine/machine_file.h"
+#include "planner/plan/general_parameters.h"
+#include "planner/plan/method_registry.h"
+#include "planner/plan/round_stage.h"
+#include "planner/settings/operation.h"
+#include "planner/version.h"
+
+#include <nlohmann/json.hpp>
+
+#include <algorithm>
+
+namespace furrow {
+
+namespace {
+
+using Json = nlohmann::ordered_json;
+
+Json settingJson(const Parameter& parameter, const Settings& settings) {
+    const SettingValue value = settings.value(parameter);
+    if (parameter.kind == ParameterKind::Numbers) {
+        return settings.numbers(parameter);
+    }
+    if (const auto* number = std::get_if<double>(&value)) {
+        return *number;
+    }
+    if (const auto* flag = std::get_if<bool>(&value)) {
+        return *flag;
+    }
+    return settingText(value);
+}
+
+/// Every setting with the value that was used, also where that was computed.
+Json settingsJson(const Plan& plan) {
+    Json all = Json::object();
+    for (const Parameter* parameter : allParameters()) {
+        all[parameter->key] = settingJson(*parameter, plan.request.settings);
+    }
+    all[kMargin.key] = plan.margin.si();
+    all[kHeadlandWidth.key] = plan.headland.width.si();
+    all[kHeadlandPasses.key] = plan.headland.passes;
+    all[kRoundUpTo.key] = roundUpTo(plan.request.settings, plan.request.machine).si();
+    for (const SettingChange& change : plan.instead) {
+        all[change.key] = change.value;
+    }
+    return all;
+}
+
+/// What was asked for and not taken, since something simpler is quicker.
+Json askedJson(const Plan& plan) {
+    Json asked = Json::object();
+    for (const SettingChange& change : plan.instead) {
+        asked[change.key] = settingJson(**findParameter(change.key), plan.request.settings);
+    }
+    return asked;
+}
+
+/// What the operation set: those of its settings that were not given.
+Json operationSets(const Settings& settings) {
+    Json sets = Json::object();
+    for (const OperationDefault& entry : settings.operation().defaults) {
+        if (const Parameter* const parameter = findParameter(entry.key).value(); !settings.isSet(*parameter)) {
+            sets[entry.key] = settingJson(*parameter, settings);
+        }
+    }
+    return sets;
+}
+
+std::string methodOf(std::string_view stageId, const Settings& settings) {
+    return settings.choice(*stageMethod(stageId));
+}
+
+/// One for each cell.
+Json headingsJson(const Decomposition& cells) {
+    Json headings = Json::array();
+    for (const Cell& cell : cells.cells) {
+        headings.push_back(inDegrees(cell.heading));
+    }
+    return headings;
+}
+
+/// Costs are estimated in free space; where nothing was estimated, as for one piece, there are none.
+Json decompositionJson(const Decomposition& cells) {
+    const std::vector<DecompositionStep>& steps = cells.history.steps;
+    Json json{{"cells", cells.cells.size()},
+              {"cells_before", steps.empty() ? cells.cells.size() : steps.front().cells},
+              {"altitude_m", cells.altitude.si()}};
+    if (!steps.empty()) {
+        json["cost_before_s"] = steps.front().cost.si();
+        json["cost_after_s"] = steps.back().cost.si();
+    }
+    return json;
+}
+
+Json milliseconds(Duration duration) {
+    return duration.si() * 1e3;
+}
+
+Json swathsJson(const Plan& plan) {
+    return {{"count", plan.swaths.swaths.size()},
+            {"total_length_m", plan.swaths.totalLength.si()},
+            {"heading_deg", headingsJson(plan.cells)},
+            {"proved", plan.swaths.proved},
+            {"coverage", plan.swaths.coverage},
+            {"overlap_m2", plan.swaths.overlap.si()},
+            {"shift_m", plan.swaths.shift.si()},
+            {"end_overlap_m2", plan.swaths.endOverlap.si()},
+            {"round_up_to_m", roundUpTo(plan.request.settings, plan.request.machine).si()},
+            {"obstacles_gone_round", plan.swaths.goneRound.size()}};
+}
+
+Json pathJson(const Plan& plan) {
+    return {{"length_m", plan.path.length().si()},
+            {"working_length_m", plan.path.workedLength().si()},
+            {"turn_length_m", plan.path.length(SegmentKind::Turn).si()},
+            {"transfer_length_m", plan.path.length(SegmentKind::Transfer).si()},
+            {"reverse_length_m", plan.path.reversedLength().si()},
+            {"time_s", plan.path.duration().si()},
+            {"turns", plan.path.turnCount()},
+            {"undrivable_turns", plan.path.undrivableCount()}};
+}
+
+}  // namespace
+
+std::string planSummaryJson(const Plan& plan, std::span<const std::string> files) {
+    const Settings& settings = plan.request.settings;
+    const Json machine = Json::parse(machineJson(plan.request.machine.spec()));
+    const double workedS = plan.path.workedDuration().si();
+    Json summary{
+        {"field",
+         {{"id", plan.field().id()},
+          {"name", plan.field().name()},
+          {"area_m2", plan.field().area().si()},
+          {"vertices", plan.field().vertexCount()},
+          {"holes", plan.field().holeCount()}}},
+        {"crs", plan.field().frame().projString()},
+        {"machine", machine},
+        {"machines", Json::array({machine})},
+        {"operation", settings.choice(kOperationKind)},
+        {"operation_sets", operationSets(settings)},
+        {"tank", tankUseId(settings.operation().tank)},
+        {"settings", settingsJson(plan)},
+        {"settings_asked", askedJson(plan)},
+        {"headland",
+         {{"width_m", plan.headland.width.si()},
+          {"passes", plan.headland.passes},
+          {"rings", plan.headland.rings.size()},
+          {"uncut_strip_m", plan.headland.uncutStrip.si()},
+          {"uncut_corners_m2", plan.headland.uncutCorners.si()},
+          {"mainland_ratio", plan.headland.mainlandRatio}}},
+        {"decomposition", decompositionJson(plan.cells)},
+        {"swaths", swathsJson(plan)},
+        {"route",
+         {{"method", methodOf("route", settings)},
+          {"length_in_place_m", plan.route.lengthInPlace.si()},
+          {"cost", plan.path.duration().si()},
+          {"non_working_cost", plan.path.duration().si() - workedS},
+          {"gap", nullptr},
+          {"gap_total", nullptr}}},
+        {"path", pathJson(plan)},
+        {"drivable", plan.drivable()},
+        {"audit", Json::parse(auditJson(plan.audit, plan.findings, plan.field().frame()))},
+        {"timing_ms",
+         {{"headland", milliseconds(plan.timings.headland)},
+          {"swaths", milliseconds(plan.timings.swaths)},
+          {"route", milliseconds(plan.timings.route)},
+          {"path", milliseconds(plan.timings.path)},
+          {"audit", milliseconds(plan.timings.audit)},
+          {"total", milliseconds(plan.timings.total)}}},
+        {"version", kVersion}};
+    if (!files.empty()) {
+        summary["files"] = std::vector<std::string>{files.begin(), files.end()};
+    }
+    return summary.dump(2, ' ', false, Json::error_handler_t::replace) + "\n";
+}
+
+}  // namespace furrow

@@ -1,0 +1,98 @@
+#include "planner/io/plan_files/settings_file.h"
+
+#include "planner/plan/method_registry.h"
+
+#include <nlohmann/json.hpp>
+
+#include <fstream>
+#include <iterator>
+
+namespace furrow {
+
+namespace {
+
+using Json = nlohmann::ordered_json;
+
+/// [3, -1] as "3,-1": how the settings hold lists.
+std::string dividedByCommas(const Json& list) {
+    std::string text;
+    for (const Json& entry : list) {
+        text += (text.empty() ? "" : ",") + entry.dump();
+    }
+    return text;
+}
+
+Result<void> applyValue(Settings& settings, const std::string& key, const Json& value,
+                        std::string_view origin) {
+    const auto parameter = findParameter(key);
+    Result<void> applied;
+    if (!parameter) {
+        applied = std::unexpected(parameter.error());
+    } else if (value.is_boolean()) {
+        applied = settings.set(**parameter, value.get<bool>());
+    } else if (value.is_number()) {
+        applied = settings.set(**parameter, value.get<double>());
+    } else if (value.is_string() && value.get<std::string>() == "auto") {
+        applied = settings.set(**parameter, Auto{});
+    } else if (value.is_string()) {
+        applied = settings.set(**parameter, value.get<std::string>());
+    } else if (value.is_array()) {
+        applied = settings.set(**parameter, dividedByCommas(value));
+    } else {
+        applied = std::unexpected(Error{.code = ErrorCode::InputRefused,
+                                        .what = "a setting is a number, true, false, a name or a list of numbers",
+                                        .where = key,
+                                        .remedy = "correct its value"});
+    }
+    if (!applied) {
+        Error error = applied.error();
+        error.where = message("{}, {}", origin, error.where);
+        return std::unexpected(error);
+    }
+    return {};
+}
+
+Result<void> applyObject(Settings& settings, const std::string& prefix, const Json& object,
+                         std::string_view origin) {
+    for (const auto& [name, value] : object.items()) {
+        const std::string key = prefix.empty() ? name : prefix + "." + name;
+        const auto applied = value.is_object() && prefix.empty() ? applyObject(settings, key, value, origin)
+                                                                 : applyValue(settings, key, value, origin);
+        if (!applied) {
+            return applied;
+        }
+    }
+    return {};
+}
+
+}  // namespace
+
+Result<void> applySettingsJson(Settings& settings, std::string_view json, std::string_view origin) {
+    const auto refused = [&](Message what) {
+        return std::unexpected(Error{.code = ErrorCode::InputRefused,
+                                     .what = std::move(what),
+                                     .where = std::string{origin},
+                                     .remedy = "give a JSON object such as {\"headland.width_m\": 12}"});
+    };
+    try {
+        const Json parsed = Json::parse(json);
+        return parsed.is_object() ? applyObject(settings, "", parsed, origin)
+                                  : refused("it is not a JSON object");
+    } catch (const Json::parse_error& error) {
+        return refused(message("it is not JSON (byte {})", error.byte));
+    }
+}
+
+Result<void> applySettingsFile(Settings& settings, const std::filesystem::path& path) {
+    std::ifstream file{path, std::ios::binary};
+    const std::string text{std::istreambuf_iterator<char>{file}, {}};
+    if (!file && text.empty()) {
+        return std::unexpected(Error{.code = ErrorCode::ReadFailed,
+                                     .what = "the file could not be read",
+                                     .where = path.string(),
+                                     .remedy = "check its name and that you may read it"});
+    }
+    return applySettingsJson(settings, text, path.string());
+}
+
+}  // namespace furrow
