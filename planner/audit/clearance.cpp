@@ -293,7 +293,10 @@ private:
     void move(const FootprintPart& part, const Placed& a, const Placed& b) {
         const double way = lengthOf(b.middle - a.middle);
         const Point middle = 0.5 * (a.middle + b.middle);
-        const double limit = std::max(0.0, std::min(found_.clearanceM, smallest_.get()));
+        // A half of a move may bulge out of its hull by the bridged distance. Nearer moves are always looked at, so that the
+        // area outside does not depend on which thread found the least clearance first.
+        const double bridged = bridgedBy(part, a, b);
+        const double limit = std::max(bridged, std::min(found_.clearanceM, smallest_.get()));
         if (meter_.isFree(middle, 0.5 * way + part.radius() + limit)) {
             return;
         }
@@ -310,7 +313,6 @@ private:
         // In a turn, a hull also covers places that the side of the part goes round. This matters for the
         // decision between inside and outside, and for the least clearance. A part farther outside stays
         // outside.
-        const double bridged = bridgedBy(part, a, b);
         const bool decides = mayBeOutside ? -step.clearanceM < bridged : step.clearanceM < limit;
         if (decides && bridged > kFinestM) {
             const Placed between = halfWay(a, b);
