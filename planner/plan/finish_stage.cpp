@@ -3,6 +3,7 @@
 #include "planner/geometry/geos_bridge.h"
 #include "planner/headland/finishing_passes.h"
 #include "planner/headland/headland_passes.h"
+#include "planner/path/blocking.h"
 #include "planner/path/headland_order.h"
 #include "planner/plan/general_parameters.h"
 #include "planner/plan/stopwatch.h"
@@ -23,10 +24,6 @@ constexpr Area kMayStayInOnePiece = squareMetres(95.0);
 constexpr int kFinishingRounds = 6;
 // A segment that begins where a pass does is that pass.
 constexpr double kSamePlaceM = 1e-6;
-
-std::ptrdiff_t blockingIn(const Driven& driven) {
-    return std::ranges::count(driven.findings, Severity::Blocking, &Finding::severity);
-}
 
 /// Ways and passes that leave where the machine may be.
 std::ptrdiff_t outsideIn(const Driven& driven) {
@@ -128,7 +125,7 @@ Result<Driven> finishStage(const DriveTask& task, Driven driven, std::vector<Leg
         }
         finished->driving += driven.driving;
         finished->auditing += driven.auditing;
-        if (blockingIn(*finished) > blockingIn(driven) || outsideIn(*finished) > outsideIn(driven)) {
+        if (blockingCount(finished->findings) > blockingCount(driven.findings) || outsideIn(*finished) > outsideIn(driven)) {
             const std::vector<HeadlandPass> outside = leadingOutside(finished->path, more.put);
             if (outside.empty()) {
                 break;

@@ -1,5 +1,6 @@
 #include "ui/plan/findings_model.h"
 
+#include "planner/path/blocking.h"
 #include "ui/text/display.h"
 #include "ui/text/message_text.h"
 #include "ui/text/unit_text.h"
@@ -50,7 +51,7 @@ int FindingsModel::shownCount(std::size_t findings) const {
 }
 
 int FindingsModel::blockingCount() const {
-    return static_cast<int>(std::ranges::count(findings_, Severity::Blocking, &Finding::severity));
+    return static_cast<int>(furrow::blockingCount(findings_));
 }
 
 int FindingsModel::rowCount(const QModelIndex& parent) const {
@@ -67,7 +68,7 @@ QVariant FindingsModel::data(const QModelIndex& index, int role) const {
         case Qt::DisplayRole:
         case TextRole: return shown(finding.text);
         case SuggestionRole: return shown(finding.suggestion);
-        case BlockingRole: return finding.severity == Severity::Blocking;
+        case BlockingRole: return isBlocking(finding);
         case PlaceRole: return QVariant::fromValue(placeOf(index.row()));
         default: return {};
     }

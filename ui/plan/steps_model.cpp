@@ -1,6 +1,7 @@
 #include "ui/plan/steps_model.h"
 
 #include "planner/io/boundary_import.h"
+#include "planner/path/blocking.h"
 #include "planner/plan/method_registry.h"
 #include "ui/text/display.h"
 #include "ui/text/message_text.h"
@@ -59,11 +60,9 @@ std::string_view stepOf(const Finding& finding) {
     return step == kSteps.end() ? "path" : step->second;
 }
 
-/// Findings that block, of one step or of all.
-int blockingCount(const Plan& plan, std::string_view step = {}) {
-    return static_cast<int>(std::ranges::count_if(plan.findings, [step](const Finding& finding) {
-        return finding.severity == Severity::Blocking && (step.empty() || stepOf(finding) == step);
-    }));
+int problemsOf(std::string_view step, const Plan& plan) {
+    return static_cast<int>(std::ranges::count_if(
+        plan.findings, [step](const Finding& finding) { return isBlocking(finding) && stepOf(finding) == step; }));
 }
 
 /// What came of a stage, in one line; empty for stages that are not known here.
@@ -185,7 +184,7 @@ void StepsModel::showCheck(Step& step, const StepsContent& content) {
         case PlanState::Ready:
         case PlanState::Problems: break;
     }
-    const int problems = blockingCount(*content.plan);
+    const int problems = static_cast<int>(content.plan->blockingCount());
     const int notes = static_cast<int>(content.plan->findings.size()) - problems;
     step.choice = problems > 0 ? tr("%n problem(s)", nullptr, problems) : tr("No problems");
     step.result = notes > 0 ? tr("%n note(s)", nullptr, notes) : QString{};
@@ -210,7 +209,7 @@ void StepsModel::show(const StepsContent& content) {
         step.parameters->show(parametersOf(stage, content.settings), content.settings, filledIn);
     }
     for (Step& step : steps_) {
-        if (const int problems = finished ? blockingCount(*content.plan, step.id.toStdString()) : 0; problems > 0) {
+        if (const int problems = finished ? problemsOf(step.id.toStdString(), *content.plan) : 0; problems > 0) {
             step.result = withProblems(step.result, problems);
             step.status = Status::Warning;
         }
