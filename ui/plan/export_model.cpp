@@ -41,10 +41,10 @@ ExportModel::ExportModel(QObject* parent) : QAbstractListModel{parent} {
     });
 }
 
-void ExportModel::setPlan(const PlanTitle& title, const Said& refusal) {
+void ExportModel::setPlan(const PlanTitle& title, PlanState state) {
     const bool otherPlan = title.plan != title_.plan;
     title_ = title;
-    refusal_ = refusal;
+    planState_ = state;
     emit planChanged();
     stick_.setPlan(title);
     if (otherPlan && state_ == State::Writing) {
@@ -53,6 +53,21 @@ void ExportModel::setPlan(const PlanTitle& title, const Said& refusal) {
     } else if (otherPlan && state_ == State::Done) {
         clear();
     }
+}
+
+QString ExportModel::refusal() const {
+    switch (planState_) {
+        case PlanState::Ready:
+        case PlanState::Problems: return {};
+        case PlanState::Empty: return tr("There is no field yet, and no plan to export.");
+        case PlanState::Reading:
+        case PlanState::Choosing: return tr("A field is being opened. Its plan can be exported when it is finished.");
+        case PlanState::Planning: return tr("The plan is still being made. It can be exported when it is finished.");
+        case PlanState::OutOfDate:
+            return tr("The plan is out of date: the field, the machine or a setting was changed after it was made.");
+        case PlanState::Failed: return tr("There is no plan to export. The message on the map says why.");
+    }
+    return {};
 }
 
 int ExportModel::rowCount(const QModelIndex& parent) const {

@@ -2,6 +2,7 @@
 
 #include "planner/io/export_job.h"
 #include "ui/jobs/job_runner.h"
+#include "ui/plan/plan_state.h"
 #include "ui/plan/plan_title.h"
 #include "ui/plan/stick_export.h"
 #include "ui/text/message_text.h"
@@ -42,12 +43,13 @@ public:
 
     explicit ExportModel(QObject* parent = nullptr);
 
-    /// What is to be written; null for nothing, with the reason. What was being written of another plan is stopped.
-    void setPlan(const PlanTitle& title, const Said& refusal);
+    /// What is to be written; null for nothing, and the state says why. What was being written of another plan is
+    /// stopped.
+    void setPlan(const PlanTitle& title, PlanState state);
 
     QString heading() const { return title_.heading(); }
     QString details() const { return title_.details(); }
-    QString refusal() const { return text(refusal_); }
+    QString refusal() const;
     State state() const { return state_; }
     QString message() const { return text(message_); }
     QString remedy() const { return text(remedy_); }
@@ -78,7 +80,7 @@ private:
     void setState(State state, Said message = {}, Said remedy = {});
 
     PlanTitle title_;
-    Said refusal_;
+    PlanState planState_ = PlanState::Empty;
     PlanTitle written_;
     std::vector<bool> checked_;
     State state_ = State::Idle;

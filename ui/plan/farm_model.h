@@ -17,6 +17,8 @@ class FarmModel : public QObject {
     /// Names, each with its area.
     Q_PROPERTY(QStringList fields READ fields NOTIFY changed FINAL)
     Q_PROPERTY(int currentField READ currentField WRITE setCurrentField NOTIFY changed FINAL)
+    /// A field is worked on.
+    Q_PROPERTY(bool hasField READ hasField NOTIFY changed FINAL)
     Q_PROPERTY(QString fieldName READ fieldName NOTIFY changed FINAL)
     /// Names of the current field's plans; one without a name is called by its machine.
     Q_PROPERTY(QStringList plans READ plans NOTIFY changed FINAL)
@@ -30,6 +32,7 @@ public:
     QStringList fields() const { return fields_; }
     int currentField() const;
     void setCurrentField(int index);
+    bool hasField() const { return document_.project()->field() != nullptr; }
     QString fieldName() const;
     QStringList plans() const;
     int currentPlan() const;

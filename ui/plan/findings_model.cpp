@@ -50,10 +50,6 @@ int FindingsModel::shownCount(std::size_t findings) const {
     return all_ ? static_cast<int>(findings) : std::min(static_cast<int>(findings), few());
 }
 
-int FindingsModel::blockingCount() const {
-    return static_cast<int>(furrow::blockingCount(findings_));
-}
-
 int FindingsModel::rowCount(const QModelIndex& parent) const {
     return parent.isValid() ? 0 : shownCount(findings_.size());
 }

@@ -19,7 +19,6 @@ class FindingsModel : public QAbstractListModel {
     /// Rows for all findings, or for the first few only: a plan may have hundreds while a value is dragged.
     Q_PROPERTY(bool all READ showsAll WRITE setAll NOTIFY allChanged FINAL)
     Q_PROPERTY(int few READ few CONSTANT FINAL)
-    Q_PROPERTY(int blockingCount READ blockingCount NOTIFY countChanged FINAL)
 
 public:
     enum Role { NumberRole = Qt::UserRole + 1, TextRole, SuggestionRole, BlockingRole, PlaceRole };
@@ -34,7 +33,6 @@ public:
     bool showsAll() const { return all_; }
     void setAll(bool all);
     int few() const { return 4; }
-    int blockingCount() const;
     int rowCount(const QModelIndex& parent = {}) const override;
     QVariant data(const QModelIndex& index, int role) const override;
     QHash<int, QByteArray> roleNames() const override;

@@ -1,14 +1,20 @@
 import QtQuick
 import QtQuick.Controls
 import Furrow.Controls
+import Furrow.Document
 import Furrow.Edit
+import Furrow.Map
 import Furrow.Plan
 
 /// Everything that can be done in the window.
 QtObject {
     id: root
 
-    required property PlanSession session
+    required property Document document
+    required property ProjectFiles files
+    required property FarmModel farm
+    required property ShownPlan shown
+    required property Planning planning
     required property MapPage page
     required property LayersPanel layersPanel
     required property ScaleSetting scaleSetting
@@ -62,7 +68,7 @@ QtObject {
         required property int tool
 
         group: root.fieldGroup
-        enabled: root.session.hasField
+        enabled: root.farm.hasField
         onTriggered: root.page.startTool(tool)
     }
 
@@ -102,7 +108,7 @@ QtObject {
             group: root.fileGroup
             text: qsTr("Save")
             shortcut: "Ctrl+S"
-            enabled: root.session.document.modified || root.session.files.path.length === 0
+            enabled: root.document.modified || root.files.path.length === 0
             onTriggered: root.saveRequested()
         },
         Command {
@@ -118,7 +124,7 @@ QtObject {
             text: qsTr("Export the plan…")
             shortcut: "Ctrl+E"
             keywords: qsTr("ISOXML USB terminal")
-            enabled: root.session.hasField
+            enabled: root.farm.hasField
             onTriggered: root.exportRequested()
         },
         Command {
@@ -131,20 +137,20 @@ QtObject {
         Command {
             objectName: "command.undo"
             group: root.editGroup
-            text: root.session.document.canUndo ? qsTr("Undo: %1").arg(root.session.document.undoText) : qsTr("Undo")
+            text: root.document.canUndo ? qsTr("Undo: %1").arg(root.document.undoText) : qsTr("Undo")
             name: qsTr("Undo")
             shortcut: "Ctrl+Z"
-            enabled: root.session.document.canUndo
-            onTriggered: root.session.document.undo()
+            enabled: root.document.canUndo
+            onTriggered: root.document.undo()
         },
         Command {
             objectName: "command.redo"
             group: root.editGroup
-            text: root.session.document.canRedo ? qsTr("Redo: %1").arg(root.session.document.redoText) : qsTr("Redo")
+            text: root.document.canRedo ? qsTr("Redo: %1").arg(root.document.redoText) : qsTr("Redo")
             name: qsTr("Redo")
             shortcut: "Ctrl+Shift+Z"
-            enabled: root.session.document.canRedo
-            onTriggered: root.session.document.redo()
+            enabled: root.document.canRedo
+            onTriggered: root.document.redo()
         },
         Command {
             objectName: "command.delete"
@@ -159,7 +165,7 @@ QtObject {
             group: root.editGroup
             text: qsTr("Select the next point")
             keysText: qsTr("Space")
-            enabled: root.session.hasField
+            enabled: root.farm.hasField
             onTriggered: root.page.editor.selectNext(1)
         },
         Command {
@@ -167,7 +173,7 @@ QtObject {
             group: root.editGroup
             text: qsTr("Select the next edge")
             shortcut: "E"
-            enabled: root.session.hasField && !root.page.editor.drawing
+            enabled: root.farm.hasField && !root.page.editor.drawing
             onTriggered: root.page.editor.selectEdge()
         },
         Command {
@@ -175,7 +181,7 @@ QtObject {
             group: root.editGroup
             text: qsTr("Select the next outline, line or gate")
             keysText: qsTr("PgDown")
-            enabled: root.session.hasField
+            enabled: root.farm.hasField
             onTriggered: root.page.editor.selectNextShape(1)
         },
         Command {
@@ -238,7 +244,7 @@ QtObject {
             objectName: "command.renameField"
             group: root.fieldGroup
             text: qsTr("Rename the field…")
-            enabled: root.session.hasField
+            enabled: root.farm.hasField
             onTriggered: root.renameFieldRequested()
         },
         Command {
@@ -246,30 +252,30 @@ QtObject {
             group: root.fieldGroup
             text: qsTr("Remove the field")
             keywords: qsTr("delete")
-            enabled: root.session.hasField
-            onTriggered: root.session.farm.removeField()
+            enabled: root.farm.hasField
+            onTriggered: root.farm.removeField()
         },
         Command {
             objectName: "command.nextField"
             group: root.fieldGroup
             text: qsTr("Next field")
             shortcut: "Ctrl+PgDown"
-            enabled: root.session.farm.fields.length > 1
-            onTriggered: root.session.farm.currentField = (root.session.farm.currentField + 1) % root.session.farm.fields.length
+            enabled: root.farm.fields.length > 1
+            onTriggered: root.farm.currentField = (root.farm.currentField + 1) % root.farm.fields.length
         },
         Command {
             objectName: "command.addPlan"
             group: root.planGroup
             text: qsTr("Add a plan…")
             keywords: qsTr("season operation copy")
-            enabled: root.session.hasField
+            enabled: root.farm.hasField
             onTriggered: root.addPlanRequested()
         },
         Command {
             objectName: "command.renamePlan"
             group: root.planGroup
             text: qsTr("Rename the plan…")
-            enabled: root.session.hasField
+            enabled: root.farm.hasField
             onTriggered: root.renamePlanRequested()
         },
         Command {
@@ -277,23 +283,23 @@ QtObject {
             group: root.planGroup
             text: qsTr("Remove the plan")
             keywords: qsTr("delete")
-            enabled: root.session.farm.plans.length > 1
-            onTriggered: root.session.farm.removePlan()
+            enabled: root.farm.plans.length > 1
+            onTriggered: root.farm.removePlan()
         },
         Command {
             objectName: "command.planAgain"
             group: root.planGroup
             text: qsTr("Plan again")
             shortcut: "F5"
-            enabled: root.session.hasField
-            onTriggered: root.session.planAgain()
+            enabled: root.farm.hasField
+            onTriggered: root.planning.planAgain()
         },
         Command {
             objectName: "command.fit"
             group: root.viewGroup
             text: qsTr("Show the whole field")
             shortcut: "F"
-            enabled: root.session.hasField
+            enabled: root.farm.hasField
             onTriggered: root.page.fitField(true)
         },
         Command {
@@ -317,7 +323,7 @@ QtObject {
             group: root.viewGroup
             text: qsTr("Results panel")
             shortcut: "F9"
-            enabled: root.session.hasPlan
+            enabled: root.shown.hasPlan
             onTriggered: root.panelRequested()
         },
         Command {

@@ -8,7 +8,8 @@ import Furrow.Plan
 Rectangle {
     id: root
 
-    required property PlanSession session
+    required property FieldOpener opener
+    required property RecentFiles recent
     signal openRequested()
     signal drawRequested()
     signal projectRequested(path: string)
@@ -71,21 +72,21 @@ Rectangle {
             }
             RecentProjects {
                 width: parent.width
-                recent: root.session.recent
+                recent: root.recent
                 onChosen: path => root.projectRequested(path)
             }
             Column {
                 width: parent.width
                 topPadding: 8
                 spacing: 2
-                visible: root.session.sampleNames.length > 0
+                visible: root.opener.sampleNames.length > 0
 
                 Caption {
                     text: qsTr("Or try one of these")
                     bottomPadding: 4
                 }
                 Repeater {
-                    model: root.session.sampleNames
+                    model: root.opener.sampleNames
 
                     T.Button {
                         id: sample
@@ -98,7 +99,7 @@ Rectangle {
                         height: 34
                         focusPolicy: Qt.StrongFocus
                         Accessible.name: qsTr("Sample field %1").arg(modelData)
-                        onClicked: root.session.openSample(index)
+                        onClicked: root.opener.openSample(index)
 
                         background: Rectangle {
                             anchors.fill: parent

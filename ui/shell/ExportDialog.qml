@@ -8,8 +8,8 @@ import Furrow.Plan
 T.Popup {
     id: root
 
-    required property PlanSession session
-    readonly property ExportModel exporter: session.exporter
+    required property ExportModel exporter
+    required property Planning planning
     readonly property StickExport stick: exporter.stick
     /// There is no finished plan of what the panels show.
     readonly property bool refused: exporter.refusal.length > 0
@@ -102,15 +102,15 @@ T.Popup {
             }
             PushButton {
                 objectName: "export.planAgain"
-                visible: root.session.state === PlanState.OutOfDate
+                visible: root.planning.state === PlanState.OutOfDate
                 text: qsTr("Plan again")
-                onClicked: root.session.planAgain()
+                onClicked: root.planning.planAgain()
             }
             NoticeBar {
                 objectName: "export.blocking"
                 width: parent.width
-                visible: root.session.state === PlanState.Problems
-                text: qsTr("%n problem(s) in this plan: it cannot be driven as drawn. The files say so too.", "", root.session.findings.blockingCount)
+                visible: root.planning.state === PlanState.Problems
+                text: qsTr("%n problem(s) in this plan: it cannot be driven as drawn. The files say so too.", "", root.planning.problemCount)
             }
         }
         // What does not fit a small window scrolls; the buttons stay.

@@ -6,7 +6,7 @@ import Furrow.Plan
 Column {
     id: root
 
-    required property PlanSession session
+    required property FieldOpener opener
     signal openRequested()
     signal drawRequested()
 
@@ -32,17 +32,17 @@ Column {
     Column {
         width: parent.width
         spacing: 5
-        visible: root.session.sampleNames.length > 0
+        visible: root.opener.sampleNames.length > 0
 
         Caption { text: qsTr("Sample field") }
         ChoiceField {
             objectName: "field.sample"
             width: parent.width
             name: qsTr("Sample field")
-            model: root.session.sampleNames
+            model: root.opener.sampleNames
             chosen: -1
             displayText: qsTr("Add one to look at")
-            onActivated: index => root.session.openSample(index)
+            onActivated: index => root.opener.openSample(index)
         }
     }
 }

@@ -9,7 +9,7 @@ import Furrow.Plan
 Rectangle {
     id: root
 
-    required property PlanSession session
+    required property FieldOpener opener
 
     objectName: "fieldChooser"
     implicitWidth: 440
@@ -24,7 +24,7 @@ Rectangle {
 
         x: 24
         y: 22
-        text: qsTr("Which of the %n field(s)?", "", root.session.choices.count)
+        text: qsTr("Which of the %n field(s)?", "", root.opener.choices.count)
         font.pixelSize: 18
         font.weight: Font.DemiBold
     }
@@ -33,13 +33,13 @@ Rectangle {
         objectName: "chooser.close"
         iconName: "close"
         hint: qsTr("Open none of them")
-        onClicked: root.session.dropChoices()
+        onClicked: root.opener.dropChoices()
     }
     PushButton {
         objectName: "chooser.all"
         anchors { right: parent.right; bottom: parent.bottom; margins: 16 }
         text: qsTr("Open all of them")
-        onClicked: root.session.chooseAll()
+        onClicked: root.opener.chooseAll()
     }
     ListView {
         id: list
@@ -49,10 +49,10 @@ Rectangle {
         focus: true
         activeFocusOnTab: true
         boundsBehavior: Flickable.StopAtBounds
-        model: root.session.choices
+        model: root.opener.choices
         keyNavigationEnabled: true
-        Keys.onReturnPressed: root.session.chooseField(currentIndex)
-        Keys.onEscapePressed: root.session.dropChoices()
+        Keys.onReturnPressed: root.opener.chooseField(currentIndex)
+        Keys.onEscapePressed: root.opener.dropChoices()
 
         T.ScrollBar.vertical: T.ScrollBar {
             id: bar
@@ -79,7 +79,7 @@ Rectangle {
             height: 52
             focusPolicy: Qt.NoFocus
             Accessible.name: qsTr("%1, %2").arg(name).arg(area)
-            onClicked: root.session.chooseField(index)
+            onClicked: root.opener.chooseField(index)
 
             background: Rectangle {
                 radius: Theme.radius

@@ -6,12 +6,14 @@ import Furrow.Plan
 Rectangle {
     id: root
 
-    required property PlanSession session
+    required property Problem problem
+    required property Planning planning
+    required property bool hasField
     signal placeRequested()
     signal openRequested()
 
     objectName: "problemCard"
-    visible: session.problem.length > 0 && session.state !== PlanState.Planning && session.state !== PlanState.Reading && session.state !== PlanState.Choosing
+    visible: problem.text.length > 0 && planning.state !== PlanState.Planning && planning.state !== PlanState.Reading && planning.state !== PlanState.Choosing
     width: 344
     height: column.height + 32
     radius: Theme.cardRadius
@@ -19,7 +21,7 @@ Rectangle {
     border.width: Theme.hairline
     border.color: Theme.failure
     Accessible.role: Accessible.AlertMessage
-    Accessible.name: root.session.problem
+    Accessible.name: root.problem.text
 
     SoftShadow { radius: root.radius }
     Column {
@@ -41,7 +43,7 @@ Rectangle {
             BodyText {
                 objectName: "problemText"
                 width: parent.width - 30
-                text: root.session.problem
+                text: root.problem.text
                 font.weight: Font.DemiBold
                 wrapMode: Text.WordWrap
                 lineHeight: 1.15
@@ -50,13 +52,13 @@ Rectangle {
         Caption {
             width: parent.width
             visible: text.length > 0
-            text: root.session.problemWhere
+            text: root.problem.where
             wrapMode: Text.Wrap
         }
         BodyText {
             width: parent.width
             visible: text.length > 0
-            text: root.session.problemRemedy
+            text: root.problem.remedy
             wrapMode: Text.WordWrap
             lineHeight: 1.15
         }
@@ -66,19 +68,19 @@ Rectangle {
 
             PushButton {
                 objectName: "problemPlaceButton"
-                visible: root.session.problemPlace.isValid
+                visible: root.problem.place.isValid
                 text: qsTr("Show the place")
                 onClicked: root.placeRequested()
             }
             PushButton {
                 objectName: "problemCloseButton"
                 // Where there is no plan, the card says why.
-                visible: root.session.state !== PlanState.Failed
+                visible: root.planning.state !== PlanState.Failed
                 text: qsTr("Close")
-                onClicked: root.session.dismissProblem()
+                onClicked: root.problem.dismiss()
             }
             PushButton {
-                visible: !root.session.hasField
+                visible: !root.hasField
                 text: qsTr("Open another file…")
                 onClicked: root.openRequested()
             }

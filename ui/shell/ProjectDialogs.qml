@@ -9,8 +9,9 @@ import Furrow.Plan
 Item {
     id: root
 
-    required property PlanSession session
-    readonly property ProjectFiles files: session.files
+    required property Document document
+    required property ProjectFiles files
+    required property FieldOpener opener
     /// What comes after the changes are saved or given up.
     property var next: null
 
@@ -18,20 +19,14 @@ Item {
         openDialog.open();
     }
     function openUrls(urls: list<url>): void {
-        const replaces = urls.some(url => root.session.isProjectFile(url));
+        const replaces = urls.some(url => root.opener.isProjectFile(url));
         if (replaces)
-            root.settleThen(() => root.session.openUrls(urls));
+            root.settleThen(() => root.opener.openUrls(urls));
         else
-            root.session.openUrls(urls);
-    }
-    function addImagery(): void {
-        imageryDialog.open();
-    }
-    function addTileFolder(): void {
-        tileFolderDialog.open();
+            root.opener.openUrls(urls);
     }
     function startNew(): void {
-        root.settleThen(() => root.session.closeField());
+        root.settleThen(() => root.opener.startNew());
     }
     function save(): void {
         if (root.files.path.length > 0)
@@ -45,7 +40,7 @@ Item {
     }
     /// Runs `action` when nothing is left unsaved.
     function settleThen(action: var): void {
-        if (!root.session.document.modified) {
+        if (!root.document.modified) {
             action();
             return;
         }
@@ -78,22 +73,6 @@ Item {
         fileMode: FileDialog.OpenFiles
         nameFilters: [qsTr("Projects and field boundaries (%1)").arg("*.furrow *.geojson *.json *.shp *.zip *.kml *.kmz *.gpkg *.gml *.fgb *.wkt *.csv *.xml *.dxf *.gpx *.tif *.tiff *.png *.mbtiles"), qsTr("Projects (%1)").arg("*.furrow"), qsTr("All files (*)")]
         onAccepted: root.openUrls(selectedFiles)
-    }
-    FileDialog {
-        id: imageryDialog
-
-        objectName: "imageryDialog"
-        title: qsTr("Add imagery")
-        fileMode: FileDialog.OpenFiles
-        nameFilters: [qsTr("Pictures and heights (%1)").arg("*.tif *.tiff *.mbtiles *.gpkg *.jp2 *.png *.jpg *.jpeg *.webp *.asc *.hgt *.dt0 *.dt1 *.dt2"), qsTr("All files (*)")]
-        onAccepted: root.session.imagery.addUrls(selectedFiles)
-    }
-    FolderDialog {
-        id: tileFolderDialog
-
-        objectName: "tileFolderDialog"
-        title: qsTr("Add a folder of tiles")
-        onAccepted: root.session.imagery.addUrls([selectedFolder])
     }
     FileDialog {
         id: saveDialog

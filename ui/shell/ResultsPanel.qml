@@ -8,12 +8,14 @@ import Furrow.Plan
 Rectangle {
     id: root
 
-    required property PlanSession session
+    required property Planning planning
+    required property FiguresModel figures
+    required property FindingsModel findings
     required property FieldEditor editor
     property int currentFinding: -1
     /// The list of findings was asked for.
     property bool checked: false
-    readonly property bool outOfDate: session.state === PlanState.OutOfDate
+    readonly property bool outOfDate: planning.state === PlanState.OutOfDate
     signal findingRequested(index: int)
 
     objectName: "resultsPanel"
@@ -63,7 +65,7 @@ Rectangle {
                 }
             }
             Repeater {
-                model: root.session.figures
+                model: root.figures
 
                 Item {
                     id: figure
@@ -97,17 +99,17 @@ Rectangle {
                     }
                 }
             }
-            Item { width: 1; height: 24; visible: root.session.findings.count > 0 }
+            Item { width: 1; height: 24; visible: root.findings.count > 0 }
             Title {
                 id: findingsTitle
 
-                visible: root.session.findings.count > 0
-                text: qsTr("%n finding(s)", "", root.session.findings.count)
+                visible: root.findings.count > 0
+                text: qsTr("%n finding(s)", "", root.findings.count)
             }
             BodyText {
                 objectName: "noFindings"
                 width: parent.width
-                visible: root.checked && root.session.findings.count === 0
+                visible: root.checked && root.findings.count === 0
                 topPadding: 24
                 text: qsTr("Nothing was found in this plan: all of it can be driven.")
                 wrapMode: Text.WordWrap
@@ -120,7 +122,7 @@ Rectangle {
                 Repeater {
                     id: findingRows
 
-                    model: root.session.findings
+                    model: root.findings
 
                     FindingRow {
                         required property int index
@@ -134,10 +136,10 @@ Rectangle {
             }
             SmallButton {
                 objectName: "allFindings"
-                visible: root.session.findings.count > root.session.findings.few
-                text: root.session.findings.all ? qsTr("Show the first %1 only").arg(root.session.findings.few) : qsTr("Show all %1").arg(root.session.findings.count)
+                visible: root.findings.count > root.findings.few
+                text: root.findings.all ? qsTr("Show the first %1 only").arg(root.findings.few) : qsTr("Show all %1").arg(root.findings.count)
                 height: 32
-                onClicked: root.session.findings.all = !root.session.findings.all
+                onClicked: root.findings.all = !root.findings.all
             }
         }
     }
@@ -147,7 +149,7 @@ Rectangle {
         // Once it is laid out, where it was hidden before.
         Qt.callLater(() => {
             flick.contentY = Math.max(0, Math.min(findingsTitle.y + column.y - 12, flick.contentHeight - flick.height));
-            (root.session.findings.count > 0 ? findingRows.itemAt(0) : root).forceActiveFocus(Qt.TabFocusReason);
+            (root.findings.count > 0 ? findingRows.itemAt(0) : root).forceActiveFocus(Qt.TabFocusReason);
         });
     }
     function focusInspector(): void {

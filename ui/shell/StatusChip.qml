@@ -7,10 +7,10 @@ import Furrow.Plan
 Rectangle {
     id: root
 
-    required property PlanSession session
-    readonly property int planState: session.state
+    required property Planning planning
+    readonly property int planState: planning.state
     readonly property bool working: planState === PlanState.Planning || planState === PlanState.Reading
-    readonly property bool slow: working && session.slow
+    readonly property bool slow: working && planning.slow
     readonly property bool failed: planState === PlanState.Failed
     readonly property bool warned: planState === PlanState.OutOfDate || planState === PlanState.Problems
     signal checkRequested()
@@ -46,7 +46,7 @@ Rectangle {
 
             objectName: "statusText"
             anchors.verticalCenter: parent.verticalCenter
-            text: root.session.statusText
+            text: root.planning.statusText
         }
         Rectangle {
             anchors.verticalCenter: parent.verticalCenter
@@ -57,7 +57,7 @@ Rectangle {
             color: Theme.line
 
             Rectangle {
-                width: Math.max(5, parent.width * root.session.progress)
+                width: Math.max(5, parent.width * root.planning.progress)
                 height: 5
                 radius: 2.5
                 color: Theme.accent
@@ -72,14 +72,14 @@ Rectangle {
             anchors.verticalCenter: parent.verticalCenter
             visible: root.slow
             text: qsTr("Stop")
-            onClicked: root.session.cancel()
+            onClicked: root.planning.cancel()
         }
         SmallButton {
             objectName: "planAgainButton"
             anchors.verticalCenter: parent.verticalCenter
             visible: root.planState === PlanState.OutOfDate
             text: qsTr("Plan again")
-            onClicked: root.session.planAgain()
+            onClicked: root.planning.planAgain()
         }
         SmallButton {
             objectName: "showProblemsButton"

@@ -17,7 +17,8 @@ Rectangle {
     required property string result
     required property int status
     required property ParameterModel parameters
-    required property PlanSession session
+    required property Planning planning
+    required property FieldOpener opener
     property bool open: false
     readonly property bool leadsOn: stepId === "check"
     /// The result is of a plan that does not belong to what the panels show.
@@ -147,21 +148,21 @@ Rectangle {
             FieldActions {
                 width: parent.width
                 visible: root.stepId === "field"
-                session: root.session
+                opener: root.opener
                 onOpenRequested: root.openRequested()
                 onDrawRequested: root.drawRequested()
             }
             MachineFields {
                 width: parent.width
                 visible: root.stepId === "machine"
-                machine: root.session.machine
+                machine: root.planning.machine
             }
             Loader {
                 width: parent.width
-                active: root.stepId === "decomposition" && root.session.cells.count > 0
+                active: root.stepId === "decomposition" && root.planning.cells.count > 0
                 visible: active
                 sourceComponent: CellStepper {
-                    cells: root.session.cells
+                    cells: root.planning.cells
                 }
             }
             ParameterList {

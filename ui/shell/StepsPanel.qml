@@ -7,7 +7,8 @@ import Furrow.Plan
 Rectangle {
     id: root
 
-    required property PlanSession session
+    required property Planning planning
+    required property FieldOpener opener
     property string openStep: "field"
     signal openRequested()
     signal drawRequested()
@@ -31,11 +32,12 @@ Rectangle {
             spacing: 2
 
             Repeater {
-                model: root.session.steps
+                model: root.planning.steps
 
                 StepItem {
                     width: column.width
-                    session: root.session
+                    planning: root.planning
+                    opener: root.opener
                     open: !leadsOn && root.openStep === stepId
                     onToggled: root.openStep = open ? "" : stepId
                     onOpenRequested: root.openRequested()

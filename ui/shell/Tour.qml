@@ -9,7 +9,8 @@ import Furrow.Plan
 Item {
     id: root
 
-    required property PlanSession session
+    required property FarmModel farm
+    required property FieldOpener opener
     /// What each page is about; null for the window as a whole.
     required property list<Item> places
     property int page: -1
@@ -141,8 +142,8 @@ Item {
         root.seen = true;
     }
     function goOn(): void {
-        if (root.page === 0 && !root.session.hasField)
-            root.session.openSample(Math.max(0, root.session.sampleNames.indexOf("Home Field")));
+        if (root.page === 0 && !root.farm.hasField)
+            root.opener.openSample(Math.max(0, root.opener.sampleNames.indexOf("Home Field")));
         if (root.page + 1 < root.pages.length)
             root.page += 1;
         else

@@ -1,6 +1,6 @@
 #include "planner/plan/method_registry.h"
 #include "planner/project/project_edits.h"
-#include "ui/plan/plan_session.h"
+#include "ui/plan/session.h"
 
 #include <QAbstractItemModelTester>
 #include <QFile>
@@ -38,12 +38,12 @@ QVariant roleOf(const ParameterModel& model, const QString& key, int role) {
     return model.data(model.index(rowOf(model, key)), role);
 }
 
-QString figure(PlanSession& session, int row) {
+QString figure(Session& session, int row) {
     return session.figures()->data(session.figures()->index(row), FiguresModel::ValueRole).toString();
 }
 
 /// One point of the first ring, as it is dragged.
-void moveVertex(PlanSession& session, std::size_t vertex, const QGeoCoordinate& place, bool finished) {
+void moveVertex(Session& session, std::size_t vertex, const QGeoCoordinate& place, bool finished) {
     const Project& project = *session.document()->project();
     FieldSource source = *project.field()->source;
     source.parts.front().outer[vertex] = geoPoint(place);
@@ -75,69 +75,69 @@ class TestPlanSession : public QObject {
 
 private slots:
     void modelsKeepTheirPromises() {
-        PlanSession session;
-        QAbstractItemModelTester steps{session.steps()};
-        QAbstractItemModelTester machine{session.machine()};
+        Session session;
+        QAbstractItemModelTester steps{session.planning()->steps()};
+        QAbstractItemModelTester machine{session.planning()->machine()};
         QAbstractItemModelTester figures{session.figures()};
         QAbstractItemModelTester findings{session.findings()};
-        QAbstractItemModelTester choices{session.choices()};
+        QAbstractItemModelTester choices{session.opener()->choices()};
         QAbstractItemModelTester exporter{session.exporter()};
         std::vector<std::unique_ptr<QAbstractItemModelTester>> parameters;
         for (const char* step : {"field", "headland", "swaths", "decomposition", "route", "path"}) {
             parameters.push_back(
-                std::make_unique<QAbstractItemModelTester>(session.steps()->parameters(QLatin1String{step})));
+                std::make_unique<QAbstractItemModelTester>(session.planning()->steps()->parameters(QLatin1String{step})));
         }
-        session.setBoundary(rectangle());
-        QTRY_COMPARE_WITH_TIMEOUT(session.state(), PlanSession::State::Ready, kPatienceMs);
-        ParameterModel* headland = session.steps()->parameters(QStringLiteral("headland"));
+        session.opener()->addDrawn(rectangle());
+        QTRY_COMPARE_WITH_TIMEOUT(session.planning()->state(), PlanState::Ready, kPatienceMs);
+        ParameterModel* headland = session.planning()->steps()->parameters(QStringLiteral("headland"));
         headland->setChoice(rowOf(*headland, QStringLiteral("headland.method")), methodIndex("headland", "none"));
-        QTRY_COMPARE_WITH_TIMEOUT(session.plan()->headland.width.si(), 0.0, kPatienceMs);
-        session.closeField();
+        QTRY_COMPARE_WITH_TIMEOUT(session.shown()->plan()->headland.width.si(), 0.0, kPatienceMs);
+        session.opener()->startNew();
         QCOMPARE(session.figures()->rowCount(), 0);
     }
     void beginsEmpty() {
-        PlanSession session;
-        QCOMPARE(session.state(), PlanSession::State::Empty);
-        QVERIFY(!session.hasField());
-        QVERIFY(!session.hasPlan());
-        QVERIFY(session.drawing().isEmpty());
-        QCOMPARE(session.steps()->rowCount(), 8);
+        Session session;
+        QCOMPARE(session.planning()->state(), PlanState::Empty);
+        QVERIFY(!session.farm()->hasField());
+        QVERIFY(!session.shown()->hasPlan());
+        QVERIFY(session.shown()->drawing().isEmpty());
+        QCOMPARE(session.planning()->steps()->rowCount(), 8);
     }
     void plansADrawnBoundary() {
-        PlanSession session;
-        QSignalSpy opened{&session, &PlanSession::fieldOpened};
-        session.setBoundary(rectangle());
-        QCOMPARE(session.state(), PlanSession::State::Planning);
+        Session session;
+        QSignalSpy opened{session.planning(), &Planning::fieldOpened};
+        session.opener()->addDrawn(rectangle());
+        QCOMPARE(session.planning()->state(), PlanState::Planning);
         // It is shown at once, whatever the plan takes.
         QCOMPARE(opened.count(), 1);
-        QVERIFY(session.drawing().bounds().contains(QGeoCoordinate{58.2515, 22.5035}));
-        const auto step = [&session](int role) { return session.steps()->index(0).data(role).toString(); };
+        QVERIFY(session.shown()->drawing().bounds().contains(QGeoCoordinate{58.2515, 22.5035}));
+        const auto step = [&session](int role) { return session.planning()->steps()->index(0).data(role).toString(); };
         QCOMPARE(step(StepsModel::ChoiceRole), QStringLiteral("Field 1"));
         QVERIFY2(step(StepsModel::ResultRole).startsWith(QStringLiteral("16.")), qPrintable(step(StepsModel::ResultRole)));
-        QTRY_COMPARE_WITH_TIMEOUT(session.state(), PlanSession::State::Ready, kPatienceMs);
+        QTRY_COMPARE_WITH_TIMEOUT(session.planning()->state(), PlanState::Ready, kPatienceMs);
         QCOMPARE(opened.count(), 2);
-        QVERIFY(!session.drawing().isEmpty());
-        QVERIFY(session.statusText().startsWith(QStringLiteral("Plan ready")));
+        QVERIFY(!session.shown()->drawing().isEmpty());
+        QVERIFY(session.planning()->statusText().startsWith(QStringLiteral("Plan ready")));
         // 0.007 by 0.0035 degrees at 58.25 north are some 411 by 390 metres.
         QVERIFY(figure(session, 0).startsWith(QStringLiteral("16.")));
     }
     void aNumberChangesThePlan() {
-        PlanSession session;
-        session.setBoundary(rectangle());
-        QTRY_COMPARE_WITH_TIMEOUT(session.state(), PlanSession::State::Ready, kPatienceMs);
-        ParameterModel* headland = session.steps()->parameters(QStringLiteral("headland"));
+        Session session;
+        session.opener()->addDrawn(rectangle());
+        QTRY_COMPARE_WITH_TIMEOUT(session.planning()->state(), PlanState::Ready, kPatienceMs);
+        ParameterModel* headland = session.planning()->steps()->parameters(QStringLiteral("headland"));
         const QString width = QStringLiteral("headland.width_m");
         QVERIFY(roleOf(*headland, width, ParameterModel::AutoTextRole).toString().startsWith(QStringLiteral("auto · ")));
         headland->setNumber(rowOf(*headland, width), 30.0);
-        QTRY_COMPARE_WITH_TIMEOUT(session.plan()->headland.width.si(), 30.0, kPatienceMs);
+        QTRY_COMPARE_WITH_TIMEOUT(session.shown()->plan()->headland.width.si(), 30.0, kPatienceMs);
         QCOMPARE(roleOf(*headland, width, ParameterModel::AutoTextRole).toString(), QString{});
         QCOMPARE(roleOf(*headland, width, ParameterModel::ValueRole).toDouble(), 30.0);
         // At most one of width and passes is given: the later one counts.
         headland->setNumber(rowOf(*headland, QStringLiteral("headland.passes")), 2.0);
-        QTRY_COMPARE_WITH_TIMEOUT(session.plan()->headland.passes, 2, kPatienceMs);
+        QTRY_COMPARE_WITH_TIMEOUT(session.shown()->plan()->headland.passes, 2, kPatienceMs);
         QVERIFY(!roleOf(*headland, width, ParameterModel::AutoTextRole).toString().isEmpty());
         headland->setAuto(rowOf(*headland, QStringLiteral("headland.passes")));
-        QTRY_VERIFY_WITH_TIMEOUT(session.settings() == Settings{} || session.plan()->headland.passes != 2, kPatienceMs);
+        QTRY_VERIFY_WITH_TIMEOUT(session.planning()->settings() == Settings{} || session.shown()->plan()->headland.passes != 2, kPatienceMs);
     }
     void directionsAreBearings_data() {
         QTest::addColumn<double>("bearing");
@@ -150,34 +150,34 @@ private slots:
     void directionsAreBearings() {
         QFETCH(double, bearing);
         QFETCH(double, degreesFromEast);
-        PlanSession session;
-        session.setBoundary(rectangle());
-        ParameterModel* swaths = session.steps()->parameters(QStringLiteral("swaths"));
+        Session session;
+        session.opener()->addDrawn(rectangle());
+        ParameterModel* swaths = session.planning()->steps()->parameters(QStringLiteral("swaths"));
         swaths->setChoice(rowOf(*swaths, QStringLiteral("swaths.method")), methodIndex("swaths", "fixed"));
         const int row = rowOf(*swaths, QStringLiteral("swaths.angle_deg"));
         QVERIFY(row >= 0);
         swaths->setNumber(row, bearing);
         QCOMPARE(swaths->data(swaths->index(row), ParameterModel::ValueRole).toDouble(), bearing);
-        QTRY_VERIFY_WITH_TIMEOUT(session.plan() && std::abs(inDegrees(session.plan()->swaths.heading) - degreesFromEast) < 1e-6, kPatienceMs);
+        QTRY_VERIFY_WITH_TIMEOUT(session.shown()->plan() && std::abs(inDegrees(session.shown()->plan()->swaths.heading) - degreesFromEast) < 1e-6, kPatienceMs);
     }
     // Also over a choice that was made before.
     void anOperationBringsItsDefaults() {
-        PlanSession session;
-        ParameterModel* field = session.steps()->parameters(QStringLiteral("field"));
+        Session session;
+        ParameterModel* field = session.planning()->steps()->parameters(QStringLiteral("field"));
         const int row = rowOf(*field, QStringLiteral("operation.kind"));
         QVERIFY(row >= 0);
         const Parameter& when = *findParameter("headland.when").value();
-        ParameterModel* headland = session.steps()->parameters(QStringLiteral("headland"));
+        ParameterModel* headland = session.planning()->steps()->parameters(QStringLiteral("headland"));
         headland->setChoice(rowOf(*headland, QStringLiteral("headland.when")), 1);
-        QCOMPARE(session.settings().choice(when), std::string{"after"});
+        QCOMPARE(session.planning()->settings().choice(when), std::string{"after"});
         field->setChoice(row, 5);  // harvest
-        QCOMPARE(session.settings().choice(when), std::string{"before"});
+        QCOMPARE(session.planning()->settings().choice(when), std::string{"before"});
         field->setChoice(row, 1);  // sowing
-        QCOMPARE(session.settings().choice(when), std::string{"after"});
+        QCOMPARE(session.planning()->settings().choice(when), std::string{"after"});
     }
     void onlyParametersOfTheMethodAreShown() {
-        PlanSession session;
-        ParameterModel* swaths = session.steps()->parameters(QStringLiteral("swaths"));
+        Session session;
+        ParameterModel* swaths = session.planning()->steps()->parameters(QStringLiteral("swaths"));
         swaths->setChoice(0, methodIndex("swaths", "brute-force"));
         QVERIFY(rowOf(*swaths, QStringLiteral("swaths.step_deg")) >= 0);
         QCOMPARE(rowOf(*swaths, QStringLiteral("swaths.angle_deg")), -1);
@@ -186,120 +186,120 @@ private slots:
         QVERIFY(rowOf(*swaths, QStringLiteral("swaths.angle_deg")) >= 0);
     }
     void aDraggedVertexIsFollowed() {
-        PlanSession session;
-        session.setBoundary(rectangle());
-        QTRY_COMPARE_WITH_TIMEOUT(session.state(), PlanSession::State::Ready, kPatienceMs);
-        const double before = session.plan()->field().area().si();
+        Session session;
+        session.opener()->addDrawn(rectangle());
+        QTRY_COMPARE_WITH_TIMEOUT(session.planning()->state(), PlanState::Ready, kPatienceMs);
+        const double before = session.shown()->plan()->field().area().si();
         for (int i = 1; i <= 30; ++i) {
             moveVertex(session, 1, QGeoCoordinate{58.25, 22.507 + i * 1e-4}, false);
             QCoreApplication::processEvents();
         }
         const QGeoCoordinate last{58.25, 22.511};
         moveVertex(session, 1, last, true);
-        QTRY_VERIFY_WITH_TIMEOUT(session.plan()->field().area().si() > before * 1.2, kPatienceMs);
-        const std::vector<WorldPoint>& ring = session.drawing().geometry()->rings.front().points;
+        QTRY_VERIFY_WITH_TIMEOUT(session.shown()->plan()->field().area().si() > before * 1.2, kPatienceMs);
+        const std::vector<WorldPoint>& ring = session.shown()->drawing().geometry()->rings.front().points;
         QVERIFY(std::ranges::any_of(ring, [&](WorldPoint p) { return coordinate(p).distanceTo(last) < 0.01; }));
     }
     void aDragShowsDraftsAndTheWholePlanWhenItIsLetGo() {
-        PlanSession session;
-        session.setBoundary(rectangle());
-        QTRY_COMPARE_WITH_TIMEOUT(session.state(), PlanSession::State::Ready, kPatienceMs);
-        QVERIFY(!session.isDraft());
-        const double heading = session.plan()->swaths.heading.si();
+        Session session;
+        session.opener()->addDrawn(rectangle());
+        QTRY_COMPARE_WITH_TIMEOUT(session.planning()->state(), PlanState::Ready, kPatienceMs);
+        QVERIFY(!session.shown()->isDraft());
+        const double heading = session.shown()->plan()->swaths.heading.si();
         const QString covered = figure(session, 7);
         moveVertex(session, 1, QGeoCoordinate{58.25, 22.5085}, false);
-        QTRY_VERIFY_WITH_TIMEOUT(session.isDraft(), kPatienceMs);
-        QVERIFY(session.statusText().startsWith(QStringLiteral("Draft")));
-        QCOMPARE(session.plan()->swaths.heading.si(), heading);
+        QTRY_VERIFY_WITH_TIMEOUT(session.shown()->isDraft(), kPatienceMs);
+        QVERIFY(session.planning()->statusText().startsWith(QStringLiteral("Draft")));
+        QCOMPARE(session.shown()->plan()->swaths.heading.si(), heading);
         QCOMPARE(figure(session, 7), QStringLiteral("–"));
-        QVERIFY(!session.drawing().isEmpty());
+        QVERIFY(!session.shown()->drawing().isEmpty());
         moveVertex(session, 1, QGeoCoordinate{58.25, 22.5086}, true);
-        QTRY_VERIFY_WITH_TIMEOUT(!session.isDraft(), kPatienceMs);
-        QCOMPARE(session.state(), PlanSession::State::Ready);
-        QVERIFY(session.plan()->audit.coveredShare.has_value());
+        QTRY_VERIFY_WITH_TIMEOUT(!session.shown()->isDraft(), kPatienceMs);
+        QCOMPARE(session.planning()->state(), PlanState::Ready);
+        QVERIFY(session.shown()->plan()->audit.coveredShare.has_value());
         QVERIFY(figure(session, 7) != QStringLiteral("–"));
         // Ended without another change, as when the tool is changed.
         moveVertex(session, 1, QGeoCoordinate{58.25, 22.5090}, false);
-        QTRY_VERIFY_WITH_TIMEOUT(session.isDraft(), kPatienceMs);
+        QTRY_VERIFY_WITH_TIMEOUT(session.shown()->isDraft(), kPatienceMs);
         session.document()->endDrag();
-        QTRY_VERIFY_WITH_TIMEOUT(!session.isDraft(), kPatienceMs);
-        QCOMPARE(session.state(), PlanSession::State::Ready);
+        QTRY_VERIFY_WITH_TIMEOUT(!session.shown()->isDraft(), kPatienceMs);
+        QCOMPARE(session.planning()->state(), PlanState::Ready);
     }
     void aBoundaryThatCrossesItselfIsToldWithItsPlace() {
-        PlanSession session;
-        session.setBoundary({{58.25, 22.5}, {58.2535, 22.507}, {58.25, 22.507}, {58.2535, 22.5}});
-        QTRY_COMPARE_WITH_TIMEOUT(session.state(), PlanSession::State::Failed, kPatienceMs);
-        QVERIFY(!session.problem().isEmpty());
-        QVERIFY(session.problemPlace().isValid());
-        QVERIFY(!session.hasPlan());
-        QVERIFY2(!session.drawing().isEmpty(), "the boundary is still drawn");
+        Session session;
+        session.opener()->addDrawn({{58.25, 22.5}, {58.2535, 22.507}, {58.25, 22.507}, {58.2535, 22.5}});
+        QTRY_COMPARE_WITH_TIMEOUT(session.planning()->state(), PlanState::Failed, kPatienceMs);
+        QVERIFY(!session.problem()->text().isEmpty());
+        QVERIFY(session.problem()->place().isValid());
+        QVERIFY(!session.shown()->hasPlan());
+        QVERIFY2(!session.shown()->drawing().isEmpty(), "the boundary is still drawn");
         // Put right by dragging a vertex.
         moveVertex(session, 1, {58.25, 22.5075}, false);
         moveVertex(session, 2, {58.2535, 22.507}, true);
-        QTRY_COMPARE_WITH_TIMEOUT(session.state(), PlanSession::State::Ready, kPatienceMs);
+        QTRY_COMPARE_WITH_TIMEOUT(session.planning()->state(), PlanState::Ready, kPatienceMs);
     }
     void aFileWithSeveralFieldsAsks() {
         const QTemporaryDir folder;
-        PlanSession session;
-        session.open(written(folder, QStringLiteral("two.geojson"), twoFields()));
-        QTRY_COMPARE_WITH_TIMEOUT(session.state(), PlanSession::State::Choosing, kPatienceMs);
-        QCOMPARE(session.choices()->rowCount(), 2);
-        session.chooseField(1);
-        QTRY_COMPARE_WITH_TIMEOUT(session.state(), PlanSession::State::Ready, kPatienceMs);
-        QCOMPARE(session.fieldName(), QStringLiteral("South"));
-        session.open(written(folder, QStringLiteral("two.geojson"), twoFields()), QStringLiteral("a"));
-        QTRY_COMPARE_WITH_TIMEOUT(session.fieldName(), QStringLiteral("North"), kPatienceMs);
+        Session session;
+        session.opener()->open(written(folder, QStringLiteral("two.geojson"), twoFields()));
+        QTRY_COMPARE_WITH_TIMEOUT(session.planning()->state(), PlanState::Choosing, kPatienceMs);
+        QCOMPARE(session.opener()->choices()->rowCount(), 2);
+        session.opener()->chooseField(1);
+        QTRY_COMPARE_WITH_TIMEOUT(session.planning()->state(), PlanState::Ready, kPatienceMs);
+        QCOMPARE(session.farm()->fieldName(), QStringLiteral("South"));
+        session.opener()->open(written(folder, QStringLiteral("two.geojson"), twoFields()), QStringLiteral("a"));
+        QTRY_COMPARE_WITH_TIMEOUT(session.farm()->fieldName(), QStringLiteral("North"), kPatienceMs);
     }
     void allOfThemCanBeOpened() {
         const QTemporaryDir folder;
-        PlanSession session;
-        session.open(written(folder, QStringLiteral("two.geojson"), twoFields()));
-        QTRY_COMPARE_WITH_TIMEOUT(session.state(), PlanSession::State::Choosing, kPatienceMs);
-        session.chooseAll();
-        QTRY_COMPARE_WITH_TIMEOUT(session.state(), PlanSession::State::Ready, kPatienceMs);
+        Session session;
+        session.opener()->open(written(folder, QStringLiteral("two.geojson"), twoFields()));
+        QTRY_COMPARE_WITH_TIMEOUT(session.planning()->state(), PlanState::Choosing, kPatienceMs);
+        session.opener()->chooseAll();
+        QTRY_COMPARE_WITH_TIMEOUT(session.planning()->state(), PlanState::Ready, kPatienceMs);
         QCOMPARE(session.farm()->fields().size(), 2);
-        QCOMPARE(session.fieldName(), QStringLiteral("North"));
-        QSignalSpy opened{&session, &PlanSession::fieldOpened};
+        QCOMPARE(session.farm()->fieldName(), QStringLiteral("North"));
+        QSignalSpy opened{session.planning(), &Planning::fieldOpened};
         session.farm()->setCurrentField(1);
-        QCOMPARE(session.fieldName(), QStringLiteral("South"));
+        QCOMPARE(session.farm()->fieldName(), QStringLiteral("South"));
         QTRY_COMPARE_WITH_TIMEOUT(opened.count(), 1, kPatienceMs);
         session.document()->undo();
-        QVERIFY(!session.hasField());
+        QVERIFY(!session.farm()->hasField());
     }
     void severalFilesAreOpenedAtOnce() {
         const QTemporaryDir folder;
-        PlanSession session;
+        Session session;
         Project farm = withFields(Project::empty(), {FieldSource{.id = "1", .name = "Barn", .origin = {},
             .parts = {{.outer = {{22.5, 58.25}, {22.507, 58.25}, {22.507, 58.2535}}, .holes = {}}},
             .obstacles = {}, .gates = {}, .boundaryAccuracy = {}, .repairs = {}}});
         const QString project = folder.filePath(QStringLiteral("farm.furrow"));
         QVERIFY(writeProject(farm, project.toStdU16String()).has_value());
         const QUrl boundaries = QUrl::fromLocalFile(written(folder, QStringLiteral("two.geojson"), twoFields()));
-        QVERIFY(session.isProjectFile(QUrl::fromLocalFile(project)));
-        QVERIFY(!session.isProjectFile(boundaries));
-        session.openUrls({boundaries, QUrl::fromLocalFile(project)});
+        QVERIFY(session.opener()->isProjectFile(QUrl::fromLocalFile(project)));
+        QVERIFY(!session.opener()->isProjectFile(boundaries));
+        session.opener()->openUrls({boundaries, QUrl::fromLocalFile(project)});
         QTRY_COMPARE_WITH_TIMEOUT(session.farm()->fields().size(), 3, kPatienceMs);
-        QTRY_COMPARE_WITH_TIMEOUT(session.state(), PlanSession::State::Ready, kPatienceMs);
+        QTRY_COMPARE_WITH_TIMEOUT(session.planning()->state(), PlanState::Ready, kPatienceMs);
         QCOMPARE(session.files()->name(), QStringLiteral("farm"));
         QCOMPARE(session.recent()->count(), 1);
         QVERIFY2(session.document()->isModified(), "the boundaries are not in the file yet");
         QVERIFY(session.farm()->fields().front().startsWith(QStringLiteral("Barn")));
     }
     void eachPlanHasItsMachine() {
-        PlanSession session;
-        session.setBoundary(rectangle());
-        QTRY_COMPARE_WITH_TIMEOUT(session.state(), PlanSession::State::Ready, kPatienceMs);
+        Session session;
+        session.opener()->addDrawn(rectangle());
+        QTRY_COMPARE_WITH_TIMEOUT(session.planning()->state(), PlanState::Ready, kPatienceMs);
         session.farm()->addPlan(QStringLiteral("Harvest"));
-        session.machine()->setLibraryIndex(4);
-        QTRY_COMPARE_WITH_TIMEOUT(session.plan()->request.machine.name(), session.machine()->library().at(4).toStdString(), kPatienceMs);
+        session.planning()->machine()->setLibraryIndex(4);
+        QTRY_COMPARE_WITH_TIMEOUT(session.shown()->plan()->request.machine.name(), session.planning()->machine()->library().at(4).toStdString(), kPatienceMs);
         session.farm()->renamePlan(QStringLiteral("Oats"), QStringLiteral("2027"));
         QCOMPARE(session.farm()->plans().at(1), QStringLiteral("Oats · 2027"));
         session.farm()->setCurrentPlan(0);
-        QCOMPARE(session.machine()->libraryIndex(), 0);
-        QTRY_COMPARE_WITH_TIMEOUT(session.plan()->request.machine.name(), session.machine()->library().at(0).toStdString(), kPatienceMs);
+        QCOMPARE(session.planning()->machine()->libraryIndex(), 0);
+        QTRY_COMPARE_WITH_TIMEOUT(session.shown()->plan()->request.machine.name(), session.planning()->machine()->library().at(0).toStdString(), kPatienceMs);
         session.farm()->removePlan();
         QCOMPARE(session.farm()->plans().size(), 1);
-        QCOMPARE(session.machine()->libraryIndex(), 4);
+        QCOMPARE(session.planning()->machine()->libraryIndex(), 4);
     }
     void recentFilesAreKept() {
         const QTemporaryDir folder;
@@ -321,52 +321,52 @@ private slots:
         QCOMPARE(recent.data(recent.index(0), RecentFiles::NameRole).toString(), QStringLiteral("5"));
     }
     void anUnreadableFileIsTold() {
-        PlanSession session;
-        session.open(QStringLiteral("/nowhere/field.geojson"));
-        QTRY_COMPARE_WITH_TIMEOUT(session.state(), PlanSession::State::Failed, kPatienceMs);
-        QVERIFY(!session.problem().isEmpty());
-        QVERIFY(!session.hasField());
+        Session session;
+        session.opener()->open(QStringLiteral("/nowhere/field.geojson"));
+        QTRY_COMPARE_WITH_TIMEOUT(session.planning()->state(), PlanState::Failed, kPatienceMs);
+        QVERIFY(!session.problem()->text().isEmpty());
+        QVERIFY(!session.farm()->hasField());
     }
     void sampleFieldsOpen_data() {
         QTest::addColumn<int>("index");
-        const PlanSession session;
-        for (int i = 0; i < session.sampleNames().size(); ++i) {
-            QTest::newRow(qPrintable(session.sampleNames().at(i))) << i;
+        const Session session;
+        for (int i = 0; i < session.opener()->sampleNames().size(); ++i) {
+            QTest::newRow(qPrintable(session.opener()->sampleNames().at(i))) << i;
         }
     }
     void sampleFieldsOpen() {
         QFETCH(int, index);
-        PlanSession session;
-        session.openSample(index);
-        QTRY_VERIFY_WITH_TIMEOUT(isFinished(session.state()), 60000);
-        QCOMPARE(session.fieldName(), session.sampleNames().at(index));
+        Session session;
+        session.opener()->openSample(index);
+        QTRY_VERIFY_WITH_TIMEOUT(isFinished(session.planning()->state()), 60000);
+        QCOMPARE(session.farm()->fieldName(), session.opener()->sampleNames().at(index));
         session.findings()->setAll(true);
-        QCOMPARE(session.findings()->rowCount(), static_cast<int>(session.plan()->findings.size()));
+        QCOMPARE(session.findings()->rowCount(), static_cast<int>(session.shown()->plan()->findings.size()));
         session.findings()->setAll(false);
         QVERIFY(session.findings()->rowCount() <= session.findings()->few());
     }
     void anotherMachineGivesAnotherPlan() {
-        PlanSession session;
-        session.setBoundary(rectangle());
-        QTRY_COMPARE_WITH_TIMEOUT(session.state(), PlanSession::State::Ready, kPatienceMs);
-        const std::size_t swaths = session.plan()->swaths.swaths.size();
-        for (int row = 0; row < session.machine()->rowCount(); ++row) {
-            if (session.machine()->data(session.machine()->index(row), MachineModel::KeyRole).toString() ==
+        Session session;
+        session.opener()->addDrawn(rectangle());
+        QTRY_COMPARE_WITH_TIMEOUT(session.planning()->state(), PlanState::Ready, kPatienceMs);
+        const std::size_t swaths = session.shown()->plan()->swaths.swaths.size();
+        for (int row = 0; row < session.planning()->machine()->rowCount(); ++row) {
+            if (session.planning()->machine()->data(session.planning()->machine()->index(row), MachineModel::KeyRole).toString() ==
                 QStringLiteral("operating_width_m")) {
-                session.machine()->setNumber(row, 6.0);
+                session.planning()->machine()->setNumber(row, 6.0);
             }
         }
-        QVERIFY(session.machine()->isChanged());
-        QTRY_VERIFY_WITH_TIMEOUT(session.plan()->swaths.swaths.size() < swaths, kPatienceMs);
-        session.machine()->reset();
-        QVERIFY(!session.machine()->isChanged());
-        QTRY_COMPARE_WITH_TIMEOUT(session.plan()->swaths.swaths.size(), swaths, kPatienceMs);
+        QVERIFY(session.planning()->machine()->isChanged());
+        QTRY_VERIFY_WITH_TIMEOUT(session.shown()->plan()->swaths.swaths.size() < swaths, kPatienceMs);
+        session.planning()->machine()->reset();
+        QVERIFY(!session.planning()->machine()->isChanged());
+        QTRY_COMPARE_WITH_TIMEOUT(session.shown()->plan()->swaths.swaths.size(), swaths, kPatienceMs);
     }
     void exportWritesAFolder() {
         const QTemporaryDir folder;
-        PlanSession session;
-        session.setBoundary(rectangle());
-        QTRY_COMPARE_WITH_TIMEOUT(session.state(), PlanSession::State::Ready, kPatienceMs);
+        Session session;
+        session.opener()->addDrawn(rectangle());
+        QTRY_COMPARE_WITH_TIMEOUT(session.planning()->state(), PlanState::Ready, kPatienceMs);
         const QString target = folder.filePath(QStringLiteral("plan one"));
         session.exporter()->writeTo(target);
         QTRY_COMPARE_WITH_TIMEOUT(session.exporter()->state(), ExportModel::State::Done, kPatienceMs);
@@ -378,75 +378,75 @@ private slots:
         QVERIFY(!session.exporter()->message().isEmpty());
     }
     void whatIsPlannedAlreadyIsNotPlannedAgain() {
-        PlanSession session;
-        session.setBoundary(rectangle());
-        QTRY_COMPARE_WITH_TIMEOUT(session.state(), PlanState::Ready, kPatienceMs);
-        const auto before = session.plan();
-        session.machine()->setLibraryIndex(3);
-        QCOMPARE(session.state(), PlanState::Planning);
+        Session session;
+        session.opener()->addDrawn(rectangle());
+        QTRY_COMPARE_WITH_TIMEOUT(session.planning()->state(), PlanState::Ready, kPatienceMs);
+        const auto before = session.shown()->plan();
+        session.planning()->machine()->setLibraryIndex(3);
+        QCOMPARE(session.planning()->state(), PlanState::Planning);
         // Undone before the other plan is there.
         session.document()->undo();
-        QCOMPARE(session.state(), PlanState::Ready);
-        QCOMPARE(session.plan(), before);
+        QCOMPARE(session.planning()->state(), PlanState::Ready);
+        QCOMPARE(session.shown()->plan(), before);
         QVERIFY(session.exporter()->refusal().isEmpty());
         session.document()->redo();
-        QCOMPARE(session.state(), PlanState::Planning);
+        QCOMPARE(session.planning()->state(), PlanState::Planning);
         QVERIFY(!session.exporter()->refusal().isEmpty());
-        QTRY_VERIFY_WITH_TIMEOUT(isFinished(session.state()), kPatienceMs);
-        QCOMPARE(session.plan()->request.machine.name(), session.machine()->machine().name());
+        QTRY_VERIFY_WITH_TIMEOUT(isFinished(session.planning()->state()), kPatienceMs);
+        QCOMPARE(session.shown()->plan()->request.machine.name(), session.planning()->machine()->machine().name());
     }
     void anotherPlanOfTheFieldIsNotTheOneThatIsShown() {
-        PlanSession session;
-        session.setBoundary(rectangle());
-        QTRY_COMPARE_WITH_TIMEOUT(session.state(), PlanState::Ready, kPatienceMs);
+        Session session;
+        session.opener()->addDrawn(rectangle());
+        QTRY_COMPARE_WITH_TIMEOUT(session.planning()->state(), PlanState::Ready, kPatienceMs);
         session.farm()->addPlan(QStringLiteral("Harvest"));
         // A copy asks for the same.
-        QCOMPARE(session.state(), PlanState::Ready);
+        QCOMPARE(session.planning()->state(), PlanState::Ready);
         QVERIFY(session.exporter()->heading().endsWith(QStringLiteral("Harvest")));
-        session.machine()->setLibraryIndex(4);
-        QTRY_VERIFY_WITH_TIMEOUT(isFinished(session.state()), kPatienceMs);
+        session.planning()->machine()->setLibraryIndex(4);
+        QTRY_VERIFY_WITH_TIMEOUT(isFinished(session.planning()->state()), kPatienceMs);
         session.farm()->setCurrentPlan(0);
-        QCOMPARE(session.state(), PlanState::Planning);
-        session.cancel();
-        QCOMPARE(session.state(), PlanState::OutOfDate);
+        QCOMPARE(session.planning()->state(), PlanState::Planning);
+        session.planning()->cancel();
+        QCOMPARE(session.planning()->state(), PlanState::OutOfDate);
         QVERIFY(!session.exporter()->refusal().isEmpty());
         QCOMPARE(session.exporter()->heading(), QString{});
     }
     void aFileThatCannotBeReadLeavesThePlan() {
-        PlanSession session;
-        session.setBoundary(rectangle());
-        QTRY_COMPARE_WITH_TIMEOUT(session.state(), PlanState::Ready, kPatienceMs);
-        session.open(QStringLiteral("/nowhere/field.geojson"));
-        QCOMPARE(session.state(), PlanState::Reading);
+        Session session;
+        session.opener()->addDrawn(rectangle());
+        QTRY_COMPARE_WITH_TIMEOUT(session.planning()->state(), PlanState::Ready, kPatienceMs);
+        session.opener()->open(QStringLiteral("/nowhere/field.geojson"));
+        QCOMPARE(session.planning()->state(), PlanState::Reading);
         QVERIFY(!session.exporter()->refusal().isEmpty());
-        QTRY_COMPARE_WITH_TIMEOUT(session.state(), PlanState::Ready, kPatienceMs);
-        QVERIFY(!session.problem().isEmpty());
+        QTRY_COMPARE_WITH_TIMEOUT(session.planning()->state(), PlanState::Ready, kPatienceMs);
+        QVERIFY(!session.problem()->text().isEmpty());
         QVERIFY(session.exporter()->refusal().isEmpty());
-        session.dismissProblem();
-        QVERIFY(session.problem().isEmpty());
+        session.problem()->dismiss();
+        QVERIFY(session.problem()->text().isEmpty());
     }
     void aWriteOfAPlanThatBecameAnotherIsStopped() {
         const QTemporaryDir folder;
-        PlanSession session;
-        session.setBoundary(rectangle());
-        QTRY_COMPARE_WITH_TIMEOUT(session.state(), PlanState::Ready, kPatienceMs);
+        Session session;
+        session.opener()->addDrawn(rectangle());
+        QTRY_COMPARE_WITH_TIMEOUT(session.planning()->state(), PlanState::Ready, kPatienceMs);
         session.exporter()->writeTo(folder.filePath(QStringLiteral("out")));
         QCOMPARE(session.exporter()->state(), ExportModel::State::Writing);
-        session.machine()->setLibraryIndex(3);
+        session.planning()->machine()->setLibraryIndex(3);
         QCOMPARE(session.exporter()->state(), ExportModel::State::Failed);
         QVERIFY(!session.exporter()->message().isEmpty());
-        QTRY_VERIFY_WITH_TIMEOUT(isFinished(session.state()), kPatienceMs);
+        QTRY_VERIFY_WITH_TIMEOUT(isFinished(session.planning()->state()), kPatienceMs);
         QCOMPARE(session.exporter()->state(), ExportModel::State::Failed);
     }
     void askedForAgainIsPlanning() {
-        PlanSession session;
-        session.setBoundary(rectangle());
-        QTRY_COMPARE_WITH_TIMEOUT(session.state(), PlanState::Ready, kPatienceMs);
-        session.planAgain();
-        QCOMPARE(session.state(), PlanState::Planning);
-        session.cancel();
+        Session session;
+        session.opener()->addDrawn(rectangle());
+        QTRY_COMPARE_WITH_TIMEOUT(session.planning()->state(), PlanState::Ready, kPatienceMs);
+        session.planning()->planAgain();
+        QCOMPARE(session.planning()->state(), PlanState::Planning);
+        session.planning()->cancel();
         // The plan is still the one of what the panels show.
-        QCOMPARE(session.state(), PlanState::Ready);
+        QCOMPARE(session.planning()->state(), PlanState::Ready);
     }
     void eachBlockingFindingHasAStep_data() {
         QTest::addColumn<QString>("kind");
@@ -463,10 +463,10 @@ private slots:
     void eachBlockingFindingHasAStep() {
         QFETCH(QString, kind);
         QFETCH(QString, step);
-        PlanSession session;
-        session.setBoundary(rectangle());
-        QTRY_COMPARE_WITH_TIMEOUT(session.state(), PlanState::Ready, kPatienceMs);
-        Plan plan = *session.plan();
+        Session session;
+        session.opener()->addDrawn(rectangle());
+        QTRY_COMPARE_WITH_TIMEOUT(session.planning()->state(), PlanState::Ready, kPatienceMs);
+        Plan plan = *session.shown()->plan();
         plan.findings = {{.severity = Severity::Blocking, .kind = kind.toStdString(), .place = {}, .text = "There is something.", .suggestion = {}},
                          {.severity = Severity::Note, .kind = "headland-not-worked", .place = {}, .text = "And this.", .suggestion = {}}};
         StepsModel steps;
@@ -483,23 +483,23 @@ private slots:
         QCOMPARE(steps.index(7).data(StepsModel::ResultRole).toString(), QStringLiteral("1 note"));
     }
     void cancelKeepsThePlanBefore() {
-        PlanSession session;
-        session.setBoundary(rectangle());
-        QTRY_COMPARE_WITH_TIMEOUT(session.state(), PlanSession::State::Ready, kPatienceMs);
-        const auto before = session.plan();
-        ParameterModel* headland = session.steps()->parameters(QStringLiteral("headland"));
+        Session session;
+        session.opener()->addDrawn(rectangle());
+        QTRY_COMPARE_WITH_TIMEOUT(session.planning()->state(), PlanState::Ready, kPatienceMs);
+        const auto before = session.shown()->plan();
+        ParameterModel* headland = session.planning()->steps()->parameters(QStringLiteral("headland"));
         headland->setNumber(rowOf(*headland, QStringLiteral("headland.width_m")), 30.0);
-        session.cancel();
-        QCOMPARE(session.state(), PlanSession::State::OutOfDate);
-        QCOMPARE(session.plan(), before);
+        session.planning()->cancel();
+        QCOMPARE(session.planning()->state(), PlanState::OutOfDate);
+        QCOMPARE(session.shown()->plan(), before);
         // It is not of what the panels show: it stays in the window.
         QVERIFY(!session.exporter()->refusal().isEmpty());
         const QTemporaryDir folder;
         session.exporter()->writeTo(folder.filePath(QStringLiteral("out")));
         QCOMPARE(session.exporter()->state(), ExportModel::State::Idle);
-        session.planAgain();
-        QTRY_COMPARE_WITH_TIMEOUT(session.plan()->headland.width.si(), 30.0, kPatienceMs);
-        QTRY_COMPARE_WITH_TIMEOUT(session.state(), PlanSession::State::Ready, kPatienceMs);
+        session.planning()->planAgain();
+        QTRY_COMPARE_WITH_TIMEOUT(session.shown()->plan()->headland.width.si(), 30.0, kPatienceMs);
+        QTRY_COMPARE_WITH_TIMEOUT(session.planning()->state(), PlanState::Ready, kPatienceMs);
     }
 };
 

@@ -21,7 +21,7 @@ using namespace furrow::test;
 class TestCellsWindow : public EditorWindowTest {
     Q_OBJECT
 
-    CellSteps& cells() const { return *session_->cells(); }
+    CellSteps& cells() const { return *session_->planning()->cells(); }
     QString text(const char* name) const { return item(QLatin1String{name})->property("text").toString(); }
     const CellGeometry* drawn() const { return item(QStringLiteral("cellLayer"))->property("drawing").value<CellDrawing>().geometry().get(); }
 
@@ -55,12 +55,12 @@ class TestCellsWindow : public EditorWindowTest {
         QFile file{folder.filePath(QStringLiteral("ponds.geojson"))};
         QVERIFY(file.open(QIODevice::WriteOnly) && file.write(ponds()) > 0);
         file.close();
-        session_->open(file.fileName());
-        QTRY_VERIFY_WITH_TIMEOUT(session_->hasField(), 30000);
-        Settings settings = session_->settings();
+        session_->opener()->open(file.fileName());
+        QTRY_VERIFY_WITH_TIMEOUT(session_->farm()->hasField(), 30000);
+        Settings settings = session_->planning()->settings();
         QVERIFY(applySetting(settings, "headland.driven", "false") && applySetting(settings, "decomposition.method", method));
         session_->document()->change([] { return QStringLiteral("Settings"); },
-                                     withPlan(*session_->document()->project(), session_->machine()->machine(), settings));
+                                     withPlan(*session_->document()->project(), session_->planning()->machine()->machine(), settings));
         ready();
     }
     void openStep() {
@@ -80,7 +80,7 @@ private slots:
         furrow::Display::instance().force(QStringLiteral("en"), furrow::Display::Metric);
         engine_->singletonInstance<QObject*>("Furrow.Controls", "Theme")->setProperty("forced", colours);
         openPonds("merged");
-        const DecompositionHistory& history = session_->plan()->cells.history;
+        const DecompositionHistory& history = session_->shown()->plan()->cells.history;
         const int count = static_cast<int>(history.steps.size());
         QVERIFY(count >= 3);
         const auto cellsAfter = [&](int step) { return QStringLiteral("%1 cells").arg(history.steps[static_cast<std::size_t>(step)].cells); };
@@ -136,7 +136,7 @@ private slots:
         // The keyboard begins again; another plan, and closing the step, show the plan.
         key(Qt::Key_Space);
         QCOMPARE(cells().current(), 0);
-        session_->planAgain();
+        session_->planning()->planAgain();
         QTRY_COMPARE_WITH_TIMEOUT(cells().current(), -1, 30000);
         ready();
         click(QStringLiteral("cells.show"));

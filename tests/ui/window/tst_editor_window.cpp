@@ -31,10 +31,10 @@ private slots:
         picture(QStringLiteral("keyboard_typed"));
         map()->forceActiveFocus();
         key(Qt::Key_Return);
-        QTRY_VERIFY(session_->hasField());
+        QTRY_VERIFY(session_->farm()->hasField());
         ready();
         // 300 by 200.5 m.
-        QTRY_VERIFY(session_->plan() && std::abs(session_->plan()->field().area().si() - 60150.0) < 5.0);
+        QTRY_VERIFY(session_->shown()->plan() && std::abs(session_->shown()->plan()->field().area().si() - 60150.0) < 5.0);
         // The first point is chosen and moved, then a number of it is typed.
         map()->forceActiveFocus();
         key(Qt::Key_Space);
@@ -61,10 +61,10 @@ private slots:
         const QPoint b = cornerOnMap(1);
         const QPoint quarter = a + (b - a) / 4;
         const double height = std::abs(cornerOnMap(2).y() - cornerOnMap(1).y());
-        const double area = session_->plan()->field().area().si();
+        const double area = session_->shown()->plan()->field().area().si();
         const QPoint out = quarter.y() < middle().y() ? QPoint{0, -40} : QPoint{0, 40};
         drag(quarter, quarter + out);
-        QTRY_VERIFY_WITH_TIMEOUT(session_->plan() && std::abs(session_->plan()->field().area().si() / area - (height + 40.0) / height) < 0.005, 30000);
+        QTRY_VERIFY_WITH_TIMEOUT(session_->shown()->plan() && std::abs(session_->shown()->plan()->field().area().si() / area - (height + 40.0) / height) < 0.005, 30000);
         QCOMPARE(editor()->selection().kind, Selection::Kind::Edge);
         QTRY_VERIFY(shows(QStringLiteral("inspector")));
         ready();
@@ -81,18 +81,18 @@ private slots:
         DRAW_FIELD();
         const QPoint a = cornerOnMap(0);
         const QPoint b = cornerOnMap(1);
-        const double before = session_->plan()->headland.mainlandRatio;
-        const double elsewhere = session_->plan()->headland.width.si();
+        const double before = session_->shown()->plan()->headland.mainlandRatio;
+        const double elsewhere = session_->shown()->plan()->headland.width.si();
         clickAt(a + (b - a) / 4);
         QTRY_COMPARE(editor()->selection().kind, Selection::Kind::Edge);
         enter(QStringLiteral("inspector.number.2"), QStringLiteral("60m"));
         QTRY_COMPARE(source().edgeHeadlands.size(), std::size_t{1});
         QCOMPARE(source().edgeHeadlands.front().width.si(), 60.0);
-        QTRY_VERIFY_WITH_TIMEOUT(session_->plan() && session_->plan()->headland.mainlandRatio < before - 0.02, 30000);
+        QTRY_VERIFY_WITH_TIMEOUT(session_->shown()->plan() && session_->shown()->plan()->headland.mainlandRatio < before - 0.02, 30000);
         ready();
         picture(QStringLiteral("edge-headland"));
         // The others keep theirs.
-        QVERIFY(session_->plan()->headland.width.si() > 59.0);
+        QVERIFY(session_->shown()->plan()->headland.width.si() > 59.0);
         const QPoint c = cornerOnMap(2);
         clickAt(b + (c - b) / 4);
         QTRY_VERIFY(item(QStringLiteral("inspector.number.2")) && item(QStringLiteral("inspector.number.2"))->property("value").toDouble() < 59.0);
@@ -101,7 +101,7 @@ private slots:
         QTRY_VERIFY(shows(QStringLiteral("inspector.headlandAsElsewhere")));
         click(QStringLiteral("inspector.headlandAsElsewhere"));
         QTRY_VERIFY(source().edgeHeadlands.empty());
-        QTRY_VERIFY_WITH_TIMEOUT(session_->plan() && std::abs(session_->plan()->headland.mainlandRatio - before) < 1e-9, 30000);
+        QTRY_VERIFY_WITH_TIMEOUT(session_->shown()->plan() && std::abs(session_->shown()->plan()->headland.mainlandRatio - before) < 1e-9, 30000);
     }
     /// While a corner is dragged, and after it was let go until the plan is there.
     void theOutlineStaysWithTheHandle() {
@@ -151,16 +151,16 @@ private slots:
         QFETCH(int, sample);
         QFETCH(double, width);
         if (sample < 0) {
-            session_->setBoundary({{58.25, 22.5}, {58.25, 22.5136}, {58.2572, 22.5136}, {58.2572, 22.5}});
+            session_->opener()->addDrawn({{58.25, 22.5}, {58.25, 22.5136}, {58.2572, 22.5136}, {58.2572, 22.5}});
         } else {
-            session_->openSample(sample);
+            session_->opener()->openSample(sample);
         }
-        QTRY_VERIFY(session_->hasField());
-        session_->machine()->setNumber(0, width);
+        QTRY_VERIFY(session_->farm()->hasField());
+        session_->planning()->machine()->setNumber(0, width);
         ready();
         const std::size_t before = steps();
         const QPoint from = cornerOnMap(1);
-        QSignalSpy plans{session_.get(), &PlanSession::planChanged};
+        QSignalSpy plans{session_->shown(), &ShownPlan::planChanged};
         QTest::mouseMove(window_, from);
         QTest::mousePress(window_, Qt::LeftButton, {}, from);
         FrameClock frames{*window_};
@@ -169,13 +169,13 @@ private slots:
         }
         qInfo("%lld plans; %s", static_cast<long long>(plans.count()), qPrintable(frames.text()));
         QTest::mouseRelease(window_, Qt::LeftButton, {}, from + QPoint{-59, -29});
-        QTRY_COMPARE_WITH_TIMEOUT(session_->plan()->field().source().parts == source().parts, true, 30000);
+        QTRY_COMPARE_WITH_TIMEOUT(session_->shown()->plan()->field().source().parts == source().parts, true, 30000);
         QCOMPARE(steps(), before + 1);
     }
     void aSwathIsInspected() {
         DRAW_FIELD();
-        const Swath& swath = session_->plan()->swaths.swaths[session_->plan()->swaths.swaths.size() / 2];
-        clickAt(onMap(coordinate(session_->plan()->field().frame().toGeo(0.5 * (swath.start + swath.end)))));
+        const Swath& swath = session_->shown()->plan()->swaths.swaths[session_->shown()->plan()->swaths.swaths.size() / 2];
+        clickAt(onMap(coordinate(session_->shown()->plan()->field().frame().toGeo(0.5 * (swath.start + swath.end)))));
         QTRY_VERIFY(shows(QStringLiteral("inspector")));
         QVERIFY(item(QStringLiteral("inspector.title"))->property("text").toString().startsWith(QStringLiteral("Swath")));
         picture(QStringLiteral("swath"));
@@ -188,16 +188,16 @@ private slots:
         QTRY_COMPARE(item(QStringLiteral("command.undo.item"))->parentItem()->parentItem()->parentItem()->opacity(), 1.0);
         picture(QStringLiteral("menu"));
         click(QStringLiteral("command.undo.item"));
-        QTRY_VERIFY(!session_->hasField());
+        QTRY_VERIFY(!session_->farm()->hasField());
     }
     void theUndoButtonsFollow() {
         QVERIFY(!item(QStringLiteral("undoButton"))->isEnabled());
         DRAW_FIELD();
         QTRY_VERIFY(item(QStringLiteral("undoButton"))->isEnabled());
         click(QStringLiteral("undoButton"));
-        QTRY_VERIFY(!session_->hasField());
+        QTRY_VERIFY(!session_->farm()->hasField());
         click(QStringLiteral("redoButton"));
-        QTRY_VERIFY(session_->hasField());
+        QTRY_VERIFY(session_->farm()->hasField());
         ready();
     }
     void commandsAreFoundByName() {
@@ -230,13 +230,13 @@ private slots:
         picture(QStringLiteral("name"));
         key(Qt::Key_Return);
         QTRY_COMPARE(session_->farm()->plans().size(), 2);
-        session_->machine()->setLibraryIndex(3);
+        session_->planning()->machine()->setLibraryIndex(3);
         ready();
         click(QStringLiteral("planCrumb"));
         QTRY_VERIFY(shows(QStringLiteral("planCrumb.0")));
         picture(QStringLiteral("plans"));
         click(QStringLiteral("planCrumb.0"));
-        QTRY_COMPARE(session_->machine()->libraryIndex(), 0);
+        QTRY_COMPARE(session_->planning()->machine()->libraryIndex(), 0);
         ready();
     }
     void closingAsks() {
@@ -256,7 +256,7 @@ private slots:
         const QTemporaryDir folder;
         {
             // What the program leaves behind when it is killed.
-            PlanSession other;
+            Session other;
             other.keepIn(folder.path());
             other.setBoundary({{58.25, 22.5}, {58.25, 22.507}, {58.2535, 22.507}, {58.2535, 22.5}});
         }
@@ -267,7 +267,7 @@ private slots:
         picture(QStringLiteral("restored"));
         click(QStringLiteral("filesNotice.keep"));
         QTRY_VERIFY(!shows(QStringLiteral("filesNotice")));
-        QVERIFY(session_->hasField());
+        QVERIFY(session_->farm()->hasField());
         session_->files()->abandonChanges();
     }
     void recentProjectsAreOffered() {
@@ -277,11 +277,11 @@ private slots:
         QTRY_VERIFY(!session_->document()->isModified());
         QTRY_COMPARE(session_->recent()->count(), 1);
         key(Qt::Key_N, Qt::ControlModifier);
-        QTRY_VERIFY(!session_->hasField());
+        QTRY_VERIFY(!session_->farm()->hasField());
         QTRY_VERIFY(shows(QStringLiteral("empty.recent.0")));
         picture(QStringLiteral("recent"));
         click(QStringLiteral("empty.recent.0"));
-        QTRY_VERIFY(session_->hasField());
+        QTRY_VERIFY(session_->farm()->hasField());
         ready();
     }
 };

@@ -20,7 +20,7 @@ private:
     void openOn(const QTemporaryDir& folder) {
         plugIn(folder.path());
         click("empty.sample.0");
-        QTRY_VERIFY_WITH_TIMEOUT(isFinished(session_->state()), 20000);
+        QTRY_VERIFY_WITH_TIMEOUT(isFinished(session_->planning()->state()), 20000);
         click("exportButton");
         click("export.onStick");
         QTRY_VERIFY(shown("stick.terminal"));

@@ -36,7 +36,7 @@ class TestImageryWindow : public WindowTest {
     ImageryModel::State state() const { return row(ImageryModel::StateRole).value<ImageryModel::State>(); }
     void addMeadow(const QTemporaryDir& folder) {
         QVERIFY(writeMeadow(folder.filePath(QStringLiteral("meadow.tif"))));
-        session_->openUrls({QUrl::fromLocalFile(folder.filePath(QStringLiteral("meadow.tif")))});
+        session_->opener()->openUrls({QUrl::fromLocalFile(folder.filePath(QStringLiteral("meadow.tif")))});
         QTRY_COMPARE(session_->imagery()->count(), 1);
         QTRY_COMPARE(state(), ImageryModel::State::Ready);
     }
@@ -143,11 +143,11 @@ private slots:
         session_->imagery()->setOpacity(0, 0.6, false);
         session_->files()->saveAs(QUrl::fromLocalFile(folder.filePath(QStringLiteral("farm.furrow"))));
         QTRY_VERIFY(!session_->document()->isModified());
-        session_->closeField();
+        session_->opener()->startNew();
         QTRY_COMPARE(session_->imagery()->count(), 0);
         // The file is missing: the layer stays, says so, and is written again.
         QVERIFY(QFile::rename(folder.filePath(QStringLiteral("meadow.tif")), folder.filePath(QStringLiteral("m.tif"))));
-        session_->open(folder.filePath(QStringLiteral("farm.furrow")));
+        session_->opener()->open(folder.filePath(QStringLiteral("farm.furrow")));
         QTRY_COMPARE(session_->imagery()->count(), 1);
         QTRY_COMPARE(state(), ImageryModel::State::Failed);
         QCOMPARE(row(ImageryModel::OpacityRole).toDouble(), 0.6);
@@ -207,9 +207,9 @@ private slots:
             }
             qInfo("%-28s %5.1f ms a frame", what, 1e3 * static_cast<double>(std::clock() - begin) / CLOCKS_PER_SEC / kFrames);
         };
-        session_->machine()->setNumber(0, 2.5);
-        session_->setBoundary({{58.25, 22.5}, {58.25, 22.5136}, {58.2572, 22.5136}, {58.2572, 22.5}});
-        QTRY_COMPARE_WITH_TIMEOUT(session_->state(), PlanSession::State::Ready, 60000);
+        session_->planning()->machine()->setNumber(0, 2.5);
+        session_->opener()->addDrawn({{58.25, 22.5}, {58.25, 22.5136}, {58.2572, 22.5136}, {58.2572, 22.5}});
+        QTRY_COMPARE_WITH_TIMEOUT(session_->planning()->state(), PlanState::Ready, 60000);
         QQuickItem* layers = item(QStringLiteral("layerSwitches"));
         cost("64 ha, 2.5 m, everything");
         for (const char* layer : {"numbers", "directions", "findings", "turns", "swaths", "headland", "boundary"}) {
@@ -224,8 +224,8 @@ private slots:
         const QString naip = qEnvironmentVariable(
             "FURROW_IMAGERY", QStringLiteral(FURROW_SHARED_DATA_DIR "/basemap/raster/naip_nd_20140720_5m_4band.tif"));
         const bool real = QFile::exists(naip);
-        session_->closeField();
-        session_->openUrls({QUrl::fromLocalFile(real ? naip : folder.filePath(QStringLiteral("meadow.tif")))});
+        session_->opener()->startNew();
+        session_->opener()->openUrls({QUrl::fromLocalFile(real ? naip : folder.filePath(QStringLiteral("meadow.tif")))});
         QTRY_COMPARE(session_->imagery()->count(), 1);
         QTRY_COMPARE(state(), ImageryModel::State::Ready);
         camera()->centreOn(session_->imagery()->areaOf(0).center(), 15.0, false);

@@ -19,12 +19,12 @@ class TestLanguageWindow : public WindowTest {
     /// The names of the steps, from top to bottom.
     QStringList steps() const {
         QStringList names;
-        for (int row = 0; row < session_->steps()->rowCount(); ++row) {
-            names << session_->steps()->index(row).data(StepsModel::NameRole).toString();
+        for (int row = 0; row < session_->planning()->steps()->rowCount(); ++row) {
+            names << session_->planning()->steps()->index(row).data(StepsModel::NameRole).toString();
         }
         return names;
     }
-    QString result(int step) const { return session_->steps()->index(step).data(StepsModel::ResultRole).toString(); }
+    QString result(int step) const { return session_->planning()->steps()->index(step).data(StepsModel::ResultRole).toString(); }
     void begin(Display::Units units = Display::Metric) {
         QSettings{}.remove(QStringLiteral("display"));
         display().setLanguage(QStringLiteral("en"));
@@ -96,7 +96,7 @@ class TestLanguageWindow : public WindowTest {
         const QRegularExpression unit{QStringLiteral("(?:^|\\d[ \u00a0])(?:%1)(?=$|[^\\w/²])").arg(units)};
         QStringList found = texts().filter(unit);
         // The names of machines stay as they are.
-        found.removeIf([this](const QString& text) { return text.contains(session_->machine()->name()); });
+        found.removeIf([this](const QString& text) { return text.contains(session_->planning()->machine()->name()); });
         return found;
     }
 
@@ -136,8 +136,8 @@ private slots:
         const QString width = QStringLiteral("machine.operating_width_m");
         const QString speed = QStringLiteral("machine.working_speed_mps");
         QTRY_VERIFY(item(width) != nullptr);
-        session_->machine()->setNumber(0, 24.0);
-        const double mps = session_->machine()->machine().spec().tractor.workingSpeed.si();
+        session_->planning()->machine()->setNumber(0, 24.0);
+        const double mps = session_->planning()->machine()->machine().spec().tractor.workingSpeed.si();
         QTRY_COMPARE(textOf(width), QStringLiteral("24.00"));
         QCOMPARE(item(width)->property("unitText").toString(), QStringLiteral("m"));
         const QString metricBar = item(QStringLiteral("scaleBar"))->property("metres").toString();
@@ -169,7 +169,7 @@ private slots:
         display().setLanguage(language);
         window_->resize(1280, 800);
         click(QStringLiteral("empty.sample.0"));
-        QTRY_VERIFY_WITH_TIMEOUT(isFinished(session_->state()), 20000);
+        QTRY_VERIFY_WITH_TIMEOUT(isFinished(session_->planning()->state()), 20000);
         QStringList wrong;
         const auto check = [&](const QString& state) {
             picture(QStringLiteral("language_%1_%2").arg(language, state));
@@ -225,13 +225,13 @@ private slots:
             return all;
         }();
         // As the computer, English, Deutsch, Nederlands, Français, Español, Português (Brasil), Português (Portugal).
-        QSignalSpy renamed{session_->steps()->parameters(QStringLiteral("headland")), &QAbstractItemModel::dataChanged};
+        QSignalSpy renamed{session_->planning()->steps()->parameters(QStringLiteral("headland")), &QAbstractItemModel::dataChanged};
         choose(QStringLiteral("preferences.language"), 2);
         QCOMPARE(display().language(), QStringLiteral("de"));
         QVERIFY(!renamed.isEmpty());
         QTRY_COMPARE(steps(), (QStringList{"Schlag", "Maschine", "Vorgewende", "Teilflächen", "Spuren", "Fahrroute", "Wendungen", "Prüfung"}));
         QVERIFY2(result(2).contains(QStringLiteral("Innenfläche")), qPrintable(result(2)));
-        QVERIFY2(session_->statusText().startsWith(QStringLiteral("Plan fertig")), qPrintable(session_->statusText()));
+        QVERIFY2(session_->planning()->statusText().startsWith(QStringLiteral("Plan fertig")), qPrintable(session_->planning()->statusText()));
         for (int row = 0; row < session_->findings()->rowCount(); ++row) {
             const QString german = session_->findings()->index(row).data(FindingsModel::TextRole).toString();
             QVERIFY2(german != findings.value(row), qPrintable(german));
@@ -310,7 +310,7 @@ private slots:
         type(typed);
         QTRY_VERIFY(!item(field + QStringLiteral(".complaint"))->isVisible());
         key(Qt::Key_Return);
-        QTRY_VERIFY(std::abs(session_->machine()->machine().operatingWidth().si() - metresWide) < 1e-9);
+        QTRY_VERIFY(std::abs(session_->planning()->machine()->machine().operatingWidth().si() - metresWide) < 1e-9);
         QTRY_COMPARE(textOf(field), shownAfter);
     }
 };

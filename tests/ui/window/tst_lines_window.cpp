@@ -20,7 +20,7 @@ class TestLinesWindow : public EditorWindowTest {
 private slots:
     void aFieldIsCutByMouse() {
         DRAW_FIELD();
-        const std::size_t cells = session_->plan()->cells.cells.size();
+        const std::size_t cells = session_->shown()->plan()->cells.cells.size();
         click(QStringLiteral("splitTool"));
         QTRY_VERIFY(shows(QStringLiteral("drawingHint")));
         clickAt(middle() + QPoint{-40, -180});
@@ -34,7 +34,7 @@ private slots:
         QTRY_VERIFY(shows(QStringLiteral("inspector")));
         QCOMPARE(title(), QStringLiteral("Split line 1"));
         ready();
-        QVERIFY(session_->plan()->cells.cells.size() > cells);
+        QVERIFY(session_->shown()->plan()->cells.cells.size() > cells);
         picture(QStringLiteral("split2_drawn"));
 
         // Its middle point is dragged, as one change.
@@ -50,9 +50,9 @@ private slots:
         const QTemporaryDir folder;
         session_->files()->saveAs(QUrl::fromLocalFile(folder.filePath(QStringLiteral("cut.furrow"))));
         QTRY_VERIFY(!session_->document()->isModified());
-        session_->closeField();
-        session_->open(folder.filePath(QStringLiteral("cut.furrow")));
-        QTRY_VERIFY(session_->hasField());
+        session_->opener()->startNew();
+        session_->opener()->open(folder.filePath(QStringLiteral("cut.furrow")));
+        QTRY_VERIFY(session_->farm()->hasField());
         QVERIFY(*session_->document()->project() == moved);
         ready();
 
@@ -67,7 +67,7 @@ private slots:
         key(Qt::Key_Z, Qt::ControlModifier | Qt::ShiftModifier);
         QVERIFY(splits().empty());
         ready();
-        QCOMPARE(session_->plan()->cells.cells.size(), cells);
+        QCOMPARE(session_->shown()->plan()->cells.cells.size(), cells);
     }
     void byKeysAlone() {
         DRAW_FIELD();

@@ -18,12 +18,12 @@ private:
         QTRY_VERIFY(shows(QStringLiteral("machine.library")));
         item(QStringLiteral("machine.library"))->forceActiveFocus(Qt::TabFocusReason);
         QTRY_VERIFY(item(QStringLiteral("machine.library"))->hasActiveFocus());
-        const int before = session_->machine()->libraryIndex();
+        const int before = session_->planning()->machine()->libraryIndex();
         key(Qt::Key_Down);
-        QVERIFY(session_->machine()->libraryIndex() != before);
+        QVERIFY(session_->planning()->machine()->libraryIndex() != before);
         // The button is there only while planning takes long; this is what it does.
-        session_->cancel();
-        QTRY_COMPARE(session_->state(), PlanState::OutOfDate);
+        session_->planning()->cancel();
+        QTRY_COMPARE(session_->planning()->state(), PlanState::OutOfDate);
     }
     void openExport() {
         key(Qt::Key_E, Qt::ControlModifier);
@@ -34,13 +34,13 @@ private:
 private slots:
     void afterStopTheOldPlanStays_InsideTheWindow() {
         DRAW_FIELD();
-        const std::shared_ptr<const Plan> before = session_->plan();
-        QVERIFY(before->request.machine == session_->machine()->machine());
+        const std::shared_ptr<const Plan> before = session_->shown()->plan();
+        QVERIFY(before->request.machine == session_->planning()->machine()->machine());
         changeMachineAndStop();
-        QCOMPARE(session_->plan(), before);
+        QCOMPARE(session_->shown()->plan(), before);
         QVERIFY2(textOf(QStringLiteral("statusText")).startsWith(QStringLiteral("Out of date")), qPrintable(textOf(QStringLiteral("statusText"))));
         QTRY_VERIFY(shows(QStringLiteral("results.outOfDate")));
-        QCOMPARE(session_->steps()->index(2).data(StepsModel::StatusRole).toInt(), static_cast<int>(StepsModel::Status::Old));
+        QCOMPARE(session_->planning()->steps()->index(2).data(StepsModel::StatusRole).toInt(), static_cast<int>(StepsModel::Status::Old));
         picture(QStringLiteral("stale-window"));
         openExport();
         QVERIFY(shows(QStringLiteral("export.refusal")));
@@ -56,24 +56,24 @@ private slots:
         QVERIFY(QDir{folder.path()}.isEmpty());
         // From here it is planned, and then it may go.
         click(QStringLiteral("export.planAgain"));
-        QTRY_VERIFY_WITH_TIMEOUT(isFinished(session_->state()), 30000);
-        QVERIFY(session_->plan()->request.machine == session_->machine()->machine());
+        QTRY_VERIFY_WITH_TIMEOUT(isFinished(session_->planning()->state()), 30000);
+        QVERIFY(session_->shown()->plan()->request.machine == session_->planning()->machine()->machine());
         QTRY_VERIFY(!shows(QStringLiteral("export.refusal")));
         QTRY_VERIFY(writable());
     }
 
     void undoBringsThePlanBackAtOnce() {
         DRAW_FIELD();
-        const std::shared_ptr<const Plan> before = session_->plan();
+        const std::shared_ptr<const Plan> before = session_->shown()->plan();
         changeMachineAndStop();
         // The machine's list has the keyboard; undo is one of the window.
         key(Qt::Key_Z, Qt::ControlModifier);
-        QCOMPARE(session_->plan(), before);
-        QVERIFY(isFinished(session_->state()));
+        QCOMPARE(session_->shown()->plan(), before);
+        QVERIFY(isFinished(session_->planning()->state()));
         key(Qt::Key_Z, Qt::ControlModifier | Qt::ShiftModifier);
-        QVERIFY(!isFinished(session_->state()));
-        QTRY_VERIFY_WITH_TIMEOUT(isFinished(session_->state()), 30000);
-        QVERIFY(session_->plan()->request.machine == session_->machine()->machine());
+        QVERIFY(!isFinished(session_->planning()->state()));
+        QTRY_VERIFY_WITH_TIMEOUT(isFinished(session_->planning()->state()), 30000);
+        QVERIFY(session_->shown()->plan()->request.machine == session_->planning()->machine()->machine());
     }
 
     void thePaletteSaysWhyNotToo() {
@@ -93,12 +93,12 @@ private slots:
         openExport();
         QTRY_VERIFY(writable());
         const QString details = textOf(QStringLiteral("export.details"));
-        QVERIFY2(details.contains(session_->machine()->name()), qPrintable(details));
+        QVERIFY2(details.contains(session_->planning()->machine()->name()), qPrintable(details));
         // As an undo by another hand: the width becomes another one below the dialog.
-        session_->machine()->setNumber(0, 7.5);
+        session_->planning()->machine()->setNumber(0, 7.5);
         QVERIFY(!writable());
         QVERIFY(shows(QStringLiteral("export.refusal")));
-        QTRY_VERIFY_WITH_TIMEOUT(isFinished(session_->state()), 30000);
+        QTRY_VERIFY_WITH_TIMEOUT(isFinished(session_->planning()->state()), 30000);
         QTRY_VERIFY(writable());
         QVERIFY2(textOf(QStringLiteral("export.details")).contains(QStringLiteral("7.5 m wide")), qPrintable(textOf(QStringLiteral("export.details"))));
     }
@@ -110,7 +110,7 @@ private slots:
         openExport();
         QCOMPARE(textOf(QStringLiteral("export.heading")), QStringLiteral("Field 1 · Spring drilling · 2027"));
         const QString details = textOf(QStringLiteral("export.details"));
-        const Machine& machine = session_->machine()->machine();
+        const Machine& machine = session_->planning()->machine()->machine();
         QVERIFY2(details.contains(QString::fromStdString(machine.name())), qPrintable(details));
         QVERIFY2(details.contains(QLocale{}.toString(machine.operatingWidth().si(), 'f', 1) + QStringLiteral(" m wide")), qPrintable(details));
         QVERIFY2(details.contains(QStringLiteral("planned ")), qPrintable(details));
@@ -135,7 +135,7 @@ private slots:
         key(Qt::Key_Escape);
         QTRY_VERIFY(!shows(QStringLiteral("export.write")));
         session_->farm()->renameField(QStringLiteral("Pond Field"));
-        QTRY_VERIFY_WITH_TIMEOUT(isFinished(session_->state()), 30000);
+        QTRY_VERIFY_WITH_TIMEOUT(isFinished(session_->planning()->state()), 30000);
         openExport();
         QVERIFY2(textOf(QStringLiteral("export.folder")).contains(QStringLiteral("Pond Field")), qPrintable(textOf(QStringLiteral("export.folder"))));
     }
@@ -149,19 +149,19 @@ private slots:
             QTest::mouseMove(window_, corner + QPoint{4 * i, 3 * i});
             QTRY_VERIFY(editor()->isDragging());
         }
-        QTRY_VERIFY_WITH_TIMEOUT(session_->isDraft(), 30000);
-        QCOMPARE(session_->state(), PlanState::Planning);
+        QTRY_VERIFY_WITH_TIMEOUT(session_->shown()->isDraft(), 30000);
+        QCOMPARE(session_->planning()->state(), PlanState::Planning);
         QVERIFY(!session_->exporter()->refusal().isEmpty());
         QTest::mouseRelease(window_, Qt::LeftButton, {}, corner + QPoint{40, 30});
-        QTRY_VERIFY_WITH_TIMEOUT(isFinished(session_->state()), 30000);
+        QTRY_VERIFY_WITH_TIMEOUT(isFinished(session_->planning()->state()), 30000);
         QVERIFY(session_->exporter()->refusal().isEmpty());
     }
 
     void whatCannotBePlannedIsNotExported() {
         DRAW_FIELD();
         // A boundary that crosses itself.
-        session_->setBoundary({{58.25, 22.5}, {58.2535, 22.507}, {58.25, 22.507}, {58.2535, 22.5}});
-        QTRY_COMPARE_WITH_TIMEOUT(session_->state(), PlanState::Failed, 30000);
+        session_->opener()->addDrawn({{58.25, 22.5}, {58.2535, 22.507}, {58.25, 22.507}, {58.2535, 22.5}});
+        QTRY_COMPARE_WITH_TIMEOUT(session_->planning()->state(), PlanState::Failed, 30000);
         openExport();
         QVERIFY(shows(QStringLiteral("export.refusal")));
         QVERIFY(!writable());
@@ -169,17 +169,17 @@ private slots:
 
     void aBlockingFindingIsAProblemEverywhere() {
         DRAW_FIELD();
-        QCOMPARE(session_->state(), PlanState::Ready);
-        QCOMPARE(session_->steps()->index(7).data(StepsModel::StatusRole).toInt(), static_cast<int>(StepsModel::Status::Good));
+        QCOMPARE(session_->planning()->state(), PlanState::Ready);
+        QCOMPARE(session_->planning()->steps()->index(7).data(StepsModel::StatusRole).toInt(), static_cast<int>(StepsModel::Status::Good));
         // Without a headland there is no room to turn inside.
-        ParameterModel* headland = session_->steps()->parameters(QStringLiteral("headland"));
+        ParameterModel* headland = session_->planning()->steps()->parameters(QStringLiteral("headland"));
         headland->setNumber(headlandRow(*headland), 1.0);
-        QTRY_COMPARE_WITH_TIMEOUT(session_->state(), PlanState::Problems, 30000);
-        const int problems = session_->findings()->blockingCount();
+        QTRY_COMPARE_WITH_TIMEOUT(session_->planning()->state(), PlanState::Problems, 30000);
+        const int problems = session_->planning()->problemCount();
         QVERIFY(problems > 0);
         const QString said = problems == 1 ? QStringLiteral("1 problem") : QStringLiteral("%1 problems").arg(QLocale{}.toString(problems));
         QVERIFY2(textOf(QStringLiteral("statusText")).startsWith(said), qPrintable(textOf(QStringLiteral("statusText"))));
-        const auto step = [this](int row, int role) { return session_->steps()->index(row).data(role); };
+        const auto step = [this](int row, int role) { return session_->planning()->steps()->index(row).data(role); };
         QCOMPARE(step(6, StepsModel::StatusRole).toInt(), static_cast<int>(StepsModel::Status::Warning));
         QCOMPARE(step(7, StepsModel::StatusRole).toInt(), static_cast<int>(StepsModel::Status::Warning));
         QCOMPARE(step(7, StepsModel::ChoiceRole).toString(), said);

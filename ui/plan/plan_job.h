@@ -3,16 +3,10 @@
 #include "planner/field/field.h"
 #include "planner/jobs/job.h"
 #include "planner/plan/plan.h"
-#include "planner/project/project_file.h"
 #include "ui/map/plan_drawing.h"
-
-#include <QString>
-#include <QStringList>
 
 #include <memory>
 #include <optional>
-#include <utility>
-#include <vector>
 
 namespace furrow {
 
@@ -24,17 +18,6 @@ struct PlanOutcome {
     PlanDrawing drawing;
     std::optional<Error> error;
 };
-
-/// What a reading job hands over.
-struct Reading {
-    std::optional<std::pair<QString, OpenedProject>> project;
-    std::vector<FieldSource> fields;
-    QStringList imagery;
-    std::optional<Error> error;
-};
-
-/// Reads files of any kind, in their order, up to the first that cannot be read.
-Reading readFiles(const QStringList& paths, const QString& fieldId, const JobContext& job);
 
 /// Plans a field and draws the plan; without a plan, what there is of the field.
 /// @param field   of this source, where it was checked before
