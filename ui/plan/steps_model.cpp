@@ -17,8 +17,6 @@ namespace furrow {
 
 namespace {
 
-const QString kSeparator = QStringLiteral(" · ");
-
 /// The setting that picks the method, those of the method, and those of the stage.
 std::vector<const Parameter*> parametersOf(const StageInfo& stage, const Settings& settings) {
     std::vector<const Parameter*> all;
@@ -70,26 +68,23 @@ QString resultOf(std::string_view stage, const Plan& plan) {
     if (stage == "headland") {
         return plan.headland.width.si() <= 0.0
                    ? StepsModel::tr("mainland %1").arg(percentText(plan.headland.mainlandRatio))
-                   : QStringList{metresText(narrowestWidth(plan.headland), plan.headland.width),
-                                 StepsModel::tr("%n pass(es)", nullptr, plan.headland.passes),
-                                 StepsModel::tr("mainland %1").arg(percentText(plan.headland.mainlandRatio))}
-                         .join(kSeparator);
+                   : inOneLine({metresText(narrowestWidth(plan.headland), plan.headland.width),
+                                StepsModel::tr("%n pass(es)", nullptr, plan.headland.passes),
+                                StepsModel::tr("mainland %1").arg(percentText(plan.headland.mainlandRatio))});
     }
     if (stage == "decomposition") {
         return StepsModel::tr("%n cell(s)", nullptr, static_cast<int>(plan.cells.cells.size()));
     }
     if (stage == "swaths") {
-        return QStringList{StepsModel::tr("%n swath(s)", nullptr, static_cast<int>(plan.swaths.swaths.size())),
-                           lengthText(plan.swaths.totalLength), bearingText(plan.swaths.heading)}
-            .join(kSeparator);
+        return inOneLine({StepsModel::tr("%n swath(s)", nullptr, static_cast<int>(plan.swaths.swaths.size())),
+                          lengthText(plan.swaths.totalLength), bearingText(plan.swaths.heading)});
     }
     if (stage == "route") {
         return StepsModel::tr("%1 with turns on the spot").arg(lengthText(plan.route.lengthInPlace));
     }
     if (stage == "path") {
-        return QStringList{StepsModel::tr("%n turn(s)", nullptr, plan.path.turnCount()),
-                           lengthText(plan.path.length(SegmentKind::Turn))}
-            .join(kSeparator);
+        return inOneLine({StepsModel::tr("%n turn(s)", nullptr, plan.path.turnCount()),
+                          lengthText(plan.path.length(SegmentKind::Turn))});
     }
     return {};
 }
@@ -103,7 +98,7 @@ QString withProblems(const QString& result, int problems) {
     if (problems > 0) {
         parts << StepsModel::tr("%n problem(s)", nullptr, problems);
     }
-    return parts.join(kSeparator);
+    return inOneLine(parts);
 }
 
 }  // namespace
@@ -130,7 +125,7 @@ void StepsModel::showField(Step& step, const StepsContent& content) {
     step.status = Status::None;
     if (content.field != nullptr) {
         const Field& field = *content.field;
-        step.choice = QStringList{fromStd(field.name()), areaText(field.area())}.join(kSeparator);
+        step.choice = inOneLine({fromStd(field.name()), areaText(field.area())});
         QStringList parts;
         if (const auto count = static_cast<int>(field.source().obstacles.size()); count > 0) {
             parts << tr("%n obstacle(s)", nullptr, count);
@@ -139,7 +134,7 @@ void StepsModel::showField(Step& step, const StepsContent& content) {
             parts << tr("%n hole(s)", nullptr, count);
         }
         parts << tr("%n boundary point(s)", nullptr, static_cast<int>(field.vertexCount()));
-        step.result = parts.join(kSeparator);
+        step.result = inOneLine(parts);
         step.status = Status::Good;
     } else if (content.state == PlanState::Failed) {
         step.choice = tr("No usable boundary");
@@ -157,10 +152,9 @@ void StepsModel::showField(Step& step, const StepsContent& content) {
 void StepsModel::showMachine(Step& step, const StepsContent& content) {
     const Machine& machine = content.machine;
     step.choice = shown(machine.name());
-    step.result = QStringList{tr("%1 wide").arg(metresText(machine.operatingWidth(), 1)),
-                              tr("%1 radius").arg(metresText(machine.minTurningRadius(), 1)),
-                              speedText(machine.spec().tractor.workingSpeed)}
-                      .join(kSeparator);
+    step.result = inOneLine({tr("%1 wide").arg(metresText(machine.operatingWidth(), 1)),
+                             tr("%1 radius").arg(metresText(machine.minTurningRadius(), 1)),
+                             speedText(machine.spec().tractor.workingSpeed)});
     step.status = Status::Good;
 }
 
