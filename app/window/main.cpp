@@ -1,6 +1,6 @@
 #include "app/window/screenshot.h"
 #include "app/window/self_test.h"
-#include "ui/plan/session.h"
+#include "ui/shell/session.h"
 #include "ui/shell/window_tools.h"
 #include "ui/text/display.h"
 

@@ -1,6 +1,6 @@
 #include "app/window/screenshot.h"
 
-#include "ui/plan/session.h"
+#include "ui/shell/session.h"
 
 #include <QCoreApplication>
 #include <QImage>

@@ -1,6 +1,6 @@
 #include "app/window/self_test.h"
 
-#include "ui/plan/session.h"
+#include "ui/shell/session.h"
 
 #include <QCoreApplication>
 #include <QElapsedTimer>

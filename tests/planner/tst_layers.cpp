@@ -1,6 +1,7 @@
 #include <QDirIterator>
 #include <QFile>
 #include <QRegularExpression>
+#include <QSet>
 #include <QTest>
 
 #include <algorithm>
@@ -10,16 +11,43 @@ class LayersTest : public QObject {
     Q_OBJECT
 
     QStringList layers_;
+    QStringList rooms_;
+
+    static QString textOf(const QString& path) {
+        QFile file{path};
+        return file.open(QIODevice::ReadOnly) ? QString::fromUtf8(file.readAll()) : QString{};
+    }
+    /// The names behind a word up to the end of its bracket or line.
+    static QStringList namesIn(const QString& text, const QString& pattern) {
+        const auto match = QRegularExpression{pattern}.match(text);
+        return match.captured(1).split(QRegularExpression{QStringLiteral("\\s+")}, Qt::SkipEmptyParts);
+    }
+    /// Other rooms that a room's C++ includes and its QML imports.
+    static QStringList usedBy(const QString& room) {
+        const QRegularExpression use{QStringLiteral("^(?:#include \"ui/(\\w+)/|import Furrow\\.(\\w+))"),
+                                     QRegularExpression::MultilineOption};
+        QSet<QString> used;
+        QDirIterator files{QStringLiteral(FURROW_SOURCE_DIR "/ui/") + room, {"*.h", "*.cpp", "*.qml"}, QDir::Files};
+        while (files.hasNext()) {
+            for (auto each = use.globalMatch(textOf(files.next())); each.hasNext();) {
+                const auto match = each.next();
+                used << (match.captured(1) + match.captured(2)).toLower();
+            }
+        }
+        used.remove(room);
+        QStringList sorted = used.values();
+        sorted.sort();
+        return sorted;
+    }
 
 private slots:
     void initTestCase() {
-        QFile file{QStringLiteral(FURROW_SOURCE_DIR "/planner/CMakeLists.txt")};
-        QVERIFY(file.open(QIODevice::ReadOnly));
-        const QRegularExpression list{QStringLiteral("set\\(FURROW_PLANNER_LAYERS\\s+([^)]*)\\)")};
-        const auto match = list.match(QString::fromUtf8(file.readAll()));
-        QVERIFY(match.hasMatch());
-        layers_ = match.captured(1).split(QRegularExpression{QStringLiteral("\\s+")}, Qt::SkipEmptyParts);
+        layers_ = namesIn(textOf(QStringLiteral(FURROW_SOURCE_DIR "/planner/CMakeLists.txt")),
+                          QStringLiteral("set\\(FURROW_PLANNER_LAYERS\\s+([^)]*)\\)"));
         QVERIFY(layers_.size() >= 15);
+        rooms_ = namesIn(textOf(QStringLiteral(FURROW_SOURCE_DIR "/ui/CMakeLists.txt")),
+                         QStringLiteral("set\\(FURROW_UI_ROOMS\\s+([^)]*)\\)"));
+        QVERIFY(rooms_.size() >= 10);
     }
 
     void everyFolderIsALayer() {
@@ -62,6 +90,39 @@ private slots:
         }
         QVERIFY2(wrong.isEmpty(), qPrintable(wrong.join('\n')));
         QVERIFY(seen > 100);
+    }
+
+    // The rooms of the window are the order of FURROW_UI_ROOMS: a room may use those before it, so there is no circle.
+    void everyFolderOfTheWindowIsARoom() {
+        QStringList folders = QDir{QStringLiteral(FURROW_SOURCE_DIR "/ui")}.entryList(QDir::Dirs | QDir::NoDotAndDotDot);
+        QStringList rooms = rooms_;
+        folders.sort();
+        rooms.sort();
+        QCOMPARE(folders, rooms);
+    }
+    void roomsUseThoseBeforeThem() {
+        QStringList wrong;
+        for (const QString& room : rooms_) {
+            for (const QString& used : usedBy(room)) {
+                if (rooms_.indexOf(used) < 0 || rooms_.indexOf(used) > rooms_.indexOf(room)) {
+                    wrong << room + " uses " + used;
+                }
+            }
+        }
+        QVERIFY2(wrong.isEmpty(), qPrintable(wrong.join('\n')));
+    }
+    void roomsNameWhatTheyUse_data() {
+        QTest::addColumn<QString>("room");
+        for (const QString& room : rooms_) {
+            QTest::newRow(qPrintable(room)) << room;
+        }
+    }
+    void roomsNameWhatTheyUse() {
+        QFETCH(QString, room);
+        QStringList named = namesIn(textOf(QStringLiteral(FURROW_SOURCE_DIR "/ui/%1/CMakeLists.txt").arg(room)),
+                                    QStringLiteral("\\bUSES ([^\\n]*)"));
+        named.sort();
+        QCOMPARE(named, usedBy(room));
     }
 
     // The audit shares no code with the stages it checks.

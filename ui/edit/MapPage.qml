@@ -1,9 +1,9 @@
 import QtQuick
 import QtPositioning
 import Furrow.Controls
-import Furrow.Document
-import Furrow.Imagery
+import Furrow.Layers
 import Furrow.Map
+import Furrow.Project
 
 /// The map with the plan on it, and the tools to draw and change a field.
 FocusScope {

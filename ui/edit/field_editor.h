@@ -4,9 +4,9 @@
 #include "planner/editing/shape_hit.h"
 #include "planner/editing/snapping.h"
 #include "planner/project/project.h"
-#include "ui/document/document.h"
 #include "ui/edit/selection.h"
 #include "ui/map/shown_plan.h"
+#include "ui/project/document.h"
 
 #include <QGeoCoordinate>
 #include <QList>

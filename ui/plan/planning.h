@@ -1,15 +1,15 @@
 #pragma once
 
-#include "ui/document/document.h"
 #include "ui/jobs/job_runner.h"
 #include "ui/map/shown_plan.h"
 #include "ui/plan/cell_steps.h"
-#include "ui/plan/field_opener.h"
 #include "ui/plan/machine_model.h"
 #include "ui/plan/plan_job.h"
 #include "ui/plan/plan_state.h"
-#include "ui/plan/problem.h"
 #include "ui/plan/steps_model.h"
+#include "ui/project/document.h"
+#include "ui/project/field_opener.h"
+#include "ui/project/problem.h"
 
 #include <QObject>
 #include <QtQml/qqmlregistration.h>

@@ -2,10 +2,15 @@ import QtQuick
 import QtCore
 import QtQuick.Controls
 import QtPositioning
+import Furrow.Commands
 import Furrow.Controls
 import Furrow.Edit
-import Furrow.Map
+import Furrow.Export
+import Furrow.Layers
 import Furrow.Plan
+import Furrow.Project
+import Furrow.Results
+import Furrow.Settings
 
 /// The window: top bar, steps, map, results.
 ApplicationWindow {

@@ -1,7 +1,8 @@
 import QtQuick
 import QtQuick.Layouts
+import Furrow.Commands
 import Furrow.Controls
-import Furrow.Plan
+import Furrow.Settings
 
 /// Where the user is, and what is needed everywhere.
 Rectangle {

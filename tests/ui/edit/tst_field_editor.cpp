@@ -5,7 +5,7 @@
 #include "tests/support/result_check.h"
 #include "ui/edit/field_editor.h"
 #include "ui/edit/inspector.h"
-#include "ui/plan/session.h"
+#include "ui/shell/session.h"
 #include "ui/text/display.h"
 
 #include <QAbstractItemModelTester>

@@ -2,7 +2,7 @@
 
 #include "ui/edit/edit_layer.h"
 #include "ui/map/map_camera.h"
-#include "ui/plan/session.h"
+#include "ui/shell/session.h"
 #include "ui/shell/window_tools.h"
 
 #include <QDir>
