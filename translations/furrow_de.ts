@@ -5224,6 +5224,13 @@
         <source>Save the project</source>
         <translation>Projekt speichern</translation>
     </message>
+</context>
+<context>
+    <name>ImageryDialogs</name>
+    <message>
+        <source>All files (*)</source>
+        <translation>Alle Dateien (*)</translation>
+    </message>
     <message>
         <source>Add imagery</source>
         <translation>Luftbild hinzufügen</translation>
@@ -5607,6 +5614,26 @@
             <numerusform>%n Dateien nach %1 geschrieben</numerusform>
         </translation>
     </message>
+    <message>
+        <source>There is no field yet, and no plan to export.</source>
+        <translation>Es gibt noch keinen Schlag und keinen Plan zum Exportieren.</translation>
+    </message>
+    <message>
+        <source>A field is being opened. Its plan can be exported when it is finished.</source>
+        <translation>Ein Schlag wird geöffnet. Sein Plan lässt sich exportieren, wenn er fertig ist.</translation>
+    </message>
+    <message>
+        <source>The plan is still being made. It can be exported when it is finished.</source>
+        <translation>Der Plan entsteht noch. Er lässt sich exportieren, wenn er fertig ist.</translation>
+    </message>
+    <message>
+        <source>The plan is out of date: the field, the machine or a setting was changed after it was made.</source>
+        <translation>Der Plan ist veraltet: Schlag, Maschine oder eine Einstellung wurde danach geändert.</translation>
+    </message>
+    <message>
+        <source>There is no plan to export. The message on the map says why.</source>
+        <translation>Es gibt keinen Plan zum Exportieren. Die Meldung auf der Karte sagt, warum.</translation>
+    </message>
 </context>
 <context>
     <name>furrow::FarmModel</name>
@@ -5883,7 +5910,7 @@
     </message>
 </context>
 <context>
-    <name>furrow::PlanSession</name>
+    <name>furrow::Planning</name>
     <message>
         <source>Change the machine</source>
         <translation>Maschine ändern</translation>
@@ -5919,32 +5946,6 @@
         <source>%1 · %2</source>
         <translation>%1 · %2</translation>
     </message>
-    <message numerus="yes">
-        <source>%n file(s)</source>
-        <translation>
-            <numerusform>%n Datei</numerusform>
-            <numerusform>%n Dateien</numerusform>
-        </translation>
-    </message>
-    <message>
-        <source>Add field %1</source>
-        <translation>Schlag %1 hinzufügen</translation>
-    </message>
-    <message numerus="yes">
-        <source>Add %n field(s)</source>
-        <translation>
-            <numerusform>%n Schlag hinzufügen</numerusform>
-            <numerusform>%n Schläge hinzufügen</numerusform>
-        </translation>
-    </message>
-    <message>
-        <source>Field %1</source>
-        <translation>Schlag %1</translation>
-    </message>
-    <message>
-        <source>drawn on the map</source>
-        <translation>auf der Karte gezeichnet</translation>
-    </message>
     <message>
         <source>Change: %1</source>
         <translation>Ändern: %1</translation>
@@ -5976,25 +5977,34 @@
             <numerusform>%n Probleme</numerusform>
         </translation>
     </message>
-    <message>
-        <source>There is no field yet, and no plan to export.</source>
-        <translation>Es gibt noch keinen Schlag und keinen Plan zum Exportieren.</translation>
+</context>
+<context>
+    <name>furrow::FieldOpener</name>
+    <message numerus="yes">
+        <source>%n file(s)</source>
+        <translation>
+            <numerusform>%n Datei</numerusform>
+            <numerusform>%n Dateien</numerusform>
+        </translation>
     </message>
     <message>
-        <source>A field is being opened. Its plan can be exported when it is finished.</source>
-        <translation>Ein Schlag wird geöffnet. Sein Plan lässt sich exportieren, wenn er fertig ist.</translation>
+        <source>Add field %1</source>
+        <translation>Schlag %1 hinzufügen</translation>
+    </message>
+    <message numerus="yes">
+        <source>Add %n field(s)</source>
+        <translation>
+            <numerusform>%n Schlag hinzufügen</numerusform>
+            <numerusform>%n Schläge hinzufügen</numerusform>
+        </translation>
     </message>
     <message>
-        <source>The plan is still being made. It can be exported when it is finished.</source>
-        <translation>Der Plan entsteht noch. Er lässt sich exportieren, wenn er fertig ist.</translation>
+        <source>Field %1</source>
+        <translation>Schlag %1</translation>
     </message>
     <message>
-        <source>The plan is out of date: the field, the machine or a setting was changed after it was made.</source>
-        <translation>Der Plan ist veraltet: Schlag, Maschine oder eine Einstellung wurde danach geändert.</translation>
-    </message>
-    <message>
-        <source>There is no plan to export. The message on the map says why.</source>
-        <translation>Es gibt keinen Plan zum Exportieren. Die Meldung auf der Karte sagt, warum.</translation>
+        <source>drawn on the map</source>
+        <translation>auf der Karte gezeichnet</translation>
     </message>
 </context>
 <context>

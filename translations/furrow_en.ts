@@ -72,7 +72,7 @@
     </message>
 </context>
 <context>
-    <name>furrow::PlanSession</name>
+    <name>furrow::FieldOpener</name>
     <message numerus="yes">
         <source>%n file(s)</source>
         <translation>
@@ -87,6 +87,9 @@
             <numerusform>Add %n fields</numerusform>
         </translation>
     </message>
+</context>
+<context>
+    <name>furrow::Planning</name>
     <message numerus="yes">
         <source>%n field(s) in this file</source>
         <translation>

@@ -5224,6 +5224,13 @@
         <source>Save the project</source>
         <translation>Guardar el proyecto</translation>
     </message>
+</context>
+<context>
+    <name>ImageryDialogs</name>
+    <message>
+        <source>All files (*)</source>
+        <translation>Todos los archivos (*)</translation>
+    </message>
     <message>
         <source>Add imagery</source>
         <translation>Añadir imágenes</translation>
@@ -5607,6 +5614,26 @@
             <numerusform>%n archivos escritos en %1</numerusform>
         </translation>
     </message>
+    <message>
+        <source>There is no field yet, and no plan to export.</source>
+        <translation>Todavía no hay parcela ni plan que exportar.</translation>
+    </message>
+    <message>
+        <source>A field is being opened. Its plan can be exported when it is finished.</source>
+        <translation>Se está abriendo una parcela. Su plan se podrá exportar cuando esté listo.</translation>
+    </message>
+    <message>
+        <source>The plan is still being made. It can be exported when it is finished.</source>
+        <translation>El plan todavía se está calculando. Se podrá exportar cuando esté listo.</translation>
+    </message>
+    <message>
+        <source>The plan is out of date: the field, the machine or a setting was changed after it was made.</source>
+        <translation>El plan está desactualizado: la parcela, la máquina o un ajuste cambió después.</translation>
+    </message>
+    <message>
+        <source>There is no plan to export. The message on the map says why.</source>
+        <translation>No hay plan que exportar. El mensaje en el mapa dice por qué.</translation>
+    </message>
 </context>
 <context>
     <name>furrow::FarmModel</name>
@@ -5883,7 +5910,7 @@
     </message>
 </context>
 <context>
-    <name>furrow::PlanSession</name>
+    <name>furrow::Planning</name>
     <message>
         <source>Change the machine</source>
         <translation>Cambiar la máquina</translation>
@@ -5919,32 +5946,6 @@
         <source>%1 · %2</source>
         <translation>%1 · %2</translation>
     </message>
-    <message numerus="yes">
-        <source>%n file(s)</source>
-        <translation>
-            <numerusform>%n archivo</numerusform>
-            <numerusform>%n archivos</numerusform>
-        </translation>
-    </message>
-    <message>
-        <source>Add field %1</source>
-        <translation>Añadir la parcela %1</translation>
-    </message>
-    <message numerus="yes">
-        <source>Add %n field(s)</source>
-        <translation>
-            <numerusform>Añadir %n parcela</numerusform>
-            <numerusform>Añadir %n parcelas</numerusform>
-        </translation>
-    </message>
-    <message>
-        <source>Field %1</source>
-        <translation>Parcela %1</translation>
-    </message>
-    <message>
-        <source>drawn on the map</source>
-        <translation>dibujada en el mapa</translation>
-    </message>
     <message>
         <source>Change: %1</source>
         <translation>Cambiar: %1</translation>
@@ -5976,25 +5977,34 @@
             <numerusform>%n problemas</numerusform>
         </translation>
     </message>
-    <message>
-        <source>There is no field yet, and no plan to export.</source>
-        <translation>Todavía no hay parcela ni plan que exportar.</translation>
+</context>
+<context>
+    <name>furrow::FieldOpener</name>
+    <message numerus="yes">
+        <source>%n file(s)</source>
+        <translation>
+            <numerusform>%n archivo</numerusform>
+            <numerusform>%n archivos</numerusform>
+        </translation>
     </message>
     <message>
-        <source>A field is being opened. Its plan can be exported when it is finished.</source>
-        <translation>Se está abriendo una parcela. Su plan se podrá exportar cuando esté listo.</translation>
+        <source>Add field %1</source>
+        <translation>Añadir la parcela %1</translation>
+    </message>
+    <message numerus="yes">
+        <source>Add %n field(s)</source>
+        <translation>
+            <numerusform>Añadir %n parcela</numerusform>
+            <numerusform>Añadir %n parcelas</numerusform>
+        </translation>
     </message>
     <message>
-        <source>The plan is still being made. It can be exported when it is finished.</source>
-        <translation>El plan todavía se está calculando. Se podrá exportar cuando esté listo.</translation>
+        <source>Field %1</source>
+        <translation>Parcela %1</translation>
     </message>
     <message>
-        <source>The plan is out of date: the field, the machine or a setting was changed after it was made.</source>
-        <translation>El plan está desactualizado: la parcela, la máquina o un ajuste cambió después.</translation>
-    </message>
-    <message>
-        <source>There is no plan to export. The message on the map says why.</source>
-        <translation>No hay plan que exportar. El mensaje en el mapa dice por qué.</translation>
+        <source>drawn on the map</source>
+        <translation>dibujada en el mapa</translation>
     </message>
 </context>
 <context>

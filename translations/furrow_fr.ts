@@ -5224,6 +5224,13 @@
         <source>Save the project</source>
         <translation>Enregistrer le projet</translation>
     </message>
+</context>
+<context>
+    <name>ImageryDialogs</name>
+    <message>
+        <source>All files (*)</source>
+        <translation>Tous les fichiers (*)</translation>
+    </message>
     <message>
         <source>Add imagery</source>
         <translation>Ajouter une imagerie</translation>
@@ -5607,6 +5614,26 @@
             <numerusform>%n fichiers écrits dans %1</numerusform>
         </translation>
     </message>
+    <message>
+        <source>There is no field yet, and no plan to export.</source>
+        <translation>Il n&apos;y a pas encore de parcelle, ni de plan à exporter.</translation>
+    </message>
+    <message>
+        <source>A field is being opened. Its plan can be exported when it is finished.</source>
+        <translation>Une parcelle est en cours d&apos;ouverture. Son plan pourra être exporté quand il sera prêt.</translation>
+    </message>
+    <message>
+        <source>The plan is still being made. It can be exported when it is finished.</source>
+        <translation>Le plan est encore en cours de calcul. Il pourra être exporté quand il sera prêt.</translation>
+    </message>
+    <message>
+        <source>The plan is out of date: the field, the machine or a setting was changed after it was made.</source>
+        <translation>Le plan est périmé : la parcelle, la machine ou un réglage a été modifié depuis.</translation>
+    </message>
+    <message>
+        <source>There is no plan to export. The message on the map says why.</source>
+        <translation>Il n&apos;y a pas de plan à exporter. Le message sur la carte dit pourquoi.</translation>
+    </message>
 </context>
 <context>
     <name>furrow::FarmModel</name>
@@ -5883,7 +5910,7 @@
     </message>
 </context>
 <context>
-    <name>furrow::PlanSession</name>
+    <name>furrow::Planning</name>
     <message>
         <source>Change the machine</source>
         <translation>Modifier la machine</translation>
@@ -5919,32 +5946,6 @@
         <source>%1 · %2</source>
         <translation>%1 · %2</translation>
     </message>
-    <message numerus="yes">
-        <source>%n file(s)</source>
-        <translation>
-            <numerusform>%n fichier</numerusform>
-            <numerusform>%n fichiers</numerusform>
-        </translation>
-    </message>
-    <message>
-        <source>Add field %1</source>
-        <translation>Ajouter la parcelle %1</translation>
-    </message>
-    <message numerus="yes">
-        <source>Add %n field(s)</source>
-        <translation>
-            <numerusform>Ajouter %n parcelle</numerusform>
-            <numerusform>Ajouter %n parcelles</numerusform>
-        </translation>
-    </message>
-    <message>
-        <source>Field %1</source>
-        <translation>Parcelle %1</translation>
-    </message>
-    <message>
-        <source>drawn on the map</source>
-        <translation>dessinée sur la carte</translation>
-    </message>
     <message>
         <source>Change: %1</source>
         <translation>Modifier : %1</translation>
@@ -5976,25 +5977,34 @@
             <numerusform>%n problèmes</numerusform>
         </translation>
     </message>
-    <message>
-        <source>There is no field yet, and no plan to export.</source>
-        <translation>Il n&apos;y a pas encore de parcelle, ni de plan à exporter.</translation>
+</context>
+<context>
+    <name>furrow::FieldOpener</name>
+    <message numerus="yes">
+        <source>%n file(s)</source>
+        <translation>
+            <numerusform>%n fichier</numerusform>
+            <numerusform>%n fichiers</numerusform>
+        </translation>
     </message>
     <message>
-        <source>A field is being opened. Its plan can be exported when it is finished.</source>
-        <translation>Une parcelle est en cours d&apos;ouverture. Son plan pourra être exporté quand il sera prêt.</translation>
+        <source>Add field %1</source>
+        <translation>Ajouter la parcelle %1</translation>
+    </message>
+    <message numerus="yes">
+        <source>Add %n field(s)</source>
+        <translation>
+            <numerusform>Ajouter %n parcelle</numerusform>
+            <numerusform>Ajouter %n parcelles</numerusform>
+        </translation>
     </message>
     <message>
-        <source>The plan is still being made. It can be exported when it is finished.</source>
-        <translation>Le plan est encore en cours de calcul. Il pourra être exporté quand il sera prêt.</translation>
+        <source>Field %1</source>
+        <translation>Parcelle %1</translation>
     </message>
     <message>
-        <source>The plan is out of date: the field, the machine or a setting was changed after it was made.</source>
-        <translation>Le plan est périmé : la parcelle, la machine ou un réglage a été modifié depuis.</translation>
-    </message>
-    <message>
-        <source>There is no plan to export. The message on the map says why.</source>
-        <translation>Il n&apos;y a pas de plan à exporter. Le message sur la carte dit pourquoi.</translation>
+        <source>drawn on the map</source>
+        <translation>dessinée sur la carte</translation>
     </message>
 </context>
 <context>

@@ -5224,6 +5224,13 @@
         <source>Save the project</source>
         <translation>Project opslaan</translation>
     </message>
+</context>
+<context>
+    <name>ImageryDialogs</name>
+    <message>
+        <source>All files (*)</source>
+        <translation>Alle bestanden (*)</translation>
+    </message>
     <message>
         <source>Add imagery</source>
         <translation>Luchtfoto toevoegen</translation>
@@ -5607,6 +5614,26 @@
             <numerusform>%n bestanden geschreven naar %1</numerusform>
         </translation>
     </message>
+    <message>
+        <source>There is no field yet, and no plan to export.</source>
+        <translation>Er is nog geen perceel en geen plan om te exporteren.</translation>
+    </message>
+    <message>
+        <source>A field is being opened. Its plan can be exported when it is finished.</source>
+        <translation>Er wordt een perceel geopend. Het plan kan worden geëxporteerd als het klaar is.</translation>
+    </message>
+    <message>
+        <source>The plan is still being made. It can be exported when it is finished.</source>
+        <translation>Het plan wordt nog gemaakt. Het kan worden geëxporteerd als het klaar is.</translation>
+    </message>
+    <message>
+        <source>The plan is out of date: the field, the machine or a setting was changed after it was made.</source>
+        <translation>Het plan is verouderd: het perceel, de machine of een instelling is daarna gewijzigd.</translation>
+    </message>
+    <message>
+        <source>There is no plan to export. The message on the map says why.</source>
+        <translation>Er is geen plan om te exporteren. De melding op de kaart zegt waarom.</translation>
+    </message>
 </context>
 <context>
     <name>furrow::FarmModel</name>
@@ -5883,7 +5910,7 @@
     </message>
 </context>
 <context>
-    <name>furrow::PlanSession</name>
+    <name>furrow::Planning</name>
     <message>
         <source>Change the machine</source>
         <translation>Machine wijzigen</translation>
@@ -5919,32 +5946,6 @@
         <source>%1 · %2</source>
         <translation>%1 · %2</translation>
     </message>
-    <message numerus="yes">
-        <source>%n file(s)</source>
-        <translation>
-            <numerusform>%n bestand</numerusform>
-            <numerusform>%n bestanden</numerusform>
-        </translation>
-    </message>
-    <message>
-        <source>Add field %1</source>
-        <translation>Perceel %1 toevoegen</translation>
-    </message>
-    <message numerus="yes">
-        <source>Add %n field(s)</source>
-        <translation>
-            <numerusform>%n perceel toevoegen</numerusform>
-            <numerusform>%n percelen toevoegen</numerusform>
-        </translation>
-    </message>
-    <message>
-        <source>Field %1</source>
-        <translation>Perceel %1</translation>
-    </message>
-    <message>
-        <source>drawn on the map</source>
-        <translation>op de kaart getekend</translation>
-    </message>
     <message>
         <source>Change: %1</source>
         <translation>Wijzigen: %1</translation>
@@ -5976,25 +5977,34 @@
             <numerusform>%n problemen</numerusform>
         </translation>
     </message>
-    <message>
-        <source>There is no field yet, and no plan to export.</source>
-        <translation>Er is nog geen perceel en geen plan om te exporteren.</translation>
+</context>
+<context>
+    <name>furrow::FieldOpener</name>
+    <message numerus="yes">
+        <source>%n file(s)</source>
+        <translation>
+            <numerusform>%n bestand</numerusform>
+            <numerusform>%n bestanden</numerusform>
+        </translation>
     </message>
     <message>
-        <source>A field is being opened. Its plan can be exported when it is finished.</source>
-        <translation>Er wordt een perceel geopend. Het plan kan worden geëxporteerd als het klaar is.</translation>
+        <source>Add field %1</source>
+        <translation>Perceel %1 toevoegen</translation>
+    </message>
+    <message numerus="yes">
+        <source>Add %n field(s)</source>
+        <translation>
+            <numerusform>%n perceel toevoegen</numerusform>
+            <numerusform>%n percelen toevoegen</numerusform>
+        </translation>
     </message>
     <message>
-        <source>The plan is still being made. It can be exported when it is finished.</source>
-        <translation>Het plan wordt nog gemaakt. Het kan worden geëxporteerd als het klaar is.</translation>
+        <source>Field %1</source>
+        <translation>Perceel %1</translation>
     </message>
     <message>
-        <source>The plan is out of date: the field, the machine or a setting was changed after it was made.</source>
-        <translation>Het plan is verouderd: het perceel, de machine of een instelling is daarna gewijzigd.</translation>
-    </message>
-    <message>
-        <source>There is no plan to export. The message on the map says why.</source>
-        <translation>Er is geen plan om te exporteren. De melding op de kaart zegt waarom.</translation>
+        <source>drawn on the map</source>
+        <translation>op de kaart getekend</translation>
     </message>
 </context>
 <context>

@@ -5224,6 +5224,13 @@
         <source>Save the project</source>
         <translation>Salvar o projeto</translation>
     </message>
+</context>
+<context>
+    <name>ImageryDialogs</name>
+    <message>
+        <source>All files (*)</source>
+        <translation>Todos os arquivos (*)</translation>
+    </message>
     <message>
         <source>Add imagery</source>
         <translation>Adicionar imagens</translation>
@@ -5607,6 +5614,26 @@
             <numerusform>%n arquivos gravados em %1</numerusform>
         </translation>
     </message>
+    <message>
+        <source>There is no field yet, and no plan to export.</source>
+        <translation>Ainda não há talhão nem plano para exportar.</translation>
+    </message>
+    <message>
+        <source>A field is being opened. Its plan can be exported when it is finished.</source>
+        <translation>Um talhão está sendo aberto. O plano poderá ser exportado quando estiver pronto.</translation>
+    </message>
+    <message>
+        <source>The plan is still being made. It can be exported when it is finished.</source>
+        <translation>O plano ainda está sendo calculado. Poderá ser exportado quando estiver pronto.</translation>
+    </message>
+    <message>
+        <source>The plan is out of date: the field, the machine or a setting was changed after it was made.</source>
+        <translation>O plano está desatualizado: o talhão, a máquina ou uma configuração mudou depois.</translation>
+    </message>
+    <message>
+        <source>There is no plan to export. The message on the map says why.</source>
+        <translation>Não há plano para exportar. A mensagem no mapa diz por quê.</translation>
+    </message>
 </context>
 <context>
     <name>furrow::FarmModel</name>
@@ -5883,7 +5910,7 @@
     </message>
 </context>
 <context>
-    <name>furrow::PlanSession</name>
+    <name>furrow::Planning</name>
     <message>
         <source>Change the machine</source>
         <translation>Alterar a máquina</translation>
@@ -5919,32 +5946,6 @@
         <source>%1 · %2</source>
         <translation>%1 · %2</translation>
     </message>
-    <message numerus="yes">
-        <source>%n file(s)</source>
-        <translation>
-            <numerusform>%n arquivo</numerusform>
-            <numerusform>%n arquivos</numerusform>
-        </translation>
-    </message>
-    <message>
-        <source>Add field %1</source>
-        <translation>Adicionar o talhão %1</translation>
-    </message>
-    <message numerus="yes">
-        <source>Add %n field(s)</source>
-        <translation>
-            <numerusform>Adicionar %n talhão</numerusform>
-            <numerusform>Adicionar %n talhões</numerusform>
-        </translation>
-    </message>
-    <message>
-        <source>Field %1</source>
-        <translation>Talhão %1</translation>
-    </message>
-    <message>
-        <source>drawn on the map</source>
-        <translation>desenhado no mapa</translation>
-    </message>
     <message>
         <source>Change: %1</source>
         <translation>Alterar: %1</translation>
@@ -5976,25 +5977,34 @@
             <numerusform>%n problemas</numerusform>
         </translation>
     </message>
-    <message>
-        <source>There is no field yet, and no plan to export.</source>
-        <translation>Ainda não há talhão nem plano para exportar.</translation>
+</context>
+<context>
+    <name>furrow::FieldOpener</name>
+    <message numerus="yes">
+        <source>%n file(s)</source>
+        <translation>
+            <numerusform>%n arquivo</numerusform>
+            <numerusform>%n arquivos</numerusform>
+        </translation>
     </message>
     <message>
-        <source>A field is being opened. Its plan can be exported when it is finished.</source>
-        <translation>Um talhão está sendo aberto. O plano poderá ser exportado quando estiver pronto.</translation>
+        <source>Add field %1</source>
+        <translation>Adicionar o talhão %1</translation>
+    </message>
+    <message numerus="yes">
+        <source>Add %n field(s)</source>
+        <translation>
+            <numerusform>Adicionar %n talhão</numerusform>
+            <numerusform>Adicionar %n talhões</numerusform>
+        </translation>
     </message>
     <message>
-        <source>The plan is still being made. It can be exported when it is finished.</source>
-        <translation>O plano ainda está sendo calculado. Poderá ser exportado quando estiver pronto.</translation>
+        <source>Field %1</source>
+        <translation>Talhão %1</translation>
     </message>
     <message>
-        <source>The plan is out of date: the field, the machine or a setting was changed after it was made.</source>
-        <translation>O plano está desatualizado: o talhão, a máquina ou uma configuração mudou depois.</translation>
-    </message>
-    <message>
-        <source>There is no plan to export. The message on the map says why.</source>
-        <translation>Não há plano para exportar. A mensagem no mapa diz por quê.</translation>
+        <source>drawn on the map</source>
+        <translation>desenhado no mapa</translation>
     </message>
 </context>
 <context>

@@ -803,6 +803,13 @@
     </message>
 </context>
 <context>
+    <name>ImageryDialogs</name>
+    <message>
+        <source>All files (*)</source>
+        <translation>Todos os ficheiros (*)</translation>
+    </message>
+</context>
+<context>
     <name>StatusChip</name>
     <message>
         <source>Plan again</source>
@@ -852,6 +859,14 @@
             <numerusform>%n ficheiros gravados em %1</numerusform>
         </translation>
     </message>
+    <message>
+        <source>A field is being opened. Its plan can be exported when it is finished.</source>
+        <translation>Um talhão está a ser aberto. O plano poderá ser exportado quando estiver pronto.</translation>
+    </message>
+    <message>
+        <source>The plan is still being made. It can be exported when it is finished.</source>
+        <translation>O plano ainda está a ser calculado. Poderá ser exportado quando estiver pronto.</translation>
+    </message>
 </context>
 <context>
     <name>furrow::FieldEditor</name>
@@ -881,7 +896,7 @@
     </message>
 </context>
 <context>
-    <name>furrow::PlanSession</name>
+    <name>furrow::Planning</name>
     <message>
         <source>Reading %1 …</source>
         <translation>A ler %1…</translation>
@@ -897,24 +912,19 @@
         <source>Planning …</source>
         <translation>A planear…</translation>
     </message>
+    <message>
+        <source>Draft · planning …</source>
+        <translation>Rascunho · a planear…</translation>
+    </message>
+</context>
+<context>
+    <name>furrow::FieldOpener</name>
     <message numerus="yes">
         <source>%n file(s)</source>
         <translation>
             <numerusform>%n ficheiro</numerusform>
             <numerusform>%n ficheiros</numerusform>
         </translation>
-    </message>
-    <message>
-        <source>Draft · planning …</source>
-        <translation>Rascunho · a planear…</translation>
-    </message>
-    <message>
-        <source>A field is being opened. Its plan can be exported when it is finished.</source>
-        <translation>Um talhão está a ser aberto. O plano poderá ser exportado quando estiver pronto.</translation>
-    </message>
-    <message>
-        <source>The plan is still being made. It can be exported when it is finished.</source>
-        <translation>O plano ainda está a ser calculado. Poderá ser exportado quando estiver pronto.</translation>
     </message>
 </context>
 <context>

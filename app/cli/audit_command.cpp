@@ -7,8 +7,8 @@
 #include "planner/audit/audit.h"
 #include "planner/io/plan_files/audit_json.h"
 #include "planner/io/plan_files/plan_reader.h"
+#include "planner/path/blocking.h"
 
-#include <algorithm>
 #include <format>
 #include <memory>
 #include <print>
@@ -97,8 +97,7 @@ int runAudit(const AuditArguments& arguments) {
     } else {
         printReport(*plan, *report);
     }
-    return std::ranges::contains(findings, Severity::Blocking, &Finding::severity) ? kBlockingFinding
-                                                                                   : kDrivable;
+    return blockingCount(findings) > 0 ? kBlockingFinding : kDrivable;
 }
 
 }  // namespace

@@ -1,6 +1,6 @@
 #include "app/window/screenshot.h"
 #include "app/window/self_test.h"
-#include "ui/plan/plan_session.h"
+#include "ui/shell/session.h"
 #include "ui/shell/window_tools.h"
 #include "ui/text/display.h"
 
@@ -81,7 +81,7 @@ int main(int argc, char* argv[]) {
     furrow::Display::instance().force(arguments.language,
                                       static_cast<furrow::Display::Units>(std::max<qsizetype>(
                                           QStringList{QString{}, QStringLiteral("metric"), QStringLiteral("imperial")}.indexOf(arguments.units), 0)));
-    furrow::PlanSession session;
+    furrow::Session session;
     QQmlApplicationEngine engine;
     const bool forPeople = arguments.screenshot.isEmpty() && !arguments.selfTest;
     engine.setInitialProperties({{QStringLiteral("session"), QVariant::fromValue(&session)},
@@ -104,7 +104,7 @@ int main(int argc, char* argv[]) {
         session.keepIn(QStandardPaths::writableLocation(QStandardPaths::AppLocalDataLocation));
     }
     if (!arguments.file.isEmpty()) {
-        session.open(arguments.file, arguments.fieldId);
+        session.opener()->open(arguments.file, arguments.fieldId);
     } else if (forPeople) {
         session.files()->recover();
     }

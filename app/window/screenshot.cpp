@@ -1,6 +1,6 @@
 #include "app/window/screenshot.h"
 
-#include "ui/plan/plan_session.h"
+#include "ui/shell/session.h"
 
 #include <QCoreApplication>
 #include <QImage>
@@ -11,14 +11,14 @@
 
 namespace furrow {
 
-void saveScreenshotWhenReady(QQuickWindow& window, PlanSession& session, const QString& file) {
+void saveScreenshotWhenReady(QQuickWindow& window, Session& session, const QString& file) {
     // Frames in a row without work: motions and the world's outline have then settled.
     constexpr int kQuietTicks = 15;
     auto* timer = new QTimer{&window};
     timer->setInterval(40);
     QObject::connect(timer, &QTimer::timeout, &window, [&window, &session, file, timer, quiet = 0]() mutable {
-        const PlanSession::State state = session.state();
-        const bool working = state == PlanSession::State::Planning || state == PlanSession::State::Reading ||
+        const PlanState state = session.planning()->state();
+        const bool working = state == PlanState::Planning || state == PlanState::Reading ||
                              !session.imagery()->store().isIdle();
         quiet = working ? 0 : quiet + 1;
         if (quiet < kQuietTicks) {

@@ -1,6 +1,6 @@
 #include "app/window/self_test.h"
 
-#include "ui/plan/plan_session.h"
+#include "ui/shell/session.h"
 
 #include <QCoreApplication>
 #include <QElapsedTimer>
@@ -31,7 +31,7 @@ void countingHandler(QtMsgType type, const QMessageLogContext& context, const QS
 /// Steps, each with a condition that must come true in time before the next one.
 class SelfTest : public QObject {
 public:
-    SelfTest(QQuickWindow& window, PlanSession& session) : QObject{&window}, window_{window}, session_{session} {
+    SelfTest(QQuickWindow& window, Session& session) : QObject{&window}, window_{window}, session_{session} {
         timer_.setInterval(20);
         connect(&timer_, &QTimer::timeout, this, [this] { tick(); });
     }
@@ -85,7 +85,7 @@ private:
     }
 
     QQuickWindow& window_;
-    PlanSession& session_;
+    Session& session_;
     std::deque<Step> steps_;
     QTimer timer_;
     QElapsedTimer waited_;
@@ -105,13 +105,13 @@ void countMessages() {
     earlierHandler = qInstallMessageHandler(countingHandler);
 }
 
-void runSelfTest(QQuickWindow& window, PlanSession& session) {
+void runSelfTest(QQuickWindow& window, Session& session) {
     auto* test = new SelfTest{window, session};
     const auto item = [&window](const char* name) { return window.findChild<QQuickItem*>(QLatin1String{name}); };
     const auto shown = [item](const char* name) {
         return [item, name] { return item(name) != nullptr && item(name)->isVisible(); };
     };
-    const auto in = [&session](PlanSession::State state) { return [&session, state] { return session.state() == state; }; };
+    const auto in = [&session](PlanState state) { return [&session, state] { return session.planning()->state() == state; }; };
     const auto press = [item](const char* name) {
         return [item, name] { QMetaObject::invokeMethod(item(name), "click"); };
     };
@@ -123,10 +123,10 @@ void runSelfTest(QQuickWindow& window, PlanSession& session) {
     test->add("drawing", press("drawTool"), shown("drawingHint"));
     test->add("drawing given up", press("cancelDrawing"), shown("emptyState"));
     test->add("a field is planned", [&session] {
-        session.setBoundary(corners({{22.50, 58.25}, {22.507, 58.25}, {22.507, 58.2535}, {22.50, 58.2535}}));
-    }, in(PlanSession::State::Ready));
-    for (int row = 0; row < session.steps()->rowCount(); ++row) {
-        const QString step = session.steps()->data(session.steps()->index(row), StepsModel::StepIdRole).toString();
+        session.opener()->addDrawn(corners({{22.50, 58.25}, {22.507, 58.25}, {22.507, 58.2535}, {22.50, 58.2535}}));
+    }, in(PlanState::Ready));
+    for (int row = 0; row < session.planning()->steps()->rowCount(); ++row) {
+        const QString step = session.planning()->steps()->data(session.planning()->steps()->index(row), StepsModel::StepIdRole).toString();
         test->add("a step opens", open(step),
                   [item, step] { return item("stepsPanel")->property("openStep").toString() == step; });
     }
@@ -136,13 +136,13 @@ void runSelfTest(QQuickWindow& window, PlanSession& session) {
     test->add("export opens", press("exportButton"), shown("export.write"));
     test->add("export closes", press("export.close"), [shown] { return !shown("export.write")(); });
     test->add("a boundary that crosses itself", [&session] {
-        session.setBoundary(corners({{22.50, 58.25}, {22.507, 58.2535}, {22.507, 58.25}, {22.50, 58.2535}}));
-    }, in(PlanSession::State::Failed));
+        session.opener()->addDrawn(corners({{22.50, 58.25}, {22.507, 58.2535}, {22.507, 58.25}, {22.50, 58.2535}}));
+    }, in(PlanState::Failed));
     test->add("the problem is told", [] {}, shown("problemCard"));
-    test->add("no field again", [&session] { session.closeField(); }, shown("emptyState"));
-    for (int sample = 0; sample < session.sampleNames().size(); ++sample) {
-        test->add("a sample field is planned", [&session, sample] { session.openSample(sample); },
-                  [&session] { return isFinished(session.state()); });
+    test->add("no field again", [&session] { session.opener()->startNew(); }, shown("emptyState"));
+    for (int sample = 0; sample < session.opener()->sampleNames().size(); ++sample) {
+        test->add("a sample field is planned", [&session, sample] { session.opener()->openSample(sample); },
+                  [&session] { return isFinished(session.planning()->state()); });
     }
     QTimer::singleShot(0, test, [test] { test->start(); });
 }

@@ -4,6 +4,7 @@
 #include "planner/geometry/tolerances.h"
 #include "planner/headland/finishing_passes.h"
 #include "planner/headland/headland_passes.h"
+#include "planner/path/blocking.h"
 #include "planner/path/headland_order.h"
 #include "planner/plan/general_parameters.h"
 #include "planner/plan/stopwatch.h"
@@ -22,10 +23,6 @@ namespace {
 constexpr double kMayStayShare = 0.009;
 constexpr Area kMayStayInOnePiece = squareMetres(95.0);
 constexpr int kFinishingRounds = 6;
-
-std::ptrdiff_t blockingIn(const Driven& driven) {
-    return std::ranges::count(driven.findings, Severity::Blocking, &Finding::severity);
-}
 
 /// Ways and passes that leave where the machine may be.
 std::ptrdiff_t outsideIn(const Driven& driven) {
@@ -127,7 +124,7 @@ Result<Driven> finishStage(const DriveTask& task, Driven driven, std::vector<Leg
         }
         finished->driving += driven.driving;
         finished->auditing += driven.auditing;
-        if (blockingIn(*finished) > blockingIn(driven) || outsideIn(*finished) > outsideIn(driven)) {
+        if (blockingCount(finished->findings) > blockingCount(driven.findings) || outsideIn(*finished) > outsideIn(driven)) {
             const std::vector<HeadlandPass> outside = leadingOutside(finished->path, more.put);
             if (outside.empty()) {
                 break;

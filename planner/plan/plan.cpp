@@ -1,5 +1,6 @@
 #include "planner/plan/plan.h"
 
+#include "planner/path/blocking.h"
 #include "planner/plan/audit_input.h"
 #include "planner/plan/quicker_choice.h"
 #include "planner/plan/reasons.h"
@@ -67,7 +68,7 @@ std::shared_ptr<Plan> planOf(const PlanRequest& request, const QuickestChoice& c
 }  // namespace
 
 std::ptrdiff_t Plan::blockingCount() const {
-    return std::ranges::count(findings, Severity::Blocking, &Finding::severity);
+    return furrow::blockingCount(findings);
 }
 
 bool Plan::drivable() const {

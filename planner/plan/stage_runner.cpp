@@ -2,6 +2,7 @@
 
 #include "planner/field/small_obstacles.h"
 #include "planner/geometry/geos_bridge.h"
+#include "planner/path/blocking.h"
 #include "planner/plan/drive_stage.h"
 #include "planner/plan/ground.h"
 #include "planner/plan/mainland_parts.h"
@@ -43,7 +44,7 @@ std::vector<Ring> without(std::vector<Ring> obstacles, const std::vector<std::si
 }  // namespace
 
 std::ptrdiff_t PlannedStages::blockingCount() const {
-    return std::ranges::count(driven->findings, Severity::Blocking, &Finding::severity);
+    return furrow::blockingCount(driven->findings);
 }
 
 Result<std::shared_ptr<const Headland>> StageRunner::headland(const PlanRequest& request, const std::shared_ptr<const Ground>& ground,

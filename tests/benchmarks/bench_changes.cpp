@@ -1,4 +1,4 @@
-#include "planner/io/boundary_import.h"
+#include "planner/io/import/boundary_import.h"
 #include "planner/machine/machine_library.h"
 #include "planner/plan/method_registry.h"
 #include "planner/plan/plan.h"

@@ -1,17 +1,45 @@
 #include <QDirIterator>
 #include <QFile>
 #include <QRegularExpression>
+#include <QSet>
 #include <QTest>
 
 #include <algorithm>
 
-// The layers of the planner are the order of FURROW_PLANNER_LAYERS, the rooms of its io that of FURROW_IO_ROOMS: a folder
-// may include those before it.
+// The layers of the planner are the order of FURROW_PLANNER_LAYERS: a folder may include those before it.
 class LayersTest : public QObject {
     Q_OBJECT
 
     QStringList layers_;
-    QStringList rooms_;
+    QStringList uiRooms_;
+    QStringList ioRooms_;
+
+    static QString textOf(const QString& path) {
+        QFile file{path};
+        return file.open(QIODevice::ReadOnly) ? QString::fromUtf8(file.readAll()) : QString{};
+    }
+    /// The names behind a word up to the end of its bracket or line.
+    static QStringList namesIn(const QString& text, const QString& pattern) {
+        const auto match = QRegularExpression{pattern}.match(text);
+        return match.captured(1).split(QRegularExpression{QStringLiteral("\\s+")}, Qt::SkipEmptyParts);
+    }
+    /// Other rooms that a room's C++ includes and its QML imports.
+    static QStringList usedBy(const QString& room) {
+        const QRegularExpression use{QStringLiteral("^(?:#include \"ui/(\\w+)/|import Furrow\\.(\\w+))"),
+                                     QRegularExpression::MultilineOption};
+        QSet<QString> used;
+        QDirIterator files{QStringLiteral(FURROW_SOURCE_DIR "/ui/") + room, {"*.h", "*.cpp", "*.qml"}, QDir::Files};
+        while (files.hasNext()) {
+            for (auto each = use.globalMatch(textOf(files.next())); each.hasNext();) {
+                const auto match = each.next();
+                used << (match.captured(1) + match.captured(2)).toLower();
+            }
+        }
+        used.remove(room);
+        QStringList sorted = used.values();
+        sorted.sort();
+        return sorted;
+    }
 
     /// The words of a list in a CMakeLists.txt, without its comments.
     static QStringList listIn(const char* path, const char* name) {
@@ -31,10 +59,14 @@ class LayersTest : public QObject {
 
 private slots:
     void initTestCase() {
-        layers_ = listIn("planner/CMakeLists.txt", "FURROW_PLANNER_LAYERS");
+        layers_ = namesIn(textOf(QStringLiteral(FURROW_SOURCE_DIR "/planner/CMakeLists.txt")),
+                          QStringLiteral("set\\(FURROW_PLANNER_LAYERS\\s+([^)]*)\\)"));
         QVERIFY(layers_.size() >= 15);
-        rooms_ = listIn("planner/io/CMakeLists.txt", "FURROW_IO_ROOMS");
-        QVERIFY(rooms_.size() >= 10);
+        uiRooms_ = namesIn(textOf(QStringLiteral(FURROW_SOURCE_DIR "/ui/CMakeLists.txt")),
+                         QStringLiteral("set\\(FURROW_UI_ROOMS\\s+([^)]*)\\)"));
+        QVERIFY(uiRooms_.size() >= 10);
+        ioRooms_ = listIn("planner/io/CMakeLists.txt", "FURROW_IO_ROOMS");
+        QVERIFY(ioRooms_.size() >= 10);
     }
 
     void everyFolderIsALayer() {
@@ -85,12 +117,12 @@ private slots:
                            QDirIterator::Subdirectories};
         while (files.hasNext()) {
             const QString room = roomOf(files.next().mid(QStringLiteral(FURROW_SOURCE_DIR "/").size()));
-            QVERIFY2(rooms_.contains(room), qPrintable(files.filePath()));
+            QVERIFY2(ioRooms_.contains(room), qPrintable(files.filePath()));
             if (!found.contains(room)) {
                 found << room;
             }
         }
-        QCOMPARE(found.size(), rooms_.size());
+        QCOMPARE(found.size(), ioRooms_.size());
     }
 
     void roomsOfIoIncludeUpwards() {
@@ -105,12 +137,45 @@ private slots:
             auto matches = include.globalMatch(QString::fromUtf8(file.readAll()));
             while (matches.hasNext()) {
                 const QString target = matches.next().captured(1);
-                if (rooms_.indexOf(roomOf(target)) > rooms_.indexOf(roomOf(path))) {
+                if (ioRooms_.indexOf(roomOf(target)) > ioRooms_.indexOf(roomOf(path))) {
                     wrong << path + " includes " + target;
                 }
             }
         }
         QVERIFY2(wrong.isEmpty(), qPrintable(wrong.join('\n')));
+    }
+
+    // The rooms of the window are the order of FURROW_UI_ROOMS: a room may use those before it, so there is no circle.
+    void everyFolderOfTheWindowIsARoom() {
+        QStringList folders = QDir{QStringLiteral(FURROW_SOURCE_DIR "/ui")}.entryList(QDir::Dirs | QDir::NoDotAndDotDot);
+        QStringList rooms = uiRooms_;
+        folders.sort();
+        rooms.sort();
+        QCOMPARE(folders, rooms);
+    }
+    void roomsUseThoseBeforeThem() {
+        QStringList wrong;
+        for (const QString& room : uiRooms_) {
+            for (const QString& used : usedBy(room)) {
+                if (uiRooms_.indexOf(used) < 0 || uiRooms_.indexOf(used) > uiRooms_.indexOf(room)) {
+                    wrong << room + " uses " + used;
+                }
+            }
+        }
+        QVERIFY2(wrong.isEmpty(), qPrintable(wrong.join('\n')));
+    }
+    void roomsNameWhatTheyUse_data() {
+        QTest::addColumn<QString>("room");
+        for (const QString& room : uiRooms_) {
+            QTest::newRow(qPrintable(room)) << room;
+        }
+    }
+    void roomsNameWhatTheyUse() {
+        QFETCH(QString, room);
+        QStringList named = namesIn(textOf(QStringLiteral(FURROW_SOURCE_DIR "/ui/%1/CMakeLists.txt").arg(room)),
+                                    QStringLiteral("\\bUSES ([^\\n]*)"));
+        named.sort();
+        QCOMPARE(named, usedBy(room));
     }
 
     // The audit shares no code with the stages it checks.
@@ -142,9 +207,7 @@ private slots:
         QTest::newRow("PROJ") << "proj.h" << QStringList{"geodesy"};
         QTest::newRow("PROJ's geodesics") << "geodesic.h" << QStringList{"geodesy"};
         QTest::newRow("oneTBB") << "tbb/" << QStringList{"jobs"};
-        QTest::newRow("GDAL") << "<gdal" << QStringList{"gdal", "imagery"};
-        QTest::newRow("GDAL's shapes") << "<ogr" << QStringList{"gdal", "imagery"};
-        QTest::newRow("GDAL's files") << "<cpl_" << QStringList{"gdal", "imagery"};
+        QTest::newRow("GDAL") << "gdal" << QStringList{"io", "imagery"};
     }
     void librariesStayWrapped() {
         QFETCH(QString, header);

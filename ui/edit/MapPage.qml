@@ -1,17 +1,23 @@
 import QtQuick
 import QtPositioning
 import Furrow.Controls
-import Furrow.Imagery
+import Furrow.Layers
 import Furrow.Map
-import Furrow.Plan
+import Furrow.Project
 
 /// The map with the plan on it, and the tools to draw and change a field.
 FocusScope {
     id: root
 
-    required property PlanSession session
-    readonly property planDrawing drawing: session.drawing
+    required property Document document
+    required property ShownPlan shown
     required property planStyle planStyle
+    required property ImageryModel imagery
+    required property bool hasField
+    /// The cells at one step of how they came about; shown while `steppingCells`.
+    required property cellDrawing cells
+    required property bool steppingCells
+    readonly property planDrawing drawing: shown.drawing
     property bool imageryShown: true
     /// The map from the network is wanted.
     property bool online: false
@@ -23,6 +29,7 @@ FocusScope {
     readonly property alias toolBar: tools
 
     signal findingClicked(index: int)
+    signal fieldDrawn(boundary: list<geoCoordinate>)
     signal inspectRequested()
     signal layersRequested()
 
@@ -75,7 +82,9 @@ FocusScope {
     FieldEditor {
         id: editor
 
-        session: root.session
+        document: root.document
+        shown: root.shown
+        onFieldDrawn: boundary => root.fieldDrawn(boundary)
     }
     MapCamera {
         id: camera
@@ -115,7 +124,7 @@ FocusScope {
         anchors.fill: parent
         visible: root.imageryShown
         camera: camera
-        imagery: root.session.imagery
+        imagery: root.imagery
     }
     Item {
         id: map
@@ -137,9 +146,9 @@ FocusScope {
             objectName: "cellLayer"
             anchors.fill: parent
             z: 1
-            visible: root.session.cells.current >= 0
+            visible: root.steppingCells
             camera: camera
-            drawing: root.session.cells.drawing
+            drawing: root.cells
             color: Theme.ink
             fillColor: Theme.accent
             casingColor: Theme.panel
@@ -191,7 +200,7 @@ FocusScope {
         y: root.narrow ? 62 : 16
         room: scaleBar.y - 8 - y
         editor: editor
-        hasField: root.session.hasField
+        hasField: root.hasField
         layersOpen: root.layersOpen
         onLayersRequested: root.layersRequested()
         onToolRequested: tool => root.startTool(tool)

@@ -227,6 +227,27 @@ void EditLayer::addDraft(Marks& marks) const {
     }
 }
 
+void EditLayer::addVertices(Marks& marks, const OutlineId& id, const std::vector<MapPoint>& pixels) const {
+    const Selection& chosen = editor_->selection();
+    const auto& hovered = editor_->hovered();
+    for (std::size_t k = 0; k < pixels.size(); ++k) {
+        const QPointF pixel{double{pixels[k].x}, double{pixels[k].y}};
+        const bool isChosen = chosen.isOf(Selection::Kind::Vertex, id, k);
+        const bool isHovered = hovered && hovered->kind == ShapeHit::Kind::Vertex && hovered->outline == id && hovered->index == k;
+        if (isChosen || isHovered) {
+            addDisc(marks.active, pixel);
+            continue;
+        }
+        const MapPoint next = pixels[k + 1 == pixels.size() ? 0 : k + 1];
+        const MapPoint last = pixels[k == 0 ? pixels.size() - 1 : k - 1];
+        const bool crowded = std::max(std::hypot(next.x - pixels[k].x, next.y - pixels[k].y),
+                                      std::hypot(last.x - pixels[k].x, last.y - pixels[k].y)) < kCrowdedPx;
+        if (pointerInside_ && !crowded && QLineF{pixel, pointer_}.length() < kHandlesPx) {
+            addDisc(marks.handles, pixel);
+        }
+    }
+}
+
 void EditLayer::addSelection(Marks& marks) const {
     const Selection& chosen = editor_->selection();
     const auto& hovered = editor_->hovered();
@@ -256,22 +277,7 @@ void EditLayer::addSelection(Marks& marks) const {
         } else if (hovered && hovered->outline == outline.id && hovered->kind == ShapeHit::Kind::Edge && !editor_->isDragging()) {
             marks.snap.add(edgeOf(hovered->index));
         }
-        for (std::size_t k = 0; k < pixels.size(); ++k) {
-            const QPointF pixel{double{pixels[k].x}, double{pixels[k].y}};
-            const bool isChosen = chosen.isOf(Selection::Kind::Vertex, outline.id, k);
-            const bool isHovered = hovered && hovered->kind == ShapeHit::Kind::Vertex && hovered->outline == outline.id && hovered->index == k;
-            if (isChosen || isHovered) {
-                addDisc(marks.active, pixel);
-                continue;
-            }
-            const MapPoint next = pixels[k + 1 == pixels.size() ? 0 : k + 1];
-            const MapPoint last = pixels[k == 0 ? pixels.size() - 1 : k - 1];
-            const bool crowded = std::max(std::hypot(next.x - pixels[k].x, next.y - pixels[k].y),
-                                          std::hypot(last.x - pixels[k].x, last.y - pixels[k].y)) < kCrowdedPx;
-            if (pointerInside_ && !crowded && QLineF{pixel, pointer_}.length() < kHandlesPx) {
-                addDisc(marks.handles, pixel);
-            }
-        }
+        addVertices(marks, outline.id, pixels);
     }
     if (const auto middle = editor_->midpointHandle()) {
         addDisc(marks.middles, pixelOf(*middle));

@@ -54,6 +54,8 @@ private:
     struct Marks;
     Marks marks() const;
     void addSelection(Marks& marks) const;
+    /// Those of one outline that are selected or near the pointer.
+    void addVertices(Marks& marks, const OutlineId& id, const std::vector<MapPoint>& pixels) const;
     void addDraft(Marks& marks) const;
     QPointF pixelOf(Point place) const;
     QPointF pixelOf(const Outline& outline, std::size_t vertex) const;

@@ -4,7 +4,6 @@
 #include "planner/geometry/simplify.h"
 #include "planner/plan/plan_hit.h"
 #include "planner/project/project_edits.h"
-#include "ui/plan/plan_session.h"
 
 #include <algorithm>
 #include <array>
@@ -34,25 +33,30 @@ Point middleOf(const Outline& outline, std::size_t edge) {
 }  // namespace
 
 const Project& FieldEditor::project() const {
-    return *session_->document()->project();
+    return *document_->project();
 }
 
-void FieldEditor::setSession(PlanSession* session) {
-    session_ = session;
-    connect(session_->document(), &Document::projectChanged, this, &FieldEditor::follow);
-    connect(session_, &PlanSession::drawingChanged, this, &FieldEditor::changed);
-    connect(session_, &PlanSession::planChanged, this, [this] {
+void FieldEditor::setDocument(Document* document) {
+    document_ = document;
+    connect(document_, &Document::projectChanged, this, &FieldEditor::follow);
+    follow();
+    emit documentChanged();
+}
+
+void FieldEditor::setShown(ShownPlan* shown) {
+    shown_ = shown;
+    connect(shown_, &ShownPlan::drawingChanged, this, &FieldEditor::changed);
+    connect(shown_, &ShownPlan::planChanged, this, [this] {
         // Segments, cells and findings of another plan are other ones.
         if (selection_.kind >= Selection::Kind::Segment) {
             select({});
         }
     });
-    follow();
-    emit sessionChanged();
+    emit shownChanged();
 }
 
 bool FieldEditor::isAhead() const {
-    return isDragging() || session_->isBehind();
+    return isDragging() || (shown_ != nullptr && shown_->isBehind());
 }
 
 void FieldEditor::follow() {
@@ -232,7 +236,7 @@ void FieldEditor::endGrip() {
     before_.reset();
     sourceBefore_.reset();
     snap_.reset();
-    session_->document()->endDrag();
+    document_->endDrag();
     emit draggingChanged();
     emit changed();
 }
@@ -260,7 +264,7 @@ void FieldEditor::click(const Pointer& pointer) {
 }
 
 void FieldEditor::pickFromPlan(const Pointer& pointer) {
-    const auto& plan = session_->plan();
+    const auto& plan = shown_->plan();
     if (!plan) {
         select({});
         return;
@@ -370,7 +374,7 @@ void FieldEditor::changeSource(const char* text, FieldSource source, Document::F
 }
 
 void FieldEditor::change(const char* text, Project after, Document::Follows follows) {
-    session_->document()->change([text] { return tr(text); }, std::move(after), isDragging() || follows == Document::Follows::More ? QStringLiteral("grip") : QString{}, follows);
+    document_->change([text] { return tr(text); }, std::move(after), isDragging() || follows == Document::Follows::More ? QStringLiteral("grip") : QString{}, follows);
 }
 
 void FieldEditor::select(const Selection& selection) {
@@ -390,8 +394,8 @@ bool FieldEditor::escape() {
     if (isDragging()) {
         // Back to where it was: the drag becomes no change at all.
         if (grip_ != Grip::Trace && sourceBefore_) {
-            session_->document()->endDrag();
-            session_->document()->undo();
+            document_->endDrag();
+            document_->undo();
         }
         draft_.clear();
         endGrip();

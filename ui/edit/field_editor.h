@@ -4,25 +4,24 @@
 #include "planner/editing/shape_hit.h"
 #include "planner/editing/snapping.h"
 #include "planner/project/project.h"
-#include "ui/document/document.h"
 #include "ui/edit/selection.h"
+#include "ui/map/shown_plan.h"
+#include "ui/project/document.h"
 
 #include <QGeoCoordinate>
+#include <QList>
 #include <QObject>
 #include <QtQml/qqmlregistration.h>
 
-Q_MOC_INCLUDE("ui/plan/plan_session.h")
-
 namespace furrow {
-
-class PlanSession;
 
 /// What the tools on the map do to the field: picks, drags, draws, deletes. It knows places on the earth and how far
 /// a pointer reaches there; pixels are the layer's. Geometry is the planner's, changes are the document's.
 class FieldEditor : public QObject {
     Q_OBJECT
     QML_ELEMENT
-    Q_PROPERTY(furrow::PlanSession* session READ session WRITE setSession NOTIFY sessionChanged REQUIRED FINAL)
+    Q_PROPERTY(furrow::Document* document READ document WRITE setDocument NOTIFY documentChanged REQUIRED FINAL)
+    Q_PROPERTY(furrow::ShownPlan* shown READ shown WRITE setShown NOTIFY shownChanged REQUIRED FINAL)
     Q_PROPERTY(Tool tool READ tool WRITE setTool NOTIFY toolChanged FINAL)
     Q_PROPERTY(bool drawing READ isDrawing NOTIFY toolChanged FINAL)
     /// Drawing tools trace the pointer while it is pressed.
@@ -50,8 +49,10 @@ public:
 
     explicit FieldEditor(QObject* parent = nullptr) : QObject{parent} {}
 
-    PlanSession* session() const { return session_; }
-    void setSession(PlanSession* session);
+    Document* document() const { return document_; }
+    void setDocument(Document* document);
+    ShownPlan* shown() const { return shown_; }
+    void setShown(ShownPlan* shown);
     Tool tool() const { return tool_; }
     void setTool(Tool tool);
     bool isDrawing() const { return tool_ != Tool::Select; }
@@ -136,7 +137,10 @@ public:
     Q_INVOKABLE void guideAlongEdge();
 
 signals:
-    void sessionChanged();
+    void documentChanged();
+    void shownChanged();
+    /// A boundary of a field that is not there yet.
+    void fieldDrawn(const QList<QGeoCoordinate>& boundary);
     void toolChanged();
     void freehandChanged();
     void draftChanged();
@@ -167,7 +171,8 @@ private:
     void addPoint(GeoPoint place);
     void finishTool(GeoRing points);
 
-    PlanSession* session_ = nullptr;
+    Document* document_ = nullptr;
+    ShownPlan* shown_ = nullptr;
     Tool tool_ = Tool::Select;
     bool freehand_ = false;
     std::string fieldId_;

@@ -3,7 +3,6 @@
 #include "planner/units/angle.h"
 #include "ui/edit/field_editor.h"
 #include "ui/map/map_frame.h"
-#include "ui/plan/plan_session.h"
 
 #include <algorithm>
 #include <cmath>
@@ -153,7 +152,7 @@ void FieldEditor::finishTool(GeoRing points) {
         std::ranges::transform(points, std::back_inserter(places),
                                [](GeoPoint point) { return coordinate(point); });
         setTool(Tool::Select);
-        session_->setBoundary(places);
+        emit fieldDrawn(places);
         return;
     }
     if (field == nullptr || !shape_) {

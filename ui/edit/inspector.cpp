@@ -1,7 +1,6 @@
 #include "ui/edit/inspector.h"
 
 #include "planner/units/angle.h"
-#include "ui/plan/plan_session.h"
 #include "ui/text/display.h"
 
 #include <algorithm>
@@ -17,12 +16,12 @@ void Inspector::setEditor(FieldEditor* editor) {
 }
 
 void Inspector::follow() {
-    const PlanSession* session = editor_->session();
-    const ProjectField* field = session == nullptr ? nullptr : const_cast<PlanSession*>(session)->document()->project()->field();
-    std::optional<InspectorText> text =
-        session == nullptr ? std::nullopt
-                           : inspectorText(editor_->selection(), editor_->shape() ? &*editor_->shape() : nullptr,
-                                           field == nullptr ? nullptr : field->source.get(), session->plan().get());
+    std::optional<InspectorText> text;
+    if (editor_->document() != nullptr && editor_->shown() != nullptr) {
+        const ProjectField* field = editor_->document()->project()->field();
+        text = inspectorText(editor_->selection(), editor_->shape() ? &*editor_->shape() : nullptr,
+                             field == nullptr ? nullptr : field->source.get(), editor_->shown()->plan().get());
+    }
     if (text == text_) {
         return;
     }

@@ -41,6 +41,35 @@ std::vector<Edge> edgesFromTop(const std::vector<std::vector<MapPoint>>& rings) 
     return edges;
 }
 
+/// Where edges begin or end, each once, from the top.
+std::vector<float> heightsOf(const std::vector<Edge>& edges) {
+    std::vector<float> heights;
+    for (const Edge& edge : edges) {
+        heights.push_back(edge.top.y);
+        heights.push_back(edge.bottom.y);
+    }
+    std::ranges::sort(heights);
+    heights.erase(std::ranges::unique(heights).begin(), heights.end());
+    return heights;
+}
+
+/// Sorts the active edges by where they are at a height; `places` are these, and room for them. Nearly sorted from
+/// the band above, so insertion is the fastest way.
+void sortAt(double height, const std::vector<Edge>& edges, std::vector<std::uint32_t>& active, std::vector<double>& places) {
+    places.resize(active.size());
+    for (std::size_t k = 0; k < active.size(); ++k) {
+        const std::uint32_t edge = active[k];
+        const double x = edges[edge].xAt(height);
+        std::size_t slot = k;
+        for (; slot > 0 && places[slot - 1] > x; --slot) {
+            places[slot] = places[slot - 1];
+            active[slot] = active[slot - 1];
+        }
+        places[slot] = x;
+        active[slot] = edge;
+    }
+}
+
 void addTrapezoid(FillMesh& mesh, const Edge& left, const Edge& right, float top, float bottom) {
     const auto at = [](const Edge& edge, float y) {
         return MapPoint{static_cast<float>(edge.xAt(double{y})), y};
@@ -56,14 +85,7 @@ void addTrapezoid(FillMesh& mesh, const Edge& left, const Edge& right, float top
 
 FillMesh evenOddTriangles(const std::vector<std::vector<MapPoint>>& rings) {
     const std::vector<Edge> edges = edgesFromTop(rings);
-    std::vector<float> heights;
-    for (const Edge& edge : edges) {
-        heights.push_back(edge.top.y);
-        heights.push_back(edge.bottom.y);
-    }
-    std::ranges::sort(heights);
-    heights.erase(std::ranges::unique(heights).begin(), heights.end());
-
+    const std::vector<float> heights = heightsOf(edges);
     FillMesh mesh;
     std::vector<std::uint32_t> active;  // from left to right
     std::vector<double> middles;
@@ -77,19 +99,7 @@ FillMesh evenOddTriangles(const std::vector<std::vector<MapPoint>>& rings) {
         for (; upcoming < edges.size() && edges[upcoming].top.y <= top; ++upcoming) {
             active.push_back(upcoming);
         }
-        // Nearly sorted from the band above, so insertion is the fastest way.
-        middles.resize(active.size());
-        for (std::size_t k = 0; k < active.size(); ++k) {
-            const std::uint32_t edge = active[k];
-            const double x = edges[edge].xAt(middle);
-            std::size_t slot = k;
-            for (; slot > 0 && middles[slot - 1] > x; --slot) {
-                middles[slot] = middles[slot - 1];
-                active[slot] = active[slot - 1];
-            }
-            middles[slot] = x;
-            active[slot] = edge;
-        }
+        sortAt(middle, edges, active, middles);
         next.clear();
         std::size_t from = 0;
         for (std::size_t k = 0; k + 1 < active.size(); k += 2) {

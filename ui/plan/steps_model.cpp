@@ -1,6 +1,7 @@
 #include "ui/plan/steps_model.h"
 
 #include "planner/io/import/boundary_import.h"
+#include "planner/path/blocking.h"
 #include "planner/plan/method_registry.h"
 #include "ui/text/display.h"
 #include "ui/text/message_text.h"
@@ -15,8 +16,6 @@
 namespace furrow {
 
 namespace {
-
-const QString kSeparator = QStringLiteral(" · ");
 
 /// The setting that picks the method, those of the method, and those of the stage.
 std::vector<const Parameter*> parametersOf(const StageInfo& stage, const Settings& settings) {
@@ -57,11 +56,9 @@ std::string_view stepOf(const Finding& finding) {
     }
 }
 
-/// Findings that block, of one step or of all.
-int blockingCount(const Plan& plan, std::string_view step = {}) {
-    return static_cast<int>(std::ranges::count_if(plan.findings, [step](const Finding& finding) {
-        return finding.severity == Severity::Blocking && (step.empty() || stepOf(finding) == step);
-    }));
+int problemsOf(std::string_view step, const Plan& plan) {
+    return static_cast<int>(std::ranges::count_if(
+        plan.findings, [step](const Finding& finding) { return isBlocking(finding) && stepOf(finding) == step; }));
 }
 
 /// What came of a stage, in one line; empty for stages that are not known here.
@@ -69,26 +66,23 @@ QString resultOf(std::string_view stage, const Plan& plan) {
     if (stage == "headland") {
         return plan.headland.width.si() <= 0.0
                    ? StepsModel::tr("mainland %1").arg(percentText(plan.headland.mainlandRatio))
-                   : QStringList{metresText(narrowestWidth(plan.headland), plan.headland.width),
-                                 StepsModel::tr("%n pass(es)", nullptr, plan.headland.passes),
-                                 StepsModel::tr("mainland %1").arg(percentText(plan.headland.mainlandRatio))}
-                         .join(kSeparator);
+                   : inOneLine({metresText(narrowestWidth(plan.headland), plan.headland.width),
+                                StepsModel::tr("%n pass(es)", nullptr, plan.headland.passes),
+                                StepsModel::tr("mainland %1").arg(percentText(plan.headland.mainlandRatio))});
     }
     if (stage == "decomposition") {
         return StepsModel::tr("%n cell(s)", nullptr, static_cast<int>(plan.cells.cells.size()));
     }
     if (stage == "swaths") {
-        return QStringList{StepsModel::tr("%n swath(s)", nullptr, static_cast<int>(plan.swaths.swaths.size())),
-                           lengthText(plan.swaths.totalLength), bearingText(plan.swaths.heading)}
-            .join(kSeparator);
+        return inOneLine({StepsModel::tr("%n swath(s)", nullptr, static_cast<int>(plan.swaths.swaths.size())),
+                          lengthText(plan.swaths.totalLength), bearingText(plan.swaths.heading)});
     }
     if (stage == "route") {
         return StepsModel::tr("%1 with turns on the spot").arg(lengthText(plan.route.lengthInPlace));
     }
     if (stage == "path") {
-        return QStringList{StepsModel::tr("%n turn(s)", nullptr, plan.path.turnCount()),
-                           lengthText(plan.path.length(SegmentKind::Turn))}
-            .join(kSeparator);
+        return inOneLine({StepsModel::tr("%n turn(s)", nullptr, plan.path.turnCount()),
+                          lengthText(plan.path.length(SegmentKind::Turn))});
     }
     return {};
 }
@@ -102,7 +96,7 @@ QString withProblems(const QString& result, int problems) {
     if (problems > 0) {
         parts << StepsModel::tr("%n problem(s)", nullptr, problems);
     }
-    return parts.join(kSeparator);
+    return inOneLine(parts);
 }
 
 }  // namespace
@@ -129,7 +123,7 @@ void StepsModel::showField(Step& step, const StepsContent& content) {
     step.status = Status::None;
     if (content.field != nullptr) {
         const Field& field = *content.field;
-        step.choice = QStringList{fromStd(field.name()), areaText(field.area())}.join(kSeparator);
+        step.choice = inOneLine({fromStd(field.name()), areaText(field.area())});
         QStringList parts;
         if (const auto count = static_cast<int>(field.source().obstacles.size()); count > 0) {
             parts << tr("%n obstacle(s)", nullptr, count);
@@ -138,7 +132,7 @@ void StepsModel::showField(Step& step, const StepsContent& content) {
             parts << tr("%n hole(s)", nullptr, count);
         }
         parts << tr("%n boundary point(s)", nullptr, static_cast<int>(field.vertexCount()));
-        step.result = parts.join(kSeparator);
+        step.result = inOneLine(parts);
         step.status = Status::Good;
     } else if (content.state == PlanState::Failed) {
         step.choice = tr("No usable boundary");
@@ -156,10 +150,9 @@ void StepsModel::showField(Step& step, const StepsContent& content) {
 void StepsModel::showMachine(Step& step, const StepsContent& content) {
     const Machine& machine = content.machine;
     step.choice = shown(machine.name());
-    step.result = QStringList{tr("%1 wide").arg(metresText(machine.operatingWidth(), 1)),
-                              tr("%1 radius").arg(metresText(machine.minTurningRadius(), 1)),
-                              speedText(machine.spec().tractor.workingSpeed)}
-                      .join(kSeparator);
+    step.result = inOneLine({tr("%1 wide").arg(metresText(machine.operatingWidth(), 1)),
+                             tr("%1 radius").arg(metresText(machine.minTurningRadius(), 1)),
+                             speedText(machine.spec().tractor.workingSpeed)});
     step.status = Status::Good;
 }
 
@@ -183,7 +176,7 @@ void StepsModel::showCheck(Step& step, const StepsContent& content) {
         case PlanState::Ready:
         case PlanState::Problems: break;
     }
-    const int problems = blockingCount(*content.plan);
+    const int problems = static_cast<int>(content.plan->blockingCount());
     const int notes = static_cast<int>(content.plan->findings.size()) - problems;
     step.choice = problems > 0 ? tr("%n problem(s)", nullptr, problems) : tr("No problems");
     step.result = notes > 0 ? tr("%n note(s)", nullptr, notes) : QString{};
@@ -208,7 +201,7 @@ void StepsModel::show(const StepsContent& content) {
         step.parameters->show(parametersOf(stage, content.settings), content.settings, filledIn);
     }
     for (Step& step : steps_) {
-        if (const int problems = finished ? blockingCount(*content.plan, step.id.toStdString()) : 0; problems > 0) {
+        if (const int problems = finished ? problemsOf(step.id.toStdString(), *content.plan) : 0; problems > 0) {
             step.result = withProblems(step.result, problems);
             step.status = Status::Warning;
         }

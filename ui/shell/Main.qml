@@ -2,22 +2,27 @@ import QtQuick
 import QtCore
 import QtQuick.Controls
 import QtPositioning
+import Furrow.Commands
 import Furrow.Controls
 import Furrow.Edit
-import Furrow.Map
+import Furrow.Export
+import Furrow.Layers
 import Furrow.Plan
+import Furrow.Project
+import Furrow.Results
+import Furrow.Settings
 
 /// The window: top bar, steps, map, results.
 ApplicationWindow {
     id: root
 
-    required property PlanSession session
+    required property Session session
     readonly property bool roomForPanel: width >= 1200
     property bool panelWanted: true
-    readonly property bool panelOpen: session.hasPlan && (roomForPanel || panelWanted)
+    readonly property bool panelOpen: session.shown.hasPlan && (roomForPanel || panelWanted)
     property int currentFinding: -1
     /// The steps to the cells are gone through: of the plan the map shows the swaths only.
-    readonly property bool steppingCells: session.cells.current >= 0
+    readonly property bool steppingCells: session.planning.cells.current >= 0
     /// What was not saved is settled: the window may close.
     property bool settled: false
     /// The tour starts by itself where it was never shown.
@@ -30,7 +35,7 @@ ApplicationWindow {
     minimumWidth: Math.min(900, windowFit.room.width)
     minimumHeight: Math.min(600, windowFit.room.height)
     visible: true
-    title: session.hasField ? qsTr("%1%2 – Furrow").arg(session.fieldName).arg(session.document.modified ? "*" : "") : qsTr("Furrow")
+    title: session.farm.hasField ? qsTr("%1%2 – Furrow").arg(session.farm.fieldName).arg(session.document.modified ? "*" : "") : qsTr("Furrow")
     menuBar: MainMenu {
         commands: appCommands
         recent: RecentList {
@@ -99,14 +104,18 @@ ApplicationWindow {
     AppCommands {
         id: appCommands
 
-        session: root.session
+        document: root.session.document
+        files: root.session.files
+        farm: root.session.farm
+        shown: root.session.shown
+        planning: root.session.planning
         page: page
         layersPanel: layersPanel
         scaleSetting: scaleSetting
         onNewRequested: dialogs.startNew()
         onOpenRequested: dialogs.open()
-        onImageryRequested: dialogs.addImagery()
-        onTileFolderRequested: dialogs.addTileFolder()
+        onImageryRequested: imageryDialogs.addFiles()
+        onTileFolderRequested: imageryDialogs.addTileFolder()
         onSaveRequested: dialogs.save()
         onSaveAsRequested: dialogs.saveAs()
         onExportRequested: exportDialog.open()
@@ -179,7 +188,14 @@ ApplicationWindow {
     ProjectDialogs {
         id: dialogs
 
-        session: root.session
+        document: root.session.document
+        files: root.session.files
+        opener: root.session.opener
+    }
+    ImageryDialogs {
+        id: imageryDialogs
+
+        imagery: root.session.imagery
     }
 
     TopBar {
@@ -188,7 +204,7 @@ ApplicationWindow {
         anchors { left: parent.left; right: parent.right; top: parent.top }
         session: root.session
         commands: appCommands
-        panelOffered: !root.roomForPanel && root.session.hasPlan
+        panelOffered: !root.roomForPanel && root.session.shown.hasPlan
         panelOpen: root.panelOpen
     }
     StepsPanel {
@@ -196,7 +212,8 @@ ApplicationWindow {
 
         anchors { left: parent.left; top: topBar.bottom; bottom: parent.bottom }
         width: 348
-        session: root.session
+        planning: root.session.planning
+        opener: root.session.opener
         onOpenRequested: dialogs.open()
         onDrawRequested: page.startDrawing()
         onCheckRequested: root.showFindings()
@@ -207,7 +224,12 @@ ApplicationWindow {
         objectName: "mapPage"
         anchors { left: steps.right; right: results.left; top: topBar.bottom; bottom: parent.bottom }
         focus: true
-        session: root.session
+        document: root.session.document
+        shown: root.session.shown
+        imagery: root.session.imagery
+        hasField: root.session.farm.hasField
+        cells: root.session.planning.cells.drawing
+        steppingCells: root.steppingCells
         imageryShown: layersPanel.layers.imagery
         online: layersPanel.layers.online
         layersOpen: layersPanel.open
@@ -225,7 +247,7 @@ ApplicationWindow {
                 ground: Theme.panel,
                 ink: Theme.ink,
                 lineFactor: Theme.lineFactor,
-                showBoundary: layersPanel.layers.boundary && !page.editor.dragging && !root.session.behind,
+                showBoundary: layersPanel.layers.boundary && !page.editor.dragging && !root.session.shown.behind,
                 showHeadland: layersPanel.layers.headland,
                 showSwaths: layersPanel.layers.swaths,
                 showTurns: layersPanel.layers.turns && !root.steppingCells,
@@ -249,6 +271,7 @@ ApplicationWindow {
             root.currentFinding = index;
             page.editor.selectFinding(index);
         }
+        onFieldDrawn: boundary => root.session.opener.addDrawn(boundary)
         onInspectRequested: {
             root.panelWanted = true;
             results.focusInspector();
@@ -256,7 +279,7 @@ ApplicationWindow {
 
         StatusChip {
             anchors { right: parent.right; top: parent.top; margins: 16 }
-            session: root.session
+            planning: root.session.planning
             onCheckRequested: root.showFindings()
         }
         FilesNotice {
@@ -271,16 +294,19 @@ ApplicationWindow {
         }
         ProblemCard {
             anchors { right: parent.right; top: parent.top; rightMargin: 16; topMargin: 62 }
-            session: root.session
-            onPlaceRequested: page.camera.centreOn(root.session.problemPlace, 16, true)
+            problem: root.session.problem
+            planning: root.session.planning
+            hasField: root.session.farm.hasField
+            onPlaceRequested: page.camera.centreOn(root.session.problem.place, 16, true)
             onOpenRequested: dialogs.open()
         }
         EmptyState {
             anchors.centerIn: parent
             width: Math.min(implicitWidth, parent.width - 16)
             height: Math.min(implicitHeight, parent.height - 16)
-            visible: (root.session.state === PlanState.Empty || root.session.state === PlanState.Failed && !root.session.hasField) && !page.editor.drawing && root.session.imagery.count === 0 && !tour.running
-            session: root.session
+            visible: (root.session.planning.state === PlanState.Empty || root.session.planning.state === PlanState.Failed && !root.session.farm.hasField) && !page.editor.drawing && root.session.imagery.count === 0 && !tour.running
+            opener: root.session.opener
+            recent: root.session.recent
             onOpenRequested: dialogs.open()
             onDrawRequested: page.startDrawing()
             onProjectRequested: path => root.openPath(path)
@@ -288,9 +314,9 @@ ApplicationWindow {
         FieldChooser {
             anchors.centerIn: parent
             width: Math.min(implicitWidth, parent.width - 16)
-            height: Math.min(parent.height - 32, 134 + 52 * root.session.choices.count)
-            visible: root.session.state === PlanState.Choosing
-            session: root.session
+            height: Math.min(parent.height - 32, 134 + 52 * root.session.opener.choices.count)
+            visible: root.session.planning.state === PlanState.Choosing
+            opener: root.session.opener
         }
         LayersPanel {
             id: layersPanel
@@ -301,8 +327,8 @@ ApplicationWindow {
             imagery: root.session.imagery
             zoomLevel: page.camera.zoomLevel
             onAreaRequested: row => page.camera.fit(root.session.imagery.areaOf(row), 84, 72, 48, 72, true)
-            onFileRequested: dialogs.addImagery()
-            onFolderRequested: dialogs.addTileFolder()
+            onFileRequested: imageryDialogs.addFiles()
+            onFolderRequested: imageryDialogs.addTileFolder()
         }
         DraftHint {
             anchors { horizontalCenter: parent.horizontalCenter; bottom: parent.bottom; bottomMargin: page.clearOfScale(width) }
@@ -335,7 +361,9 @@ ApplicationWindow {
         anchors { right: parent.right; top: topBar.bottom; bottom: parent.bottom; rightMargin: root.panelOpen ? 0 : -width }
         width: 308
         visible: root.panelOpen
-        session: root.session
+        planning: root.session.planning
+        figures: root.session.figures
+        findings: root.session.findings
         editor: page.editor
         currentFinding: root.currentFinding
         onFindingRequested: index => {
@@ -347,22 +375,28 @@ ApplicationWindow {
         id: exportDialog
 
         anchors.centerIn: Overlay.overlay
-        session: root.session
+        exporter: root.session.exporter
+        planning: root.session.planning
     }
     Tour {
         id: tour
 
         anchors.fill: parent
         z: 10
-        session: root.session
+        farm: root.session.farm
+        opener: root.session.opener
         places: [null, steps, page, page.toolBar, results, topBar.exportButton]
     }
     Connections {
-        target: root.session
+        target: root.session.planning
 
         function onFieldOpened(): void {
             page.fitField(false);
         }
+    }
+    Connections {
+        target: root.session.shown
+
         function onPlanChanged(): void {
             if (root.currentFinding >= root.session.findings.count)
                 root.currentFinding = -1;
@@ -373,14 +407,14 @@ ApplicationWindow {
         target: root.session.imagery
 
         function onAdded(area: geoRectangle): void {
-            if (!root.session.hasField)
+            if (!root.session.farm.hasField)
                 page.camera.fit(area, 84, 72, 48, 72, false);
         }
     }
 
     /// The list of what was found, beginning with what blocks.
     function showFindings(): void {
-        if (!root.session.hasPlan)
+        if (!root.session.shown.hasPlan)
             return;
         root.panelWanted = true;
         results.showFindings();

@@ -1,13 +1,14 @@
 import QtQuick
 import QtQuick.Layouts
+import Furrow.Commands
 import Furrow.Controls
-import Furrow.Plan
+import Furrow.Settings
 
 /// Where the user is, and what is needed everywhere.
 Rectangle {
     id: root
 
-    required property PlanSession session
+    required property Session session
     required property AppCommands commands
     property bool panelOffered: false
     property bool panelOpen: true
@@ -36,14 +37,14 @@ Rectangle {
             Layout.leftMargin: 10
             Layout.maximumWidth: root.width * 0.16
             objectName: "projectName"
-            visible: root.session.hasField
+            visible: root.session.farm.hasField
             text: root.session.files.name.length > 0 ? root.session.files.name : qsTr("Not saved yet")
             color: Theme.muted
             elide: Text.ElideMiddle
         }
         Rectangle {
             objectName: "modifiedMark"
-            visible: root.session.hasField && root.session.document.modified
+            visible: root.session.farm.hasField && root.session.document.modified
             Layout.preferredWidth: 7
             Layout.preferredHeight: 7
             radius: 3.5
@@ -52,30 +53,30 @@ Rectangle {
             Accessible.name: qsTr("There are changes that are not saved")
         }
         BodyText {
-            visible: root.session.hasField
+            visible: root.session.farm.hasField
             text: "/"
             color: Theme.muted
         }
         Crumb {
             objectName: "fieldCrumb"
             Layout.maximumWidth: Math.min(implicitWidth, root.width * 0.2)
-            visible: root.session.hasField
+            visible: root.session.farm.hasField
             strong: true
-            text: root.session.fieldName
+            text: root.session.farm.fieldName
             choices: root.session.farm.fields
             current: root.session.farm.currentField
             commands: [root.commands.named("renameField"), root.commands.named("removeField")]
             onChosen: index => root.session.farm.currentField = index
         }
         BodyText {
-            visible: root.session.hasField
+            visible: root.session.farm.hasField
             text: "/"
             color: Theme.muted
         }
         Crumb {
             objectName: "planCrumb"
             Layout.maximumWidth: Math.min(implicitWidth, root.width * 0.2)
-            visible: root.session.hasField
+            visible: root.session.farm.hasField
             text: root.session.farm.plans[root.session.farm.currentPlan] ?? ""
             choices: root.session.farm.plans
             current: root.session.farm.currentPlan
@@ -131,7 +132,7 @@ Rectangle {
             text: qsTr("Export")
             primary: true
             // What cannot be exported is told there, and why.
-            enabled: root.session.hasField
+            enabled: root.session.farm.hasField
             onClicked: root.commands.exportRequested()
         }
     }

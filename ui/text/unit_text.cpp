@@ -129,4 +129,8 @@ QString bearingText(Angle swathHeading) {
     return Text::tr("%1°").arg(bearing);
 }
 
+QString inOneLine(const QStringList& parts) {
+    return parts.join(QStringLiteral(" · "));
+}
+
 }  // namespace furrow

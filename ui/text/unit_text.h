@@ -3,6 +3,7 @@
 #include "planner/units/quantity.h"
 
 #include <QString>
+#include <QStringList>
 
 #include <string_view>
 
@@ -30,6 +31,9 @@ QString numberText(double value, int decimals);
 QString bearingText(Angle swathHeading);
 /// Without decimals that are zero.
 QString shortNumberText(double value, int mostDecimals);
+
+/// What stands side by side in one line: "24.0 m · 2 passes".
+QString inOneLine(const QStringList& parts);
 
 QString fromStd(std::string_view text);
 

@@ -5,7 +5,7 @@
 #include "tests/support/result_check.h"
 #include "ui/edit/field_editor.h"
 #include "ui/edit/inspector.h"
-#include "ui/plan/plan_session.h"
+#include "ui/shell/session.h"
 #include "ui/text/display.h"
 
 #include <QAbstractItemModelTester>
@@ -26,14 +26,16 @@ constexpr Length kReach = metres(5.0);
 
 /// A session with a field of some 400 by 390 m, and its editor.
 struct Bench {
-    PlanSession session;
+    Session session;
     FieldEditor editor;
     Inspector inspector;
 
     Bench() {
-        editor.setSession(&session);
+        editor.setDocument(session.document());
+        editor.setShown(session.shown());
+        QObject::connect(&editor, &FieldEditor::fieldDrawn, session.opener(), &FieldOpener::addDrawn);
         inspector.setEditor(&editor);
-        session.setBoundary({{58.25, 22.5}, {58.25, 22.507}, {58.2535, 22.507}, {58.2535, 22.5}});
+        session.opener()->addDrawn({{58.25, 22.5}, {58.25, 22.507}, {58.2535, 22.507}, {58.2535, 22.5}});
     }
     const FieldSource& source() { return *session.document()->project()->field()->source; }
     Point corner(std::size_t i) { return editor.shape()->find(kOuter)->points[i]; }
@@ -175,11 +177,11 @@ private slots:
         QVERIFY2(distanceToSegment(bench.editor.shape()->gates.front(), bench.corner(0), bench.corner(1)) < 1e-3,
                  "a gate lies on the boundary");
         bench.draw(FieldEditor::Tool::Guide, {{-100, -50}, {100, 50}});
-        QTRY_VERIFY_WITH_TIMEOUT(bench.session.plan() && bench.session.plan()->field().source().gates.size() == 1, kPatienceMs);
-        QTRY_COMPARE_WITH_TIMEOUT(bench.session.state(), PlanSession::State::Ready, kPatienceMs);
+        QTRY_VERIFY_WITH_TIMEOUT(bench.session.shown()->plan() && bench.session.shown()->plan()->field().source().gates.size() == 1, kPatienceMs);
+        QTRY_COMPARE_WITH_TIMEOUT(bench.session.planning()->state(), PlanState::Ready, kPatienceMs);
         // 200 m to the east and 100 m to the north.
-        QTRY_VERIFY_WITH_TIMEOUT(std::abs(bench.session.plan()->swaths.heading.si() - std::atan2(100.0, 200.0)) < 1e-3, kPatienceMs);
-        QCOMPARE(bench.session.plan()->field().source().obstacles.size(), std::size_t{1});
+        QTRY_VERIFY_WITH_TIMEOUT(std::abs(bench.session.shown()->plan()->swaths.heading.si() - std::atan2(100.0, 200.0)) < 1e-3, kPatienceMs);
+        QCOMPARE(bench.session.shown()->plan()->field().source().obstacles.size(), std::size_t{1});
         bench.editor.select({.kind = Selection::Kind::Guide, .outline = {OutlineKind::Guide, 0, 0}, .index = 0});
         bench.editor.deleteSelection();
         QVERIFY(bench.editor.shape()->find({OutlineKind::Guide, 0, 0}) == nullptr);
@@ -204,9 +206,9 @@ private slots:
         QCOMPARE(bench.steps(), steps + 1);
         QVERIFY(distance(bench.editor.shape()->find(second)->points[1], {0, 90}) < 1e-3);
         // The field is 412 m wide: what is planned is cut in four.
-        QTRY_VERIFY_WITH_TIMEOUT(bench.session.plan() && !bench.session.isDraft() &&
-                                     bench.session.plan()->request.settings == bench.session.settings(), kPatienceMs);
-        QVERIFY(bench.session.plan()->cells.cells.size() >= 4);
+        QTRY_VERIFY_WITH_TIMEOUT(bench.session.shown()->plan() && !bench.session.shown()->isDraft() &&
+                                     bench.session.shown()->plan()->request.settings == bench.session.planning()->settings(), kPatienceMs);
+        QVERIFY(bench.session.shown()->plan()->cells.cells.size() >= 4);
         // A point of three can go, then the line goes with either end.
         bench.editor.deleteSelection();
         QCOMPARE(lines()[1].size(), std::size_t{2});
@@ -218,7 +220,7 @@ private slots:
         QVERIFY(bench.editor.canDelete());
         bench.editor.deleteSelection();
         QVERIFY(lines().empty());
-        QVERIFY(!bench.session.settings().isSet(kSplit));
+        QVERIFY(!bench.session.planning()->settings().isSet(kSplit));
         for (int i = 0; i < 4; ++i) {
             bench.session.document()->undo();
         }
@@ -247,9 +249,9 @@ private slots:
     void aLineThatIsLetGoIsPlannedWhole() {
         Bench bench;
         bench.draw(FieldEditor::Tool::Guide, {{-100, -50}, {100, 50}});
-        QTRY_COMPARE_WITH_TIMEOUT(bench.session.state(), PlanSession::State::Ready, kPatienceMs);
+        QTRY_COMPARE_WITH_TIMEOUT(bench.session.planning()->state(), PlanState::Ready, kPatienceMs);
         bench.drag({100, 50}, {100, 80}, true);
-        QTRY_VERIFY_WITH_TIMEOUT(!bench.session.isDraft() && std::abs(bench.session.plan()->swaths.heading.si() - std::atan2(130.0, 200.0)) < 1e-3, kPatienceMs);
+        QTRY_VERIFY_WITH_TIMEOUT(!bench.session.shown()->isDraft() && std::abs(bench.session.shown()->plan()->swaths.heading.si() - std::atan2(130.0, 200.0)) < 1e-3, kPatienceMs);
     }
     void theSwathsFollowAnEdge() {
         Bench bench;
@@ -257,12 +259,14 @@ private slots:
         bench.click(bench.corner(1) + 0.3 * way);
         QVERIFY(bench.inspector.isEdge());
         bench.editor.guideAlongEdge();
-        QTRY_VERIFY_WITH_TIMEOUT(bench.session.plan() && std::abs(std::sin(bench.session.plan()->swaths.heading.si() - std::atan2(way.y, way.x))) < 1e-6, kPatienceMs);
+        QTRY_VERIFY_WITH_TIMEOUT(bench.session.shown()->plan() && std::abs(std::sin(bench.session.shown()->plan()->swaths.heading.si() - std::atan2(way.y, way.x))) < 1e-6, kPatienceMs);
     }
     void drawnByHand() {
-        PlanSession session;
+        Session session;
         FieldEditor editor;
-        editor.setSession(&session);
+        editor.setDocument(session.document());
+        editor.setShown(session.shown());
+        QObject::connect(&editor, &FieldEditor::fieldDrawn, session.opener(), &FieldOpener::addDrawn);
         editor.setTool(FieldEditor::Tool::Field);
         editor.setFreehand(true);
         const LocalFrame frame = *LocalFrame::centredOn({22.5, 58.25});
@@ -274,11 +278,11 @@ private slots:
             editor.drag(at(i * 0.0312));
         }
         editor.release(at(199 * 0.0312));
-        QVERIFY(session.hasField());
+        QVERIFY(session.farm()->hasField());
         const std::size_t points = session.document()->project()->field()->source->parts.front().outer.size();
         QVERIFY2(points > 10 && points < 60, "as many as two metres of tolerance need");
-        QTRY_COMPARE_WITH_TIMEOUT(session.state(), PlanSession::State::Ready, kPatienceMs);
-        COMPARE_WITHIN(session.plan()->field().area().si(), std::numbers::pi * 150.0 * 150.0, 2000.0);
+        QTRY_COMPARE_WITH_TIMEOUT(session.planning()->state(), PlanState::Ready, kPatienceMs);
+        COMPARE_WITHIN(session.shown()->plan()->field().area().si(), std::numbers::pi * 150.0 * 150.0, 2000.0);
     }
     void edgesAreTyped() {
         Bench bench;
@@ -346,8 +350,8 @@ private slots:
     }
     void thePlanIsInspected() {
         Bench bench;
-        QTRY_COMPARE_WITH_TIMEOUT(bench.session.state(), PlanSession::State::Ready, kPatienceMs);
-        const Plan& plan = *bench.session.plan();
+        QTRY_COMPARE_WITH_TIMEOUT(bench.session.planning()->state(), PlanState::Ready, kPatienceMs);
+        const Plan& plan = *bench.session.shown()->plan();
         QSet<QString> seen;
         for (std::size_t i = 0; i < plan.path.segments.size(); ++i) {
             bench.editor.select({.kind = Selection::Kind::Segment, .outline = {}, .index = i});

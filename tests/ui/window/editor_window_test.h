@@ -7,7 +7,7 @@ namespace furrow::test {
 /// Begins with a field that is drawn. Goes on only with one: what follows looks at it.
 #define DRAW_FIELD() \
     drawField();     \
-    if (QTest::currentTestFailed() || !session_->hasPlan()) { \
+    if (QTest::currentTestFailed() || !session_->shown()->hasPlan()) { \
         return;      \
     }
 
@@ -19,10 +19,10 @@ protected:
     const FieldSource& source() const { return *session_->document()->project()->field()->source; }
     /// What there is now is planned, and drawn.
     void ready() const {
-        QTRY_VERIFY_WITH_TIMEOUT(session_->plan() && !session_->isDraft() && !session_->isBehind() &&
-                                     session_->plan()->request.settings == session_->settings() &&
-                                     session_->plan()->request.machine == session_->machine()->machine() &&
-                                     isFinished(session_->state()), 30000);
+        QTRY_VERIFY_WITH_TIMEOUT(session_->shown()->plan() && !session_->shown()->isDraft() && !session_->shown()->isBehind() &&
+                                     session_->shown()->plan()->request.settings == session_->planning()->settings() &&
+                                     session_->shown()->plan()->request.machine == session_->planning()->machine()->machine() &&
+                                     isFinished(session_->planning()->state()), 30000);
     }
     std::size_t steps() const { return session_->document()->history().steps.size(); }
     QPoint middle() const { return middleOf(*map()); }
@@ -35,7 +35,7 @@ protected:
             clickAt(middle() + corner);
         }
         key(Qt::Key_Return);
-        QTRY_VERIFY(session_->hasField());
+        QTRY_VERIFY(session_->farm()->hasField());
         ready();
     }
     QPoint cornerOnMap(std::size_t vertex) const {

@@ -58,8 +58,8 @@ private slots:
         check("empty");
         openSample(QStringLiteral("Home Field"));
         check("plan");
-        for (int row = 0; row < session_->steps()->rowCount(); ++row) {
-            const QString step = session_->steps()->data(session_->steps()->index(row), StepsModel::StepIdRole).toString();
+        for (int row = 0; row < session_->planning()->steps()->rowCount(); ++row) {
+            const QString step = session_->planning()->steps()->data(session_->planning()->steps()->index(row), StepsModel::StepIdRole).toString();
             item(QStringLiteral("stepsPanel"))->setProperty("openStep", step);
             waitForRest(*item(QStringLiteral("step.") + step));
             check(qPrintable(step));
@@ -108,8 +108,8 @@ private slots:
         while (item(QStringLiteral("tour"))->isVisible()) {
             click(QStringLiteral("tour.next"));
             if (page == 1) {
-                QTRY_COMPARE_WITH_TIMEOUT(session_->state(), PlanSession::State::Ready, 30000);
-                QCOMPARE(session_->fieldName(), QStringLiteral("Home Field"));
+                QTRY_COMPARE_WITH_TIMEOUT(session_->planning()->state(), PlanState::Ready, 30000);
+                QCOMPARE(session_->farm()->fieldName(), QStringLiteral("Home Field"));
             }
             ++page;
             if (item(QStringLiteral("tour"))->isVisible()) {

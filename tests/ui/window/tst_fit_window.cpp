@@ -20,7 +20,7 @@ private:
         settings.setValue(QStringLiteral("geometry/x"), remembered.x());
         settings.setValue(QStringLiteral("geometry/y"), remembered.y());
         settings.sync();
-        session_ = std::make_unique<PlanSession>();
+        session_ = std::make_unique<Session>();
         engine_ = std::make_unique<QQmlApplicationEngine>();
         engine_->setInitialProperties({{QStringLiteral("session"), QVariant::fromValue(session_.get())}});
         engine_->loadFromModule("Furrow.Shell", "Main");
@@ -105,8 +105,8 @@ private slots:
         picture(QStringLiteral("fit-%1-palette").arg(name));
         key(Qt::Key_Escape);
         QTRY_VERIFY(!isReachable(QStringLiteral("palette.row.1")));
-        session_->openSample(static_cast<int>(session_->sampleNames().indexOf(QStringLiteral("Slanted Field"))));
-        QTRY_VERIFY_WITH_TIMEOUT(isFinished(session_->state()), 20000);
+        session_->opener()->openSample(static_cast<int>(session_->opener()->sampleNames().indexOf(QStringLiteral("Slanted Field"))));
+        QTRY_VERIFY_WITH_TIMEOUT(isFinished(session_->planning()->state()), 20000);
         for (const char* button : {"exportButton", "undoButton", "statusChip", "scaleBar", "stepsPanel"}) {
             QTRY_VERIFY2(isReachable(QLatin1String{button}), button);
         }

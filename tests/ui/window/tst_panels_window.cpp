@@ -107,7 +107,7 @@ private slots:
         dialog("command.new", "unsavedDialog");
 
         // A boundary that cannot be planned with.
-        session_->setBoundary({{58.25, 22.5}, {58.2535, 22.507}, {58.25, 22.507}, {58.2535, 22.5}});
+        session_->opener()->addDrawn({{58.25, 22.5}, {58.2535, 22.507}, {58.25, 22.507}, {58.2535, 22.5}});
         QTRY_VERIFY(shows(QStringLiteral("problemCard")));
         isInside("problemCard");
         shot("problem");

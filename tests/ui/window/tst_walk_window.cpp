@@ -83,7 +83,7 @@ private slots:
         QTRY_COMPARE(item(QStringLiteral("machine.library"))->property("popup").value<QObject*>()->property("opacity").toDouble(), 1.0);
         step("machines");
         key(Qt::Key_Return);
-        QTRY_COMPARE(session_->machine()->libraryIndex(), 2);
+        QTRY_COMPARE(session_->planning()->machine()->libraryIndex(), 2);
         ready();
         step("machine");
         openStep(QStringLiteral("headland"));
@@ -148,7 +148,7 @@ private slots:
         clickAt(centre + QPoint{-150, 100});
         clickAt(centre + QPoint{-150, -100});
         key(Qt::Key_Return);
-        QTRY_VERIFY_WITH_TIMEOUT(session_->plan() && std::abs(std::cos(session_->plan()->swaths.heading.si())) < 0.01, 30000);
+        QTRY_VERIFY_WITH_TIMEOUT(session_->shown()->plan() && std::abs(std::cos(session_->shown()->plan()->swaths.heading.si())) < 0.01, 30000);
         ready();
         step("ab-line");
 
@@ -171,7 +171,7 @@ private slots:
             key(Qt::Key_Z, Qt::ControlModifier);
         }
         QVERIFY(source().obstacles.empty() && source().gates.empty() && source().edgeHeadlands.empty());
-        QCOMPARE(session_->machine()->libraryIndex(), 2);
+        QCOMPARE(session_->planning()->machine()->libraryIndex(), 2);
         ready();
         step("ten-undone");
         for (int i = 0; i < 5; ++i) {
@@ -206,10 +206,10 @@ private slots:
         QTRY_VERIFY(!shows(QStringLiteral("filesNotice")));
         key(Qt::Key_S, Qt::ControlModifier);
         QTRY_VERIFY(!session_->document()->isModified());
-        session_->closeField();
+        session_->opener()->startNew();
         step("recent");
-        session_->open(path);
-        QTRY_VERIFY(session_->hasField());
+        session_->opener()->open(path);
+        QTRY_VERIFY(session_->farm()->hasField());
         QVERIFY(*session_->document()->project() == *last);
         ready();
         step("reopened");
@@ -247,7 +247,7 @@ private slots:
             key(Qt::Key_Return);
         };
         drawn(Qt::Key_B, {{"400", "90"}, {"300", "180"}, {"400", "270"}});
-        QTRY_VERIFY(session_->hasField());
+        QTRY_VERIFY(session_->farm()->hasField());
         ready();
 
         openStep(QStringLiteral("machine"));
@@ -256,7 +256,7 @@ private slots:
         key(Qt::Key_Down);
         key(Qt::Key_Down);
         key(Qt::Key_Return);
-        QTRY_COMPARE(session_->machine()->libraryIndex(), 2);
+        QTRY_COMPARE(session_->planning()->machine()->libraryIndex(), 2);
         ready();
 
         // The first edge, the one after it, and back.
@@ -305,7 +305,7 @@ private slots:
         for (std::size_t i = 0; i < all; ++i) {
             key(Qt::Key_Z, Qt::ControlModifier);
         }
-        QTRY_VERIFY(!session_->hasField());
+        QTRY_VERIFY(!session_->farm()->hasField());
         for (std::size_t i = 0; i < all; ++i) {
             key(Qt::Key_Z, Qt::ControlModifier | Qt::ShiftModifier);
         }

@@ -31,13 +31,13 @@ private slots:
         }
         QTest::keyClick(window_, Qt::Key_Return);
         const Parameter& width = *findParameter("headland.width_m").value();
-        QTRY_VERIFY(session_->settings().value(width) == SettingValue{20.5});
+        QTRY_VERIFY(session_->planning()->settings().value(width) == SettingValue{20.5});
         QTest::keyClick(window_, Qt::Key_Up);
-        QTRY_VERIFY(session_->settings().value(width) == SettingValue{21.0});
+        QTRY_VERIFY(session_->planning()->settings().value(width) == SettingValue{21.0});
         // Eight passes of 2.5 m go into it.
-        QTRY_COMPARE(session_->plan()->headland.width.si(), 20.0);
+        QTRY_COMPARE(session_->shown()->plan()->headland.width.si(), 20.0);
         click(QStringLiteral("headland.width_m.auto"));
-        QTRY_VERIFY(session_->plan()->headland.width.si() < 20.0);
+        QTRY_VERIFY(session_->shown()->plan()->headland.width.si() < 20.0);
         picture(QStringLiteral("headland"));
     }
     void aBoundaryIsDrawnByClicks() {
@@ -51,10 +51,10 @@ private slots:
         }
         picture(QStringLiteral("drawing"));
         QTest::keyClick(window_, Qt::Key_Return);
-        QTRY_COMPARE(session_->state(), PlanSession::State::Ready);
-        QCOMPARE(session_->plan()->field().vertexCount(), std::size_t{4});
+        QTRY_COMPARE(session_->planning()->state(), PlanState::Ready);
+        QCOMPARE(session_->shown()->plan()->field().vertexCount(), std::size_t{4});
         // 400 by 300 pixels at zoom 16 and 58.25 north (1.257 m a pixel).
-        QVERIFY(std::abs(inHectares(session_->plan()->field().area()) - 0.5 * (420 + 390) * 300 * 1.257 * 1.257 / 1e4) < 0.5);
+        QVERIFY(std::abs(inHectares(session_->shown()->plan()->field().area()) - 0.5 * (420 + 390) * 300 * 1.257 * 1.257 / 1e4) < 0.5);
     }
     void escapeGivesDrawingUp() {
         click(QStringLiteral("drawTool"));
@@ -62,12 +62,12 @@ private slots:
         QTRY_COMPARE(editor()->draftCount(), 1);
         QTest::keyClick(window_, Qt::Key_Escape);
         QTRY_VERIFY(!item(QStringLiteral("drawingHint"))->isVisible());
-        QVERIFY(!session_->hasField());
+        QVERIFY(!session_->farm()->hasField());
     }
     void aVertexIsDragged() {
         openSample(QStringLiteral("Home Field"));
-        const double before = session_->plan()->field().area().si();
-        const WorldPoint vertex = session_->drawing().geometry()->rings.front().points.front();
+        const double before = session_->shown()->plan()->field().area().si();
+        const WorldPoint vertex = session_->shown()->drawing().geometry()->rings.front().points.front();
         const QPoint from = onMap(coordinate(vertex));
         const QPoint outwards = from - middleOf(*map());
         QTest::mouseMove(window_, from);
@@ -78,17 +78,17 @@ private slots:
             QTRY_VERIFY(editor()->isDragging());
         }
         QTest::mouseRelease(window_, Qt::LeftButton, {}, from + outwards / 6);
-        QTRY_VERIFY(session_->plan() && session_->plan()->field().area().si() > before * 1.01);
-        QTRY_COMPARE(session_->state(), PlanSession::State::Ready);
+        QTRY_VERIFY(session_->shown()->plan() && session_->shown()->plan()->field().area().si() > before * 1.01);
+        QTRY_COMPARE(session_->planning()->state(), PlanState::Ready);
         QCOMPARE(camera()->center(), centre);
     }
     /// Prints how evenly frames come and how far the plan is behind while a vertex of the largest sample is dragged.
     void draggingAVertexOfALargeField() {
         openSample(QStringLiteral("Great Field"));
-        const PlanGeometry& geometry = *session_->drawing().geometry();
+        const PlanGeometry& geometry = *session_->shown()->drawing().geometry();
         const QPoint from = onMap(coordinate(geometry.rings.front().points.front()));
         const QPoint inwards = middleOf(*map()) - from;
-        QSignalSpy plans{session_.get(), &PlanSession::planChanged};
+        QSignalSpy plans{session_->shown(), &ShownPlan::planChanged};
         QTest::mouseMove(window_, from);
         QTest::mousePress(window_, Qt::LeftButton, {}, from);
         const std::clock_t begin = std::clock();
@@ -101,7 +101,7 @@ private slots:
         qInfo("%lld drafts, %.0f ms of processor time; %s", static_cast<long long>(plans.count()), used, qPrintable(frames.text()));
         QTest::mouseRelease(window_, Qt::LeftButton, {}, from + inwards / 3);
         QVERIFY(frames.frames() > 0);
-        QTRY_VERIFY_WITH_TIMEOUT(session_->hasPlan() && !session_->isDraft() && session_->state() == PlanSession::State::Ready, 60000);
+        QTRY_VERIFY_WITH_TIMEOUT(session_->shown()->hasPlan() && !session_->shown()->isDraft() && session_->planning()->state() == PlanState::Ready, 60000);
     }
     void theMapIsPannedAndZoomed() {
         openSample(QStringLiteral("Home Field"));
@@ -131,7 +131,7 @@ private slots:
         QFile summary{folder.filePath(QStringLiteral("out/summary.json"))};
         QVERIFY(summary.open(QIODevice::ReadOnly));
         const QJsonObject root = QJsonDocument::fromJson(summary.readAll()).object();
-        QCOMPARE(root.value(u"swaths").toObject().value(u"count").toInt(), static_cast<int>(session_->plan()->swaths.swaths.size()));
+        QCOMPARE(root.value(u"swaths").toObject().value(u"count").toInt(), static_cast<int>(session_->shown()->plan()->swaths.swaths.size()));
     }
     void aFindingIsShownOnTheMap() {
         openSample(QStringLiteral("Three Ponds"));
@@ -152,12 +152,12 @@ private slots:
             {"type": "Feature", "properties": {"name": "South"}, "geometry": {"type": "Polygon", "coordinates":
               [[[22.5, 58.24], [22.503, 58.24], [22.503, 58.242], [22.5, 58.242], [22.5, 58.24]]]}}]})");
         file.close();
-        session_->open(path);
+        session_->opener()->open(path);
         QTRY_VERIFY(item(QStringLiteral("fieldChooser"))->isVisible());
         picture(QStringLiteral("chooser"));
         click(QStringLiteral("chooser.field.1"));
-        QTRY_COMPARE(session_->state(), PlanSession::State::Ready);
-        QCOMPARE(session_->fieldName(), QStringLiteral("South"));
+        QTRY_COMPARE(session_->planning()->state(), PlanState::Ready);
+        QCOMPARE(session_->farm()->fieldName(), QStringLiteral("South"));
     }
     void filesAreDroppedOnTheMap() {
         const QTemporaryDir folder;
@@ -179,11 +179,11 @@ private slots:
         QDropEvent drop{QPointF{at}, Qt::CopyAction, &dropped, Qt::LeftButton, Qt::NoModifier};
         QCoreApplication::sendEvent(window_, &drop);
         QTRY_COMPARE(session_->farm()->fields().size(), 2);
-        QTRY_VERIFY_WITH_TIMEOUT(isFinished(session_->state()), 20000);
-        QCOMPARE(session_->fieldName(), QStringLiteral("North"));
+        QTRY_VERIFY_WITH_TIMEOUT(isFinished(session_->planning()->state()), 20000);
+        QCOMPARE(session_->farm()->fieldName(), QStringLiteral("North"));
     }
     void theProblemOfABoundaryIsTold() {
-        session_->setBoundary({{58.25, 22.5}, {58.2535, 22.507}, {58.25, 22.507}, {58.2535, 22.5}});
+        session_->opener()->addDrawn({{58.25, 22.5}, {58.2535, 22.507}, {58.25, 22.507}, {58.2535, 22.5}});
         QTRY_VERIFY(item(QStringLiteral("problemCard"))->isVisible());
         picture(QStringLiteral("failed"));
     }
@@ -195,27 +195,27 @@ private slots:
     }
     void draggingTheHeadlandKeepsDrawing() {
         QFETCH(double, widthM);
-        session_->machine()->setNumber(0, widthM);
-        session_->setBoundary({{58.25, 22.5}, {58.25, 22.5136}, {58.2572, 22.5136}, {58.2572, 22.5}});
-        QTRY_COMPARE_WITH_TIMEOUT(session_->state(), PlanSession::State::Ready, 30000);
+        session_->planning()->machine()->setNumber(0, widthM);
+        session_->opener()->addDrawn({{58.25, 22.5}, {58.25, 22.5136}, {58.2572, 22.5136}, {58.2572, 22.5}});
+        QTRY_COMPARE_WITH_TIMEOUT(session_->planning()->state(), PlanState::Ready, 30000);
         click(QStringLiteral("step.headland"));
         QTRY_VERIFY(item(QStringLiteral("headland.width_m.slider")) != nullptr);
         QQuickItem* slider = item(QStringLiteral("headland.width_m.slider"));
         QTRY_VERIFY(slider->isVisible());
         waitForRest(*slider);
-        QSignalSpy plans{session_.get(), &PlanSession::planChanged};
+        QSignalSpy plans{session_->shown(), &ShownPlan::planChanged};
         const QPoint left = slider->mapToScene({12.0, slider->height() / 2.0}).toPoint();
         QTest::mousePress(window_, Qt::LeftButton, {}, left);
         FrameClock frames{*window_};
         for (int i = 0; i < 120; ++i) {
             frames.move(left + QPoint{20 + i, 0});
         }
-        qInfo("%zu swaths, %zu path points, %lld plans; %s", session_->plan()->swaths.swaths.size(),
-              session_->drawing().geometry()->pathPoints, static_cast<long long>(plans.count()), qPrintable(frames.text()));
+        qInfo("%zu swaths, %zu path points, %lld plans; %s", session_->shown()->plan()->swaths.swaths.size(),
+              session_->shown()->drawing().geometry()->pathPoints, static_cast<long long>(plans.count()), qPrintable(frames.text()));
         QTest::mouseRelease(window_, Qt::LeftButton, {}, left + QPoint{139, 0});
         QVERIFY(frames.frames() > 0);
         QTRY_VERIFY_WITH_TIMEOUT(plans.count() > 0, 30000);
-        QTRY_COMPARE_WITH_TIMEOUT(session_->state(), PlanSession::State::Ready, 30000);
+        QTRY_COMPARE_WITH_TIMEOUT(session_->planning()->state(), PlanState::Ready, 30000);
 
         // Panning alone, in processor time of all threads: a busy computer does not disturb that.
         constexpr int kFrames = 60;

@@ -2,7 +2,7 @@
 
 #include "ui/edit/edit_layer.h"
 #include "ui/map/map_camera.h"
-#include "ui/plan/plan_session.h"
+#include "ui/shell/session.h"
 #include "ui/shell/window_tools.h"
 
 #include <QDir>
@@ -27,7 +27,7 @@ class WindowTest : public QObject {
     Q_OBJECT
 
 protected:
-    std::unique_ptr<PlanSession> session_;
+    std::unique_ptr<Session> session_;
     std::unique_ptr<QQmlApplicationEngine> engine_;
     QQuickWindow* window_ = nullptr;
 
@@ -44,7 +44,7 @@ protected:
     }
     /// The program starts, with an empty project.
     void begin(QSize size) {
-        session_ = std::make_unique<PlanSession>();
+        session_ = std::make_unique<Session>();
         engine_ = std::make_unique<QQmlApplicationEngine>();
         engine_->setInitialProperties({{QStringLiteral("session"), QVariant::fromValue(session_.get())}});
         engine_->loadFromModule("Furrow.Shell", "Main");
@@ -79,10 +79,10 @@ protected:
     MapCamera* camera() const { return qobject_cast<EditLayer*>(map())->camera(); }
     QPoint onMap(const QGeoCoordinate& place) const { return map()->mapToScene(camera()->position(place)).toPoint(); }
     void openSample(const QString& name) {
-        const auto index = static_cast<int>(session_->sampleNames().indexOf(name));
+        const auto index = static_cast<int>(session_->opener()->sampleNames().indexOf(name));
         QVERIFY2(index >= 0, qPrintable(name));
         click(QStringLiteral("empty.sample.%1").arg(index));
-        QTRY_VERIFY_WITH_TIMEOUT(isFinished(session_->state()), 20000);
+        QTRY_VERIFY_WITH_TIMEOUT(isFinished(session_->planning()->state()), 20000);
     }
     void picture(const QString& name) {
         QDir{}.mkpath(QStringLiteral(FURROW_SCREENSHOT_DIR));

@@ -1,0 +1,113 @@
+#include "planner/project/project_edits.h"
+#include "tests/ui/window/editor_window_test.h"
+
+#include <QTemporaryDir>
+
+using namespace furrow;
+using namespace furrow::test;
+
+/// Lines that the mainland is cut along, drawn and changed on the map.
+class TestLinesWindow : public EditorWindowTest {
+    Q_OBJECT
+
+    std::vector<GeoRing> splits() const { return linesOf(*session_->document()->project()).splits; }
+    QPoint pointOnMap(std::size_t line, std::size_t point) const {
+        const GeoPoint place = splits()[line][point];
+        return onMap(QGeoCoordinate{place.latDeg, place.lonDeg});
+    }
+    QString title() const { return item(QStringLiteral("inspector.title"))->property("text").toString(); }
+
+private slots:
+    void aFieldIsCutByMouse() {
+        DRAW_FIELD();
+        const std::size_t cells = session_->shown()->plan()->cells.cells.size();
+        click(QStringLiteral("splitTool"));
+        QTRY_VERIFY(shows(QStringLiteral("drawingHint")));
+        clickAt(middle() + QPoint{-40, -180});
+        clickAt(middle() + QPoint{30, 0});
+        QTest::mouseMove(window_, middle() + QPoint{-20, 150});
+        picture(QStringLiteral("split1_drawing"));
+        clickAt(middle() + QPoint{-20, 180});
+        click(QStringLiteral("finishDrawing"));
+        QTRY_COMPARE(splits().size(), std::size_t{1});
+        QCOMPARE(splits()[0].size(), std::size_t{3});
+        QTRY_VERIFY(shows(QStringLiteral("inspector")));
+        QCOMPARE(title(), QStringLiteral("Split line 1"));
+        ready();
+        QVERIFY(session_->shown()->plan()->cells.cells.size() > cells);
+        picture(QStringLiteral("split2_drawn"));
+
+        // Its middle point is dragged, as one change.
+        const std::size_t steps = session_->document()->history().steps.size();
+        drag(pointOnMap(0, 1), pointOnMap(0, 1) + QPoint{60, 20}, Qt::AltModifier);
+        QCOMPARE(session_->document()->history().steps.size(), steps + 1);
+        QVERIFY((pointOnMap(0, 1) - (middle() + QPoint{90, 20})).manhattanLength() <= 2);
+        ready();
+        picture(QStringLiteral("split3_moved"));
+        const auto moved = *session_->document()->project();
+
+        // It is kept in the project.
+        const QTemporaryDir folder;
+        session_->files()->saveAs(QUrl::fromLocalFile(folder.filePath(QStringLiteral("cut.furrow"))));
+        QTRY_VERIFY(!session_->document()->isModified());
+        session_->opener()->startNew();
+        session_->opener()->open(folder.filePath(QStringLiteral("cut.furrow")));
+        QTRY_VERIFY(session_->farm()->hasField());
+        QVERIFY(*session_->document()->project() == moved);
+        ready();
+
+        // A click selects it, Delete deletes it, and all of that can be undone and redone.
+        clickAt(pointOnMap(0, 0) + (pointOnMap(0, 1) - pointOnMap(0, 0)) / 3 + QPoint{2, 0});
+        QTRY_VERIFY(shows(QStringLiteral("inspector")));
+        QTRY_COMPARE(title(), QStringLiteral("Edge 1 of the split line"));
+        key(Qt::Key_Delete);
+        QVERIFY(splits().empty());
+        key(Qt::Key_Z, Qt::ControlModifier);
+        QCOMPARE(splits().size(), std::size_t{1});
+        key(Qt::Key_Z, Qt::ControlModifier | Qt::ShiftModifier);
+        QVERIFY(splits().empty());
+        ready();
+        QCOMPARE(session_->shown()->plan()->cells.cells.size(), cells);
+    }
+    void byKeysAlone() {
+        DRAW_FIELD();
+        map()->forceActiveFocus();
+        key(Qt::Key_S);
+        QTRY_VERIFY(shows(QStringLiteral("drawingHint")));
+        // From 250 m west of the middle of the map, where the first point goes, straight through to the east.
+        editor()->leave();
+        camera()->panBy(200.0, 0.0);
+        key(Qt::Key_Space);
+        QTRY_COMPARE(editor()->draftCount(), 1);
+        enterWay(QStringLiteral("600"), QStringLiteral("90"));
+        map()->forceActiveFocus();
+        key(Qt::Key_Return);
+        QTRY_COMPARE(splits().size(), std::size_t{1});
+        key(Qt::Key_Escape);
+        QTRY_VERIFY(!editor()->hasSelection());
+        // The boundary comes first, then the line; back at the line it is moved and deleted.
+        key(Qt::Key_PageDown);
+        QCOMPARE(editor()->selection().kind, Selection::Kind::Vertex);
+        key(Qt::Key_PageDown);
+        QCOMPARE(editor()->selection().kind, Selection::Kind::Split);
+        const double before = splits()[0][0].latDeg;
+        key(Qt::Key_Up, Qt::ShiftModifier);
+        QTRY_VERIFY(splits()[0][0].latDeg > before);
+        ready();
+        picture(QStringLiteral("split4_keys"));
+        key(Qt::Key_Delete);
+        QVERIFY(splits().empty());
+        key(Qt::Key_K, Qt::ControlModifier);
+        QTRY_VERIFY(item(QStringLiteral("palette.field"))->hasActiveFocus());
+        type(QStringLiteral("split"));
+        // What would be undone is no command of that name.
+        QTRY_VERIFY(shows(QStringLiteral("palette.row.0")) && !shows(QStringLiteral("palette.row.1")));
+        key(Qt::Key_Return);
+        QTRY_COMPARE(editor()->tool(), FieldEditor::Tool::Split);
+        key(Qt::Key_Escape);
+        QTRY_COMPARE(editor()->tool(), FieldEditor::Tool::Select);
+    }
+};
+
+QTEST_MAIN(TestLinesWindow)
+#include "tst_lines_window.moc"

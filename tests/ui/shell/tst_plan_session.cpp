@@ -1,0 +1,506 @@
+#include "planner/plan/method_registry.h"
+#include "planner/project/project_edits.h"
+#include "ui/shell/session.h"
+
+#include <QAbstractItemModelTester>
+#include <QFile>
+#include <QSignalSpy>
+#include <QTemporaryDir>
+#include <QTest>
+
+using namespace furrow;
+
+namespace {
+
+// Plans take seconds where the machine has other things to do.
+constexpr int kPatienceMs = 30000;
+
+QList<QGeoCoordinate> rectangle() {
+    return {{58.25, 22.5}, {58.25, 22.507}, {58.2535, 22.507}, {58.2535, 22.5}};
+}
+
+int rowOf(const ParameterModel& model, const QString& key) {
+    for (int row = 0; row < model.rowCount(); ++row) {
+        if (model.data(model.index(row), ParameterModel::KeyRole).toString() == key) {
+            return row;
+        }
+    }
+    return -1;
+}
+
+/// The place of a method in its stage's list.
+int methodIndex(std::string_view stageId, std::string_view methodId) {
+    const auto stage = std::ranges::find(stages(), stageId, &StageInfo::id);
+    return static_cast<int>(std::ranges::find(stage->methods, methodId, &MethodInfo::id) - stage->methods.begin());
+}
+
+QVariant roleOf(const ParameterModel& model, const QString& key, int role) {
+    return model.data(model.index(rowOf(model, key)), role);
+}
+
+QString figure(Session& session, int row) {
+    return session.figures()->data(session.figures()->index(row), FiguresModel::ValueRole).toString();
+}
+
+/// One point of the first ring, as it is dragged.
+void moveVertex(Session& session, std::size_t vertex, const QGeoCoordinate& place, bool finished) {
+    const Project& project = *session.document()->project();
+    FieldSource source = *project.field()->source;
+    source.parts.front().outer[vertex] = geoPoint(place);
+    session.document()->change([] { return QStringLiteral("Move"); }, withSource(project, std::move(source)), QStringLiteral("vertex"),
+                               finished ? Document::Follows::Nothing : Document::Follows::More);
+}
+
+QString twoFields() {
+    return QStringLiteral(R"({"type": "FeatureCollection", "features": [
+        {"type": "Feature", "properties": {"id": "a", "name": "North"}, "geometry": {"type": "Polygon", "coordinates":
+          [[[22.5, 58.25], [22.505, 58.25], [22.505, 58.252], [22.5, 58.252], [22.5, 58.25]]]}},
+        {"type": "Feature", "properties": {"id": "b", "name": "South"}, "geometry": {"type": "Polygon", "coordinates":
+          [[[22.5, 58.24], [22.503, 58.24], [22.503, 58.242], [22.5, 58.242], [22.5, 58.24]]]}}]})");
+}
+
+QString written(const QTemporaryDir& folder, const QString& name, const QString& text) {
+    const QString path = folder.filePath(name);
+    QFile file{path};
+    if (!file.open(QIODevice::WriteOnly) || file.write(text.toUtf8()) < 0) {
+        qFatal("the test file cannot be written");
+    }
+    return path;
+}
+
+}  // namespace
+
+class TestPlanSession : public QObject {
+    Q_OBJECT
+
+private slots:
+    void modelsKeepTheirPromises() {
+        Session session;
+        QAbstractItemModelTester steps{session.planning()->steps()};
+        QAbstractItemModelTester machine{session.planning()->machine()};
+        QAbstractItemModelTester figures{session.figures()};
+        QAbstractItemModelTester findings{session.findings()};
+        QAbstractItemModelTester choices{session.opener()->choices()};
+        QAbstractItemModelTester exporter{session.exporter()};
+        std::vector<std::unique_ptr<QAbstractItemModelTester>> parameters;
+        for (const char* step : {"field", "headland", "swaths", "decomposition", "route", "path"}) {
+            parameters.push_back(
+                std::make_unique<QAbstractItemModelTester>(session.planning()->steps()->parameters(QLatin1String{step})));
+        }
+        session.opener()->addDrawn(rectangle());
+        QTRY_COMPARE_WITH_TIMEOUT(session.planning()->state(), PlanState::Ready, kPatienceMs);
+        ParameterModel* headland = session.planning()->steps()->parameters(QStringLiteral("headland"));
+        headland->setChoice(rowOf(*headland, QStringLiteral("headland.method")), methodIndex("headland", "none"));
+        QTRY_COMPARE_WITH_TIMEOUT(session.shown()->plan()->headland.width.si(), 0.0, kPatienceMs);
+        session.opener()->startNew();
+        QCOMPARE(session.figures()->rowCount(), 0);
+    }
+    void beginsEmpty() {
+        Session session;
+        QCOMPARE(session.planning()->state(), PlanState::Empty);
+        QVERIFY(!session.farm()->hasField());
+        QVERIFY(!session.shown()->hasPlan());
+        QVERIFY(session.shown()->drawing().isEmpty());
+        QCOMPARE(session.planning()->steps()->rowCount(), 8);
+    }
+    void plansADrawnBoundary() {
+        Session session;
+        QSignalSpy opened{session.planning(), &Planning::fieldOpened};
+        session.opener()->addDrawn(rectangle());
+        QCOMPARE(session.planning()->state(), PlanState::Planning);
+        // It is shown at once, whatever the plan takes.
+        QCOMPARE(opened.count(), 1);
+        QVERIFY(session.shown()->drawing().bounds().contains(QGeoCoordinate{58.2515, 22.5035}));
+        const auto step = [&session](int role) { return session.planning()->steps()->index(0).data(role).toString(); };
+        QCOMPARE(step(StepsModel::ChoiceRole), QStringLiteral("Field 1"));
+        QVERIFY2(step(StepsModel::ResultRole).startsWith(QStringLiteral("16.")), qPrintable(step(StepsModel::ResultRole)));
+        QTRY_COMPARE_WITH_TIMEOUT(session.planning()->state(), PlanState::Ready, kPatienceMs);
+        QCOMPARE(opened.count(), 2);
+        QVERIFY(!session.shown()->drawing().isEmpty());
+        QVERIFY(session.planning()->statusText().startsWith(QStringLiteral("Plan ready")));
+        // 0.007 by 0.0035 degrees at 58.25 north are some 411 by 390 metres.
+        QVERIFY(figure(session, 0).startsWith(QStringLiteral("16.")));
+    }
+    void aNumberChangesThePlan() {
+        Session session;
+        session.opener()->addDrawn(rectangle());
+        QTRY_COMPARE_WITH_TIMEOUT(session.planning()->state(), PlanState::Ready, kPatienceMs);
+        ParameterModel* headland = session.planning()->steps()->parameters(QStringLiteral("headland"));
+        const QString width = QStringLiteral("headland.width_m");
+        QVERIFY(roleOf(*headland, width, ParameterModel::AutoTextRole).toString().startsWith(QStringLiteral("auto · ")));
+        headland->setNumber(rowOf(*headland, width), 30.0);
+        QTRY_COMPARE_WITH_TIMEOUT(session.shown()->plan()->headland.width.si(), 30.0, kPatienceMs);
+        QCOMPARE(roleOf(*headland, width, ParameterModel::AutoTextRole).toString(), QString{});
+        QCOMPARE(roleOf(*headland, width, ParameterModel::ValueRole).toDouble(), 30.0);
+        // At most one of width and passes is given: the later one counts.
+        headland->setNumber(rowOf(*headland, QStringLiteral("headland.passes")), 2.0);
+        QTRY_COMPARE_WITH_TIMEOUT(session.shown()->plan()->headland.passes, 2, kPatienceMs);
+        QVERIFY(!roleOf(*headland, width, ParameterModel::AutoTextRole).toString().isEmpty());
+        headland->setAuto(rowOf(*headland, QStringLiteral("headland.passes")));
+        QTRY_VERIFY_WITH_TIMEOUT(session.planning()->settings() == Settings{} || session.shown()->plan()->headland.passes != 2, kPatienceMs);
+    }
+    void directionsAreBearings_data() {
+        QTest::addColumn<double>("bearing");
+        QTest::addColumn<double>("degreesFromEast");
+        QTest::newRow("north") << 0.0 << 90.0;
+        QTest::newRow("east") << 90.0 << 0.0;
+        QTest::newRow("north-east") << 45.0 << 45.0;
+        QTest::newRow("south-east") << 135.0 << 135.0;
+    }
+    void directionsAreBearings() {
+        QFETCH(double, bearing);
+        QFETCH(double, degreesFromEast);
+        Session session;
+        session.opener()->addDrawn(rectangle());
+        ParameterModel* swaths = session.planning()->steps()->parameters(QStringLiteral("swaths"));
+        swaths->setChoice(rowOf(*swaths, QStringLiteral("swaths.method")), methodIndex("swaths", "fixed"));
+        const int row = rowOf(*swaths, QStringLiteral("swaths.angle_deg"));
+        QVERIFY(row >= 0);
+        swaths->setNumber(row, bearing);
+        QCOMPARE(swaths->data(swaths->index(row), ParameterModel::ValueRole).toDouble(), bearing);
+        QTRY_VERIFY_WITH_TIMEOUT(session.shown()->plan() && std::abs(inDegrees(session.shown()->plan()->swaths.heading) - degreesFromEast) < 1e-6, kPatienceMs);
+    }
+    // Also over a choice that was made before.
+    void anOperationBringsItsDefaults() {
+        Session session;
+        ParameterModel* field = session.planning()->steps()->parameters(QStringLiteral("field"));
+        const int row = rowOf(*field, QStringLiteral("operation.kind"));
+        QVERIFY(row >= 0);
+        const Parameter& when = *findParameter("headland.when").value();
+        ParameterModel* headland = session.planning()->steps()->parameters(QStringLiteral("headland"));
+        headland->setChoice(rowOf(*headland, QStringLiteral("headland.when")), 1);
+        QCOMPARE(session.planning()->settings().choice(when), std::string{"after"});
+        field->setChoice(row, 5);  // harvest
+        QCOMPARE(session.planning()->settings().choice(when), std::string{"before"});
+        field->setChoice(row, 1);  // sowing
+        QCOMPARE(session.planning()->settings().choice(when), std::string{"after"});
+    }
+    void onlyParametersOfTheMethodAreShown() {
+        Session session;
+        ParameterModel* swaths = session.planning()->steps()->parameters(QStringLiteral("swaths"));
+        swaths->setChoice(0, methodIndex("swaths", "brute-force"));
+        QVERIFY(rowOf(*swaths, QStringLiteral("swaths.step_deg")) >= 0);
+        QCOMPARE(rowOf(*swaths, QStringLiteral("swaths.angle_deg")), -1);
+        swaths->setChoice(0, methodIndex("swaths", "fixed"));
+        QCOMPARE(rowOf(*swaths, QStringLiteral("swaths.step_deg")), -1);
+        QVERIFY(rowOf(*swaths, QStringLiteral("swaths.angle_deg")) >= 0);
+    }
+    void aDraggedVertexIsFollowed() {
+        Session session;
+        session.opener()->addDrawn(rectangle());
+        QTRY_COMPARE_WITH_TIMEOUT(session.planning()->state(), PlanState::Ready, kPatienceMs);
+        const double before = session.shown()->plan()->field().area().si();
+        for (int i = 1; i <= 30; ++i) {
+            moveVertex(session, 1, QGeoCoordinate{58.25, 22.507 + i * 1e-4}, false);
+            QCoreApplication::processEvents();
+        }
+        const QGeoCoordinate last{58.25, 22.511};
+        moveVertex(session, 1, last, true);
+        QTRY_VERIFY_WITH_TIMEOUT(session.shown()->plan()->field().area().si() > before * 1.2, kPatienceMs);
+        const std::vector<WorldPoint>& ring = session.shown()->drawing().geometry()->rings.front().points;
+        QVERIFY(std::ranges::any_of(ring, [&](WorldPoint p) { return coordinate(p).distanceTo(last) < 0.01; }));
+    }
+    void aDragShowsDraftsAndTheWholePlanWhenItIsLetGo() {
+        Session session;
+        session.opener()->addDrawn(rectangle());
+        QTRY_COMPARE_WITH_TIMEOUT(session.planning()->state(), PlanState::Ready, kPatienceMs);
+        QVERIFY(!session.shown()->isDraft());
+        const double heading = session.shown()->plan()->swaths.heading.si();
+        const QString covered = figure(session, 7);
+        moveVertex(session, 1, QGeoCoordinate{58.25, 22.5085}, false);
+        QTRY_VERIFY_WITH_TIMEOUT(session.shown()->isDraft(), kPatienceMs);
+        QVERIFY(session.planning()->statusText().startsWith(QStringLiteral("Draft")));
+        QCOMPARE(session.shown()->plan()->swaths.heading.si(), heading);
+        QCOMPARE(figure(session, 7), QStringLiteral("–"));
+        QVERIFY(!session.shown()->drawing().isEmpty());
+        moveVertex(session, 1, QGeoCoordinate{58.25, 22.5086}, true);
+        QTRY_VERIFY_WITH_TIMEOUT(!session.shown()->isDraft(), kPatienceMs);
+        QCOMPARE(session.planning()->state(), PlanState::Ready);
+        QVERIFY(session.shown()->plan()->audit.coveredShare.has_value());
+        QVERIFY(figure(session, 7) != QStringLiteral("–"));
+        // Ended without another change, as when the tool is changed.
+        moveVertex(session, 1, QGeoCoordinate{58.25, 22.5090}, false);
+        QTRY_VERIFY_WITH_TIMEOUT(session.shown()->isDraft(), kPatienceMs);
+        session.document()->endDrag();
+        QTRY_VERIFY_WITH_TIMEOUT(!session.shown()->isDraft(), kPatienceMs);
+        QCOMPARE(session.planning()->state(), PlanState::Ready);
+    }
+    void aBoundaryThatCrossesItselfIsToldWithItsPlace() {
+        Session session;
+        session.opener()->addDrawn({{58.25, 22.5}, {58.2535, 22.507}, {58.25, 22.507}, {58.2535, 22.5}});
+        QTRY_COMPARE_WITH_TIMEOUT(session.planning()->state(), PlanState::Failed, kPatienceMs);
+        QVERIFY(!session.problem()->text().isEmpty());
+        QVERIFY(session.problem()->place().isValid());
+        QVERIFY(!session.shown()->hasPlan());
+        QVERIFY2(!session.shown()->drawing().isEmpty(), "the boundary is still drawn");
+        // Put right by dragging a vertex.
+        moveVertex(session, 1, {58.25, 22.5075}, false);
+        moveVertex(session, 2, {58.2535, 22.507}, true);
+        QTRY_COMPARE_WITH_TIMEOUT(session.planning()->state(), PlanState::Ready, kPatienceMs);
+    }
+    void aFileWithSeveralFieldsAsks() {
+        const QTemporaryDir folder;
+        Session session;
+        session.opener()->open(written(folder, QStringLiteral("two.geojson"), twoFields()));
+        QTRY_COMPARE_WITH_TIMEOUT(session.planning()->state(), PlanState::Choosing, kPatienceMs);
+        QCOMPARE(session.opener()->choices()->rowCount(), 2);
+        session.opener()->chooseField(1);
+        QTRY_COMPARE_WITH_TIMEOUT(session.planning()->state(), PlanState::Ready, kPatienceMs);
+        QCOMPARE(session.farm()->fieldName(), QStringLiteral("South"));
+        session.opener()->open(written(folder, QStringLiteral("two.geojson"), twoFields()), QStringLiteral("a"));
+        QTRY_COMPARE_WITH_TIMEOUT(session.farm()->fieldName(), QStringLiteral("North"), kPatienceMs);
+    }
+    void allOfThemCanBeOpened() {
+        const QTemporaryDir folder;
+        Session session;
+        session.opener()->open(written(folder, QStringLiteral("two.geojson"), twoFields()));
+        QTRY_COMPARE_WITH_TIMEOUT(session.planning()->state(), PlanState::Choosing, kPatienceMs);
+        session.opener()->chooseAll();
+        QTRY_COMPARE_WITH_TIMEOUT(session.planning()->state(), PlanState::Ready, kPatienceMs);
+        QCOMPARE(session.farm()->fields().size(), 2);
+        QCOMPARE(session.farm()->fieldName(), QStringLiteral("North"));
+        QSignalSpy opened{session.planning(), &Planning::fieldOpened};
+        session.farm()->setCurrentField(1);
+        QCOMPARE(session.farm()->fieldName(), QStringLiteral("South"));
+        QTRY_COMPARE_WITH_TIMEOUT(opened.count(), 1, kPatienceMs);
+        session.document()->undo();
+        QVERIFY(!session.farm()->hasField());
+    }
+    void severalFilesAreOpenedAtOnce() {
+        const QTemporaryDir folder;
+        Session session;
+        Project farm = withFields(Project::empty(), {FieldSource{.id = "1", .name = "Barn", .origin = {},
+            .parts = {{.outer = {{22.5, 58.25}, {22.507, 58.25}, {22.507, 58.2535}}, .holes = {}}},
+            .obstacles = {}, .gates = {}, .boundaryAccuracy = {}, .repairs = {}}});
+        const QString project = folder.filePath(QStringLiteral("farm.furrow"));
+        QVERIFY(writeProject(farm, project.toStdU16String()).has_value());
+        const QUrl boundaries = QUrl::fromLocalFile(written(folder, QStringLiteral("two.geojson"), twoFields()));
+        QVERIFY(session.opener()->isProjectFile(QUrl::fromLocalFile(project)));
+        QVERIFY(!session.opener()->isProjectFile(boundaries));
+        session.opener()->openUrls({boundaries, QUrl::fromLocalFile(project)});
+        QTRY_COMPARE_WITH_TIMEOUT(session.farm()->fields().size(), 3, kPatienceMs);
+        QTRY_COMPARE_WITH_TIMEOUT(session.planning()->state(), PlanState::Ready, kPatienceMs);
+        QCOMPARE(session.files()->name(), QStringLiteral("farm"));
+        QCOMPARE(session.recent()->count(), 1);
+        QVERIFY2(session.document()->isModified(), "the boundaries are not in the file yet");
+        QVERIFY(session.farm()->fields().front().startsWith(QStringLiteral("Barn")));
+    }
+    void eachPlanHasItsMachine() {
+        Session session;
+        session.opener()->addDrawn(rectangle());
+        QTRY_COMPARE_WITH_TIMEOUT(session.planning()->state(), PlanState::Ready, kPatienceMs);
+        session.farm()->addPlan(QStringLiteral("Harvest"));
+        session.planning()->machine()->setLibraryIndex(4);
+        QTRY_COMPARE_WITH_TIMEOUT(session.shown()->plan()->request.machine.name(), session.planning()->machine()->library().at(4).toStdString(), kPatienceMs);
+        session.farm()->renamePlan(QStringLiteral("Oats"), QStringLiteral("2027"));
+        QCOMPARE(session.farm()->plans().at(1), QStringLiteral("Oats · 2027"));
+        session.farm()->setCurrentPlan(0);
+        QCOMPARE(session.planning()->machine()->libraryIndex(), 0);
+        QTRY_COMPARE_WITH_TIMEOUT(session.shown()->plan()->request.machine.name(), session.planning()->machine()->library().at(0).toStdString(), kPatienceMs);
+        session.farm()->removePlan();
+        QCOMPARE(session.farm()->plans().size(), 1);
+        QCOMPARE(session.planning()->machine()->libraryIndex(), 4);
+    }
+    void recentFilesAreKept() {
+        const QTemporaryDir folder;
+        const QString list = folder.filePath(QStringLiteral("recent.json"));
+        {
+            RecentFiles recent;
+            QAbstractItemModelTester tester{&recent};
+            recent.keepIn(list);
+            for (int i = 0; i < 12; ++i) {
+                recent.add(written(folder, QStringLiteral("%1.furrow").arg(i), QStringLiteral("x")), Project::empty());
+            }
+            recent.add(folder.filePath(QStringLiteral("5.furrow")), Project::empty());
+            QCOMPARE(recent.count(), 10);
+        }
+        QVERIFY(QFile::remove(folder.filePath(QStringLiteral("11.furrow"))));
+        RecentFiles recent;
+        recent.keepIn(list);
+        QCOMPARE(recent.count(), 9);
+        QCOMPARE(recent.data(recent.index(0), RecentFiles::NameRole).toString(), QStringLiteral("5"));
+    }
+    void anUnreadableFileIsTold() {
+        Session session;
+        session.opener()->open(QStringLiteral("/nowhere/field.geojson"));
+        QTRY_COMPARE_WITH_TIMEOUT(session.planning()->state(), PlanState::Failed, kPatienceMs);
+        QVERIFY(!session.problem()->text().isEmpty());
+        QVERIFY(!session.farm()->hasField());
+    }
+    void sampleFieldsOpen_data() {
+        QTest::addColumn<int>("index");
+        const Session session;
+        for (int i = 0; i < session.opener()->sampleNames().size(); ++i) {
+            QTest::newRow(qPrintable(session.opener()->sampleNames().at(i))) << i;
+        }
+    }
+    void sampleFieldsOpen() {
+        QFETCH(int, index);
+        Session session;
+        session.opener()->openSample(index);
+        QTRY_VERIFY_WITH_TIMEOUT(isFinished(session.planning()->state()), 60000);
+        QCOMPARE(session.farm()->fieldName(), session.opener()->sampleNames().at(index));
+        session.findings()->setAll(true);
+        QCOMPARE(session.findings()->rowCount(), static_cast<int>(session.shown()->plan()->findings.size()));
+        session.findings()->setAll(false);
+        QVERIFY(session.findings()->rowCount() <= session.findings()->few());
+    }
+    void anotherMachineGivesAnotherPlan() {
+        Session session;
+        session.opener()->addDrawn(rectangle());
+        QTRY_COMPARE_WITH_TIMEOUT(session.planning()->state(), PlanState::Ready, kPatienceMs);
+        const std::size_t swaths = session.shown()->plan()->swaths.swaths.size();
+        for (int row = 0; row < session.planning()->machine()->rowCount(); ++row) {
+            if (session.planning()->machine()->data(session.planning()->machine()->index(row), MachineModel::KeyRole).toString() ==
+                QStringLiteral("operating_width_m")) {
+                session.planning()->machine()->setNumber(row, 6.0);
+            }
+        }
+        QVERIFY(session.planning()->machine()->isChanged());
+        QTRY_VERIFY_WITH_TIMEOUT(session.shown()->plan()->swaths.swaths.size() < swaths, kPatienceMs);
+        session.planning()->machine()->reset();
+        QVERIFY(!session.planning()->machine()->isChanged());
+        QTRY_COMPARE_WITH_TIMEOUT(session.shown()->plan()->swaths.swaths.size(), swaths, kPatienceMs);
+    }
+    void exportWritesAFolder() {
+        const QTemporaryDir folder;
+        Session session;
+        session.opener()->addDrawn(rectangle());
+        QTRY_COMPARE_WITH_TIMEOUT(session.planning()->state(), PlanState::Ready, kPatienceMs);
+        const QString target = folder.filePath(QStringLiteral("plan one"));
+        session.exporter()->writeTo(target);
+        QTRY_COMPARE_WITH_TIMEOUT(session.exporter()->state(), ExportModel::State::Done, kPatienceMs);
+        QVERIFY(QFile::exists(target + QStringLiteral("/summary.json")));
+        QVERIFY(QFile::exists(target + QStringLiteral("/plan.geojson")));
+        // A folder cannot be made below a file.
+        session.exporter()->writeTo(target + QStringLiteral("/summary.json/below"));
+        QTRY_COMPARE_WITH_TIMEOUT(session.exporter()->state(), ExportModel::State::Failed, kPatienceMs);
+        QVERIFY(!session.exporter()->message().isEmpty());
+    }
+    void whatIsPlannedAlreadyIsNotPlannedAgain() {
+        Session session;
+        session.opener()->addDrawn(rectangle());
+        QTRY_COMPARE_WITH_TIMEOUT(session.planning()->state(), PlanState::Ready, kPatienceMs);
+        const auto before = session.shown()->plan();
+        session.planning()->machine()->setLibraryIndex(3);
+        QCOMPARE(session.planning()->state(), PlanState::Planning);
+        // Undone before the other plan is there.
+        session.document()->undo();
+        QCOMPARE(session.planning()->state(), PlanState::Ready);
+        QCOMPARE(session.shown()->plan(), before);
+        QVERIFY(session.exporter()->refusal().isEmpty());
+        session.document()->redo();
+        QCOMPARE(session.planning()->state(), PlanState::Planning);
+        QVERIFY(!session.exporter()->refusal().isEmpty());
+        QTRY_VERIFY_WITH_TIMEOUT(isFinished(session.planning()->state()), kPatienceMs);
+        QCOMPARE(session.shown()->plan()->request.machine.name(), session.planning()->machine()->machine().name());
+    }
+    void anotherPlanOfTheFieldIsNotTheOneThatIsShown() {
+        Session session;
+        session.opener()->addDrawn(rectangle());
+        QTRY_COMPARE_WITH_TIMEOUT(session.planning()->state(), PlanState::Ready, kPatienceMs);
+        session.farm()->addPlan(QStringLiteral("Harvest"));
+        // A copy asks for the same.
+        QCOMPARE(session.planning()->state(), PlanState::Ready);
+        QVERIFY(session.exporter()->heading().endsWith(QStringLiteral("Harvest")));
+        session.planning()->machine()->setLibraryIndex(4);
+        QTRY_VERIFY_WITH_TIMEOUT(isFinished(session.planning()->state()), kPatienceMs);
+        session.farm()->setCurrentPlan(0);
+        QCOMPARE(session.planning()->state(), PlanState::Planning);
+        session.planning()->cancel();
+        QCOMPARE(session.planning()->state(), PlanState::OutOfDate);
+        QVERIFY(!session.exporter()->refusal().isEmpty());
+        QCOMPARE(session.exporter()->heading(), QString{});
+    }
+    void aFileThatCannotBeReadLeavesThePlan() {
+        Session session;
+        session.opener()->addDrawn(rectangle());
+        QTRY_COMPARE_WITH_TIMEOUT(session.planning()->state(), PlanState::Ready, kPatienceMs);
+        session.opener()->open(QStringLiteral("/nowhere/field.geojson"));
+        QCOMPARE(session.planning()->state(), PlanState::Reading);
+        QVERIFY(!session.exporter()->refusal().isEmpty());
+        QTRY_COMPARE_WITH_TIMEOUT(session.planning()->state(), PlanState::Ready, kPatienceMs);
+        QVERIFY(!session.problem()->text().isEmpty());
+        QVERIFY(session.exporter()->refusal().isEmpty());
+        session.problem()->dismiss();
+        QVERIFY(session.problem()->text().isEmpty());
+    }
+    void aWriteOfAPlanThatBecameAnotherIsStopped() {
+        const QTemporaryDir folder;
+        Session session;
+        session.opener()->addDrawn(rectangle());
+        QTRY_COMPARE_WITH_TIMEOUT(session.planning()->state(), PlanState::Ready, kPatienceMs);
+        session.exporter()->writeTo(folder.filePath(QStringLiteral("out")));
+        QCOMPARE(session.exporter()->state(), ExportModel::State::Writing);
+        session.planning()->machine()->setLibraryIndex(3);
+        QCOMPARE(session.exporter()->state(), ExportModel::State::Failed);
+        QVERIFY(!session.exporter()->message().isEmpty());
+        QTRY_VERIFY_WITH_TIMEOUT(isFinished(session.planning()->state()), kPatienceMs);
+        QCOMPARE(session.exporter()->state(), ExportModel::State::Failed);
+    }
+    void askedForAgainIsPlanning() {
+        Session session;
+        session.opener()->addDrawn(rectangle());
+        QTRY_COMPARE_WITH_TIMEOUT(session.planning()->state(), PlanState::Ready, kPatienceMs);
+        session.planning()->planAgain();
+        QCOMPARE(session.planning()->state(), PlanState::Planning);
+        session.planning()->cancel();
+        // The plan is still the one of what the panels show.
+        QCOMPARE(session.planning()->state(), PlanState::Ready);
+    }
+    void eachBlockingFindingHasAStep_data() {
+        QTest::addColumn<FindingKind>("kind");
+        QTest::addColumn<QString>("step");
+        QTest::newRow("a gate") << FindingKind::Gate << "field";
+        QTest::newRow("missed land") << FindingKind::Missed << "swaths";
+        QTest::newRow("a swath is not driven") << FindingKind::DroppedSwath << "swaths";
+        QTest::newRow("a headland pass is not driven") << FindingKind::DroppedPass << "headland";
+        QTest::newRow("outside") << FindingKind::Outside << "path";
+        QTest::newRow("obstacle") << FindingKind::Obstacle << "path";
+        QTest::newRow("not drivable") << FindingKind::Undrivable << "path";
+    }
+    void eachBlockingFindingHasAStep() {
+        QFETCH(FindingKind, kind);
+        QFETCH(QString, step);
+        Session session;
+        session.opener()->addDrawn(rectangle());
+        QTRY_COMPARE_WITH_TIMEOUT(session.planning()->state(), PlanState::Ready, kPatienceMs);
+        Plan plan = *session.shown()->plan();
+        plan.findings = {{.severity = Severity::Blocking, .kind = kind, .place = {}, .text = "There is something.", .suggestion = {}},
+                         {.severity = Severity::Note, .kind = FindingKind::HeadlandNotWorked, .place = {}, .text = "And this.", .suggestion = {}}};
+        StepsModel steps;
+        steps.show({.field = &plan.field(), .machine = plan.request.machine, .settings = plan.request.settings, .plan = &plan,
+                    .state = PlanState::Problems});
+        for (int row = 0; row < steps.rowCount(); ++row) {
+            const QString id = steps.index(row).data(StepsModel::StepIdRole).toString();
+            const bool warned = id == step || id == QStringLiteral("check");
+            QCOMPARE(steps.index(row).data(StepsModel::StatusRole).toInt(),
+                     static_cast<int>(warned ? StepsModel::Status::Warning : StepsModel::Status::Good));
+            QCOMPARE(steps.index(row).data(StepsModel::ResultRole).toString().contains(QStringLiteral("1 problem")), id == step);
+        }
+        QCOMPARE(steps.index(7).data(StepsModel::ChoiceRole).toString(), QStringLiteral("1 problem"));
+        QCOMPARE(steps.index(7).data(StepsModel::ResultRole).toString(), QStringLiteral("1 note"));
+    }
+    void cancelKeepsThePlanBefore() {
+        Session session;
+        session.opener()->addDrawn(rectangle());
+        QTRY_COMPARE_WITH_TIMEOUT(session.planning()->state(), PlanState::Ready, kPatienceMs);
+        const auto before = session.shown()->plan();
+        ParameterModel* headland = session.planning()->steps()->parameters(QStringLiteral("headland"));
+        headland->setNumber(rowOf(*headland, QStringLiteral("headland.width_m")), 30.0);
+        session.planning()->cancel();
+        QCOMPARE(session.planning()->state(), PlanState::OutOfDate);
+        QCOMPARE(session.shown()->plan(), before);
+        // It is not of what the panels show: it stays in the window.
+        QVERIFY(!session.exporter()->refusal().isEmpty());
+        const QTemporaryDir folder;
+        session.exporter()->writeTo(folder.filePath(QStringLiteral("out")));
+        QCOMPARE(session.exporter()->state(), ExportModel::State::Idle);
+        session.planning()->planAgain();
+        QTRY_COMPARE_WITH_TIMEOUT(session.shown()->plan()->headland.width.si(), 30.0, kPatienceMs);
+        QTRY_COMPARE_WITH_TIMEOUT(session.planning()->state(), PlanState::Ready, kPatienceMs);
+    }
+};
+
+QTEST_GUILESS_MAIN(TestPlanSession)
+#include "tst_plan_session.moc"

@@ -1,0 +1,414 @@
+import QtQuick
+import QtQuick.Controls
+import Furrow.Controls
+import Furrow.Edit
+import Furrow.Layers
+import Furrow.Map
+import Furrow.Plan
+import Furrow.Project
+import Furrow.Settings
+
+/// Everything that can be done in the window.
+QtObject {
+    id: root
+
+    required property Document document
+    required property ProjectFiles files
+    required property FarmModel farm
+    required property ShownPlan shown
+    required property Planning planning
+    required property MapPage page
+    required property LayersPanel layersPanel
+    required property ScaleSetting scaleSetting
+    signal newRequested()
+    signal openRequested()
+    signal saveRequested()
+    signal saveAsRequested()
+    signal exportRequested()
+    signal renameFieldRequested()
+    signal addPlanRequested()
+    signal renamePlanRequested()
+    signal paletteRequested()
+    signal keysRequested()
+    signal preferencesRequested()
+    signal tourRequested()
+    signal quitRequested()
+    signal panelRequested()
+    signal imageryRequested()
+    signal tileFolderRequested()
+
+    readonly property string fileGroup: qsTr("File")
+    readonly property string editGroup: qsTr("Edit")
+    readonly property string fieldGroup: qsTr("Field")
+    readonly property string planGroup: qsTr("Plan")
+    readonly property string viewGroup: qsTr("View")
+    readonly property string helpGroup: qsTr("Help")
+
+    component LayerCommand: Command {
+        required property string layer
+
+        objectName: "command.layer." + layer
+        group: root.viewGroup
+        checkable: true
+        checked: root.layersPanel.layers[layer]
+        onTriggered: root.layersPanel.layers[layer] = checked
+    }
+
+    component ScaleCommand: Command {
+        required property int percent
+
+        objectName: "command.scale." + percent
+        group: root.viewGroup
+        text: qsTr("Everything at %1 %").arg(percent)
+        keywords: qsTr("size scaling zoom large text")
+        checkable: true
+        checked: root.scaleSetting.percent === percent
+        onTriggered: root.scaleSetting.set(percent)
+    }
+
+    component ToolCommand: Command {
+        required property int tool
+
+        group: root.fieldGroup
+        enabled: root.farm.hasField
+        onTriggered: root.page.startTool(tool)
+    }
+
+    readonly property list<Command> all: [
+        Command {
+            objectName: "command.new"
+            group: root.fileGroup
+            text: qsTr("New project")
+            shortcut: "Ctrl+N"
+            keywords: qsTr("farm")
+            onTriggered: root.newRequested()
+        },
+        Command {
+            objectName: "command.open"
+            group: root.fileGroup
+            text: qsTr("Open…")
+            shortcut: "Ctrl+O"
+            keywords: qsTr("boundary import project")
+            onTriggered: root.openRequested()
+        },
+        Command {
+            objectName: "command.addImagery"
+            group: root.fileGroup
+            text: qsTr("Add imagery…")
+            keywords: qsTr("GeoTIFF MBTiles aerial photo satellite background heights elevation")
+            onTriggered: root.imageryRequested()
+        },
+        Command {
+            objectName: "command.addTileFolder"
+            group: root.fileGroup
+            text: qsTr("Add a folder of tiles…")
+            keywords: qsTr("imagery XYZ TMS")
+            onTriggered: root.tileFolderRequested()
+        },
+        Command {
+            objectName: "command.save"
+            group: root.fileGroup
+            text: qsTr("Save")
+            shortcut: "Ctrl+S"
+            enabled: root.document.modified || root.files.path.length === 0
+            onTriggered: root.saveRequested()
+        },
+        Command {
+            objectName: "command.saveAs"
+            group: root.fileGroup
+            text: qsTr("Save as…")
+            shortcut: "Ctrl+Shift+S"
+            onTriggered: root.saveAsRequested()
+        },
+        Command {
+            objectName: "command.export"
+            group: root.fileGroup
+            text: qsTr("Export the plan…")
+            shortcut: "Ctrl+E"
+            keywords: qsTr("ISOXML USB terminal")
+            enabled: root.farm.hasField
+            onTriggered: root.exportRequested()
+        },
+        Command {
+            objectName: "command.quit"
+            group: root.fileGroup
+            text: qsTr("Quit")
+            shortcut: "Ctrl+Q"
+            onTriggered: root.quitRequested()
+        },
+        Command {
+            objectName: "command.undo"
+            group: root.editGroup
+            text: root.document.canUndo ? qsTr("Undo: %1").arg(root.document.undoText) : qsTr("Undo")
+            name: qsTr("Undo")
+            shortcut: "Ctrl+Z"
+            enabled: root.document.canUndo
+            onTriggered: root.document.undo()
+        },
+        Command {
+            objectName: "command.redo"
+            group: root.editGroup
+            text: root.document.canRedo ? qsTr("Redo: %1").arg(root.document.redoText) : qsTr("Redo")
+            name: qsTr("Redo")
+            shortcut: "Ctrl+Shift+Z"
+            enabled: root.document.canRedo
+            onTriggered: root.document.redo()
+        },
+        Command {
+            objectName: "command.delete"
+            group: root.editGroup
+            text: qsTr("Delete what is selected")
+            keysText: qsTr("Del")
+            enabled: root.page.editor.canDelete
+            onTriggered: root.page.editor.deleteSelection()
+        },
+        Command {
+            objectName: "command.next"
+            group: root.editGroup
+            text: qsTr("Select the next point")
+            keysText: qsTr("Space")
+            enabled: root.farm.hasField
+            onTriggered: root.page.editor.selectNext(1)
+        },
+        Command {
+            objectName: "command.edge"
+            group: root.editGroup
+            text: qsTr("Select the next edge")
+            shortcut: "E"
+            enabled: root.farm.hasField && !root.page.editor.drawing
+            onTriggered: root.page.editor.selectEdge()
+        },
+        Command {
+            objectName: "command.nextShape"
+            group: root.editGroup
+            text: qsTr("Select the next outline, line or gate")
+            keysText: qsTr("PgDown")
+            enabled: root.farm.hasField
+            onTriggered: root.page.editor.selectNextShape(1)
+        },
+        Command {
+            objectName: "command.palette"
+            group: root.editGroup
+            text: qsTr("Find a command…")
+            shortcut: "Ctrl+K"
+            onTriggered: root.paletteRequested()
+        },
+        Command {
+            objectName: "command.draw"
+            group: root.fieldGroup
+            text: qsTr("Draw a field")
+            shortcut: "B"
+            keywords: qsTr("boundary polygon")
+            onTriggered: root.page.startDrawing()
+        },
+        ToolCommand {
+            objectName: "command.hole"
+            tool: FieldEditor.Hole
+            text: qsTr("Draw a hole")
+            shortcut: "H"
+        },
+        ToolCommand {
+            objectName: "command.obstacle"
+            tool: FieldEditor.Obstacle
+            text: qsTr("Draw an obstacle")
+            shortcut: "O"
+            keywords: qsTr("pond tree pole wet")
+        },
+        ToolCommand {
+            objectName: "command.guide"
+            tool: FieldEditor.Guide
+            text: qsTr("Draw an AB line")
+            shortcut: "L"
+            keywords: qsTr("guidance curve direction")
+        },
+        ToolCommand {
+            objectName: "command.split"
+            tool: FieldEditor.Split
+            text: qsTr("Draw a split line")
+            shortcut: "S"
+            keywords: qsTr("cut divide mainland parts")
+        },
+        ToolCommand {
+            objectName: "command.gate"
+            tool: FieldEditor.Gate
+            text: qsTr("Add a gate")
+            shortcut: "G"
+            keywords: qsTr("entry road")
+        },
+        Command {
+            objectName: "command.select"
+            group: root.fieldGroup
+            text: qsTr("Select and change")
+            shortcut: "V"
+            onTriggered: root.page.startTool(FieldEditor.Select)
+        },
+        Command {
+            objectName: "command.renameField"
+            group: root.fieldGroup
+            text: qsTr("Rename the field…")
+            enabled: root.farm.hasField
+            onTriggered: root.renameFieldRequested()
+        },
+        Command {
+            objectName: "command.removeField"
+            group: root.fieldGroup
+            text: qsTr("Remove the field")
+            keywords: qsTr("delete")
+            enabled: root.farm.hasField
+            onTriggered: root.farm.removeField()
+        },
+        Command {
+            objectName: "command.nextField"
+            group: root.fieldGroup
+            text: qsTr("Next field")
+            shortcut: "Ctrl+PgDown"
+            enabled: root.farm.fields.length > 1
+            onTriggered: root.farm.currentField = (root.farm.currentField + 1) % root.farm.fields.length
+        },
+        Command {
+            objectName: "command.addPlan"
+            group: root.planGroup
+            text: qsTr("Add a plan…")
+            keywords: qsTr("season operation copy")
+            enabled: root.farm.hasField
+            onTriggered: root.addPlanRequested()
+        },
+        Command {
+            objectName: "command.renamePlan"
+            group: root.planGroup
+            text: qsTr("Rename the plan…")
+            enabled: root.farm.hasField
+            onTriggered: root.renamePlanRequested()
+        },
+        Command {
+            objectName: "command.removePlan"
+            group: root.planGroup
+            text: qsTr("Remove the plan")
+            keywords: qsTr("delete")
+            enabled: root.farm.plans.length > 1
+            onTriggered: root.farm.removePlan()
+        },
+        Command {
+            objectName: "command.planAgain"
+            group: root.planGroup
+            text: qsTr("Plan again")
+            shortcut: "F5"
+            enabled: root.farm.hasField
+            onTriggered: root.planning.planAgain()
+        },
+        Command {
+            objectName: "command.fit"
+            group: root.viewGroup
+            text: qsTr("Show the whole field")
+            shortcut: "F"
+            enabled: root.farm.hasField
+            onTriggered: root.page.fitField(true)
+        },
+        Command {
+            objectName: "command.zoomIn"
+            group: root.viewGroup
+            text: qsTr("Closer")
+            shortcut: "Ctrl++"
+            keywords: qsTr("zoom in")
+            onTriggered: root.page.camera.zoomBy(1)
+        },
+        Command {
+            objectName: "command.zoomOut"
+            group: root.viewGroup
+            text: qsTr("Further away")
+            shortcut: "Ctrl+-"
+            keywords: qsTr("zoom out")
+            onTriggered: root.page.camera.zoomBy(-1)
+        },
+        Command {
+            objectName: "command.panel"
+            group: root.viewGroup
+            text: qsTr("Results panel")
+            shortcut: "F9"
+            enabled: root.shown.hasPlan
+            onTriggered: root.panelRequested()
+        },
+        Command {
+            objectName: "command.layers"
+            group: root.viewGroup
+            text: qsTr("Layers")
+            shortcut: "Ctrl+L"
+            keywords: qsTr("imagery map background")
+            checkable: true
+            checked: root.layersPanel.open
+            onTriggered: root.layersPanel.open = checked
+        },
+        LayerCommand { layer: "imagery"; text: qsTr("Layer: imagery") },
+        LayerCommand { layer: "online"; text: qsTr("Layer: OpenStreetMap from the network"); keywords: qsTr("online tiles") },
+        LayerCommand { layer: "boundary"; text: qsTr("Layer: boundary") },
+        LayerCommand { layer: "headland"; text: qsTr("Layer: headland") },
+        LayerCommand { layer: "swaths"; text: qsTr("Layer: swaths") },
+        LayerCommand { layer: "turns"; text: qsTr("Layer: turns") },
+        LayerCommand { layer: "directions"; text: qsTr("Layer: driving direction") },
+        LayerCommand { layer: "numbers"; text: qsTr("Layer: order numbers") },
+        LayerCommand { layer: "coverage"; text: qsTr("Layer: coverage") },
+        LayerCommand { layer: "overlap"; text: qsTr("Layer: worked twice"); keywords: qsTr("overlap") },
+        LayerCommand { layer: "missed"; text: qsTr("Layer: missed"); keywords: qsTr("gap uncovered") },
+        LayerCommand { layer: "wheels"; text: qsTr("Layer: driven over often"); keywords: qsTr("wheel passes traffic compaction") },
+        LayerCommand { layer: "findings"; text: qsTr("Layer: findings") },
+        Command {
+            objectName: "command.preferences"
+            group: root.viewGroup
+            text: qsTr("Language and units…")
+            shortcut: "Ctrl+,"
+            keywords: qsTr("preferences settings metric imperial feet acres")
+            onTriggered: root.preferencesRequested()
+        },
+        Command {
+            objectName: "command.light"
+            group: root.viewGroup
+            text: qsTr("Light colours")
+            keywords: qsTr("theme")
+            onTriggered: root.setTheme(Theme.Light)
+        },
+        Command {
+            objectName: "command.dark"
+            group: root.viewGroup
+            text: qsTr("Dark colours")
+            keywords: qsTr("theme night")
+            onTriggered: root.setTheme(Theme.Dark)
+        },
+        Command {
+            objectName: "command.sunlight"
+            group: root.viewGroup
+            text: qsTr("Sunlight colours")
+            keywords: qsTr("theme contrast")
+            onTriggered: root.setTheme(Theme.Sunlight)
+        },
+        ScaleCommand { percent: 100 },
+        ScaleCommand { percent: 150 },
+        ScaleCommand { percent: 200 },
+        ScaleCommand { percent: 300 },
+        Command {
+            objectName: "command.tour"
+            group: root.helpGroup
+            text: qsTr("Take the tour")
+            keywords: qsTr("help introduction first start")
+            onTriggered: root.tourRequested()
+        },
+        Command {
+            objectName: "command.keys"
+            group: root.helpGroup
+            text: qsTr("Keys and mouse")
+            shortcut: "F1"
+            keywords: qsTr("shortcuts help")
+            onTriggered: root.keysRequested()
+        }
+    ]
+
+    function inGroup(group: string): var {
+        return root.all.filter(command => command.group === group);
+    }
+    function named(name: string): Command {
+        return root.all.find(command => command.objectName === "command." + name);
+    }
+    function setTheme(mode: int): void {
+        Theme.forced = Theme.System;
+        Theme.mode = mode;
+    }
+}

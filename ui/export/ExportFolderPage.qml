@@ -1,0 +1,187 @@
+pragma ComponentBehavior: Bound
+import QtQuick
+import QtQuick.Dialogs
+import QtQuick.Templates as T
+import Furrow.Controls
+
+/// Which files a plan is written to, and in which folder.
+Column {
+    id: root
+
+    required property ExportModel exporter
+    /// What the list of formats may take of the window's height.
+    required property real roomForFormats
+    readonly property bool canWrite: exporter.state !== ExportModel.Writing && folder.text.length > 0
+
+    /// As suggested last: what the user chose is kept, but not for another field.
+    property string suggested: ""
+
+    function begin(): void {
+        exporter.clear();
+        suggest();
+    }
+    function suggest(): void {
+        const folderOfPlan = exporter.suggestedFolder();
+        if (exporter.heading.length > 0 && folderOfPlan !== suggested) {
+            suggested = folderOfPlan;
+            folder.text = folderOfPlan;
+        }
+    }
+    function write(): void {
+        if (canWrite)
+            exporter.writeTo(folder.text);
+    }
+
+    spacing: 14
+
+    Connections {
+        target: root.exporter
+        function onPlanChanged(): void {
+            root.suggest();
+        }
+    }
+    ListView {
+        id: list
+
+        objectName: "export.formats"
+        width: parent.width
+        height: Math.min(contentHeight, root.roomForFormats)
+        clip: true
+        boundsBehavior: Flickable.StopAtBounds
+        model: root.exporter
+        spacing: 4
+        // All of them at once: there are few, and their heights differ.
+        cacheBuffer: 4000
+        delegate: Column {
+            id: format
+
+            required property int index
+            required property string name
+            required property string hint
+            required property bool checked
+
+            width: ListView.view.width - 12
+
+            CheckRow {
+                objectName: "export.format." + format.index
+                width: parent.width
+                leftPadding: 0
+                text: format.name
+                checked: format.checked
+                onToggled: root.exporter.setChecked(format.index, checked)
+            }
+            Caption {
+                x: 26
+                width: parent.width - 26
+                text: format.hint
+                wrapMode: Text.WordWrap
+                bottomPadding: 4
+            }
+        }
+        T.ScrollBar.vertical: T.ScrollBar {
+            id: bar
+
+            policy: list.contentHeight > list.height ? T.ScrollBar.AlwaysOn : T.ScrollBar.AlwaysOff
+            visible: list.contentHeight > list.height
+            implicitWidth: 8
+            contentItem: Rectangle {
+                radius: 4
+                color: bar.pressed ? Theme.muted : Theme.line
+            }
+        }
+    }
+    Column {
+        width: parent.width
+        spacing: 5
+
+        Caption { text: qsTr("Folder") }
+        Row {
+            width: parent.width
+            spacing: 8
+
+            T.TextField {
+                id: folder
+
+                objectName: "export.folder"
+                width: parent.width - choose.width - 8
+                height: Theme.controlHeight
+                leftPadding: 12
+                rightPadding: 12
+                verticalAlignment: TextInput.AlignVCenter
+                color: Theme.ink
+                selectionColor: Theme.accent
+                selectedTextColor: Theme.accentInk
+                selectByMouse: true
+                font.family: Theme.family
+                font.pixelSize: Theme.bodySize
+                Accessible.name: qsTr("Folder")
+                onAccepted: root.write()
+                background: Rectangle {
+                    radius: Theme.radius
+                    color: Theme.panel
+                    border.width: folder.activeFocus ? 2 : Theme.hairline
+                    border.color: folder.activeFocus ? Theme.accent : Theme.line
+                }
+            }
+            PushButton {
+                id: choose
+
+                objectName: "export.choose"
+                text: qsTr("Choose…")
+                onClicked: folderDialog.open()
+            }
+        }
+    }
+    NoticeBar {
+        objectName: "export.problem"
+        width: parent.width
+        visible: root.exporter.state === ExportModel.Failed
+        failed: true
+        text: root.exporter.message
+        remedy: root.exporter.remedy
+    }
+    Row {
+        width: parent.width
+        visible: root.exporter.state === ExportModel.Done
+        spacing: 8
+
+        Icon {
+            name: "check"
+            color: Theme.accent
+        }
+        BodyText {
+            objectName: "export.message"
+            width: parent.width - 28
+            text: root.exporter.message
+            wrapMode: Text.Wrap
+        }
+    }
+    Caption {
+        objectName: "export.written"
+        x: 28
+        width: parent.width - 28
+        visible: root.exporter.state === ExportModel.Done
+        text: root.exporter.written
+        wrapMode: Text.WordWrap
+        lineHeight: 1.15
+    }
+    ExportChecks {
+        width: parent.width
+        visible: root.exporter.state === ExportModel.Done
+        checks: root.exporter.checks
+        problems: root.exporter.problems
+    }
+    NoticeBar {
+        objectName: "export.notes"
+        width: parent.width
+        visible: root.exporter.state === ExportModel.Done && root.exporter.notes.length > 0
+        text: root.exporter.notes.join("\n")
+    }
+
+    FolderDialog {
+        id: folderDialog
+
+        title: qsTr("Folder for the plan")
+        onAccepted: folder.text = root.exporter.pathOf(selectedFolder)
+    }
+}

@@ -1,0 +1,105 @@
+#pragma once
+
+#include "ui/jobs/job_runner.h"
+#include "ui/map/shown_plan.h"
+#include "ui/plan/cell_steps.h"
+#include "ui/plan/machine_model.h"
+#include "ui/plan/plan_job.h"
+#include "ui/plan/plan_state.h"
+#include "ui/plan/steps_model.h"
+#include "ui/project/document.h"
+#include "ui/project/field_opener.h"
+#include "ui/project/problem.h"
+
+#include <QObject>
+#include <QtQml/qqmlregistration.h>
+
+#include <optional>
+
+namespace furrow {
+
+/// Plans the current field of the document in the background: anew after every change, the latest request wins.
+class Planning : public QObject {
+    Q_OBJECT
+    QML_ELEMENT
+    QML_UNCREATABLE("belongs to a session")
+    Q_PROPERTY(furrow::plan_state::State state READ state NOTIFY stateChanged FINAL)
+    Q_PROPERTY(QString statusText READ statusText NOTIFY stateChanged FINAL)
+    /// Findings of the plan that block.
+    Q_PROPERTY(int problemCount READ problemCount NOTIFY stateChanged FINAL)
+    Q_PROPERTY(bool slow READ isSlow NOTIFY progressChanged FINAL)
+    Q_PROPERTY(double progress READ progress NOTIFY progressChanged FINAL)
+    Q_PROPERTY(furrow::StepsModel* steps READ steps CONSTANT FINAL)
+    Q_PROPERTY(furrow::MachineModel* machine READ machine CONSTANT FINAL)
+    Q_PROPERTY(furrow::CellSteps* cells READ cells CONSTANT FINAL)
+
+public:
+    Planning(Document& document, FieldOpener& opener, ShownPlan& shown, Problem& problem, QObject* parent = nullptr);
+
+    PlanState state() const { return state_; }
+    QString statusText() const;
+    int problemCount() const { return shown_.plan() ? static_cast<int>(shown_.plan()->blockingCount()) : 0; }
+    /// Of what is being read or planned, for long enough that the user should see it.
+    bool isSlow() const { return planner_.isSlow() || opener_.isSlow(); }
+    double progress() const { return opener_.isReading() ? opener_.progress() : planner_.progress(); }
+    StepsModel* steps() { return &steps_; }
+    MachineModel* machine() { return &machine_; }
+    CellSteps* cells() { return &cells_; }
+    const Settings& settings() const { return document_.project()->plan().settings; }
+
+    /// Stops reading and planning.
+    Q_INVOKABLE void cancel();
+    Q_INVOKABLE void planAgain();
+
+signals:
+    void stateChanged();
+    void progressChanged();
+    /// A field that was not on the map before: the camera should go there; again when its first plan is there.
+    void fieldOpened();
+
+private:
+    using Source = ShownPlan::Source;
+
+    void followDocument();
+    /// What was planned before belongs to another field.
+    void begin(const Source& source);
+    void changeSetting(const Parameter* parameter, const SettingValue& value, bool live);
+    void requestPlan(JobRunner::Replace replace);
+    void take(PlanOutcome outcome);
+    /// The plan is whole, and of the field, machine and settings that the panels show.
+    bool isOfWhatIsShown() const;
+    PlanState derivedState() const;
+    /// What was under way for another request ends; the plan that is there is of this one.
+    void keepPlan();
+    void showSteps();
+    void updateState();
+
+    Document& document_;
+    FieldOpener& opener_;
+    ShownPlan& shown_;
+    Problem& problem_;
+    PlanState state_ = PlanState::Empty;
+    /// Of the document as it was planned last.
+    std::string plannedField_;
+    std::string plannedPlan_;
+    std::optional<Machine> plannedMachine_;
+    Settings plannedSettings_;
+    /// Of the source that is shown; null while it has not been checked.
+    std::shared_ptr<const Field> field_;
+    /// The last one that was no draft.
+    std::shared_ptr<const Plan> wholePlan_;
+    /// Of the stages of this field's plans.
+    std::shared_ptr<StageCache> cache_ = std::make_shared<StageCache>();
+    bool stopped_ = false;
+    bool announce_ = false;
+    /// The last request was for a draft.
+    bool draftAsked_ = false;
+    /// The user asked for the plan once more, though nothing has changed in the panels.
+    bool again_ = false;
+    StepsModel steps_;
+    MachineModel machine_;
+    CellSteps cells_;
+    JobRunner planner_;
+};
+
+}  // namespace furrow

@@ -1,0 +1,158 @@
+pragma ComponentBehavior: Bound
+import QtQuick
+import Furrow.Controls
+import Furrow.Edit
+import Furrow.Plan
+
+/// The figures of the plan and what was found in it.
+Rectangle {
+    id: root
+
+    required property Planning planning
+    required property FiguresModel figures
+    required property FindingsModel findings
+    required property FieldEditor editor
+    property int currentFinding: -1
+    /// The list of findings was asked for.
+    property bool checked: false
+    readonly property bool outOfDate: planning.state === PlanState.OutOfDate
+    signal findingRequested(index: int)
+
+    objectName: "resultsPanel"
+    color: Theme.panel
+
+    component Title: BodyText {
+        font.pixelSize: Theme.titleSize
+        font.weight: Font.DemiBold
+        bottomPadding: 6
+    }
+
+    Rectangle {
+        width: Theme.hairline
+        height: parent.height
+        color: Theme.line
+        z: 1
+    }
+    ScrollArea {
+        id: flick
+
+        anchors.fill: parent
+        contentHeight: column.height + 40
+
+        Column {
+            id: column
+
+            x: 18
+            y: 20
+            width: flick.width - 36
+
+            InspectorPanel {
+                id: inspectorPanel
+
+                width: parent.width
+                inspector: Inspector { editor: root.editor }
+            }
+            Title { text: qsTr("Plan") }
+            Column {
+                width: parent.width
+                visible: root.outOfDate
+                bottomPadding: 8
+
+                NoticeBar {
+                    objectName: "results.outOfDate"
+                    width: parent.width
+                    text: qsTr("Out of date: figures and findings are those of the plan before the change.")
+                }
+            }
+            Repeater {
+                model: root.figures
+
+                Item {
+                    id: figure
+
+                    required property string label
+                    required property string value
+                    required property string hint
+
+                    width: column.width
+                    height: 29
+                    Accessible.role: Accessible.StaticText
+                    Accessible.name: qsTr("%1: %2").arg(label).arg(value)
+                    Accessible.description: hint
+
+                    BodyText {
+                        anchors.verticalCenter: parent.verticalCenter
+                        text: figure.label
+                        color: Theme.muted
+                    }
+                    BodyText {
+                        objectName: "figure." + figure.label
+                        anchors { right: parent.right; verticalCenter: parent.verticalCenter }
+                        text: figure.value
+                        opacity: root.outOfDate ? 0.6 : 1
+                    }
+                    Rectangle {
+                        anchors.bottom: parent.bottom
+                        width: parent.width
+                        height: Theme.hairline
+                        color: Theme.line
+                    }
+                }
+            }
+            Item { width: 1; height: 24; visible: root.findings.count > 0 }
+            Title {
+                id: findingsTitle
+
+                visible: root.findings.count > 0
+                text: qsTr("%n finding(s)", "", root.findings.count)
+            }
+            BodyText {
+                objectName: "noFindings"
+                width: parent.width
+                visible: root.checked && root.findings.count === 0
+                topPadding: 24
+                text: qsTr("Nothing was found in this plan: all of it can be driven.")
+                wrapMode: Text.WordWrap
+                lineHeight: 1.15
+            }
+            Column {
+                width: parent.width
+                spacing: 8
+
+                Repeater {
+                    id: findingRows
+
+                    model: root.findings
+
+                    FindingRow {
+                        required property int index
+
+                        objectName: "finding." + index
+                        width: column.width
+                        current: index === root.currentFinding
+                        onClicked: root.findingRequested(index)
+                    }
+                }
+            }
+            SmallButton {
+                objectName: "allFindings"
+                visible: root.findings.count > root.findings.few
+                text: root.findings.all ? qsTr("Show the first %1 only").arg(root.findings.few) : qsTr("Show all %1").arg(root.findings.count)
+                height: 32
+                onClicked: root.findings.all = !root.findings.all
+            }
+        }
+    }
+
+    function showFindings(): void {
+        root.checked = true;
+        // Once it is laid out, where it was hidden before.
+        Qt.callLater(() => {
+            flick.contentY = Math.max(0, Math.min(findingsTitle.y + column.y - 12, flick.contentHeight - flick.height));
+            (root.findings.count > 0 ? findingRows.itemAt(0) : root).forceActiveFocus(Qt.TabFocusReason);
+        });
+    }
+    function focusInspector(): void {
+        inspectorPanel.focusFirst();
+    }
+}

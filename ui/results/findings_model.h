@@ -1,0 +1,53 @@
+#pragma once
+
+#include "planner/plan/plan.h"
+
+#include <QAbstractListModel>
+#include <QGeoCoordinate>
+#include <QtQml/qqmlregistration.h>
+
+#include <vector>
+
+namespace furrow {
+
+/// What the user should know about a plan, each with its place on the map.
+class FindingsModel : public QAbstractListModel {
+    Q_OBJECT
+    QML_ELEMENT
+    QML_UNCREATABLE("belongs to a session")
+    Q_PROPERTY(int count READ count NOTIFY countChanged FINAL)
+    /// Rows for all findings, or for the first few only: a plan may have hundreds while a value is dragged.
+    Q_PROPERTY(bool all READ showsAll WRITE setAll NOTIFY allChanged FINAL)
+    Q_PROPERTY(int few READ few CONSTANT FINAL)
+
+public:
+    enum Role { NumberRole = Qt::UserRole + 1, TextRole, SuggestionRole, BlockingRole, PlaceRole };
+
+    explicit FindingsModel(QObject* parent = nullptr);
+
+    /// `places` are those of the findings, in their order.
+    void show(const std::vector<Finding>& findings, const std::vector<QGeoCoordinate>& places);
+
+    /// Of all findings, shown as rows or not.
+    int count() const { return static_cast<int>(findings_.size()); }
+    bool showsAll() const { return all_; }
+    void setAll(bool all);
+    int few() const { return 4; }
+    int rowCount(const QModelIndex& parent = {}) const override;
+    QVariant data(const QModelIndex& index, int role) const override;
+    QHash<int, QByteArray> roleNames() const override;
+    Q_INVOKABLE QGeoCoordinate placeOf(int row) const;
+
+signals:
+    void countChanged();
+    void allChanged();
+
+private:
+    int shownCount(std::size_t findings) const;
+
+    bool all_ = false;
+    std::vector<Finding> findings_;
+    std::vector<QGeoCoordinate> places_;
+};
+
+}  // namespace furrow

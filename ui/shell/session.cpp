@@ -1,0 +1,43 @@
+#include "ui/shell/session.h"
+
+#include "ui/text/display.h"
+
+#include <QDir>
+
+namespace furrow {
+
+Session::Session(QObject* parent) : QObject{parent} {
+    connect(&opener_, &FieldOpener::imageryFound, &imagery_, &ImageryModel::add);
+    connect(&shown_, &ShownPlan::planChanged, this, &Session::showResults);
+    connect(&planning_, &Planning::stateChanged, this, &Session::offerExport);
+    connect(&Display::instance(), &Display::changed, this, &Session::showResults);
+    showResults();
+    offerExport();
+}
+
+void Session::keepIn(const QString& folder) {
+    const QDir place{folder};
+    files_.keepIn(place.filePath(QStringLiteral("history")));
+    recent_.keepIn(place.filePath(QStringLiteral("recent.json")));
+}
+
+void Session::showResults() {
+    const Plan* const plan = shown_.plan().get();
+    figures_.show(plan);
+    if (shown_.isDraft()) {
+        // Not looked for: what was found last stays until the whole plan says what there is.
+        return;
+    }
+    const auto& geometry = shown_.drawing().geometry();
+    findings_.show(plan != nullptr ? plan->findings : std::vector<Finding>{},
+                   plan != nullptr && geometry != nullptr ? geometry->findingPlaces : std::vector<QGeoCoordinate>{});
+}
+
+void Session::offerExport() {
+    const PlanState state = planning_.state();
+    exporter_.setPlan(isFinished(state) ? PlanTitle{.plan = shown_.plan(), .name = farm_.ownName(), .finished = shown_.finished()}
+                                        : PlanTitle{},
+                      state);
+}
+
+}  // namespace furrow

@@ -1,0 +1,77 @@
+#pragma once
+
+#include "ui/export/export_model.h"
+#include "ui/layers/imagery_model.h"
+#include "ui/map/shown_plan.h"
+#include "ui/plan/planning.h"
+#include "ui/project/document.h"
+#include "ui/project/farm_model.h"
+#include "ui/project/field_opener.h"
+#include "ui/project/problem.h"
+#include "ui/project/project_files.h"
+#include "ui/project/recent_files.h"
+#include "ui/results/figures_model.h"
+#include "ui/results/findings_model.h"
+
+#include <QObject>
+#include <QtQml/qqmlregistration.h>
+
+namespace furrow {
+
+/// What one window works with. It makes the objects that the panels show and tells each of them what it has to know
+/// of the others.
+class Session : public QObject {
+    Q_OBJECT
+    QML_ELEMENT
+    QML_UNCREATABLE("made by the application")
+    Q_PROPERTY(furrow::Document* document READ document CONSTANT FINAL)
+    Q_PROPERTY(furrow::ProjectFiles* files READ files CONSTANT FINAL)
+    Q_PROPERTY(furrow::FarmModel* farm READ farm CONSTANT FINAL)
+    Q_PROPERTY(furrow::ImageryModel* imagery READ imagery CONSTANT FINAL)
+    Q_PROPERTY(furrow::RecentFiles* recent READ recent CONSTANT FINAL)
+    Q_PROPERTY(furrow::Problem* problem READ problem CONSTANT FINAL)
+    Q_PROPERTY(furrow::FieldOpener* opener READ opener CONSTANT FINAL)
+    Q_PROPERTY(furrow::ShownPlan* shown READ shown CONSTANT FINAL)
+    Q_PROPERTY(furrow::Planning* planning READ planning CONSTANT FINAL)
+    Q_PROPERTY(furrow::FiguresModel* figures READ figures CONSTANT FINAL)
+    Q_PROPERTY(furrow::FindingsModel* findings READ findings CONSTANT FINAL)
+    Q_PROPERTY(furrow::ExportModel* exporter READ exporter CONSTANT FINAL)
+
+public:
+    explicit Session(QObject* parent = nullptr);
+
+    Document* document() { return &document_; }
+    ProjectFiles* files() { return &files_; }
+    FarmModel* farm() { return &farm_; }
+    ImageryModel* imagery() { return &imagery_; }
+    RecentFiles* recent() { return &recent_; }
+    Problem* problem() { return &problem_; }
+    FieldOpener* opener() { return &opener_; }
+    ShownPlan* shown() { return &shown_; }
+    Planning* planning() { return &planning_; }
+    FiguresModel* figures() { return &figures_; }
+    FindingsModel* findings() { return &findings_; }
+    ExportModel* exporter() { return &exporter_; }
+
+    /// Keeps journals of what is done, and the list of recent files, in this folder.
+    void keepIn(const QString& folder);
+
+private:
+    void showResults();
+    void offerExport();
+
+    Document document_;
+    ProjectFiles files_{document_};
+    FarmModel farm_{document_};
+    ImageryModel imagery_{document_};
+    RecentFiles recent_;
+    Problem problem_;
+    FieldOpener opener_{document_, files_, recent_, problem_};
+    ShownPlan shown_;
+    Planning planning_{document_, opener_, shown_, problem_};
+    FiguresModel figures_;
+    FindingsModel findings_;
+    ExportModel exporter_;
+};
+
+}  // namespace furrow
