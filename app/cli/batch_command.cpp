@@ -46,7 +46,9 @@ Result<Shard> shardFrom(const std::string& text) {
 }
 
 std::string percent(std::size_t part, std::size_t whole) {
-    return whole == 0 ? "-" : std::format("{:.1f} %", 100.0 * static_cast<double>(part) / static_cast<double>(whole));
+    return whole == 0
+               ? "-"
+               : std::format("{:.1f} %", 100.0 * static_cast<double>(part) / static_cast<double>(whole));
 }
 
 void printTotals(std::string_view what, const BatchTotals& totals) {
@@ -54,21 +56,25 @@ void printTotals(std::string_view what, const BatchTotals& totals) {
         return;
     }
     std::println("{}", what);
-    std::println("  Fields     {}, planned {} ({})", totals.fields, totals.planned, percent(totals.planned, totals.fields));
+    std::println("  Fields     {}, planned {} ({})", totals.fields, totals.planned,
+                 percent(totals.planned, totals.fields));
     std::println("  Drivable   {} ({})", totals.drivable, percent(totals.drivable, totals.fields));
     for (const auto& [kind, fields] : totals.fieldsBlocked) {
         std::println("    in the way: {} in {}", kind, fields);
     }
     std::println("  Turns      {}, {} not drivable", totals.turns, totals.undrivableTurns);
-    std::println("  Covered    {:.2f} % at the median, {:.2f} % at the 10th percentile, {:.2f} % of what is in reach",
-                 100.0 * totals.medianCovered, 100.0 * totals.tenthCovered, 100.0 * totals.medianCoveredOfReachable);
-    std::println("  Time       {:.1f} ms at the median, {:.1f} ms at the 95th percentile", totals.medianTime.si() * 1e3,
-                 totals.slowTime.si() * 1e3);
+    std::println(
+        "  Covered    {:.2f} % at the median, {:.2f} % at the 10th percentile, {:.2f} % of what is in reach",
+        100.0 * totals.medianCovered, 100.0 * totals.tenthCovered, 100.0 * totals.medianCoveredOfReachable);
+    std::println("  Time       {:.1f} ms at the median, {:.1f} ms at the 95th percentile",
+                 totals.medianTime.si() * 1e3, totals.slowTime.si() * 1e3);
 }
 
 /// " (30 m)" where one machine plans them all.
 std::string fiveWidths(const BatchReport& report) {
-    const auto differs = [&report](const BatchRecord& record) { return record.width != report.records.front().width; };
+    const auto differs = [&report](const BatchRecord& record) {
+        return record.width != report.records.front().width;
+    };
     return report.records.empty() || std::ranges::any_of(report.records, differs)
                ? std::string{}
                : std::format(" ({:.0f} m)", 5.0 * report.records.front().width.si());
@@ -86,16 +92,17 @@ int runBatchCommand(const BatchArguments& arguments) {
     if (!choices) {
         return failWith(choices.error());
     }
-    const BatchTask task{
-        .files = {arguments.fields.begin(), arguments.fields.end()},
-        .machine = choices->machine,
-        .settings = choices->settings,
-        .out = planning.out,
-        .formats = choices->formats,
-        .shard = *shard,
-        .resume = arguments.resume,
-        .smallest = squareMetres(1e4 * arguments.smallestHa),
-        .largest = arguments.largestHa ? std::optional{squareMetres(1e4 * *arguments.largestHa)} : std::nullopt};
+    const BatchTask task{.files = {arguments.fields.begin(), arguments.fields.end()},
+                         .machine = choices->machine,
+                         .settings = choices->settings,
+                         .out = planning.out,
+                         .formats = choices->formats,
+                         .shard = *shard,
+                         .resume = arguments.resume,
+                         .smallest = squareMetres(1e4 * arguments.smallestHa),
+                         .largest = arguments.largestHa
+                                        ? std::optional{squareMetres(1e4 * *arguments.largestHa)}
+                                        : std::nullopt};
     const auto report = runBatch(task, job);
     clearProgress(planning.quiet || planning.json);
     if (!report) {
@@ -104,7 +111,8 @@ int runBatchCommand(const BatchArguments& arguments) {
     if (planning.json) {
         std::print("{}", batchJson(*report));
     } else if (!planning.quiet) {
-        printTotals(std::format("Fields at least five operating widths{} broad", fiveWidths(*report)), report->wide);
+        printTotals(std::format("Fields at least five operating widths{} broad", fiveWidths(*report)),
+                    report->wide);
         printTotals("Narrower fields", report->narrow);
         std::println("Written: {}", batchRecordPath(task.out, task.shard).string());
     }
@@ -121,8 +129,10 @@ void addBatchCommand(CLI::App& app, std::function<int()>& run) {
     addPlanningOptions(*batch, arguments->planning);
     batch->add_option("--shard", arguments->shard, "Only every N-th field, beginning with the I-th: I/N");
     batch->add_flag("--resume", arguments->resume, "Go on where an earlier run into the same folder ended");
-    batch->add_option("--min-ha", arguments->smallestHa, "Leave smaller fields out")->check(CLI::NonNegativeNumber);
-    batch->add_option("--max-ha", arguments->largestHa, "Leave larger fields out")->check(CLI::NonNegativeNumber);
+    batch->add_option("--min-ha", arguments->smallestHa, "Leave smaller fields out")
+        ->check(CLI::NonNegativeNumber);
+    batch->add_option("--max-ha", arguments->largestHa, "Leave larger fields out")
+        ->check(CLI::NonNegativeNumber);
     batch->footer(
         "Writes a folder for each field (summary.json, and what --format names) and batch.jsonl with one line\n"
         "for each, as soon as it is done. Of several shards each has its own, batch-I-of-N.jsonl. Fields of a\n"

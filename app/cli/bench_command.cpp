@@ -143,22 +143,25 @@ double inMegabytes(std::size_t bytes) {
 Json speedJson(const std::vector<SpeedCase>& cases) {
     Json all = Json::array();
     for (const SpeedCase& each : cases) {
-        all.push_back({{"name", each.name},
-                       {"area_ha", each.areaHa},
-                       {"vertices", each.vertices},
-                       {"threads", each.threads},
-                       {"runs", each.runs},
-                       {"median_s", each.median.si()},
-                       {"yardstick_s", each.yardstick ? Json(each.yardstick->si()) : Json()},
-                       {"ratio", each.ratio() ? Json(*each.ratio()) : Json()},
-                       {"peak_memory_mb", each.peakMemoryBytes ? Json(inMegabytes(*each.peakMemoryBytes)) : Json()}});
+        all.push_back(
+            {{"name", each.name},
+             {"area_ha", each.areaHa},
+             {"vertices", each.vertices},
+             {"threads", each.threads},
+             {"runs", each.runs},
+             {"median_s", each.median.si()},
+             {"yardstick_s", each.yardstick ? Json(each.yardstick->si()) : Json()},
+             {"ratio", each.ratio() ? Json(*each.ratio()) : Json()},
+             {"peak_memory_mb", each.peakMemoryBytes ? Json(inMegabytes(*each.peakMemoryBytes)) : Json()}});
     }
     return {{"cases", std::move(all)}};
 }
 
 std::string shortTime(Duration time) {
     const double s = time.si();
-    return s < 1e-3 ? std::format("{:.2f} µs", 1e6 * s) : s < 1.0 ? std::format("{:.2f} ms", 1e3 * s) : std::format("{:.2f} s", s);
+    return s < 1e-3  ? std::format("{:.2f} µs", 1e6 * s)
+           : s < 1.0 ? std::format("{:.2f} ms", 1e3 * s)
+                     : std::format("{:.2f} s", s);
 }
 
 int runSpeed(const SpeedArguments& arguments) {
@@ -180,11 +183,14 @@ int runSpeed(const SpeedArguments& arguments) {
         return kDrivable;
     }
     for (const SpeedCase& each : *cases) {
-        std::println("{:62} {:8.2f} ha {:7} vertices {} thread{} {:>11}{}{}", each.name, each.areaHa, each.vertices,
-                     each.threads, each.threads == 1 ? " " : "s", shortTime(each.median),
-                     each.ratio() ? std::format("  plain GEOS {:>10}, {:.0f} times", shortTime(*each.yardstick), *each.ratio())
-                                  : "",
-                     each.peakMemoryBytes ? std::format("  memory {:.1f} MB", inMegabytes(*each.peakMemoryBytes)) : "");
+        std::println(
+            "{:62} {:8.2f} ha {:7} vertices {} thread{} {:>11}{}{}", each.name, each.areaHa, each.vertices,
+            each.threads, each.threads == 1 ? " " : "s", shortTime(each.median),
+            each.ratio()
+                ? std::format("  plain GEOS {:>10}, {:.0f} times", shortTime(*each.yardstick), *each.ratio())
+                : "",
+            each.peakMemoryBytes ? std::format("  memory {:.1f} MB", inMegabytes(*each.peakMemoryBytes))
+                                 : "");
     }
     return kDrivable;
 }

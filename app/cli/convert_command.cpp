@@ -33,20 +33,22 @@ struct ConvertArguments {
 };
 
 /// What is read, checked and repaired; what is refused is told and left out, as long as something remains.
-Result<std::vector<FieldContent>> fieldsFrom(const ConvertArguments& arguments, std::vector<std::string>& notes,
-                                             const JobContext& job) {
+Result<std::vector<FieldContent>> fieldsFrom(const ConvertArguments& arguments,
+                                             std::vector<std::string>& notes, const JobContext& job) {
     auto imported = readFields(arguments.in, job);
     if (!imported) {
         return std::unexpected(imported.error());
     }
     const auto tell = [&notes](const Note& note) {
-        notes.push_back(note.where.empty() ? note.text.text() : std::format("{} ({})", note.text.text(), note.where.text()));
+        notes.push_back(note.where.empty() ? note.text.text()
+                                           : std::format("{} ({})", note.text.text(), note.where.text()));
     };
     for (const Note& note : imported->notes) {
         tell(note);
     }
     if (!imported->looseLines.empty()) {
-        notes.push_back(std::format("{} guidance lines that belong to no field are left out", imported->looseLines.size()));
+        notes.push_back(std::format("{} guidance lines that belong to no field are left out",
+                                    imported->looseLines.size()));
     }
     std::vector<FieldSource> sources;
     for (const FieldContent& content : imported->fields) {
@@ -120,8 +122,9 @@ int runConvert(const ConvertArguments& arguments) {
             problems.push_back(problem);
         }
         const Json checks{{"made", written->checks.made}, {"problems", problems}};
-        std::println("{}", Json{{"fields", names}, {"files", files}, {"notes", notes}, {"checks", checks}}.dump(
-                               2, ' ', false, Json::error_handler_t::replace));
+        std::println("{}",
+                     Json{{"fields", names}, {"files", files}, {"notes", notes}, {"checks", checks}}.dump(
+                         2, ' ', false, Json::error_handler_t::replace));
         return kDrivable;
     }
     for (const FieldContent& content : *fields) {
@@ -143,11 +146,14 @@ int runConvert(const ConvertArguments& arguments) {
 
 void addConvertCommand(CLI::App& app, std::function<int()>& run) {
     const auto arguments = std::make_shared<ConvertArguments>();
-    CLI::App* convert = app.add_subcommand("convert", "Read fields from one format and write them in another.");
-    convert->add_option("IN", arguments->in, "A file or folder; furrow-cli list formats shows what is read")->required();
+    CLI::App* convert =
+        app.add_subcommand("convert", "Read fields from one format and write them in another.");
+    convert->add_option("IN", arguments->in, "A file or folder; furrow-cli list formats shows what is read")
+        ->required();
     convert->add_option("OUT", arguments->out, "A file whose name says the format, or a folder")->required();
     convert->add_option("--format", arguments->format, "The format, where the name of OUT does not say it");
-    convert->add_option("--field-id", arguments->fieldId, "One field: its id, its name, or its number from 1");
+    convert->add_option("--field-id", arguments->fieldId,
+                        "One field: its id, its name, or its number from 1");
     addExportOptions(*convert, arguments->options, false);
     convert->add_flag("--json", arguments->json, "Print one JSON object and nothing else");
     convert->footer(

@@ -25,7 +25,8 @@ void addExportOptions(CLI::App& command, ExportOptions& options, bool ofPlans) {
     command.add_flag("--holes-as-obstacles", options.holesAsObstacles,
                      "ISOXML: holes as areas of their own, for terminals that overlook inner rings");
     command.add_flag("--ascii-names", options.asciiNames, "ISOXML, AgOpenGPS: names in plain letters");
-    command.add_flag("--task", options.task, "ISOXML: a planned task for each field, for terminals that show lines in tasks only");
+    command.add_flag("--task", options.task,
+                     "ISOXML: a planned task for each field, for terminals that show lines in tasks only");
     if (ofPlans) {
         command.add_flag("--headland-lines", options.headlandLines,
                          "Headland passes as guidance curves of their own (ISOXML, AgOpenGPS, AgGPS)");

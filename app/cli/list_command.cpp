@@ -101,7 +101,8 @@ std::string rangeText(const Parameter& parameter) {
         case ParameterKind::Angle:
             return std::format("{} to {} degrees, {}", parameter.min, parameter.max, standard);
         case ParameterKind::Count: return std::format("{} to {}, {}", parameter.min, parameter.max, standard);
-        case ParameterKind::Percent: return std::format("{} to {} %, {}", parameter.min, parameter.max, standard);
+        case ParameterKind::Percent:
+            return std::format("{} to {} %, {}", parameter.min, parameter.max, standard);
         case ParameterKind::Line: return "WKT in WGS84, default none";
         case ParameterKind::Lines: return "WKT of lines in WGS84, default none";
         case ParameterKind::File: return "a file, default none";
@@ -188,8 +189,9 @@ int listFormats(bool asJson) {
                            {"writes_fields", format.writesFields()},
                            {"carries", format.carries}});
         } else {
-            std::println("{:14} {:22} {:5} {:7} {:6} {}", format.id, format.name, format.readsFields() ? "read" : "",
-                         format.readsTracks() ? "tracks" : "", format.writes() ? "write" : "", format.carries);
+            std::println("{:14} {:22} {:5} {:7} {:6} {}", format.id, format.name,
+                         format.readsFields() ? "read" : "", format.readsTracks() ? "tracks" : "",
+                         format.writes() ? "write" : "", format.carries);
         }
     }
     if (asJson) {
@@ -209,7 +211,8 @@ int listTerminals(bool asJson) {
                            {"usb_stick", terminal.onStick},
                            {"shows", terminal.shows}});
         } else {
-            std::println("{:30} {} ({})\n{:30} {}", terminal.id, terminal.name, terminal.format, "", terminal.shows);
+            std::println("{:30} {} ({})\n{:30} {}", terminal.id, terminal.name, terminal.format, "",
+                         terminal.shows);
         }
     }
     if (asJson) {

@@ -76,9 +76,10 @@ void printPlan(const Plan& plan, const WrittenFiles& written, const Terminal* te
                  100.0 * plan.audit.coveredShare.value_or(0.0), plan.audit.missed.value_or(Area{}).si(),
                  plan.audit.overlap.value_or(Area{}).si());
     const auto blocking = plan.blockingCount();
-    std::println("Drivable  {}", plan.drivable() ? std::string{"yes"}
-                                                 : std::format("no, {} in the way",
-                                                               counted(blocking, "finding stands", "findings stand")));
+    std::println("Drivable  {}", plan.drivable()
+                                     ? std::string{"yes"}
+                                     : std::format("no, {} in the way",
+                                                   counted(blocking, "finding stands", "findings stand")));
     constexpr std::size_t kMostShown = 10;
     for (std::size_t i = 0; i < std::min(plan.findings.size(), kMostShown); ++i) {
         std::println("{}", findingLine(i + 1, plan.findings[i], plan.field().frame()));
@@ -129,15 +130,17 @@ int runPlan(const PlanArguments& arguments) {
     if (!field) {
         return failWith(field.error());
     }
-    const auto plan = planRequest(std::make_shared<const Field>(std::move(*field)), task->machine, task->settings, job)
-                          .and_then([&job](const PlanRequest& request) { return makePlan(request, job); })
-                          .and_then([&job](const auto& made) { return withAdvice(made, job); });
+    const auto plan =
+        planRequest(std::make_shared<const Field>(std::move(*field)), task->machine, task->settings, job)
+            .and_then([&job](const PlanRequest& request) { return makePlan(request, job); })
+            .and_then([&job](const auto& made) { return withAdvice(made, job); });
     clearProgress(planning.quiet || planning.json);
     if (!plan) {
         return failWith(plan.error());
     }
-    const auto written = terminal ? writeForTerminal(**plan, planning.out, *terminal, job)
-                                             : writePlanFolder(**plan, planning.out, choices->formats, job, arguments.options);
+    const auto written =
+        terminal ? writeForTerminal(**plan, planning.out, *terminal, job)
+                 : writePlanFolder(**plan, planning.out, choices->formats, job, arguments.options);
     if (!written) {
         return failWith(written.error());
     }
@@ -155,15 +158,17 @@ int runPlan(const PlanArguments& arguments) {
 void addPlanCommand(CLI::App& app, std::function<int()>& run) {
     const auto arguments = std::make_shared<PlanArguments>();
     CLI::App* plan = app.add_subcommand("plan", "Plan a field and write the plan to a folder.");
-    plan->add_option("FIELD", arguments->field, "A boundary file (furrow-cli list formats shows what is read) or a project")
+    plan->add_option("FIELD", arguments->field,
+                     "A boundary file (furrow-cli list formats shows what is read) or a project")
         ->required();
     plan->add_option("--field-id", arguments->fieldId,
                      "Which field of the file: its id, its name, or its number from 1");
     plan->add_option("--plan-name", arguments->planName,
                      "Which plan of the project's field: its name or id (default: the current one)");
     addPlanningOptions(*plan, arguments->planning);
-    plan->add_option("--terminal", arguments->terminal,
-                     "Write what this terminal takes, as it lies on its stick (see furrow-cli list terminals)")
+    plan->add_option(
+            "--terminal", arguments->terminal,
+            "Write what this terminal takes, as it lies on its stick (see furrow-cli list terminals)")
         ->excludes("--format");
     addExportOptions(*plan, arguments->options, true);
     plan->footer(

@@ -52,22 +52,26 @@ void addPlanningOptions(CLI::App& command, PlanningArguments& arguments) {
                        "tillage, sowing, spraying, spreading, mowing or harvest: sets headland.when,\n"
                        "route.traversal and swaths.overlap_m where they are not given");
     command.add_option("--settings", arguments.settingsFile, "A JSON file of settings");
-    command.add_option("--set", arguments.assignments,
-                       "One setting, for example headland.width_m=12; may be given several times")
+    command
+        .add_option("--set", arguments.assignments,
+                    "One setting, for example headland.width_m=12; may be given several times")
         ->take_all()
         ->allow_extra_args(false);
-    command.add_option("--threads", arguments.threads,
-                       "Threads to plan with (default: all); the plan is the same")
+    command
+        .add_option("--threads", arguments.threads,
+                    "Threads to plan with (default: all); the plan is the same")
         ->check(CLI::Range(1, 1024));
     command.add_option("--out", arguments.out, "The folder to write to; made if it is not there")->required();
-    command.add_option("--format", arguments.formats,
-                       "What to write besides summary.json (see furrow-cli list formats)")
+    command
+        .add_option("--format", arguments.formats,
+                    "What to write besides summary.json (see furrow-cli list formats)")
         ->delimiter(',');
     command.add_flag("--json", arguments.json, "Print one JSON object and nothing else");
     command.add_flag("--quiet", arguments.quiet, "Print nothing but errors");
 }
 
-Result<PlanningChoices> choicesFrom(const PlanningArguments& arguments, std::span<const std::string_view> formats) {
+Result<PlanningChoices> choicesFrom(const PlanningArguments& arguments,
+                                    std::span<const std::string_view> formats) {
     auto settings = settingsFrom(arguments);
     if (!settings) {
         return std::unexpected(settings.error());

@@ -39,6 +39,7 @@ struct PlanningChoices {
 
 /// @param formats  where none are named
 /// Errors: Usage; those of the machine's and the settings' file.
-Result<PlanningChoices> choicesFrom(const PlanningArguments& arguments, std::span<const std::string_view> formats);
+Result<PlanningChoices> choicesFrom(const PlanningArguments& arguments,
+                                    std::span<const std::string_view> formats);
 
 }  // namespace furrow::cli

@@ -36,19 +36,27 @@ Arguments argumentsOf(const QGuiApplication& application) {
     parser.setApplicationDescription(QStringLiteral("Plans how a machine covers a farm field."));
     parser.addHelpOption();
     parser.addVersionOption();
-    parser.addPositionalArgument(QStringLiteral("file"), QStringLiteral("Boundary file to open."), QStringLiteral("[FILE]"));
-    const QCommandLineOption fieldId{QStringLiteral("field-id"), QStringLiteral("The field of FILE: its id, name or number."),
+    parser.addPositionalArgument(QStringLiteral("file"), QStringLiteral("Boundary file to open."),
+                                 QStringLiteral("[FILE]"));
+    const QCommandLineOption fieldId{QStringLiteral("field-id"),
+                                     QStringLiteral("The field of FILE: its id, name or number."),
                                      QStringLiteral("ID")};
-    const QCommandLineOption selfTest{QStringLiteral("self-test"), QStringLiteral("Go through every page and end.")};
-    const QCommandLineOption screenshot{QStringLiteral("screenshot"),
-                                        QStringLiteral("Save a picture of the window when it is ready and end."),
-                                        QStringLiteral("PNG")};
-    const QCommandLineOption size{QStringLiteral("size"), QStringLiteral("Size of the window."), QStringLiteral("WxH")};
-    const QCommandLineOption theme{QStringLiteral("colours"), QStringLiteral("light, dark or sunlight, this time only."),
+    const QCommandLineOption selfTest{QStringLiteral("self-test"),
+                                      QStringLiteral("Go through every page and end.")};
+    const QCommandLineOption screenshot{
+        QStringLiteral("screenshot"),
+        QStringLiteral("Save a picture of the window when it is ready and end."), QStringLiteral("PNG")};
+    const QCommandLineOption size{QStringLiteral("size"), QStringLiteral("Size of the window."),
+                                  QStringLiteral("WxH")};
+    const QCommandLineOption theme{QStringLiteral("colours"),
+                                   QStringLiteral("light, dark or sunlight, this time only."),
                                    QStringLiteral("NAME")};
-    const QCommandLineOption language{QStringLiteral("language"), QStringLiteral("en, de, nl, fr, es, pt_BR or pt_PT, this time only."),
+    const QCommandLineOption language{QStringLiteral("language"),
+                                      QStringLiteral("en, de, nl, fr, es, pt_BR or pt_PT, this time only."),
                                       QStringLiteral("CODE")};
-    const QCommandLineOption units{QStringLiteral("units"), QStringLiteral("metric or imperial, this time only."), QStringLiteral("NAME")};
+    const QCommandLineOption units{QStringLiteral("units"),
+                                   QStringLiteral("metric or imperial, this time only."),
+                                   QStringLiteral("NAME")};
     parser.addOptions({fieldId, selfTest, screenshot, size, theme, language, units});
     parser.process(application);
     return {.file = parser.positionalArguments().value(0),
@@ -63,8 +71,9 @@ Arguments argumentsOf(const QGuiApplication& application) {
 
 /// As Theme.Mode; 0 is what the system says.
 int themeMode(const QString& name) {
-    return static_cast<int>(QStringList{QString{}, QStringLiteral("light"), QStringLiteral("dark"), QStringLiteral("sunlight")}
-                                .indexOf(name));
+    return static_cast<int>(
+        QStringList{QString{}, QStringLiteral("light"), QStringLiteral("dark"), QStringLiteral("sunlight")}
+            .indexOf(name));
 }
 
 }  // namespace
@@ -78,16 +87,20 @@ int main(int argc, char* argv[]) {
         furrow::countMessages();
     }
 
-    furrow::Display::instance().force(arguments.language,
-                                      static_cast<furrow::Display::Units>(std::max<qsizetype>(
-                                          QStringList{QString{}, QStringLiteral("metric"), QStringLiteral("imperial")}.indexOf(arguments.units), 0)));
+    furrow::Display::instance().force(
+        arguments.language,
+        static_cast<furrow::Display::Units>(std::max<qsizetype>(
+            QStringList{QString{}, QStringLiteral("metric"), QStringLiteral("imperial")}.indexOf(
+                arguments.units),
+            0)));
     furrow::Session session;
     QQmlApplicationEngine engine;
     const bool forPeople = arguments.screenshot.isEmpty() && !arguments.selfTest;
     engine.setInitialProperties({{QStringLiteral("session"), QVariant::fromValue(&session)},
                                  {QStringLiteral("offersTour"), forPeople && arguments.file.isEmpty()}});
     engine.loadFromModule("Furrow.Shell", "Main");
-    auto* window = engine.rootObjects().isEmpty() ? nullptr : qobject_cast<QQuickWindow*>(engine.rootObjects().first());
+    auto* window =
+        engine.rootObjects().isEmpty() ? nullptr : qobject_cast<QQuickWindow*>(engine.rootObjects().first());
     if (window == nullptr) {
         std::fputs("furrow: the window cannot be made\n", stderr);
         return 1;

@@ -67,7 +67,8 @@ private:
             end(1);
             return;
         }
-        std::printf("self-test: %s: ok, %lld ms\n", steps_.front().name, static_cast<long long>(waited_.elapsed()));
+        std::printf("self-test: %s: ok, %lld ms\n", steps_.front().name,
+                    static_cast<long long>(waited_.elapsed()));
         steps_.pop_front();
         if (!steps_.empty()) {
             begin();
@@ -107,11 +108,15 @@ void countMessages() {
 
 void runSelfTest(QQuickWindow& window, Session& session) {
     auto* test = new SelfTest{window, session};
-    const auto item = [&window](const char* name) { return window.findChild<QQuickItem*>(QLatin1String{name}); };
+    const auto item = [&window](const char* name) {
+        return window.findChild<QQuickItem*>(QLatin1String{name});
+    };
     const auto shown = [item](const char* name) {
         return [item, name] { return item(name) != nullptr && item(name)->isVisible(); };
     };
-    const auto in = [&session](PlanState state) { return [&session, state] { return session.planning()->state() == state; }; };
+    const auto in = [&session](PlanState state) {
+        return [&session, state] { return session.planning()->state() == state; };
+    };
     const auto press = [item](const char* name) {
         return [item, name] { QMetaObject::invokeMethod(item(name), "click"); };
     };
@@ -122,11 +127,18 @@ void runSelfTest(QQuickWindow& window, Session& session) {
     test->add("empty", [] {}, shown("emptyState"));
     test->add("drawing", press("drawTool"), shown("drawingHint"));
     test->add("drawing given up", press("cancelDrawing"), shown("emptyState"));
-    test->add("a field is planned", [&session] {
-        session.opener()->addDrawn(corners({{22.50, 58.25}, {22.507, 58.25}, {22.507, 58.2535}, {22.50, 58.2535}}));
-    }, in(PlanState::Ready));
+    test->add(
+        "a field is planned",
+        [&session] {
+            session.opener()->addDrawn(
+                corners({{22.50, 58.25}, {22.507, 58.25}, {22.507, 58.2535}, {22.50, 58.2535}}));
+        },
+        in(PlanState::Ready));
     for (int row = 0; row < session.planning()->steps()->rowCount(); ++row) {
-        const QString step = session.planning()->steps()->data(session.planning()->steps()->index(row), StepsModel::StepIdRole).toString();
+        const QString step = session.planning()
+                                 ->steps()
+                                 ->data(session.planning()->steps()->index(row), StepsModel::StepIdRole)
+                                 .toString();
         test->add("a step opens", open(step),
                   [item, step] { return item("stepsPanel")->property("openStep").toString() == step; });
     }
@@ -135,14 +147,19 @@ void runSelfTest(QQuickWindow& window, Session& session) {
     test->add("other colours", press("themeSwitch"), [] { return true; });
     test->add("export opens", press("exportButton"), shown("export.write"));
     test->add("export closes", press("export.close"), [shown] { return !shown("export.write")(); });
-    test->add("a boundary that crosses itself", [&session] {
-        session.opener()->addDrawn(corners({{22.50, 58.25}, {22.507, 58.2535}, {22.507, 58.25}, {22.50, 58.2535}}));
-    }, in(PlanState::Failed));
+    test->add(
+        "a boundary that crosses itself",
+        [&session] {
+            session.opener()->addDrawn(
+                corners({{22.50, 58.25}, {22.507, 58.2535}, {22.507, 58.25}, {22.50, 58.2535}}));
+        },
+        in(PlanState::Failed));
     test->add("the problem is told", [] {}, shown("problemCard"));
     test->add("no field again", [&session] { session.opener()->startNew(); }, shown("emptyState"));
     for (int sample = 0; sample < session.opener()->sampleNames().size(); ++sample) {
-        test->add("a sample field is planned", [&session, sample] { session.opener()->openSample(sample); },
-                  [&session] { return isFinished(session.planning()->state()); });
+        test->add(
+            "a sample field is planned", [&session, sample] { session.opener()->openSample(sample); },
+            [&session] { return isFinished(session.planning()->state()); });
     }
     QTimer::singleShot(0, test, [test] { test->start(); });
 }

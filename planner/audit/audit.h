@@ -74,14 +74,14 @@ struct AuditReport {
     /// The part of the margin and of other land left on purpose that is not swept: neither missed nor within
     /// reach.
     std::optional<Area> leftOnPurpose;
-    MultiPolygon missedAreas;                  ///< largest first
+    MultiPolygon missedAreas;  ///< largest first
     /// The part of these that is within reach and was to be worked, largest first, without thin strips; then
     /// its total area.
     MultiPolygon leftAreas;
     Area left;
-    std::optional<Area> overlap;               ///< swept by at least two passes, inside the workable area
-    MultiPolygon overlapAreas;                 ///< largest first
-    std::optional<Area> overlapHeadland;       ///< part of it between headland passes and swaths
+    std::optional<Area> overlap;            ///< swept by at least two passes, inside the workable area
+    MultiPolygon overlapAreas;              ///< largest first
+    std::optional<Area> overlapHeadland;    ///< part of it between headland passes and swaths
     std::optional<Area> outside;            ///< swept by the footprint outside drivable area and gates
     std::optional<Length> minClearance;     ///< from the footprint to the edge of that area, negative outside
     std::optional<Curvature> maxCurvature;  ///< re-derived from the points, absolute

@@ -80,7 +80,9 @@ public:
     bool isFree(Point middle, double radius) const { return edges_.containsDisc(middle, radius); }
 
     /// Whether everything within a distance of a place is outside.
-    bool isBeyond(Point middle, double radius) const { return !edges_.contains(middle) && edges_.distance(middle) > radius; }
+    bool isBeyond(Point middle, double radius) const {
+        return !edges_.contains(middle) && edges_.distance(middle) > radius;
+    }
 
     /// Lowers `found` to the clearance of this convex piece if that is less and under `limit`. Returns
     /// whether some of it may lie outside.
@@ -293,8 +295,8 @@ private:
     void move(const FootprintPart& part, const Placed& a, const Placed& b) {
         const double way = lengthOf(b.middle - a.middle);
         const Point middle = 0.5 * (a.middle + b.middle);
-        // A half of a move may bulge out of its hull by the bridged distance. Nearer moves are always looked at, so that the
-        // area outside does not depend on which thread found the least clearance first.
+        // A half of a move may bulge out of its hull by the bridged distance. Nearer moves are always looked
+        // at, so that the area outside does not depend on which thread found the least clearance first.
         const double bridged = bridgedBy(part, a, b);
         const double limit = std::max(bridged, std::min(found_.clearanceM, smallest_.get()));
         if (meter_.isFree(middle, 0.5 * way + part.radius() + limit)) {
@@ -439,7 +441,7 @@ Result<ClearanceReport> measureClearance(const AuditInput& input, const std::vec
         auto segments = parallelMap<SegmentClearance>(
             motions.size(),
             [&](std::size_t i) {
-                const FootprintPart& implement = input.segments[i].implementDown         ? footprint.lowered
+                const FootprintPart& implement = input.segments[i].implementDown   ? footprint.lowered
                                                  : isWayInOrOut(input.segments, i) ? footprint.folded
                                                                                    : footprint.raised;
                 return SegmentSweep{footprint, meter, smallest}.run(motions[i], implement, look);

@@ -210,7 +210,9 @@ private:
         std::vector<RegionTracer::Span> spans;
     };
 
-    std::uint32_t lineOf(const Crossed& edge) const { return static_cast<std::uint32_t>(edge.edge - edges_.data()); }
+    std::uint32_t lineOf(const Crossed& edge) const {
+        return static_cast<std::uint32_t>(edge.edge - edges_.data());
+    }
 
     void enterOrLeave(Region& region, const Crossed& edge, bool inside) const {
         RegionTracer::Span& span = region.begun;
@@ -277,7 +279,8 @@ void LayeredPolygons::add(std::size_t layer, const MultiPolygon& polygons) {
 }
 
 void LayeredPolygons::addNext(std::size_t layer, std::span<const Point> ring) {
-    std::vector<Edge> before(edges_.begin() + static_cast<std::ptrdiff_t>(std::min(last_, edges_.size())), edges_.end());
+    std::vector<Edge> before(edges_.begin() + static_cast<std::ptrdiff_t>(std::min(last_, edges_.size())),
+                             edges_.end());
     const std::size_t kept = edges_.size() - before.size();
     add(layer, ring);
     std::vector<Edge> added(edges_.begin() + static_cast<std::ptrdiff_t>(kept + before.size()), edges_.end());

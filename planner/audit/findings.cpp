@@ -113,8 +113,7 @@ private:
             found_.insert(i);
             if (at.beyondLand) {
                 add(Severity::Blocking, FindingKind::Outside, at.place,
-                    message("{} leaves the field by {:.2f} m.", named(i), -at.clearanceM),
-                    "", i);
+                    message("{} leaves the field by {:.2f} m.", named(i), -at.clearanceM), "", i);
             } else {
                 add(Severity::Blocking, FindingKind::Obstacle, at.place,
                     message("{} crosses an obstacle, by {:.2f} m.", named(i), -at.clearanceM),
@@ -124,11 +123,13 @@ private:
         if (allowed.count > 0) {
             add(Severity::Note, FindingKind::Outside, allowed.place,
                 allowed.count == 1
-                    ? message("{} leaves the field or crosses an obstacle, by up to {:.2f} m, as this plan allows.",
-                              named(allowed.segment), allowed.worst)
-                    : message("{} swaths and turns leave the field or cross an obstacle, by up to {:.2f} m, as this "
-                              "plan allows.",
-                              allowed.count, allowed.worst),
+                    ? message(
+                          "{} leaves the field or crosses an obstacle, by up to {:.2f} m, as this plan allows.",
+                          named(allowed.segment), allowed.worst)
+                    : message(
+                          "{} swaths and turns leave the field or cross an obstacle, by up to {:.2f} m, as this "
+                          "plan allows.",
+                          allowed.count, allowed.worst),
                 "");
         }
     }
@@ -137,9 +138,10 @@ private:
         for (std::size_t i = 0; i < input_.segments.size(); ++i) {
             const PathSegment& segment = input_.segments[i];
             if (!segment.drivable && !found_.contains(i)) {
-                add(Severity::Blocking, FindingKind::Undrivable, segment.samples[segment.samples.size() / 2].position,
+                add(Severity::Blocking, FindingKind::Undrivable,
+                    segment.samples[segment.samples.size() / 2].position,
                     message("{} cannot be driven: {}.", named(i),
-                                segment.reason.empty() ? Message{"the plan gives no reason"} : segment.reason),
+                            segment.reason.empty() ? Message{"the plan gives no reason"} : segment.reason),
                     "", i);
             }
         }
@@ -148,8 +150,8 @@ private:
     void reportCurvature() {
         for (const auto& [segment, tight] : measured_.kinematics.tooTight) {
             add(Severity::Blocking, FindingKind::Curvature, tight.place,
-                message("{} bends with a radius of {:.2f} m; this machine needs {:.2f} m.",
-                            named(segment), 1.0 / tight.worst, input_.machine->minTurningRadius().si()),
+                message("{} bends with a radius of {:.2f} m; this machine needs {:.2f} m.", named(segment),
+                        1.0 / tight.worst, input_.machine->minTurningRadius().si()),
                 "Plan again with this machine's turning radius.", segment);
         }
     }
@@ -169,7 +171,7 @@ private:
                 case Break::Kind::Gap:
                     add(Severity::Blocking, FindingKind::MissingTurn, each.place,
                         message("Nothing leads to the start of {}, {:.1f} m away.",
-                                    segmentName(input_, each.segment), each.size),
+                                segmentName(input_, each.segment), each.size),
                         "Plan the turn that is missing here.", each.segment);
                     break;
                 case Break::Kind::Jump:
@@ -179,8 +181,8 @@ private:
                     break;
                 default:
                     add(Severity::Blocking, FindingKind::Heading, each.place,
-                        message("{} moves {:.0f} degrees off where the machine points.",
-                                    named(each.segment), inDegrees(radians(each.size))),
+                        message("{} moves {:.0f} degrees off where the machine points.", named(each.segment),
+                                inDegrees(radians(each.size))),
                         "Plan again; the heading or the gear is wrong here.", each.segment);
             }
         }
@@ -190,8 +192,7 @@ private:
                 message(can ? "The machine turns on the spot in {}, by up to {:.0f} degrees."
                             : "The machine turns on the spot in {}, by up to {:.0f} degrees; it cannot.",
                         placesOf(onTheSpot.count), inDegrees(radians(onTheSpot.worst))),
-                can ? "" : "Take a machine that can.",
-                can ? std::nullopt : std::optional{onTheSpot.segment});
+                can ? "" : "Take a machine that can.", can ? std::nullopt : std::optional{onTheSpot.segment});
         }
     }
 
@@ -217,7 +218,8 @@ private:
                 continue;
             }
             const PlannedPass& pass = input_.passes[i];
-            add(Severity::Blocking, pass.kind == SegmentKind::HeadlandPass ? FindingKind::DroppedPass : FindingKind::DroppedSwath,
+            add(Severity::Blocking,
+                pass.kind == SegmentKind::HeadlandPass ? FindingKind::DroppedPass : FindingKind::DroppedSwath,
                 pass.line[pass.line.size() / 2],
                 shares[i] == 0.0
                     ? message("{} is planned, but nothing of it is driven with the implement down.",
@@ -259,8 +261,8 @@ private:
         }
         const Polygon& largest = swept.beyondReach.front();
         add(Severity::Note, FindingKind::OutOfReach, placeInside(largest),
-            message("{} are out of this machine's reach; the largest piece, {}, lies here.", areaText(swept.beyondReachArea),
-                    areaText(area(largest))),
+            message("{} are out of this machine's reach; the largest piece, {}, lies here.",
+                    areaText(swept.beyondReachArea), areaText(area(largest))),
             "");
     }
 
@@ -271,9 +273,10 @@ private:
         }
         add(Severity::Note, FindingKind::HeadlandNotWorked, placeInside(swept.strip.front()),
             swept.laneEnds > squareMetres(0.5)
-                ? message("The headland strip, {}, is not worked by this plan, nor are {} at the ends of the swaths "
-                          "beside it.",
-                          areaText(swept.stripArea), areaText(swept.laneEnds))
+                ? message(
+                      "The headland strip, {}, is not worked by this plan, nor are {} at the ends of the swaths "
+                      "beside it.",
+                      areaText(swept.stripArea), areaText(swept.laneEnds))
                 : message("The headland strip, {}, is not worked by this plan.", areaText(swept.stripArea)),
             "Work it along the boundary, before or after the swaths.");
     }
@@ -296,15 +299,13 @@ private:
                     message("The stated curvature differs from the path in {}, by up to {:.3f} 1/m.",
                             placesOf(found.mismatch.count), found.mismatch.worst),
                     "Plan again, or trust the positions.");
-        noteTrouble(
-            found.speed, FindingKind::Speed,
-            message("The stated speed is up to {:.2f} m/s above the machine's.", found.speed.worst),
-            "Lower the speeds, or correct the machine's.");
-        noteTrouble(
-            found.lateral, FindingKind::LateralAcceleration,
-            message("Curves are driven with up to {:.1f} m/s² sideways; the machine's limit is less.",
-                        found.lateral.worst),
-            "Drive the curves more slowly.");
+        noteTrouble(found.speed, FindingKind::Speed,
+                    message("The stated speed is up to {:.2f} m/s above the machine's.", found.speed.worst),
+                    "Lower the speeds, or correct the machine's.");
+        noteTrouble(found.lateral, FindingKind::LateralAcceleration,
+                    message("Curves are driven with up to {:.1f} m/s² sideways; the machine's limit is less.",
+                            found.lateral.worst),
+                    "Drive the curves more slowly.");
         noteTrouble(found.time, FindingKind::Time,
                     message("Time and way do not fit the speed in {}.", placesOf(found.time.count)),
                     "Plan again; the times were changed.");
@@ -317,12 +318,10 @@ private:
         // The machine may drive over one lane at its end.
         if (traffic.onWorkedM + traffic.onUnworkedM > 1.5 * measured_.shape.operatingWidthM) {
             add(Severity::Note, FindingKind::LanesCrossed, traffic.longestPlace,
-                message(
-                    "With the implement up, {:.0f} m are driven over worked land and {:.0f} m over land "
-                    "that is worked later; {} is the longest.",
-                    traffic.onWorkedM, traffic.onUnworkedM, segmentName(input_, traffic.longestSegment)),
-                "",
-                traffic.longestSegment);
+                message("With the implement up, {:.0f} m are driven over worked land and {:.0f} m over land "
+                        "that is worked later; {} is the longest.",
+                        traffic.onWorkedM, traffic.onUnworkedM, segmentName(input_, traffic.longestSegment)),
+                "", traffic.longestSegment);
         }
     }
 

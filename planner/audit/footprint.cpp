@@ -10,10 +10,10 @@ Footprint footprintOf(const Machine& machine) {
     return {.tractor = {.offsetM = (0.5 * tractor.length - tractor.rearOverhang).si(),
                         .halfLengthM = 0.5 * tractor.length.si(),
                         .halfWidthM = 0.5 * tractor.width.si()},
-            .raised = {.halfLengthM = halfLength,
-                       .halfWidthM = 0.5 * raised.si()},
+            .raised = {.halfLengthM = halfLength, .halfWidthM = 0.5 * raised.si()},
             .lowered = {.halfLengthM = halfLength, .halfWidthM = 0.5 * implement.operatingWidth.si()},
-            .folded = {.halfLengthM = halfLength, .halfWidthM = 0.5 * implement.transportWidth.value_or(raised).si()}};
+            .folded = {.halfLengthM = halfLength,
+                       .halfWidthM = 0.5 * implement.transportWidth.value_or(raised).si()}};
 }
 
 }  // namespace furrow

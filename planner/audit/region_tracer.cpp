@@ -32,8 +32,8 @@ Ring withoutFlatBends(const Ring& ring) {
 }
 
 bool isBetweenSameLines(const RegionTracer::Span& a, const RegionTracer::Span& b) {
-    return a.leftLine != RegionTracer::kNoLine && a.leftLine == b.leftLine && a.rightLine != RegionTracer::kNoLine &&
-           a.rightLine == b.rightLine;
+    return a.leftLine != RegionTracer::kNoLine && a.leftLine == b.leftLine &&
+           a.rightLine != RegionTracer::kNoLine && a.rightLine == b.rightLine;
 }
 
 }  // namespace
@@ -76,7 +76,8 @@ std::vector<RegionTracer::Open> RegionTracer::rowOf(const std::vector<Span>& spa
     }
     // A span that begins or ends at the side of another needs a node there. The other span then needs it,
     // too.
-    const auto breakTouched = [](std::vector<Open>& these, std::vector<Open>& others, double Span::*left, double Span::*right) {
+    const auto breakTouched = [](std::vector<Open>& these, std::vector<Open>& others, double Span::* left,
+                                 double Span::* right) {
         bool broken = false;
         for (std::size_t i = 1; i < these.size(); ++i) {
             Open& a = these[i - 1];

@@ -5,10 +5,10 @@
 #include "planner/audit/working_room.h"
 #include "planner/geometry/geos_bridge.h"
 
-#include <functional>
-#include <iterator>
 #include <algorithm>
 #include <cmath>
+#include <functional>
+#include <iterator>
 #include <utility>
 
 namespace furrow {
@@ -52,7 +52,8 @@ std::optional<Point> pivotOf(const WorkingLine& a, const WorkingLine& b) {
 
 /// The area that a line sweeps between two places: a quadrilateral, or two triangles if it turns about a
 /// point of its own or is folded over.
-std::vector<Ring> sweptBetween(const WorkingLine& a, const WorkingLine& b, const std::optional<Point>& pivot) {
+std::vector<Ring> sweptBetween(const WorkingLine& a, const WorkingLine& b,
+                               const std::optional<Point>& pivot) {
     constexpr double kNoAreaM2 = 1e-12;
     std::vector<Ring> swept;
     const auto add = [&](Ring ring) {
@@ -148,7 +149,16 @@ double chordErrorM2(const SegmentMotion& motion, double widthM) {
     return sum;
 }
 
-enum Layer : std::size_t { kWorkable, kReach, kMainland, kLaneEnd, kSwath, kHeadlandPass, kWithinMargin, kOnPurpose };
+enum Layer : std::size_t {
+    kWorkable,
+    kReach,
+    kMainland,
+    kLaneEnd,
+    kSwath,
+    kHeadlandPass,
+    kWithinMargin,
+    kOnPurpose
+};
 
 enum Region : std::size_t {
     kCovered,
@@ -198,7 +208,8 @@ std::uint32_t regionsAt(const Depths& depths) {
 Length reachRadius(const Machine& machine, const MachineShape& shape) {
     const MachineSpec& spec = machine.spec();
     const Length half = 0.5 * machine.workingFootprintWidth();
-    if (spec.tractor.canTurnInPlace || (spec.tractor.canReverse && (!shape.trailingM || spec.implement.canReverse))) {
+    if (spec.tractor.canTurnInPlace ||
+        (spec.tractor.canReverse && (!shape.trailingM || spec.implement.canReverse))) {
         return half;
     }
     double radiusM = machine.minTurningRadius().si();
@@ -262,7 +273,8 @@ void addPasses(const AuditInput& input, const MachineShape& shape, const std::ve
         }
         const std::vector<MotionState>& states = motions[i].states;
         errorM2 += chordErrorM2(motions[i], widthM);
-        FanOutlines outlines{layers, input.segments[i].kind == SegmentKind::HeadlandPass ? kHeadlandPass : kSwath};
+        FanOutlines outlines{layers,
+                             input.segments[i].kind == SegmentKind::HeadlandPass ? kHeadlandPass : kSwath};
         for (std::size_t k = 1; k < states.size(); ++k) {
             const WorkingLine from = workingLine(states[k - 1], widthM);
             const WorkingLine to = workingLine(states[k], widthM);
@@ -281,8 +293,9 @@ void addPasses(const AuditInput& input, const MachineShape& shape, const std::ve
 /// corners that a pass leaves. They can also be as wide as the distance that the vehicle keeps the implement
 /// away from the boundary.
 Length hairWidth(const AuditInput& input) {
-    return kHairWidth + (input.machine ? 0.5 * (input.machine->workingFootprintWidth() - input.machine->operatingWidth())
-                                       : Length{});
+    return kHairWidth +
+           (input.machine ? 0.5 * (input.machine->workingFootprintWidth() - input.machine->operatingWidth())
+                          : Length{});
 }
 
 Result<MultiPolygon> withoutHairs(MultiPolygon pieces, Length hair, const JobContext& job) {
@@ -307,15 +320,17 @@ Result<MultiPolygon> withoutHairs(MultiPolygon pieces, Length hair, const JobCon
 bool liesIn(const Polygon& part, const Polygon& whole) {
     const Bounds inner = bounds({part});
     const Bounds outer = bounds({whole});
-    return inner.min.x >= outer.min.x && inner.max.x <= outer.max.x && inner.min.y >= outer.min.y && inner.max.y <= outer.max.y;
+    return inner.min.x >= outer.min.x && inner.max.x <= outer.max.x && inner.min.y >= outer.min.y &&
+           inner.max.y <= outer.max.y;
 }
 
 /// If too much was dropped, keeps only the parts with room for the machine to work. A trailed implement can
 /// work from more than a straight line, and is judged by its disc only.
 Result<void> keepWithRoom(const AuditInput& input, const MultiPolygon& within, const MachineShape& shape,
                           const JobContext& job, SweptArea& swept) {
-    const bool tooMuch = swept.droppedArea > kMissedShare * area(input.workable) ||
-                         std::ranges::any_of(swept.dropped, [](const Polygon& piece) { return area(piece) > kMissedPiece; });
+    const bool tooMuch =
+        swept.droppedArea > kMissedShare * area(input.workable) ||
+        std::ranges::any_of(swept.dropped, [](const Polygon& piece) { return area(piece) > kMissedPiece; });
     if (!input.machine || shape.trailingM || !tooMuch) {
         return {};
     }
@@ -329,11 +344,13 @@ Result<void> keepWithRoom(const AuditInput& input, const MultiPolygon& within, c
     swept.beyondReachArea += noRoom;
     // A large piece that was taken out is reported at its place.
     for (const Polygon& piece : swept.dropped) {
-        if (area(piece) > kMissedPiece && std::ranges::none_of(*kept, [&](const Polygon& left) { return liesIn(left, piece); })) {
+        if (area(piece) > kMissedPiece &&
+            std::ranges::none_of(*kept, [&](const Polygon& left) { return liesIn(left, piece); })) {
             swept.beyondReach.push_back(piece);
         }
     }
-    std::ranges::stable_sort(swept.beyondReach, std::ranges::greater{}, [](const Polygon& piece) { return area(piece); });
+    std::ranges::stable_sort(swept.beyondReach, std::ranges::greater{},
+                             [](const Polygon& piece) { return area(piece); });
     swept.dropped = std::move(*kept);
     return {};
 }
@@ -365,7 +382,8 @@ Result<SweptArea> measureSweptArea(const AuditInput& input, const MachineShape& 
     if (!within) {
         return std::unexpected(within.error());
     }
-    layers.add(kWithinMargin, input.margin > Length{} ? *within : MultiPolygon{{.outer = everywhere(input), .holes = {}}});
+    layers.add(kWithinMargin,
+               input.margin > Length{} ? *within : MultiPolygon{{.outer = everywhere(input), .holes = {}}});
     layers.add(kOnPurpose, input.leftOnPurpose);
     if (input.machine) {
         const auto reach = reachable(input, *within, shape, job);
@@ -382,9 +400,12 @@ Result<SweptArea> measureSweptArea(const AuditInput& input, const MachineShape& 
     } else {
         layers.add(kMainland, everywhere(input));
     }
-    auto measured = measureRegions(
-        layers, mainDirection(motions),
-        {.at = regionsAt, .count = kRegionCount, .traced = bit(kMissed) | bit(kDropped) | bit(kStrip) | bit(kTwice) | bit(kBeyond)}, job);
+    auto measured =
+        measureRegions(layers, mainDirection(motions),
+                       {.at = regionsAt,
+                        .count = kRegionCount,
+                        .traced = bit(kMissed) | bit(kDropped) | bit(kStrip) | bit(kTwice) | bit(kBeyond)},
+                       job);
     if (!measured) {
         return std::unexpected(measured.error());
     }

@@ -22,7 +22,7 @@ struct SweptArea {
     Area covered;
     Area missedArea;
     Area overlap;
-    MultiPolygon overlapAreas;       ///< largest first
+    MultiPolygon overlapAreas;  ///< largest first
     Area overlapHeadland;
     Area error;
     std::optional<double> coveredOfReachable;  ///< empty without a machine
@@ -36,7 +36,7 @@ struct SweptArea {
     MultiPolygon strip;  ///< kept for turning and not worked, largest first
     Area stripArea;
     Area leftOnPurpose;  ///< and not swept
-    Area laneEnds;  ///< missed at the ends of the lanes, beside that strip
+    Area laneEnds;       ///< missed at the ends of the lanes, beside that strip
 };
 
 Result<SweptArea> measureSweptArea(const AuditInput& input, const MachineShape& shape,

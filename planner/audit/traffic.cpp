@@ -226,12 +226,15 @@ public:
         for (std::ptrdiff_t row = 0; row < rows_; ++row) {
             for (std::ptrdiff_t column = 0; column < columns_; ++column) {
                 const std::ptrdiff_t first = column;
-                while (column < columns_ && squares_[static_cast<std::size_t>(row * columns_ + column)].passes > kOftenPasses) {
+                while (column < columns_ &&
+                       squares_[static_cast<std::size_t>(row * columns_ + column)].passes > kOftenPasses) {
                     ++column;
                 }
                 if (column > first) {
-                    runs.push_back({.min = corner_ + sizeM_ * Point{static_cast<double>(first), static_cast<double>(row)},
-                                    .max = corner_ + sizeM_ * Point{static_cast<double>(column), static_cast<double>(row + 1)}});
+                    runs.push_back({.min = corner_ + sizeM_ * Point{static_cast<double>(first),
+                                                                    static_cast<double>(row)},
+                                    .max = corner_ + sizeM_ * Point{static_cast<double>(column),
+                                                                    static_cast<double>(row + 1)}});
                 }
             }
         }
@@ -250,11 +253,13 @@ private:
     };
 
     bool isNear(Point square) const {
-        return square.x > -kMostBeyond && square.y > -kMostBeyond && square.x < static_cast<double>(columns_) + kMostBeyond &&
+        return square.x > -kMostBeyond && square.y > -kMostBeyond &&
+               square.x < static_cast<double>(columns_) + kMostBeyond &&
                square.y < static_cast<double>(rows_) + kMostBeyond;
     }
     Ring nearby() const {
-        const Point high{static_cast<double>(columns_) + kMostBeyond, static_cast<double>(rows_) + kMostBeyond};
+        const Point high{static_cast<double>(columns_) + kMostBeyond,
+                         static_cast<double>(rows_) + kMostBeyond};
         return {{-kMostBeyond, -kMostBeyond}, {high.x, -kMostBeyond}, high, {-kMostBeyond, high.y}};
     }
 

@@ -56,7 +56,8 @@ struct Rectangle {
 void addCorners(const Rectangle& part, Point axle, double wayM, double curvature1pm, Ring& corners) {
     const double turn = wayM * curvature1pm;
     const Point nose{std::cos(turn), std::sin(turn)};
-    const Point moved = curvature1pm == 0.0 ? Point{wayM, 0.0} : (1.0 / curvature1pm) * Point{nose.y, 1.0 - nose.x};
+    const Point moved =
+        curvature1pm == 0.0 ? Point{wayM, 0.0} : (1.0 / curvature1pm) * Point{nose.y, 1.0 - nose.x};
     for (const double along : {-part.halfLengthM, part.halfLengthM}) {
         for (const double aside : {-part.halfWidthM, part.halfWidthM}) {
             const Point corner = part.middle - axle + Point{along, aside};
@@ -70,8 +71,10 @@ std::optional<std::pair<double, double>> meetingShifts(const Ring& ring, Edge ed
     if (edge.from.x > edge.to.x) {
         std::swap(edge.from, edge.to);
     }
-    const double slope = edge.to.x > edge.from.x ? (edge.to.y - edge.from.y) / (edge.to.x - edge.from.x) : 0.0;
-    std::pair<double, double> shifts{std::numeric_limits<double>::infinity(), -std::numeric_limits<double>::infinity()};
+    const double slope =
+        edge.to.x > edge.from.x ? (edge.to.y - edge.from.y) / (edge.to.x - edge.from.x) : 0.0;
+    std::pair<double, double> shifts{std::numeric_limits<double>::infinity(),
+                                     -std::numeric_limits<double>::infinity()};
     const auto add = [&](double ringY, double edgeY) {
         shifts.first = std::min(shifts.first, ringY - edgeY);
         shifts.second = std::max(shifts.second, ringY - edgeY);
@@ -104,7 +107,8 @@ WorkingRoom::WorkingRoom(const MultiPolygon& drivable, const Machine& machine, c
                               .halfLengthM = std::max(0.0, footprint.lowered.halfLengthM - kOutsideM),
                               .halfWidthM = footprint.lowered.halfWidthM - kOutsideM};
     // The connection of the two is thin.
-    const Rectangle bar{.middle = {0.5 * axle.x, axle.y}, .halfLengthM = 0.5 * std::abs(axle.x), .halfWidthM = 0.0};
+    const Rectangle bar{
+        .middle = {0.5 * axle.x, axle.y}, .halfLengthM = 0.5 * std::abs(axle.x), .halfWidthM = 0.0};
     const double runInM = machine.runIn().si();
     const double sharpest1pm = 1.0 / machine.minTurningRadius().si();
     for (const double curvature1pm : {0.0, sharpest1pm, -sharpest1pm}) {
@@ -134,7 +138,9 @@ bool WorkingRoom::reaches(Point place) const {
             edges.push_back(edge);
         }
     });
-    std::ranges::sort(edges, {}, [](const Edge& edge) { return std::tuple{edge.from.x, edge.from.y, edge.to.x, edge.to.y}; });
+    std::ranges::sort(edges, {}, [](const Edge& edge) {
+        return std::tuple{edge.from.x, edge.from.y, edge.to.x, edge.to.y};
+    });
     const auto same = [](const Edge& a, const Edge& b) { return a.from == b.from && a.to == b.to; };
     edges.erase(std::unique(edges.begin(), edges.end(), same), edges.end());
 
@@ -161,13 +167,15 @@ bool WorkingRoom::reaches(Point place) const {
         }
     }
     return std::ranges::any_of(sweeps_, [&](const Sweep& sweep) {
-        return std::ranges::any_of(noses, [&](Point nose) { return reachesAhead(place, nose, edges, sweep); });
+        return std::ranges::any_of(noses,
+                                   [&](Point nose) { return reachesAhead(place, nose, edges, sweep); });
     });
 }
 
 // The working line lies over the place if that is s to the left of its middle. Each edge that meets a part
 // for some s excludes an interval of s.
-bool WorkingRoom::reachesAhead(Point place, Point nose, const std::vector<Edge>& edges, const Sweep& sweep) const {
+bool WorkingRoom::reachesAhead(Point place, Point nose, const std::vector<Edge>& edges,
+                               const Sweep& sweep) const {
     std::vector<std::pair<double, double>> ruledOut;
     const Point left{-nose.y, nose.x};
     for (const Edge& edge : edges) {
@@ -206,7 +214,8 @@ std::optional<MultiPolygon> squaresWithRoom(const Polygon& polygon, const Workin
         std::optional<double> begun;
         const auto end = [&](double x) {
             if (begun) {
-                squares.push_back({.outer = {{*begun, y}, {x, y}, {x, y + sizeM}, {*begun, y + sizeM}}, .holes = {}});
+                squares.push_back(
+                    {.outer = {{*begun, y}, {x, y}, {x, y + sizeM}, {*begun, y + sizeM}}, .holes = {}});
                 begun.reset();
             }
         };
@@ -231,8 +240,8 @@ std::optional<MultiPolygon> squaresWithRoom(const Polygon& polygon, const Workin
 
 }  // namespace
 
-Result<MultiPolygon> partsWithRoom(const MultiPolygon& polygons, const WorkingRoom& room, Length operatingWidth,
-                                   const JobContext& job) {
+Result<MultiPolygon> partsWithRoom(const MultiPolygon& polygons, const WorkingRoom& room,
+                                   Length operatingWidth, const JobContext& job) {
     const double finestM = std::clamp(operatingWidth.si() / 16.0, 0.25, 0.5);
     MultiPolygon parts;
     Area looked;
@@ -245,7 +254,8 @@ Result<MultiPolygon> partsWithRoom(const MultiPolygon& polygons, const WorkingRo
             continue;
         }
         looked += area(polygon);
-        const double sizeM = std::clamp(std::sqrt(area(polygon).si()) / kSquaresAcross, finestM, kLargestSquareM);
+        const double sizeM =
+            std::clamp(std::sqrt(area(polygon).si()) / kSquaresAcross, finestM, kLargestSquareM);
         const std::optional<MultiPolygon> squares = squaresWithRoom(polygon, room, sizeM);
         if (!squares) {
             parts.push_back(polygon);

@@ -36,7 +36,7 @@ private:
 /// The parts of polygons within reach in this sense, largest first. They are tested in squares of a quarter
 /// of a metre to one and a half; larger pieces have larger squares. Pieces larger than 1,000 m², and all
 /// pieces after 2 ha of smaller ones, stay unchanged. O(area x cost of one place). Cancelled.
-Result<MultiPolygon> partsWithRoom(const MultiPolygon& polygons, const WorkingRoom& room, Length operatingWidth,
-                                   const JobContext& job);
+Result<MultiPolygon> partsWithRoom(const MultiPolygon& polygons, const WorkingRoom& room,
+                                   Length operatingWidth, const JobContext& job);
 
 }  // namespace furrow

@@ -20,9 +20,9 @@ enum class ErrorCode {
 /// A failed operation, told in three parts: what, where, and what to do about it.
 struct Error {
     ErrorCode code = ErrorCode::InputRefused;
-    Message what;               ///< one sentence without its final stop
-    Message where;              ///< file, part, vertex or setting; empty where there is no place
-    Message remedy;             ///< what the user can do; empty where nothing is known to help
+    Message what;                   ///< one sentence without its final stop
+    Message where;                  ///< file, part, vertex or setting; empty where there is no place
+    Message remedy;                 ///< what the user can do; empty where nothing is known to help
     std::optional<GeoPoint> place;  ///< on the map, where it has one
 
     /// All three parts in one line, as the command line prints it.

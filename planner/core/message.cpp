@@ -34,7 +34,8 @@ bool isLetter(char c) {
 Unit unitAt(std::string_view rest) {
     for (const Unit& unit : kUnits) {
         if (rest.starts_with(unit.text) &&
-            (rest.size() == unit.text.size() || (!isLetter(rest[unit.text.size()]) && rest[unit.text.size()] != '/'))) {
+            (rest.size() == unit.text.size() ||
+             (!isLetter(rest[unit.text.size()]) && rest[unit.text.size()] != '/'))) {
             return unit;
         }
     }
@@ -120,10 +121,11 @@ Message& Message::operator=(const Message&) = default;
 Message& Message::operator=(Message&&) noexcept = default;
 Message::~Message() = default;
 
-// Written out: the default one asks for its own exception specification by way of the arguments, at which clang gives up.
+// Written out: the default one asks for its own exception specification by way of the arguments, at which
+// clang gives up.
 bool operator==(const Message& a, const Message& b) {
-    return a.text_ == b.text_ && a.key_ == b.key_ && a.pattern_ == b.pattern_ && a.arguments_ == b.arguments_ &&
-           a.count_ == b.count_ && a.capitalised_ == b.capitalised_;
+    return a.text_ == b.text_ && a.key_ == b.key_ && a.pattern_ == b.pattern_ &&
+           a.arguments_ == b.arguments_ && a.count_ == b.count_ && a.capitalised_ == b.capitalised_;
 }
 
 Message Message::capitalised() const {

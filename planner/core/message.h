@@ -47,8 +47,8 @@ public:
     const std::string& text() const { return text_; }
     operator const std::string&() const { return text_; }
 
-    /// What a translation is looked up by: the sentence with %1, %2 ... for its arguments, units included, and
-    /// %n for the count of a plural form.
+    /// What a translation is looked up by: the sentence with %1, %2 ... for its arguments, units included,
+    /// and %n for the count of a plural form.
     const std::string& key() const { return key_.empty() ? text_ : key_; }
     const std::vector<MessageArgument>& arguments() const { return arguments_; }
     /// The number that decides the plural form, where there is one.
@@ -112,7 +112,8 @@ struct MessageArgument {
 Message madeMessage(std::string_view pattern, std::string_view manyPattern, std::optional<std::int64_t> count,
                     std::vector<MessageArgument> arguments);
 
-/// A message from a pattern of std::format with {} and {:.2f}. A unit behind a number belongs to it: "{:.2f} m",
+/// A message from a pattern of std::format with {} and {:.2f}. A unit behind a number belongs to it: "{:.2f}
+/// m",
 /// "{} m²", "{:.1f} ha", "{:.0f} degrees", "{:.1f} %", "{:.1f} m/s", "{:.1f} m/s²".
 template <class... Arguments>
 Message message(std::string_view pattern, const Arguments&... arguments) {
@@ -121,7 +122,8 @@ Message message(std::string_view pattern, const Arguments&... arguments) {
 
 /// The same for one and for many of something; the first argument is their number.
 template <std::integral Count, class... Arguments>
-Message counted(std::string_view onePattern, std::string_view manyPattern, Count count, const Arguments&... arguments) {
+Message counted(std::string_view onePattern, std::string_view manyPattern, Count count,
+                const Arguments&... arguments) {
     return madeMessage(count == 1 ? onePattern : manyPattern, manyPattern, static_cast<std::int64_t>(count),
                        {MessageArgument{count}, MessageArgument{arguments}...});
 }

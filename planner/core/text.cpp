@@ -8,7 +8,8 @@ namespace furrow {
 
 namespace {
 
-std::optional<double> wholeNumber(std::string_view text, std::chars_format format = std::chars_format::general) {
+std::optional<double> wholeNumber(std::string_view text,
+                                  std::chars_format format = std::chars_format::general) {
     double value = 0.0;
     const auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), value, format);
     return error == std::errc{} && end == text.data() + text.size() ? std::optional{value} : std::nullopt;

@@ -16,8 +16,8 @@ std::string extensionInSmallLetters(const std::filesystem::path& path);
 /// Without the blanks, tabs and line ends around it.
 std::string_view trimmed(std::string_view text);
 
-/// The whole text as a number, as people and machines write it: blanks around it and a plus sign allowed, "nan" and
-/// "inf" among them.
+/// The whole text as a number, as people and machines write it: blanks around it and a plus sign allowed,
+/// "nan" and "inf" among them.
 std::optional<double> numberIn(std::string_view text, bool decimalComma = false);
 
 /// The whole text as a finite number, blanks around it allowed; nothing for anything else.

@@ -13,7 +13,7 @@ Message lineAndColumn(std::string_view text, std::size_t offset) {
     const std::string_view before = text.substr(0, std::min(offset, text.size()));
     const std::size_t lineBreak = before.rfind('\n');
     return message("line {}, column {}", std::ranges::count(before, '\n') + 1,
-                       before.size() - (lineBreak == std::string_view::npos ? 0 : lineBreak + 1) + 1);
+                   before.size() - (lineBreak == std::string_view::npos ? 0 : lineBreak + 1) + 1);
 }
 
 }  // namespace furrow

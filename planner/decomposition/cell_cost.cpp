@@ -27,7 +27,8 @@ constexpr double kSameS = 1e-6;
 
 }  // namespace
 
-CellCost::CellCost(const SwathSet& swaths, const Machine& machine, std::vector<std::vector<std::size_t>> pieces)
+CellCost::CellCost(const SwathSet& swaths, const Machine& machine,
+                   std::vector<std::vector<std::size_t>> pieces)
     : swaths_{swaths}, machine_{machine} {
     for (std::vector<std::size_t>& indices : pieces) {
         Piece piece{.swaths = std::move(indices)};
@@ -40,7 +41,8 @@ CellCost::CellCost(const SwathSet& swaths, const Machine& machine, std::vector<s
         }
         pieces_.push_back(std::move(piece));
     }
-    const auto driven = static_cast<std::size_t>(std::ranges::count_if(pieces_, [](const Piece& piece) { return !piece.swaths.empty(); }));
+    const auto driven = static_cast<std::size_t>(
+        std::ranges::count_if(pieces_, [](const Piece& piece) { return !piece.swaths.empty(); }));
     areFew_ = driven <= kFew;
     findLinks();
     if (pieces_.size() <= kMany) {
@@ -55,9 +57,12 @@ double CellCost::linkSeconds(Port leaving, Port arriving) const {
         // Forwards if its end is left, or if its start is driven onto.
         const Angle along = swath.isCurved() ? lineOf(swath).start.heading : swaths_.heading;
         const Angle heading = isAtEnd == isLeaving ? along : along + degrees(180.0);
-        return vehicleAt({.position = isAtEnd ? swath.end : swath.start, .heading = normalisedPoseHeading(heading)}, machine_);
+        return vehicleAt(
+            {.position = isAtEnd ? swath.end : swath.start, .heading = normalisedPoseHeading(heading)},
+            machine_);
     };
-    const Length curve = dubinsLength(pose(leaving, true), pose(arriving, false), machine_.minTurningRadius());
+    const Length curve =
+        dubinsLength(pose(leaving, true), pose(arriving, false), machine_.minTurningRadius());
     return (curve + machine_.runIn()).si() / machine_.turningSpeed().si();
 }
 
@@ -81,8 +86,8 @@ void CellCost::findLinks() {
     const auto apart = [&](Corner a, Corner b) {
         const Swath& from = swaths_.swaths[swathAt(a)];
         const Swath& to = swaths_.swaths[swathAt(b)];
-        return std::min({distance(from.start, to.start), distance(from.end, to.end), distance(from.start, to.end),
-                         distance(from.end, to.start)});
+        return std::min({distance(from.start, to.start), distance(from.end, to.end),
+                         distance(from.start, to.end), distance(from.end, to.start)});
     };
     std::vector<std::pair<double, Corner>> others;
     for (const Corner a : ends) {
@@ -123,7 +128,8 @@ void CellCost::findRoughSeconds() {
         }
     }
     for (const Link& link : links_) {
-        roughSeconds_[link.from * count + link.to] = roughSeconds_[link.to * count + link.from] = link.seconds;
+        roughSeconds_[link.from * count + link.to] = roughSeconds_[link.to * count + link.from] =
+            link.seconds;
     }
 }
 
@@ -137,7 +143,9 @@ std::vector<CellCost::Cell> CellCost::cellsOf(const Groups& groups) const {
             first[groups[piece]] = std::min(first[groups[piece]], piece);
         }
     }
-    std::ranges::sort(order, {}, [&](std::size_t piece) { return std::pair{first[groups[piece]], pieces_[piece].swaths.front()}; });
+    std::ranges::sort(order, {}, [&](std::size_t piece) {
+        return std::pair{first[groups[piece]], pieces_[piece].swaths.front()};
+    });
     std::vector<Cell> cells;
     for (const std::size_t index : order) {
         const Piece& piece = pieces_[index];
@@ -155,7 +163,8 @@ std::vector<CellCost::Cell> CellCost::cellsOf(const Groups& groups) const {
         for (const std::size_t side : {0U, 1U}) {
             // After an odd number of swaths the machine is at the other side and continues from there.
             const std::size_t at = cell.across(side);
-            cell.turning[side] += linkSeconds(2 * cell.lastSwath + at, 2 * piece.swaths.front() + at) + piece.turning[at];
+            cell.turning[side] +=
+                linkSeconds(2 * cell.lastSwath + at, 2 * piece.swaths.front() + at) + piece.turning[at];
         }
         cell.lastPiece = index;
         cell.lastSwath = piece.swaths.back();
@@ -166,7 +175,8 @@ std::vector<CellCost::Cell> CellCost::cellsOf(const Groups& groups) const {
 
 CellCost::Corner CellCost::entered(const std::vector<Cell>& cells, const Visit& visit) const {
     const Cell& cell = cells[visit.cell];
-    return visit.fromLast ? 4 * cell.lastPiece + 2 + cell.across(visit.side) : 4 * cell.firstPiece + visit.side;
+    return visit.fromLast ? 4 * cell.lastPiece + 2 + cell.across(visit.side)
+                          : 4 * cell.firstPiece + visit.side;
 }
 
 CellCost::Corner CellCost::left(const std::vector<Cell>& cells, const Visit& visit) const {
@@ -189,9 +199,12 @@ std::vector<CellCost::Visit> CellCost::sequenceOf(const std::vector<Cell>& cells
     }
     // The side of its first swath at which a cell begins or ends, once it is matched.
     std::vector<std::size_t> sides(cells.size(), kNone);
-    const auto sideFor = [&](std::size_t end, std::size_t side) { return end % 2 == 1 ? cells[end / 2].across(side) : side; };
+    const auto sideFor = [&](std::size_t end, std::size_t side) {
+        return end % 2 == 1 ? cells[end / 2].across(side) : side;
+    };
     const auto isFree = [&](std::size_t end, std::size_t side) {
-        return end != kNone && partner[end] == kNone && (sides[end / 2] == kNone || sides[end / 2] == sideFor(end, side));
+        return end != kNone && partner[end] == kNone &&
+               (sides[end / 2] == kNone || sides[end / 2] == sideFor(end, side));
     };
     for (const Link& link : links_) {
         const std::size_t a = endOfPiece[link.from / 2];
@@ -215,12 +228,14 @@ std::vector<CellCost::Visit> CellCost::sequenceOf(const std::vector<Cell>& cells
         double least = kInfinite;
         for (std::size_t end = 0; end < partner.size(); ++end) {
             for (const std::size_t side : {0U, 1U}) {
-                if (isDone[end / 2] || partner[end] != kNone || (sides[end / 2] != kNone && sides[end / 2] != side)) {
+                if (isDone[end / 2] || partner[end] != kNone ||
+                    (sides[end / 2] != kNone && sides[end / 2] != side)) {
                     continue;
                 }
                 const Visit visit{.cell = end / 2, .fromLast = end % 2 == 1, .side = side};
                 const double seconds =
-                    sequence.empty() ? 0.0 : cornerSeconds(left(cells, sequence.back()), entered(cells, visit));
+                    sequence.empty() ? 0.0
+                                     : cornerSeconds(left(cells, sequence.back()), entered(cells, visit));
                 if (seconds < least) {
                     least = seconds;
                     next = visit;
@@ -228,7 +243,8 @@ std::vector<CellCost::Visit> CellCost::sequenceOf(const std::vector<Cell>& cells
             }
         }
         sides[next.cell] = next.side;
-        for (std::size_t end = 2 * next.cell + (next.fromLast ? 1 : 0); end != kNone; end = partner[end ^ 1U]) {
+        for (std::size_t end = 2 * next.cell + (next.fromLast ? 1 : 0); end != kNone;
+             end = partner[end ^ 1U]) {
             isDone[end / 2] = true;
             sequence.push_back({.cell = end / 2, .fromLast = end % 2 == 1, .side = sides[end / 2]});
         }
@@ -255,7 +271,8 @@ double CellCost::secondsOf(const std::vector<Cell>& cells, const std::vector<Vis
             for (const std::size_t sideBefore : {0U, 1U}) {
                 Visit before = sequence[i - 1];
                 before.side = sideBefore;
-                next[side] = std::min(next[side], soFar[sideBefore] + way(left(cells, before), entered(cells, here)) + turning);
+                next[side] = std::min(
+                    next[side], soFar[sideBefore] + way(left(cells, before), entered(cells, here)) + turning);
             }
         }
         soFar = next;
@@ -264,7 +281,8 @@ double CellCost::secondsOf(const std::vector<Cell>& cells, const std::vector<Vis
 }
 
 void CellCost::turnRound(std::vector<Visit>& sequence, std::size_t first, std::size_t last) {
-    std::reverse(sequence.begin() + static_cast<std::ptrdiff_t>(first), sequence.begin() + static_cast<std::ptrdiff_t>(last) + 1);
+    std::reverse(sequence.begin() + static_cast<std::ptrdiff_t>(first),
+                 sequence.begin() + static_cast<std::ptrdiff_t>(last) + 1);
     for (std::size_t at = first; at <= last; ++at) {
         sequence[at].fromLast = !sequence[at].fromLast;
     }
@@ -272,9 +290,12 @@ void CellCost::turnRound(std::vector<Visit>& sequence, std::size_t first, std::s
 
 void CellCost::improveRoughly(const std::vector<Cell>& cells, std::vector<Visit>& sequence) const {
     const std::size_t count = 4 * pieces_.size();
-    const auto way = [&](const Visit& from, const Visit& to) { return roughSeconds_[left(cells, from) * count + entered(cells, to)]; };
+    const auto way = [&](const Visit& from, const Visit& to) {
+        return roughSeconds_[left(cells, from) * count + entered(cells, to)];
+    };
     const auto around = [&](std::size_t i, const Visit& visit) {
-        return (i > 0 ? way(sequence[i - 1], visit) : 0.0) + (i + 1 < sequence.size() ? way(visit, sequence[i + 1]) : 0.0) +
+        return (i > 0 ? way(sequence[i - 1], visit) : 0.0) +
+               (i + 1 < sequence.size() ? way(visit, sequence[i + 1]) : 0.0) +
                cells[visit.cell].turning[visit.side];
     };
     const auto turned = [](Visit visit) {

@@ -39,7 +39,9 @@ public:
 
     MultiPolygon to(const MultiPolygon& polygons) const {
         MultiPolygon turned = polygons;
-        const auto turn = [this](Ring& ring) { std::ranges::transform(ring, ring.begin(), [this](Point p) { return to(p); }); };
+        const auto turn = [this](Ring& ring) {
+            std::ranges::transform(ring, ring.begin(), [this](Point p) { return to(p); });
+        };
         for (Polygon& polygon : turned) {
             turn(polygon.outer);
             std::ranges::for_each(polygon.holes, turn);
@@ -47,7 +49,9 @@ public:
         return turned;
     }
     MultiPolygon from(MultiPolygon polygons) const {
-        const auto turn = [this](Ring& ring) { std::ranges::transform(ring, ring.begin(), [this](Point p) { return from(p); }); };
+        const auto turn = [this](Ring& ring) {
+            std::ranges::transform(ring, ring.begin(), [this](Point p) { return from(p); });
+        };
         for (Polygon& polygon : polygons) {
             turn(polygon.outer);
             std::ranges::for_each(polygon.holes, turn);
@@ -110,7 +114,8 @@ std::vector<Polyline> cutsOf(const MultiPolygon& mainland, bool atEveryCorner, L
 
 double distanceTo(const Polygon& polygon, Point point) {
     double nearest = std::numeric_limits<double>::infinity();
-    forEachEdge({polygon}, [&](Point a, Point b) { nearest = std::min(nearest, distanceToSegment(point, a, b)); });
+    forEachEdge({polygon},
+                [&](Point a, Point b) { nearest = std::min(nearest, distanceToSegment(point, a, b)); });
     return nearest;
 }
 
@@ -120,7 +125,8 @@ struct LevelCells {
     std::vector<Polyline> cuts;
 };
 
-Result<LevelCells> levelCells(const MultiPolygon& mainland, bool atEveryCorner, Length bend, const JobContext& job) {
+Result<LevelCells> levelCells(const MultiPolygon& mainland, bool atEveryCorner, Length bend,
+                              const JobContext& job) {
     LevelCells level{.cells = {}, .cuts = cutsOf(mainland, atEveryCorner, bend)};
     if (level.cuts.empty()) {
         level.cells = mainland;
@@ -146,7 +152,8 @@ std::vector<std::size_t> homesOf(const SwathSet& swaths, const LevelFrame& frame
         auto home = std::ranges::find_if(cells, [&](const Polygon& cell) { return isInside(cell, middle); });
         if (home == cells.end()) {
             // On an edge, or extended beyond it.
-            home = std::ranges::min_element(cells, {}, [&](const Polygon& cell) { return distanceTo(cell, middle); });
+            home = std::ranges::min_element(cells, {},
+                                            [&](const Polygon& cell) { return distanceTo(cell, middle); });
         }
         homes.push_back(static_cast<std::size_t>(home - cells.begin()));
     }
@@ -157,8 +164,9 @@ Result<Decomposition> onePiece(const DecompositionTask& task, const JobContext& 
     if (job.stopRequested()) {
         return std::unexpected(cancelled());
     }
-    Decomposition whole{.cells = {{.outline = task.mainland, .swaths = {}}},
-                        .altitude = metres(bounds(LevelFrame{task.swaths.heading}.to(task.mainland)).height())};
+    Decomposition whole{
+        .cells = {{.outline = task.mainland, .swaths = {}}},
+        .altitude = metres(bounds(LevelFrame{task.swaths.heading}.to(task.mainland)).height())};
     whole.cells.front().swaths.resize(task.swaths.swaths.size());
     std::iota(whole.cells.front().swaths.begin(), whole.cells.front().swaths.end(), std::size_t{0});
     return whole;
@@ -186,7 +194,8 @@ DecompositionStep stepOf(const MultiPolygon& levelPieces, const Groups& groups, 
 
 /// The steps: first the cut pieces, then one for every join of two driven cells, and one for the other joins
 /// between two of these.
-std::vector<DecompositionStep> stepsOf(const MultiPolygon& levelPieces, const std::vector<Join>& joins, const CellCost& cost) {
+std::vector<DecompositionStep> stepsOf(const MultiPolygon& levelPieces, const std::vector<Join>& joins,
+                                       const CellCost& cost) {
     Groups groups(levelPieces.size());
     std::iota(groups.begin(), groups.end(), std::size_t{0});
     std::vector<bool> isDriven(levelPieces.size());
@@ -209,12 +218,14 @@ std::vector<DecompositionStep> stepsOf(const MultiPolygon& levelPieces, const st
     return steps;
 }
 
-Result<Decomposition> decomposed(const DecompositionTask& task, bool atEveryCorner, bool merge, const JobContext& job) {
+Result<Decomposition> decomposed(const DecompositionTask& task, bool atEveryCorner, bool merge,
+                                 const JobContext& job) {
     if (task.swaths.isCurved()) {
         return onePiece(task, job);
     }
     const LevelFrame frame{task.swaths.heading};
-    const auto level = levelCells(frame.to(task.mainland), atEveryCorner, std::max(kBend, 0.5 * task.machine.operatingWidth()), job);
+    const auto level = levelCells(frame.to(task.mainland), atEveryCorner,
+                                  std::max(kBend, 0.5 * task.machine.operatingWidth()), job);
     if (!level) {
         return std::unexpected(level.error());
     }
@@ -225,7 +236,8 @@ Result<Decomposition> decomposed(const DecompositionTask& task, bool atEveryCorn
         dealt[homes[swath]].push_back(swath);
     }
     const CellCost cost{task.swaths, task.machine, dealt};
-    const auto joins = merge ? joinsWhereQuicker(bordersOf(pieces), cost, pieces.size(), job) : std::vector<Join>{};
+    const auto joins =
+        merge ? joinsWhereQuicker(bordersOf(pieces), cost, pieces.size(), job) : std::vector<Join>{};
     if (!joins) {
         return std::unexpected(joins.error());
     }
@@ -241,7 +253,8 @@ Result<Decomposition> decomposed(const DecompositionTask& task, bool atEveryCorn
     for (std::size_t piece = 0; piece < pieces.size(); ++piece) {
         if (groups[piece] == piece) {
             cellOf[piece] = result.cells.size();
-            result.cells.push_back({.outline = frame.from(std::move((*outlines)[result.cells.size()])), .swaths = {}});
+            result.cells.push_back(
+                {.outline = frame.from(std::move((*outlines)[result.cells.size()])), .swaths = {}});
         }
         std::vector<std::size_t>& swaths = result.cells[cellOf[groups[piece]]].swaths;
         swaths.insert(swaths.end(), dealt[piece].begin(), dealt[piece].end());
@@ -259,13 +272,15 @@ constexpr Choice kHeadings[] = {
 
 }  // namespace
 
-const Parameter kSplit{.key = "decomposition.split",
-                       .name = "Split lines",
-                       .description = "Lines in WGS84 along which the mainland is cut; they run right through it, or end no farther than an operating width "
-                                      "from its edge.",
-                       .kind = ParameterKind::Lines,
-                       .standard = {},
-                       .choices = {}};
+const Parameter kSplit{
+    .key = "decomposition.split",
+    .name = "Split lines",
+    .description =
+        "Lines in WGS84 along which the mainland is cut; they run right through it, or end no farther than an operating width "
+        "from its edge.",
+    .kind = ParameterKind::Lines,
+    .standard = {},
+    .choices = {}};
 
 const Parameter kCellHeading{.key = "decomposition.heading",
                              .name = "Heading",
@@ -286,20 +301,28 @@ const Method<Decomposer> kTrapezoidalMethod{
              .name = "Trapezoids",
              .description = "Cut along the swaths at every corner, sharp or rounded.",
              .parameters = {}},
-    .run = [](const DecompositionTask& task, const JobContext& job) { return decomposed(task, true, false, job); }};
+    .run = [](const DecompositionTask& task, const JobContext& job) {
+        return decomposed(task, true, false, job);
+    }};
 
 const Method<Decomposer> kBoustrophedonCellsMethod{
     .info = {.id = "boustrophedon",
              .name = "At obstacles",
              .description = "Cut along the swaths where an obstacle or a bay begins or ends.",
              .parameters = {}},
-    .run = [](const DecompositionTask& task, const JobContext& job) { return decomposed(task, false, false, job); }};
+    .run = [](const DecompositionTask& task, const JobContext& job) {
+        return decomposed(task, false, false, job);
+    }};
 
 const Method<Decomposer> kMergedCellsMethod{
-    .info = {.id = "merged",
-             .name = "Joined where that is quicker",
-             .description = "Cut where an obstacle or a bay begins or ends, and joined again where that saves turns and ways.",
-             .parameters = {}},
-    .run = [](const DecompositionTask& task, const JobContext& job) { return decomposed(task, false, true, job); }};
+    .info =
+        {.id = "merged",
+         .name = "Joined where that is quicker",
+         .description =
+             "Cut where an obstacle or a bay begins or ends, and joined again where that saves turns and ways.",
+         .parameters = {}},
+    .run = [](const DecompositionTask& task, const JobContext& job) {
+        return decomposed(task, false, true, job);
+    }};
 
 }  // namespace furrow

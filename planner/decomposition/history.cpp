@@ -19,7 +19,8 @@ Groups cellsAt(const DecompositionHistory& history, std::size_t step) {
     return groups;
 }
 
-Result<std::vector<MultiPolygon>> outlinesOf(const MultiPolygon& pieces, const Groups& groups, const JobContext& job) {
+Result<std::vector<MultiPolygon>> outlinesOf(const MultiPolygon& pieces, const Groups& groups,
+                                             const JobContext& job) {
     std::vector<MultiPolygon> members(pieces.size());
     for (std::size_t piece = 0; piece < pieces.size(); ++piece) {
         members[groups[piece]].push_back(pieces[piece]);
@@ -37,11 +38,13 @@ Result<std::vector<MultiPolygon>> outlinesOf(const MultiPolygon& pieces, const G
     return members;
 }
 
-Result<std::vector<MultiPolygon>> outlinesAt(const DecompositionHistory& history, std::size_t step, const JobContext& job) {
+Result<std::vector<MultiPolygon>> outlinesAt(const DecompositionHistory& history, std::size_t step,
+                                             const JobContext& job) {
     return outlinesOf(history.pieces, cellsAt(history, step), job);
 }
 
-Result<std::vector<MultiPolygon>> joinedAt(const DecompositionHistory& history, std::size_t step, const JobContext& job) {
+Result<std::vector<MultiPolygon>> joinedAt(const DecompositionHistory& history, std::size_t step,
+                                           const JobContext& job) {
     if (step == 0 || !(history.steps[step].cost < history.steps[step - 1].cost)) {
         return std::vector<MultiPolygon>{};
     }

@@ -56,7 +56,8 @@ public:
 
 private:
     bool mayJoin(const Border& border) const {
-        return !goesOn_[border.below] && !comesFrom_[border.above] && groups_[border.below] != groups_[border.above];
+        return !goesOn_[border.below] && !comesFrom_[border.above] &&
+               groups_[border.below] != groups_[border.above];
     }
     Join joinAt(const Border& border) const {
         return {.kept = std::min(groups_[border.below], groups_[border.above]),
@@ -160,8 +161,8 @@ void apply(const Join& join, Groups& groups) {
     std::ranges::replace(groups, join.gone, join.kept);
 }
 
-Result<std::vector<Join>> joinsWhereQuicker(const std::vector<Border>& borders, const CellCost& cost, std::size_t pieces,
-                                            const JobContext& job) {
+Result<std::vector<Join>> joinsWhereQuicker(const std::vector<Border>& borders, const CellCost& cost,
+                                            std::size_t pieces, const JobContext& job) {
     return Joiner{borders, cost, pieces}.run(job);
 }
 

@@ -26,7 +26,7 @@ void apply(const Join& join, Groups& groups);
 /// into at most one above it and from at most one below. So a line along the heading still meets each cell in
 /// one piece. Pieces without swaths join the neighbour with the longest common border. Cancelled. Cost: a few
 /// costs for each border.
-Result<std::vector<Join>> joinsWhereQuicker(const std::vector<Border>& borders, const CellCost& cost, std::size_t pieces,
-                                            const JobContext& job);
+Result<std::vector<Join>> joinsWhereQuicker(const std::vector<Border>& borders, const CellCost& cost,
+                                            std::size_t pieces, const JobContext& job);
 
 }  // namespace furrow

@@ -61,7 +61,9 @@ public:
     }
 
 private:
-    Point pointAt(LineEnd end) const { return end.isLast ? lines_[end.line].back() : lines_[end.line].front(); }
+    Point pointAt(LineEnd end) const {
+        return end.isLast ? lines_[end.line].back() : lines_[end.line].front();
+    }
 
     Point directionAt(LineEnd end) const {
         const Polyline& line = lines_[end.line];
@@ -85,7 +87,8 @@ private:
         const Point along = directionAt(end);
         double nearestM = std::numeric_limits<double>::infinity();
         bool endsOnLine = false;
-        forEachEdge(mainland_, [&](Point a, Point b) { nearestM = std::min(nearestM, aheadM(place, along, a, b)); });
+        forEachEdge(mainland_,
+                    [&](Point a, Point b) { nearestM = std::min(nearestM, aheadM(place, along, a, b)); });
         for (std::size_t i = 0; i < lines_.size(); ++i) {
             const Polyline& line = lines_[i];
             for (std::size_t k = 0; k + 1 < line.size(); ++k) {
@@ -104,7 +107,8 @@ private:
         for (std::size_t k = 0; k + 1 < line.size(); ++k) {
             const Point way = line[k + 1] - line[k];
             bool meets = isInside(mainland_, line[k + 1]);
-            forEachEdge(mainland_, [&](Point a, Point b) { meets = meets || aheadM(line[k], way, a, b) <= 1.0; });
+            forEachEdge(mainland_,
+                        [&](Point a, Point b) { meets = meets || aheadM(line[k], way, a, b) <= 1.0; });
             if (meets) {
                 return true;
             }

@@ -7,7 +7,8 @@ namespace furrow {
 
 namespace {
 
-Outline outlineOf(OutlineId id, bool closed, const GeoRing& places, const LocalFrame& frame, const FieldShape* before) {
+Outline outlineOf(OutlineId id, bool closed, const GeoRing& places, const LocalFrame& frame,
+                  const FieldShape* before) {
     Outline outline{.id = id, .closed = closed, .places = places, .points = {}};
     const Outline* old = before == nullptr ? nullptr : before->find(id);
     if (old == nullptr || old->places.size() != places.size()) {
@@ -25,8 +26,10 @@ Outline outlineOf(OutlineId id, bool closed, const GeoRing& places, const LocalF
 
 }  // namespace
 
-Result<FieldShape> FieldShape::of(const FieldSource& source, const DrawnLines& lines, const FieldShape* before) {
-    Result<LocalFrame> frame = before != nullptr ? before->frame : LocalFrame::centredOn(middleOf(source.parts));
+Result<FieldShape> FieldShape::of(const FieldSource& source, const DrawnLines& lines,
+                                  const FieldShape* before) {
+    Result<LocalFrame> frame =
+        before != nullptr ? before->frame : LocalFrame::centredOn(middleOf(source.parts));
     if (!frame) {
         return std::unexpected(frame.error());
     }
@@ -109,7 +112,8 @@ const EdgeHeadland* findEdgeHeadland(const FieldSource& source, const OutlineId&
     return found == source.edgeHeadlands.end() ? nullptr : &*found;
 }
 
-FieldSource withEdgeHeadland(FieldSource source, const OutlineId& id, std::size_t edge, std::optional<Length> width) {
+FieldSource withEdgeHeadland(FieldSource source, const OutlineId& id, std::size_t edge,
+                             std::optional<Length> width) {
     if (const EdgeHeadland* own = findEdgeHeadland(source, id, edge)) {
         source.edgeHeadlands.erase(source.edgeHeadlands.begin() + (own - source.edgeHeadlands.data()));
     }

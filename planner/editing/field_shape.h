@@ -53,7 +53,8 @@ struct FieldShape {
     /// @param before  the shape before a change: its frame is kept, and unmoved points are not converted
     /// again
     /// @return InputRefused: no point to put the frame's centre at. Cost: O(n) for n points.
-    static Result<FieldShape> of(const FieldSource& source, const DrawnLines& lines, const FieldShape* before = nullptr);
+    static Result<FieldShape> of(const FieldSource& source, const DrawnLines& lines,
+                                 const FieldShape* before = nullptr);
 
     const Outline* find(const OutlineId& id) const;
 };
@@ -61,7 +62,8 @@ struct FieldShape {
 /// The own headland of an edge of the boundary or of a hole. Null for other outlines.
 const EdgeHeadland* findEdgeHeadland(const FieldSource& source, const OutlineId& id, std::size_t edge);
 /// The source with a headland of this width at the edge. Without a width, the edge is as wide as elsewhere.
-FieldSource withEdgeHeadland(FieldSource source, const OutlineId& id, std::size_t edge, std::optional<Length> width);
+FieldSource withEdgeHeadland(FieldSource source, const OutlineId& id, std::size_t edge,
+                             std::optional<Length> width);
 
 /// The source with other points in one outline. Drawn lines are not part of it and leave it unchanged.
 FieldSource withOutline(FieldSource source, const OutlineId& id, GeoRing places);

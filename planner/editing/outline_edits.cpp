@@ -69,8 +69,10 @@ GeoRing withEdgeMoved(const Outline& outline, const LocalFrame& frame, std::size
     const Point way = sideways.si() * Point{-along.y, along.x};
     const bool hasLast = outline.closed || edge > 0;
     const bool hasNext = outline.closed || next + 1 < outline.points.size();
-    places[edge] = frame.toGeo(hasLast ? slid(from, outline.points[lastOf(outline, edge)], along, way) : from + way);
-    places[next] = frame.toGeo(hasNext ? slid(to, outline.points[nextOf(outline, next)], along, way) : to + way);
+    places[edge] =
+        frame.toGeo(hasLast ? slid(from, outline.points[lastOf(outline, edge)], along, way) : from + way);
+    places[next] =
+        frame.toGeo(hasNext ? slid(to, outline.points[nextOf(outline, next)], along, way) : to + way);
     return places;
 }
 
@@ -80,12 +82,14 @@ GeoRing withEdgeLength(const Outline& outline, const LocalFrame& frame, std::siz
     if (before <= 0.0) {
         return outline.places;
     }
-    return withVertexAt(outline, frame, nextOf(outline, edge), outline.from(edge) + (length.si() / before) * way);
+    return withVertexAt(outline, frame, nextOf(outline, edge),
+                        outline.from(edge) + (length.si() / before) * way);
 }
 
 GeoRing withEdgeHeading(const Outline& outline, const LocalFrame& frame, std::size_t edge, Angle heading) {
     const double length = distance(outline.from(edge), outline.to(edge));
-    return withVertexAt(outline, frame, nextOf(outline, edge), outline.from(edge) + length * direction(heading.si()));
+    return withVertexAt(outline, frame, nextOf(outline, edge),
+                        outline.from(edge) + length * direction(heading.si()));
 }
 
 GeoRing withAllMoved(const Outline& outline, const LocalFrame& frame, Point way) {

@@ -33,7 +33,8 @@ std::optional<ShapeHit> hitAt(const FieldShape& shape, Point place, Length reach
     }
     for (const Outline& outline : shape.outlines) {
         for (std::size_t i = 0; i < outline.edgeCount(); ++i) {
-            offer(ShapeHit::Kind::Edge, outline.id, i, nearestOnSegment(place, outline.from(i), outline.to(i)));
+            offer(ShapeHit::Kind::Edge, outline.id, i,
+                  nearestOnSegment(place, outline.from(i), outline.to(i)));
         }
     }
     if (best) {
@@ -42,7 +43,8 @@ std::optional<ShapeHit> hitAt(const FieldShape& shape, Point place, Length reach
     for (const Outline& outline : shape.outlines) {
         const bool area = outline.id.kind == OutlineKind::Hole || outline.id.kind == OutlineKind::Obstacle;
         if (area && outline.points.size() >= 3 && isInside(outline.points, place)) {
-            best = ShapeHit{.kind = ShapeHit::Kind::Inside, .outline = outline.id, .index = 0, .place = place};
+            best =
+                ShapeHit{.kind = ShapeHit::Kind::Inside, .outline = outline.id, .index = 0, .place = place};
         }
     }
     return best;
@@ -50,7 +52,8 @@ std::optional<ShapeHit> hitAt(const FieldShape& shape, Point place, Length reach
 
 std::optional<std::size_t> partAt(const FieldShape& shape, Point place) {
     for (const Outline& outline : shape.outlines) {
-        if (outline.id.kind == OutlineKind::Boundary && outline.points.size() >= 3 && isInside(outline.points, place)) {
+        if (outline.id.kind == OutlineKind::Boundary && outline.points.size() >= 3 &&
+            isInside(outline.points, place)) {
             return outline.id.item;
         }
     }

@@ -27,7 +27,6 @@ std::optional<ShapeHit> hitAt(const FieldShape& shape, Point place, Length reach
 /// The part of the field around a place. Empty outside.
 std::optional<std::size_t> partAt(const FieldShape& shape, Point place);
 
-
 /// The nearest place on any boundary or hole. Empty without one.
 std::optional<Point> nearestOnBoundary(const FieldShape& shape, Point place);
 

@@ -8,9 +8,9 @@
 #include "planner/plan/plan.h"
 
 #include <fcntl.h>
-#include <nlohmann/json.hpp>
 #include <sys/file.h>
 #include <unistd.h>
+#include <nlohmann/json.hpp>
 
 #include <algorithm>
 #include <array>
@@ -82,7 +82,8 @@ Json jsonOf(const BatchRecord& record) {
 }
 
 std::optional<double> numberIn(const Json& json, const char* key) {
-    return json.contains(key) && json[key].is_number() ? std::optional{json[key].get<double>()} : std::nullopt;
+    return json.contains(key) && json[key].is_number() ? std::optional{json[key].get<double>()}
+                                                       : std::nullopt;
 }
 
 /// A line of an earlier run. Empty for a line that was cut short.
@@ -160,10 +161,11 @@ private:
         if (file_) {
             return {};
         }
-        return std::unexpected(Error{.code = ErrorCode::WriteFailed,
-                                     .what = std::format("could not write: {}", std::strerror(errno)),
-                                     .where = path_.string(),
-                                     .remedy = "make room or choose another folder; --resume goes on from here"});
+        return std::unexpected(
+            Error{.code = ErrorCode::WriteFailed,
+                  .what = std::format("could not write: {}", std::strerror(errno)),
+                  .where = path_.string(),
+                  .remedy = "make room or choose another folder; --resume goes on from here"});
     }
 
     std::filesystem::path path_;
@@ -174,7 +176,8 @@ private:
 /// Held while a batch writes to its record. Two batches at once would overwrite each other's lines.
 class RecordLock {
 public:
-    explicit RecordLock(const std::filesystem::path& path) : file_{::open(path.c_str(), O_RDWR | O_CREAT | O_CLOEXEC, 0666)} {
+    explicit RecordLock(const std::filesystem::path& path)
+        : file_{::open(path.c_str(), O_RDWR | O_CREAT | O_CLOEXEC, 0666)} {
         isTaken_ = file_ >= 0 && ::flock(file_, LOCK_EX | LOCK_NB) != 0 && errno == EWOULDBLOCK;
     }
     ~RecordLock() {
@@ -207,7 +210,8 @@ std::filesystem::path placeOf(const std::filesystem::path& file) {
     return failed ? std::filesystem::absolute(file, failed) : place;
 }
 
-Result<std::vector<BatchField>> fieldsOf(const BatchTask& task, const std::string& run, const JobContext& job) {
+Result<std::vector<BatchField>> fieldsOf(const BatchTask& task, const std::string& run,
+                                         const JobContext& job) {
     std::vector<BatchField> fields;
     std::set<std::filesystem::path> seen;
     std::size_t all = 0;
@@ -216,8 +220,9 @@ Result<std::vector<BatchField>> fieldsOf(const BatchTask& task, const std::strin
         if (!seen.insert(file).second) {
             continue;
         }
-        auto tasks = readFieldTasks(named, {.planName = {}, .machine = task.machine, .settings = task.settings},
-                                    {.stop = job.stop, .progress = {}, .threads = job.threads});
+        auto tasks =
+            readFieldTasks(named, {.planName = {}, .machine = task.machine, .settings = task.settings},
+                           {.stop = job.stop, .progress = {}, .threads = job.threads});
         if (!tasks) {
             return std::unexpected(tasks.error());
         }
@@ -257,7 +262,8 @@ void fill(BatchRecord& record, const Plan& plan) {
 }
 
 /// WriteFailed and Cancelled end the batch. Every other result becomes part of the record.
-Result<BatchRecord> planned(const BatchField& each, const BatchTask& task, const std::string& run, const JobContext& job) {
+Result<BatchRecord> planned(const BatchField& each, const BatchTask& task, const std::string& run,
+                            const JobContext& job) {
     BatchRecord record{.key = each.key,
                        .run = run,
                        .file = each.file.string(),
@@ -287,7 +293,8 @@ Result<BatchRecord> planned(const BatchField& each, const BatchTask& task, const
         return unplanned(breadth.error());
     }
     record.breadth = *breadth;
-    const auto plan = planRequest(std::make_shared<const Field>(std::move(*field)), each.task.machine, each.task.settings, job)
+    const auto plan = planRequest(std::make_shared<const Field>(std::move(*field)), each.task.machine,
+                                  each.task.settings, job)
                           .and_then([&job](const PlanRequest& request) { return makePlan(request, job); });
     if (!plan) {
         return unplanned(plan.error());
@@ -355,7 +362,8 @@ Json jsonOf(const BatchTotals& totals) {
 
 BatchReport reportOf(std::vector<BatchRecord> records) {
     BatchReport report;
-    std::ranges::sort(records, {}, [](const BatchRecord& record) { return std::pair{record.file, record.number}; });
+    std::ranges::sort(records, {},
+                      [](const BatchRecord& record) { return std::pair{record.file, record.number}; });
     report.records = std::move(records);
     std::vector<const BatchRecord*> wide;
     std::vector<const BatchRecord*> narrow;
@@ -372,18 +380,21 @@ BatchReport reportOf(std::vector<BatchRecord> records) {
 }  // namespace
 
 std::filesystem::path batchRecordPath(const std::filesystem::path& out, const Shard& shard) {
-    return out / (shard.count == 1 ? "batch.jsonl" : std::format("batch-{}-of-{}.jsonl", shard.number, shard.count));
+    return out / (shard.count == 1 ? "batch.jsonl"
+                                   : std::format("batch-{}-of-{}.jsonl", shard.number, shard.count));
 }
 
 namespace {
 
 /// A folder holds one batch. For other shards, only the common inputs of all shards can be checked.
-Result<void> checkFolder(const BatchTask& task, const std::vector<BatchField>& fields, const std::string& run) {
+Result<void> checkFolder(const BatchTask& task, const std::vector<BatchField>& fields,
+                         const std::string& run) {
     const auto other = [&task](const BatchRecord& record, Message what) {
-        return std::unexpected(Error{.code = ErrorCode::Usage,
-                                     .what = std::move(what),
-                                     .where = message("{}, field {} of {}", task.out.string(), record.number, record.file),
-                                     .remedy = "choose another folder for --out, or remove this one"});
+        return std::unexpected(
+            Error{.code = ErrorCode::Usage,
+                  .what = std::move(what),
+                  .where = message("{}, field {} of {}", task.out.string(), record.number, record.file),
+                  .remedy = "choose another folder for --out, or remove this one"});
     };
     const std::filesystem::path own = batchRecordPath(task.out, task.shard);
     std::error_code failed;
@@ -394,19 +405,23 @@ Result<void> checkFolder(const BatchTask& task, const std::vector<BatchField>& f
         }
         for (const BatchRecord& record : recordsIn(entry.path())) {
             if (record.run != run) {
-                return other(record, "the folder holds a batch of another machine, other settings, formats or an older version");
+                return other(
+                    record,
+                    "the folder holds a batch of another machine, other settings, formats or an older version");
             }
             if (entry.path().filename() != own.filename()) {
                 continue;
             }
             if (!std::ranges::contains(fields, record.key, &BatchField::key)) {
-                return other(record, "the folder holds a batch of other fields, or this one was changed since");
+                return other(record,
+                             "the folder holds a batch of other fields, or this one was changed since");
             }
             if (!task.resume) {
-                return std::unexpected(Error{.code = ErrorCode::Usage,
-                                             .what = "the folder holds this batch, or a part of it",
-                                             .where = task.out.string(),
-                                             .remedy = "go on with it by --resume, or choose another folder for --out"});
+                return std::unexpected(
+                    Error{.code = ErrorCode::Usage,
+                          .what = "the folder holds this batch, or a part of it",
+                          .where = task.out.string(),
+                          .remedy = "go on with it by --resume, or choose another folder for --out"});
             }
         }
     }

@@ -42,17 +42,17 @@ enum class BatchOutcome { Drivable, Blocked, Refused, Failed };
 
 /// One field of a batch, and one line of its record.
 struct BatchRecord {
-    std::string key;      ///< of all inputs of the result
-    std::string run;      ///< of the common inputs of the batch
-    std::string file;     ///< absolute
+    std::string key;         ///< of all inputs of the result
+    std::string run;         ///< of the common inputs of the batch
+    std::string file;        ///< absolute
     std::size_t number = 0;  ///< of the field in its file, from 1
     std::string id;
     std::string folder;  ///< of its plan, below the batch's; empty without a plan
     BatchOutcome outcome = BatchOutcome::Failed;
-    std::string error;       ///< if it was refused or failed
+    std::string error;  ///< if it was refused or failed
     Area area;
     std::size_t vertices = 0;
-    Length breadth;  ///< of the widest circle inside the field
+    Length breadth;       ///< of the widest circle inside the field
     std::string machine;  ///< its name
     Length width;         ///< the machine's operating width
     std::optional<double> covered;

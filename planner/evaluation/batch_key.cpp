@@ -35,7 +35,8 @@ std::string textOf(const FieldSource& field) {
         add(text, obstacle.outline);
     }
     for (const Gate& gate : field.gates) {
-        text += std::format("\ngate {} {} {} {}", gate.name, gate.position.lonDeg, gate.position.latDeg, gate.width.si());
+        text += std::format("\ngate {} {} {} {}", gate.name, gate.position.lonDeg, gate.position.latDeg,
+                            gate.width.si());
     }
     for (const EdgeHeadland& edge : field.edgeHeadlands) {
         text += std::format("\nedge {} {} {} {}", edge.part, edge.ring, edge.edge, edge.width.si());
@@ -64,7 +65,8 @@ std::string textOf(const Settings& settings) {
 }  // namespace
 
 std::string runKey(const BatchTask& task) {
-    std::string text = std::format("{}\n{}\n", FURROW_VERSION, task.machine ? machineJson(task.machine->spec()) : "");
+    std::string text =
+        std::format("{}\n{}\n", FURROW_VERSION, task.machine ? machineJson(task.machine->spec()) : "");
     text += textOf(task.settings);
     for (const std::string_view format : task.formats) {
         text += std::format("{} ", format);
@@ -72,7 +74,8 @@ std::string runKey(const BatchTask& task) {
     return fingerprint(text).substr(0, 16);
 }
 
-std::string fieldKey(const std::filesystem::path& file, std::size_t number, const FieldTask& field, const std::string& run) {
+std::string fieldKey(const std::filesystem::path& file, std::size_t number, const FieldTask& field,
+                     const std::string& run) {
     const std::string text = std::format("{}\n{}\n{}\n", run, file.string(), number) + textOf(field.source) +
                              machineJson(field.machine.spec()) + textOf(field.settings);
     return fingerprint(text).substr(0, 16);

@@ -15,6 +15,7 @@ std::string runKey(const BatchTask& task);
 /// The same for one field's result, including its source and all inputs of its plan.
 ///
 /// @param file  absolute
-std::string fieldKey(const std::filesystem::path& file, std::size_t number, const FieldTask& field, const std::string& run);
+std::string fieldKey(const std::filesystem::path& file, std::size_t number, const FieldTask& field,
+                     const std::string& run);
 
 }  // namespace furrow

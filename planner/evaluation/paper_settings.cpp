@@ -22,11 +22,8 @@ constexpr std::pair<std::string_view, std::string_view> kSetUp[] = {
 
 // A planner without these settings already does what they set.
 constexpr std::pair<std::string_view, std::string_view> kWhereThereIs[] = {
-    {"decomposition.method", "none"},
-    {"swaths.ends", "centre"},
-    {"swaths.min_length_m", "0"},
-    {"swaths.prefer_edge_percent", "0"},
-    {"headland.driven", "false"},
+    {"decomposition.method", "none"},    {"swaths.ends", "centre"},    {"swaths.min_length_m", "0"},
+    {"swaths.prefer_edge_percent", "0"}, {"headland.driven", "false"},
 };
 
 }  // namespace

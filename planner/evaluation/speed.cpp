@@ -1,8 +1,8 @@
 #include "planner/evaluation/speed.h"
 
-#include "planner/geometry/geos_yardstick.h"
 #include "planner/evaluation/paper_settings.h"
 #include "planner/evaluation/peak_memory.h"
+#include "planner/geometry/geos_yardstick.h"
 #include "planner/machine/machine_library.h"
 #include "planner/plan/method_registry.h"
 #include "planner/plan/plan.h"
@@ -96,7 +96,8 @@ public:
     explicit Bench(const JobContext& job) : job_{job} {}
 
     Result<std::vector<SpeedCase>> run() {
-        const auto cases = {&Bench::headings, &Bench::searches, &Bench::vertices, &Bench::exact, &Bench::plans, &Bench::turns};
+        const auto cases = {&Bench::headings, &Bench::searches, &Bench::vertices,
+                            &Bench::exact,    &Bench::plans,    &Bench::turns};
         double done = 0.0;
         for (const auto part : cases) {
             if (const auto ran = (this->*part)(); !ran) {
@@ -131,7 +132,8 @@ private:
         const ScanLine scanLine{{field}, {.width = kWidth, .overlap = {}}};
         int turn = 0;
         const auto next = [&turn] { return degrees(turn++ % kHeadings); };
-        const Measured lines = measured([&] { keep(scanLine.lineFigures(next(), SwathObjective::Count).length.si()); });
+        const Measured lines =
+            measured([&] { keep(scanLine.lineFigures(next(), SwathObjective::Count).length.si()); });
         add("one heading, number and length of swaths", field, 1, lines,
             measured([&] { keep(plainFigures(field, kWidth, next(), false).length.si()); }).median);
         const Measured all = measured([&] { keep(scanLine.figures(next()).coverage); });
@@ -153,19 +155,23 @@ private:
         return seconds(tookS * kHeadings / std::max(1, tried));
     }
 
-    Result<void> search(const Polygon& field, std::string_view objective, std::initializer_list<int> threadCounts) {
-        const auto settings = settingsWith({{"swaths.method", "brute-force"}, {"swaths.objective", objective}});
+    Result<void> search(const Polygon& field, std::string_view objective,
+                        std::initializer_list<int> threadCounts) {
+        const auto settings =
+            settingsWith({{"swaths.method", "brute-force"}, {"swaths.objective", objective}});
         const auto whole = fieldOf(field, "bench");
         if (!settings || !whole) {
             return std::unexpected(settings ? whole.error() : settings.error());
         }
         const MultiPolygon mainland{field};
         const Machine machine = paperMachine();
-        const SwathTask task{.field = **whole, .mainland = mainland, .machine = machine, .settings = *settings};
+        const SwathTask task{
+            .field = **whole, .mainland = mainland, .machine = machine, .settings = *settings};
         const Duration plain = plainSearch(field, objective == "coverage");
         for (const int threads : threadCounts) {
             const Measured ours = measured([&] {
-                const auto set = swathMethod(*settings)(task, {.stop = job_.stop, .progress = {}, .threads = threads});
+                const auto set =
+                    swathMethod(*settings)(task, {.stop = job_.stop, .progress = {}, .threads = threads});
                 keep(set ? set->coverage : 0.0);
             });
             add(std::format("best of 180 headings, {}", objective), field, threads, ours, plain);
@@ -196,7 +202,8 @@ private:
     Result<void> exact() {
         Polygon convex;
         for (int i = 0; i < 20; ++i) {
-            convex.outer.push_back({1.6 * std::cos(2.0 * std::numbers::pi * i / 20), std::sin(2.0 * std::numbers::pi * i / 20)});
+            convex.outer.push_back(
+                {1.6 * std::cos(2.0 * std::numbers::pi * i / 20), std::sin(2.0 * std::numbers::pi * i / 20)});
         }
         convex = scaledTo(convex, squareMetres(1e4));
         const MultiPolygon mainland{convex};
@@ -207,14 +214,18 @@ private:
         const Machine machine = paperMachine();
         // Whole degrees as well, as the base for the time of the exact search.
         for (const std::string_view objective : {"swath-count", "time"}) {
-            for (const auto& [name, method] : {std::pair{"exact search", "exact"}, std::pair{"best of 180 headings", "brute-force"}}) {
-                const auto settings = settingsWith({{"swaths.method", method}, {"swaths.objective", objective}});
+            for (const auto& [name, method] :
+                 {std::pair{"exact search", "exact"}, std::pair{"best of 180 headings", "brute-force"}}) {
+                const auto settings =
+                    settingsWith({{"swaths.method", method}, {"swaths.objective", objective}});
                 if (!settings) {
                     return std::unexpected(settings.error());
                 }
-                const SwathTask task{.field = **whole, .mainland = mainland, .machine = machine, .settings = *settings};
+                const SwathTask task{
+                    .field = **whole, .mainland = mainland, .machine = machine, .settings = *settings};
                 add(std::format("{} of a convex cell, {}", name, objective), convex, 1, measured([&] {
-                        const auto set = swathMethod(*settings)(task, {.stop = job_.stop, .progress = {}, .threads = 1});
+                        const auto set =
+                            swathMethod(*settings)(task, {.stop = job_.stop, .progress = {}, .threads = 1});
                         keep(set ? set->coverage : 0.0);
                     }),
                     std::nullopt);
@@ -233,7 +244,11 @@ private:
         for (const int threads : {1, 2}) {
             std::optional<Error> failed;
             const auto makeOne = [&] {
-                const auto made = makePlan({.field = *field, .machine = machine, .settings = *settings, .guides = {}, .draft = !isAudited},
+                const auto made = makePlan({.field = *field,
+                                            .machine = machine,
+                                            .settings = *settings,
+                                            .guides = {},
+                                            .draft = !isAudited},
                                            {.stop = job_.stop, .progress = {}, .threads = threads});
                 if (!made) {
                     failed = made.error();
@@ -252,7 +267,7 @@ private:
 
     Result<void> plans() {
         // Headland, heading search, best pattern, Dubins path.
-        const OwnSettings plain{{"headland.driven", "false"},       {"swaths.method", "brute-force"},
+        const OwnSettings plain{{"headland.driven", "false"},        {"swaths.method", "brute-force"},
                                 {"swaths.objective", "swath-count"}, {"route.method", "boustrophedon"},
                                 {"path.method", "dubins"},           {"path.stay_inside", "false"}};
         const auto all = [&](double areaHa) {
@@ -265,20 +280,23 @@ private:
         return all(1.0)
             .and_then([&] { return all(64.0); })
             .and_then([&] { return plan("whole plan with 5 obstacles, plain, with audit", ponds, plain); })
-            .and_then([&] { return plan("whole plan with 5 obstacles, default settings, with audit", ponds, {}); });
+            .and_then(
+                [&] { return plan("whole plan with 5 obstacles, default settings, with audit", ponds, {}); });
     }
 
     Result<void> turns() {
         const Machine machine = findMachine("agbot").value();
-        const std::pair<std::string_view, TurnPlanner*> methods[] = {{"dubins", kDubinsMethod.run},
-                                                                     {"reeds-shepp", kReedsSheppMethod.run},
-                                                                     {"dubins-cc", kContinuousDubinsMethod.run},
-                                                                     {"reeds-shepp-cc", kContinuousReedsSheppMethod.run}};
+        const std::pair<std::string_view, TurnPlanner*> methods[] = {
+            {"dubins", kDubinsMethod.run},
+            {"reeds-shepp", kReedsSheppMethod.run},
+            {"dubins-cc", kContinuousDubinsMethod.run},
+            {"reeds-shepp-cc", kContinuousReedsSheppMethod.run}};
         constexpr int kTurns = 1000;
         for (const auto& [id, turn] : methods) {
             const Measured many = measured([&] {
                 for (int i = 0; i < kTurns; ++i) {
-                    const Pose to{.position = {2.5 + 0.01 * (i % 7), 0.3 * (i % 11)}, .heading = degrees(180.0 + i % 13)};
+                    const Pose to{.position = {2.5 + 0.01 * (i % 7), 0.3 * (i % 11)},
+                                  .heading = degrees(180.0 + i % 13)};
                     keep(turn({.position = {}, .heading = degrees(0.0)}, to, machine).length().si());
                 }
             });

@@ -52,7 +52,8 @@ bool isLine(const Ring& ring) {
 /// Whether a ring has three different points.
 bool hasCorners(const GeoRing& ring) {
     const auto first = std::ranges::find_if(ring, [&ring](GeoPoint point) { return point != ring.front(); });
-    return std::ranges::any_of(ring, [&](GeoPoint point) { return point != ring.front() && point != *first; });
+    return std::ranges::any_of(ring,
+                               [&](GeoPoint point) { return point != ring.front() && point != *first; });
 }
 
 /// Land may lose slivers. Obstacles keep every part.
@@ -112,8 +113,7 @@ public:
     }
 
 private:
-    Error refused(Message what, Message remedy, std::optional<GeoPoint> place,
-                  Message where) const {
+    Error refused(Message what, Message remedy, std::optional<GeoPoint> place, Message where) const {
         return {.code = ErrorCode::InputRefused,
                 .what = std::move(what),
                 .where = where.empty() ? what_ : message("{}, {}", what_, where),
@@ -136,7 +136,8 @@ private:
             wholeM2 += enclosedM2.back();
         }
         for (std::size_t i = 0; i < parts.size(); ++i) {
-            slivers[i] = hasCorners(parts[i].outer) && enclosedM2[i] < std::min(kSliverM2, kSliverShare * wholeM2);
+            slivers[i] =
+                hasCorners(parts[i].outer) && enclosedM2[i] < std::min(kSliverM2, kSliverShare * wholeM2);
             if (slivers[i]) {
                 note(message("a sliver of {:.2f} m² was left out", enclosedM2[i]), parts[i].outer.front());
             }
@@ -245,8 +246,8 @@ private:
             cleaned.local.push_back(local[index]);
         }
         if (doubled > 0) {
-            note(counted("{} point was given twice and taken once", "{} points were given twice and taken once",
-                         doubled),
+            note(counted("{} point was given twice and taken once",
+                         "{} points were given twice and taken once", doubled),
                  ring[firstDoubled]);
         }
         if (spikes > 0) {
@@ -374,8 +375,8 @@ Result<RepairedBoundary> repairBoundary(const std::vector<GeoPolygon>& parts, co
     return Repair{frame, what, RepairOf::Land, job}.run(parts);
 }
 
-Result<RepairedBoundary> repairObstacle(const GeoPolygon& outline, const LocalFrame& frame, const std::string& what,
-                                        const JobContext& job) {
+Result<RepairedBoundary> repairObstacle(const GeoPolygon& outline, const LocalFrame& frame,
+                                        const std::string& what, const JobContext& job) {
     return Repair{frame, what, RepairOf::Obstacle, job}.run({outline});
 }
 

@@ -26,7 +26,7 @@ Result<RepairedBoundary> repairBoundary(const std::vector<GeoPolygon>& parts, co
                                         const std::string& what, const JobContext& job);
 
 /// The same for obstacles. No part is left out, however small.
-Result<RepairedBoundary> repairObstacle(const GeoPolygon& outline, const LocalFrame& frame, const std::string& what,
-                                        const JobContext& job);
+Result<RepairedBoundary> repairObstacle(const GeoPolygon& outline, const LocalFrame& frame,
+                                        const std::string& what, const JobContext& job);
 
 }  // namespace furrow

@@ -43,7 +43,7 @@ Result<void> checkCoordinates(const FieldSource& source, const GeoRing& ring, co
             return std::unexpected(
                 refused(source, where,
                         message("{}, {} is outside longitude -180 to 180 and latitude -90 to 90",
-                                    point.lonDeg, point.latDeg),
+                                point.lonDeg, point.latDeg),
                         "check the file's coordinate system"));
         }
     }
@@ -70,8 +70,7 @@ const GeoRing* ringOf(const FieldSource& source, const EdgeHeadland& headland) {
 Result<void> checkSource(const FieldSource& source) {
     std::size_t vertices = 0;
     for (std::size_t i = 0; i < source.parts.size(); ++i) {
-        if (auto checked = checkCoordinates(source, source.parts[i], message("part {}", i + 1));
-            !checked) {
+        if (auto checked = checkCoordinates(source, source.parts[i], message("part {}", i + 1)); !checked) {
             return checked;
         }
         vertices += source.parts[i].outer.size();
@@ -104,7 +103,8 @@ Result<void> checkSource(const FieldSource& source) {
     for (const EdgeHeadland& headland : source.edgeHeadlands) {
         const Message name = message("the headland of edge {}", headland.edge + 1);
         if (!(headland.width >= metres(0.0)) || !std::isfinite(headland.width.si())) {
-            return std::unexpected(refused(source, name, "its width is not a length", "give a width of 0 m or more"));
+            return std::unexpected(
+                refused(source, name, "its width is not a length", "give a width of 0 m or more"));
         }
         const GeoRing* const ring = ringOf(source, headland);
         if (ring == nullptr || headland.edge >= ring->size()) {
@@ -174,11 +174,11 @@ Result<void> checkExtent(const FieldSource& source, const LocalFrame& frame) {
             }
             const FarPoint far = farthestPoint(source);
             const GeoPoint place = source.parts[far.part].outer[far.index];
-            return std::unexpected(refused(
-                source, message("part {}, point {}", far.part + 1, far.index + 1),
-                message("the field is more than 100 km across; {}, {} is farthest from the others",
-                            place.lonDeg, place.latDeg),
-                "check the coordinate system, correct this point, or split the field", place));
+            return std::unexpected(
+                refused(source, message("part {}, point {}", far.part + 1, far.index + 1),
+                        message("the field is more than 100 km across; {}, {} is farthest from the others",
+                                place.lonDeg, place.latDeg),
+                        "check the coordinate system, correct this point, or split the field", place));
         }
     }
     return {};
@@ -215,14 +215,15 @@ Result<Field> Field::create(const FieldSource& source, const JobContext& job) {
     for (const EdgeHeadland& headland : source.edgeHeadlands) {
         const GeoRing& ring = *ringOf(source, headland);
         field.edgeHeadlands_.push_back({frame->toLocal(ring[headland.edge]),
-                                        frame->toLocal(ring[(headland.edge + 1) % ring.size()]), headland.width});
+                                        frame->toLocal(ring[(headland.edge + 1) % ring.size()]),
+                                        headland.width});
     }
     field.workable_ = field.boundary_;
     field.drivable_ = field.boundary_;
     for (std::size_t i = 0; i < source.obstacles.size(); ++i) {
         const Obstacle& obstacle = source.obstacles[i];
-        const Message name = obstacle.name.empty() ? message("obstacle {}", i + 1)
-                                                       : message("obstacle '{}'", obstacle.name);
+        const Message name =
+            obstacle.name.empty() ? message("obstacle {}", i + 1) : message("obstacle '{}'", obstacle.name);
         auto outline = repairObstacle(obstacle.outline, *frame, name, job);
         if (!outline) {
             return withOrigin(outline.error());

@@ -18,8 +18,9 @@ Result<MultiPolygon> obstaclesOf(const Field& field, const MultiPolygon& free, c
     for (const Polygon& part : field.boundary()) {
         outlines.push_back({.outer = part.outer, .holes = {}});
     }
-    return unionOf(outlines, job).and_then(
-        [&](const MultiPolygon& land) { return difference(land, free, job); });
+    return unionOf(outlines, job).and_then([&](const MultiPolygon& land) {
+        return difference(land, free, job);
+    });
 }
 
 Result<MultiPolygon> groundAround(const Field& field, const JobContext& job) {

@@ -17,7 +17,8 @@ bool holdsPart(const MultiPolygon& polygons, const Ring& ring) {
     const Bounds box = boxOf(ring);
     return std::ranges::any_of(polygons, [&](const Polygon& polygon) {
         const Bounds part = bounds({polygon});
-        return part.min.x > box.min.x && part.max.x < box.max.x && part.min.y > box.min.y && part.max.y < box.max.y;
+        return part.min.x > box.min.x && part.max.x < box.max.x && part.min.y > box.min.y &&
+               part.max.y < box.max.y;
     });
 }
 
@@ -37,7 +38,8 @@ std::vector<Ring> smallObstacles(const Field& field, Length upTo) {
 
 MultiPolygon filled(MultiPolygon polygons, std::span<const Ring> holes) {
     for (Polygon& polygon : polygons) {
-        std::erase_if(polygon.holes, [holes](const Ring& hole) { return std::ranges::contains(holes, hole); });
+        std::erase_if(polygon.holes,
+                      [holes](const Ring& hole) { return std::ranges::contains(holes, hole); });
     }
     return polygons;
 }

@@ -17,11 +17,13 @@ namespace furrow {
 
 namespace {
 
-/// Fields, pictures and heights, and what GDAL itself works in. None of them follows references to other files.
+/// Fields, pictures and heights, and what GDAL itself works in. None of them follows references to other
+/// files.
 constexpr std::string_view kDrivers[] = {
-    "GeoJSON", "GeoJSONSeq", "JSONFG", "TopoJSON",    "ESRIJSON", "ESRI Shapefile", "LIBKML", "KML",    "GPKG",
-    "GML",     "FlatGeobuf", "CSV",    "OpenFileGDB", "GPX",      "DXF",            "GTiff",  "PNG",    "JPEG",
-    "WEBP",    "MBTiles",    "DTED",   "JP2OpenJPEG", "AAIGrid",  "SRTMHGT",        "MEM",    "Memory"};
+    "GeoJSON",     "GeoJSONSeq", "JSONFG",  "TopoJSON",   "ESRIJSON", "ESRI Shapefile", "LIBKML",
+    "KML",         "GPKG",       "GML",     "FlatGeobuf", "CSV",      "OpenFileGDB",    "GPX",
+    "DXF",         "GTiff",      "PNG",     "JPEG",       "WEBP",     "MBTiles",        "DTED",
+    "JP2OpenJPEG", "AAIGrid",    "SRTMHGT", "MEM",        "Memory"};
 
 /// Files inside of other files, and in memory; those on disks need no handler.
 constexpr std::string_view kFileHandlers[] = {"/vsimem/", "/vsizip/", "/vsigzip/", "/vsisubfile/"};
@@ -29,7 +31,8 @@ constexpr std::string_view kFileHandlers[] = {"/vsimem/", "/vsizip/", "/vsigzip/
 constexpr const char* kNotFetched = "only files on this computer are read";
 
 /// In the place of a download. Without any result GDAL would go on to its own way of fetching.
-CPLHTTPResult* fetchNothing(const char* url, CSLConstList, GDALProgressFunc, void*, CPLHTTPFetchWriteFunc, void*, void*) {
+CPLHTTPResult* fetchNothing(const char* url, CSLConstList, GDALProgressFunc, void*, CPLHTTPFetchWriteFunc,
+                            void*, void*) {
     CPLError(CE_Failure, CPLE_NotSupported, "%s: %s", url, kNotFetched);
     auto* const result = static_cast<CPLHTTPResult*>(CPLCalloc(1, sizeof(CPLHTTPResult)));
     result->nStatus = 1;

@@ -45,21 +45,36 @@ double cellOf(GDALDataset& raster) {
     if (raster.GetGeoTransform(transform.data()) != CE_None) {
         return kFinestM;
     }
-    const double step = std::min(std::hypot(transform[1], transform[4]), std::hypot(transform[2], transform[5]));
+    const double step =
+        std::min(std::hypot(transform[1], transform[4]), std::hypot(transform[2], transform[5]));
     const OGRSpatialReference* const system = raster.GetSpatialRef();
     return system != nullptr && system->IsGeographic() != 0 ? step * 111e3 : step;
 }
 
 /// The raster warped onto the cells of a grid in the local frame; nothing where that fails.
-Dataset warpedOnto(const ElevationGrid& grid, GDALDataset& raster, const LocalFrame& frame, const JobContext& job) {
+Dataset warpedOnto(const ElevationGrid& grid, GDALDataset& raster, const LocalFrame& frame,
+                   const JobContext& job) {
     // Cells of the result have their values in their middles.
     const double west = grid.origin.x - 0.5 * grid.cellM;
     const double south = grid.origin.y - 0.5 * grid.cellM;
     std::array<std::string, 18> words{
-        "-of", "MEM", "-ot", "Float64", "-r", "bilinear", "-t_srs", frame.projString(), "-dstnodata", "nan", "-te",
-        std::format("{}", west), std::format("{}", south),
+        "-of",
+        "MEM",
+        "-ot",
+        "Float64",
+        "-r",
+        "bilinear",
+        "-t_srs",
+        frame.projString(),
+        "-dstnodata",
+        "nan",
+        "-te",
+        std::format("{}", west),
+        std::format("{}", south),
         std::format("{}", west + static_cast<double>(grid.columns) * grid.cellM),
-        std::format("{}", south + static_cast<double>(grid.rows) * grid.cellM), "-ts", std::format("{}", grid.columns),
+        std::format("{}", south + static_cast<double>(grid.rows) * grid.cellM),
+        "-ts",
+        std::format("{}", grid.columns),
         std::format("{}", grid.rows)};
     std::vector<char*> arguments;
     for (std::string& word : words) {
@@ -81,8 +96,8 @@ bool readHeights(GDALDataset& warped, ElevationGrid& grid) {
     for (std::size_t row = 0; row < grid.rows; ++row) {
         // Rasters begin in the north.
         double* const line = grid.heightsM.data() + (grid.rows - 1 - row) * grid.columns;
-        if (warped.GetRasterBand(1)->RasterIO(GF_Read, 0, static_cast<int>(row), columns, 1, line, columns, 1, GDT_Float64,
-                                              0, 0, nullptr) != CE_None) {
+        if (warped.GetRasterBand(1)->RasterIO(GF_Read, 0, static_cast<int>(row), columns, 1, line, columns, 1,
+                                              GDT_Float64, 0, 0, nullptr) != CE_None) {
             return false;
         }
     }
@@ -91,8 +106,8 @@ bool readHeights(GDALDataset& warped, ElevationGrid& grid) {
 
 }  // namespace
 
-Result<ElevationGrid> readElevation(const std::filesystem::path& path, const LocalFrame& frame, const Bounds& box,
-                                    const JobContext& job) {
+Result<ElevationGrid> readElevation(const std::filesystem::path& path, const LocalFrame& frame,
+                                    const Bounds& box, const JobContext& job) {
     registerGdalDrivers();
     std::error_code ignored;
     if (!std::filesystem::is_regular_file(path, ignored)) {
@@ -110,7 +125,8 @@ Result<ElevationGrid> readElevation(const std::filesystem::path& path, const Loc
                                      .where = path.string(),
                                      .remedy = "export it again with its coordinate system"});
     }
-    const double cellM = std::max({kFinestM, cellOf(*raster), std::max(box.width(), box.height()) / kMostCells});
+    const double cellM =
+        std::max({kFinestM, cellOf(*raster), std::max(box.width(), box.height()) / kMostCells});
     ElevationGrid grid{.origin = box.min,
                        .cellM = cellM,
                        .columns = static_cast<std::size_t>(std::ceil(box.width() / cellM)) + 1,

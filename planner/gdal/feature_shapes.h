@@ -9,8 +9,8 @@
 
 namespace furrow {
 
-/// Adds the points, lines and areas of a geometry to a feature, of a collection those of its members, curves as short
-/// chords.
+/// Adds the points, lines and areas of a geometry to a feature, of a collection those of its members, curves
+/// as short chords.
 ///
 /// @return InputRefused: see checkDegrees, where the coordinate system is not known.
 Result<void> addShapes(const OGRGeometry& geometry, const ToWgs84& toWgs84, VectorFeature& feature,

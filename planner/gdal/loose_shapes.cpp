@@ -30,7 +30,8 @@ Result<OGRSpatialReference> takeSystem(const std::string& text, std::size_t& at,
     const auto [next, error] = std::from_chars(text.data() + at + 5, end, code);
     if (error != std::errc{} || next == end || *next != ';' ||
         (code != 0 && system.importFromEPSG(code) != OGRERR_NONE)) {
-        return std::unexpected(inputRefused(place, "the number after SRID= is no coordinate system that is known",
+        return std::unexpected(inputRefused(place,
+                                            "the number after SRID= is no coordinate system that is known",
                                             "give an EPSG code, as in SRID=4326;POLYGON(...)"));
     }
     system.SetAxisMappingStrategy(OAMS_TRADITIONAL_GIS_ORDER);
@@ -70,8 +71,9 @@ Result<void> readWktShapes(const std::string& text, const std::string& name, con
         const OGRErr error = OGRGeometryFactory::createFromWkt(&rest, nullptr, &made);
         const std::unique_ptr<OGRGeometry> geometry{made};
         if (error != OGRERR_NONE || !geometry) {
-            return std::unexpected(inputRefused(place, "this is not well-known text from here on",
-                                                "write POLYGON((lon lat, lon lat, ...)), one polygon a line"));
+            return std::unexpected(
+                inputRefused(place, "this is not well-known text from here on",
+                             "write POLYGON((lon lat, lon lat, ...)), one polygon a line"));
         }
         const auto toWgs84 = ToWgs84::from(&*system, name);
         if (!toWgs84) {
@@ -87,7 +89,8 @@ Result<void> readWktShapes(const std::string& text, const std::string& name, con
     }
 }
 
-Result<void> readPolygonElements(const std::string& text, const std::string& name, const VectorReading& reading) {
+Result<void> readPolygonElements(const std::string& text, const std::string& name,
+                                 const VectorReading& reading) {
     pugi::xml_document document;
     if (const pugi::xml_parse_result parsed = document.load_buffer(text.data(), text.size()); !parsed) {
         return std::unexpected(readFailed(
@@ -102,7 +105,7 @@ Result<void> readPolygonElements(const std::string& text, const std::string& nam
         if (!geometry) {
             return std::unexpected(inputRefused(
                 message("{}, {}", name,
-                            lineAndColumn(text, static_cast<std::size_t>(found.node().offset_debug()))),
+                        lineAndColumn(text, static_cast<std::size_t>(found.node().offset_debug()))),
                 "this polygon cannot be read", "check its coordinates"));
         }
         const Result<ToWgs84> toWgs84 = ToWgs84::from(geometry->getSpatialReference(), name);

@@ -19,6 +19,7 @@ Result<void> readWktShapes(const std::string& text, const std::string& name, con
 /// KML without the element kml. (Polygons of KML and of GML 2 are written alike.)
 ///
 /// @return ReadFailed, with the line and column: no XML. InputRefused: a polygon that cannot be read.
-Result<void> readPolygonElements(const std::string& text, const std::string& name, const VectorReading& reading);
+Result<void> readPolygonElements(const std::string& text, const std::string& name,
+                                 const VectorReading& reading);
 
 }  // namespace furrow

@@ -20,8 +20,9 @@ MemoryFolder::~MemoryFolder() {
 std::string MemoryFolder::bytes(const std::string& name) const {
     vsi_l_offset size = 0;
     const GByte* start = VSIGetMemFileBuffer(file(name).c_str(), &size, FALSE);
-    return start == nullptr ? std::string{}
-                            : std::string{reinterpret_cast<const char*>(start), static_cast<std::size_t>(size)};
+    return start == nullptr
+               ? std::string{}
+               : std::string{reinterpret_cast<const char*>(start), static_cast<std::size_t>(size)};
 }
 
 }  // namespace furrow

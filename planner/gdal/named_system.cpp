@@ -12,8 +12,9 @@ namespace {
 std::optional<OGRSpatialReference> systemCalled(const std::string& name) {
     OGRSpatialReference system;
     CPLPushErrorHandler(CPLQuietErrorHandler);
-    const bool known = system.SetFromUserInput(
-                           name.c_str(), OGRSpatialReference::SET_FROM_USER_INPUT_LIMITATIONS_get()) == OGRERR_NONE;
+    const bool known =
+        system.SetFromUserInput(name.c_str(), OGRSpatialReference::SET_FROM_USER_INPUT_LIMITATIONS_get()) ==
+        OGRERR_NONE;
     CPLPopErrorHandler();
     return known ? std::optional{system} : std::nullopt;
 }

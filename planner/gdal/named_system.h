@@ -4,8 +4,8 @@
 
 namespace furrow {
 
-// Coordinate systems by what files call them. Only what is understood without asking anybody: codes, names, well-known
-// text, the addresses of OGC's register.
+// Coordinate systems by what files call them. Only what is understood without asking anybody: codes, names,
+// well-known text, the addresses of OGC's register.
 
 bool isKnownSystem(const std::string& name);
 

@@ -21,7 +21,8 @@ bool systemFileExists(const std::string& systemPath);
 ///
 /// @return ReadFailed: not readable, damaged. InputRefused: larger than kLargestFileBytes.
 Result<std::string> systemFileBytes(const std::string& systemPath, const std::string& where);
-Result<std::string> systemFileStart(const std::string& systemPath, const std::string& where, std::size_t wanted);
+Result<std::string> systemFileStart(const std::string& systemPath, const std::string& where,
+                                    std::size_t wanted);
 
 /// A zip's content as a folder.
 std::string systemPathInto(const std::string& zip);

@@ -45,7 +45,8 @@ Result<ToWgs84> ToWgs84::from(const OGRSpatialReference* source, const std::stri
     if (!made.transform_) {
         const char* name = source->GetName();
         return std::unexpected(inputRefused(
-            where, message("its coordinate system '{}' cannot be turned into WGS84", name == nullptr ? "" : name),
+            where,
+            message("its coordinate system '{}' cannot be turned into WGS84", name == nullptr ? "" : name),
             "export the field again in WGS84 (longitude and latitude)"));
     }
     return made;

@@ -13,7 +13,9 @@
 namespace furrow {
 
 struct TransformCloser {
-    void operator()(OGRCoordinateTransformation* transform) const { OGRCoordinateTransformation::DestroyCT(transform); }
+    void operator()(OGRCoordinateTransformation* transform) const {
+        OGRCoordinateTransformation::DestroyCT(transform);
+    }
 };
 using Transform = std::unique_ptr<OGRCoordinateTransformation, TransformCloser>;
 

@@ -33,8 +33,8 @@ bool transform(int fromEpsg, int toEpsg, std::vector<double>& x, std::vector<dou
     }
     from.SetAxisMappingStrategy(OAMS_TRADITIONAL_GIS_ORDER);
     to.SetAxisMappingStrategy(OAMS_TRADITIONAL_GIS_ORDER);
-    const std::unique_ptr<OGRCoordinateTransformation, decltype(&OGRCoordinateTransformation::DestroyCT)> made{
-        OGRCreateCoordinateTransformation(&from, &to), &OGRCoordinateTransformation::DestroyCT};
+    const std::unique_ptr<OGRCoordinateTransformation, decltype(&OGRCoordinateTransformation::DestroyCT)>
+        made{OGRCreateCoordinateTransformation(&from, &to), &OGRCoordinateTransformation::DestroyCT};
     return made && (x.empty() || made->Transform(x.size(), x.data(), y.data()) != 0);
 }
 

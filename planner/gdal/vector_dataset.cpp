@@ -71,8 +71,8 @@ OGRSpatialReference systemInName(const std::string& name) {
     return system;
 }
 
-Result<void> readFeatures(OGRLayer& layer, const std::string& name, const ToWgs84& toWgs84, const GdalMessages& messages,
-                          const VectorReading& reading) {
+Result<void> readFeatures(OGRLayer& layer, const std::string& name, const ToWgs84& toWgs84,
+                          const GdalMessages& messages, const VectorReading& reading) {
     const OGRFeatureDefn& definition = *layer.GetLayerDefn();
     std::vector<int> columns;
     for (const std::string_view attribute : reading.attributes) {
@@ -97,8 +97,7 @@ Result<void> readFeatures(OGRLayer& layer, const std::string& name, const ToWgs8
         reading.file.features.push_back(std::move(feature));
     }
     if (messages.failed()) {
-        return std::unexpected(readFailed(name,
-                                          message("the file is damaged ({})", messages.failure()),
+        return std::unexpected(readFailed(name, message("the file is damaged ({})", messages.failure()),
                                           "export or copy it again"));
     }
     return {};
@@ -174,14 +173,15 @@ bool VectorDataset::lacksSystem() const {
     return false;
 }
 
-Result<void> VectorDataset::readLayers(const std::string& path, const std::string& name, const GdalMessages& messages,
-                                       const VectorReading& reading) const {
+Result<void> VectorDataset::readLayers(const std::string& path, const std::string& name,
+                                       const GdalMessages& messages, const VectorReading& reading) const {
     const OGRSpatialReference named = systemInName(name);
     const bool isDrawing = inSmallLetters(path).ends_with(".dxf");
     for (OGRLayer* layer : dataset_->GetLayers()) {
         if (isDrawing && named.IsEmpty()) {
-            return std::unexpected(inputRefused(name, "a drawing does not say which coordinate system it uses",
-                                                "put the EPSG code into its name, as in field_EPSG32632.dxf"));
+            return std::unexpected(
+                inputRefused(name, "a drawing does not say which coordinate system it uses",
+                             "put the EPSG code into its name, as in field_EPSG32632.dxf"));
         }
         const auto toWgs84 = ToWgs84::from(isDrawing ? &named : layer->GetSpatialRef(), name);
         if (!toWgs84) {

@@ -49,9 +49,11 @@ public:
 
     /// Adds the features of all layers.
     ///
-    /// @param path, name  the file that was opened, and what people call it. A drawing's coordinate system is taken
+    /// @param path, name  the file that was opened, and what people call it. A drawing's coordinate system is
+    /// taken
     ///                    from its name ("..._EPSG32631.dxf")
-    /// @return InputRefused: no coordinate system, or none that is understood. ReadFailed: damaged. Cancelled: asked
+    /// @return InputRefused: no coordinate system, or none that is understood. ReadFailed: damaged.
+    /// Cancelled: asked
     ///         between features.
     Result<void> readLayers(const std::string& path, const std::string& name, const GdalMessages& messages,
                             const VectorReading& reading) const;

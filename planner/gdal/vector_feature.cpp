@@ -40,8 +40,8 @@ Result<void> checkDegrees(const VectorFeature& feature, const std::string& where
         return std::unexpected(
             inputRefused(where,
                          message("{:.3f}, {:.3f} is no longitude and latitude, and the file does not say "
-                                     "which coordinate system it uses",
-                                     point->lonDeg, point->latDeg),
+                                 "which coordinate system it uses",
+                                 point->lonDeg, point->latDeg),
                          "add the .prj file that belongs to it, or export the field again in WGS84"));
     }
     return {};

@@ -14,7 +14,7 @@ struct VectorFeature {
     std::vector<GeoPolygon> polygons;
     std::vector<GeoRing> closedLines;  ///< lines that end where they begin
     std::vector<GeoPoint> points;
-    std::vector<GeoRing> openLines;        ///< at least two points
+    std::vector<GeoRing> openLines;       ///< at least two points
     std::vector<GeoPoint> openRings;      ///< where rings of the polygons begin that do not end there
     std::string key;                      ///< the file's own id of it; empty where it has none
     std::vector<std::string> attributes;  ///< in the order they were asked for; empty where there is none

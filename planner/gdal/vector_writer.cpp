@@ -19,7 +19,10 @@ namespace furrow {
 namespace {
 
 Error writeFailed(Message what) {
-    return {.code = ErrorCode::WriteFailed, .what = std::move(what), .where = "", .remedy = "choose another format"};
+    return {.code = ErrorCode::WriteFailed,
+            .what = std::move(what),
+            .where = "",
+            .remedy = "choose another format"};
 }
 
 std::unique_ptr<OGRLinearRing> ringOf(const GeoRing& points) {
@@ -131,16 +134,16 @@ bool addLayer(GDALDataset& dataset, const VectorLayer& layer, VectorFormat forma
 }  // namespace
 
 Result<std::vector<FileInMemory>> vectorFiles(VectorFormat format, const std::string& name,
-                                             std::span<const VectorLayer> layers, const JobContext& job) {
+                                              std::span<const VectorLayer> layers, const JobContext& job) {
     registerGdalDrivers();
     const GdalMessages messages;
     const MemoryFolder memory;
     const bool isShapefile = format == VectorFormat::Shapefile;
     GDALDriver* driver = GetGDALDriverManager()->GetDriverByName(isShapefile ? "ESRI Shapefile" : "GPKG");
-    GDALDataset* dataset =
-        driver == nullptr ? nullptr
-                          : driver->Create((isShapefile ? memory.path() : memory.file(name)).c_str(), 0, 0, 0,
-                                           GDT_Unknown, nullptr);
+    GDALDataset* dataset = driver == nullptr
+                               ? nullptr
+                               : driver->Create((isShapefile ? memory.path() : memory.file(name)).c_str(), 0,
+                                                0, 0, GDT_Unknown, nullptr);
     bool good = dataset != nullptr;
     for (std::size_t i = 0; good && i < layers.size(); ++i) {
         good = addLayer(*dataset, layers[i], format, job);

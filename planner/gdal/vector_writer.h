@@ -20,8 +20,8 @@ struct VectorLayer {
     struct Column {
         std::string name;
         Kind kind = Kind::Text;
-        int width = 0;      ///< characters or digits; 0 for the driver's own
-        int decimals = 0;   ///< of Real, where a width is given
+        int width = 0;     ///< characters or digits; 0 for the driver's own
+        int decimals = 0;  ///< of Real, where a width is given
     };
     using Value = std::variant<std::string, std::int64_t, double>;
     struct Feature {
@@ -37,10 +37,10 @@ struct VectorLayer {
 
 enum class VectorFormat { Shapefile, GeoPackage };
 
-/// The files of a dataset in WGS84, made in memory. A shapefile has a set of files for each layer, with .prj and
-/// .cpg; a GeoPackage is one file called `name`.
-/// WriteFailed: GDAL's reason. Cancelled. Cost: linear, all of it in memory.
+/// The files of a dataset in WGS84, made in memory. A shapefile has a set of files for each layer, with .prj
+/// and .cpg; a GeoPackage is one file called `name`. WriteFailed: GDAL's reason. Cancelled. Cost: linear, all
+/// of it in memory.
 Result<std::vector<FileInMemory>> vectorFiles(VectorFormat format, const std::string& name,
-                                             std::span<const VectorLayer> layers, const JobContext& job);
+                                              std::span<const VectorLayer> layers, const JobContext& job);
 
 }  // namespace furrow

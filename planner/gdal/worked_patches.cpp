@@ -40,8 +40,10 @@ std::optional<std::vector<GByte>> maskOf(GDALDataset& raster) {
     // Knows of values for nothing and of transparency.
     GDALRasterBand* validity = band->GetMaskBand();
     for (int y = 0; y < height; ++y) {
-        if (band->RasterIO(GF_Read, 0, y, width, 1, row.data(), width, 1, GDT_Float32, 0, 0, nullptr) != CE_None ||
-            validity->RasterIO(GF_Read, 0, y, width, 1, valid.data(), width, 1, GDT_Byte, 0, 0, nullptr) != CE_None) {
+        if (band->RasterIO(GF_Read, 0, y, width, 1, row.data(), width, 1, GDT_Float32, 0, 0, nullptr) !=
+                CE_None ||
+            validity->RasterIO(GF_Read, 0, y, width, 1, valid.data(), width, 1, GDT_Byte, 0, 0, nullptr) !=
+                CE_None) {
             return std::nullopt;
         }
         for (std::size_t x = 0; x < row.size(); ++x) {
@@ -54,13 +56,16 @@ std::optional<std::vector<GByte>> maskOf(GDALDataset& raster) {
 
 /// Polygons of worked pixels, in pixels.
 std::vector<std::unique_ptr<OGRGeometry>> patchesOf(std::vector<GByte>& mask, int width, int height) {
-    const Dataset memory{GetGDALDriverManager()->GetDriverByName("MEM")->Create("", width, height, 1, GDT_Byte, nullptr)};
+    const Dataset memory{
+        GetGDALDriverManager()->GetDriverByName("MEM")->Create("", width, height, 1, GDT_Byte, nullptr)};
     GDALRasterBand* band = memory->GetRasterBand(1);
     std::vector<std::unique_ptr<OGRGeometry>> patches;
-    if (band->RasterIO(GF_Write, 0, 0, width, height, mask.data(), width, height, GDT_Byte, 0, 0, nullptr) != CE_None) {
+    if (band->RasterIO(GF_Write, 0, 0, width, height, mask.data(), width, height, GDT_Byte, 0, 0, nullptr) !=
+        CE_None) {
         return patches;
     }
-    const Dataset shapes{GetGDALDriverManager()->GetDriverByName("Memory")->Create("", 0, 0, 0, GDT_Unknown, nullptr)};
+    const Dataset shapes{
+        GetGDALDriverManager()->GetDriverByName("Memory")->Create("", 0, 0, 0, GDT_Unknown, nullptr)};
     OGRLayer* layer = shapes->CreateLayer("patches", nullptr, wkbPolygon, nullptr);
     if (GDALPolygonize(band, band, layer, -1, nullptr, nullptr, nullptr) != CE_None) {
         return patches;
@@ -83,12 +88,13 @@ public:
         const OGRSpatialReference* system = raster.GetSpatialRef();
         if (system == nullptr || system->IsEmpty()) {
             const GeoPoint corner = made.affine({0.0, 0.0});
-            const GeoPoint opposite = made.affine({static_cast<double>(raster.GetRasterXSize()),
-                                                   static_cast<double>(raster.GetRasterYSize())});
+            const GeoPoint opposite = made.affine(
+                {static_cast<double>(raster.GetRasterXSize()), static_cast<double>(raster.GetRasterYSize())});
             for (const GeoPoint& point : {corner, opposite}) {
                 if (!(std::abs(point.lonDeg) <= 180.0 && std::abs(point.latDeg) <= 90.0)) {
-                    return std::unexpected(inputRefused(where, "the picture does not say which coordinate system it uses",
-                                                        "save it as GeoTIFF, or with a world file in degrees"));
+                    return std::unexpected(
+                        inputRefused(where, "the picture does not say which coordinate system it uses",
+                                     "save it as GeoTIFF, or with a world file in degrees"));
                 }
             }
             return made;
@@ -157,11 +163,11 @@ Result<std::vector<GeoPolygon>> workedPatches(const std::filesystem::path& path,
     const GdalMessages messages;
     const std::string name = path.filename().string();
     constexpr const char* kDrivers[] = {"GTiff", "PNG", nullptr};
-    const Dataset raster{GDALDataset::Open(std::filesystem::absolute(path).c_str(), GDAL_OF_RASTER | GDAL_OF_READONLY,
-                                           kDrivers, nullptr, nullptr)};
+    const Dataset raster{GDALDataset::Open(std::filesystem::absolute(path).c_str(),
+                                           GDAL_OF_RASTER | GDAL_OF_READONLY, kDrivers, nullptr, nullptr)};
     if (!raster || raster->GetRasterCount() == 0) {
-        return std::unexpected(readFailed(name, message("the picture cannot be read ({})", messages.failure()),
-                                          "export it again"));
+        return std::unexpected(readFailed(
+            name, message("the picture cannot be read ({})", messages.failure()), "export it again"));
     }
     const int width = raster->GetRasterXSize();
     const int height = raster->GetRasterYSize();

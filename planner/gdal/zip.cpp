@@ -41,7 +41,8 @@ std::vector<FileInMemory> filesInZip(std::string_view zip) {
     const MemoryFolder memory;
     const std::string path = memory.file("in.zip");
     const std::unique_ptr<VSILFILE, int (*)(VSILFILE*)> out{VSIFOpenL(path.c_str(), "wb"), VSIFCloseL};
-    if (!out || VSIFWriteL(zip.data(), 1, zip.size(), out.get()) != zip.size() || VSIFFlushL(out.get()) != 0) {
+    if (!out || VSIFWriteL(zip.data(), 1, zip.size(), out.get()) != zip.size() ||
+        VSIFFlushL(out.get()) != 0) {
         return {};
     }
     const std::string root = "/vsizip/{" + path + "}";
@@ -51,8 +52,10 @@ std::vector<FileInMemory> filesInZip(std::string_view zip) {
         const std::string name = names[i];
         GByte* read = nullptr;
         vsi_l_offset size = 0;
-        if (!name.ends_with('/') && VSIIngestFile(nullptr, (root + "/" + name).c_str(), &read, &size, -1) != 0) {
-            files.push_back({name, std::string{reinterpret_cast<const char*>(read), static_cast<std::size_t>(size)}});
+        if (!name.ends_with('/') &&
+            VSIIngestFile(nullptr, (root + "/" + name).c_str(), &read, &size, -1) != 0) {
+            files.push_back(
+                {name, std::string{reinterpret_cast<const char*>(read), static_cast<std::size_t>(size)}});
         }
         VSIFree(read);
     }

@@ -68,8 +68,9 @@ Result<LocalFrame> LocalFrame::fromProjString(std::string_view proj) {
             return std::nullopt;
         }
         const char* const begin = proj.data() + at + key.size();
-        return std::from_chars(begin, proj.data() + proj.size(), value).ec == std::errc{} ? std::optional{value}
-                                                                                       : std::nullopt;
+        return std::from_chars(begin, proj.data() + proj.size(), value).ec == std::errc{}
+                   ? std::optional{value}
+                   : std::nullopt;
     };
     const auto latitude = number("+lat_0=");
     const auto longitude = number("+lon_0=");

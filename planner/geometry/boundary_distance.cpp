@@ -51,7 +51,8 @@ inline std::span<const std::uint32_t> BoundaryDistance::edgesNear(Point point) c
                 : std::span<const std::uint32_t>{};
 }
 
-BoundaryDistance::BoundaryDistance(const MultiPolygon& polygons, Length reach) : reachM_{reach.si()}, cellM_{kCellShare * reach.si()} {
+BoundaryDistance::BoundaryDistance(const MultiPolygon& polygons, Length reach)
+    : reachM_{reach.si()}, cellM_{kCellShare * reach.si()} {
     const auto add = [this](const Ring& ring) {
         const std::size_t size = ring.size();
         for (std::size_t i = 0; i < size; ++i) {
@@ -231,7 +232,7 @@ std::optional<double> BoundaryDistance::insideM(Point point) const {
     }
     const bool isCorner = nearestShare <= 0.0 || nearestShare >= 1.0;
     const Point place = edge->from + nearestShare * edge->way;
-    const Point normal = !isCorner               ? Point{-edge->way.y, edge->way.x}
+    const Point normal = !isCorner             ? Point{-edge->way.y, edge->way.x}
                          : nearestShare <= 0.0 ? edge->fromNormal
                                                : edge->toNormal;
     const auto isHere = [place](Point corner) { return distance(corner, place) < kRoundingM; };
@@ -286,7 +287,8 @@ double BoundaryDistance::crossedM(Point around, const Ring& shape) const {
 }
 
 bool BoundaryDistance::reachInto(Point origin, Point along, const Bounds& rectangle, double touchingM) const {
-    const Bounds inner{.min = rectangle.min + Point{touchingM, touchingM}, .max = rectangle.max - Point{touchingM, touchingM}};
+    const Bounds inner{.min = rectangle.min + Point{touchingM, touchingM},
+                       .max = rectangle.max - Point{touchingM, touchingM}};
     if (inner.width() <= 0.0 || inner.height() <= 0.0) {
         return false;
     }

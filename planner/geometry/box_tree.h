@@ -53,7 +53,8 @@ private:
     }
 
     template <class Matters, class Visit>
-    bool any(std::size_t node, std::size_t first, std::size_t last, const Matters& matters, const Visit& visit) const {
+    bool any(std::size_t node, std::size_t first, std::size_t last, const Matters& matters,
+             const Visit& visit) const {
         if (!matters(nodes_[node].box)) {
             return false;
         }
@@ -61,7 +62,8 @@ private:
             return visit(first);
         }
         const std::size_t middle = first + (last - first) / 2;
-        return any(node + 1, first, middle, matters, visit) || any(nodes_[node].second, middle, last, matters, visit);
+        return any(node + 1, first, middle, matters, visit) ||
+               any(nodes_[node].second, middle, last, matters, visit);
     }
 
     std::size_t size_ = 0;

@@ -22,7 +22,8 @@ std::vector<CurveSample> sampled(const Curve& turn, Length chordTolerance) {
         for (int i = 0; i < count; ++i) {
             const Length part = piece.length * (static_cast<double>(i) / count);
             const Curvature here = piece.curvatureAt(part);
-            samples.push_back({way + part, advanced(pose, piece, part), here, piece.gear, i == 0 ? arriving : here});
+            samples.push_back(
+                {way + part, advanced(pose, piece, part), here, piece.gear, i == 0 ? arriving : here});
         }
         arriving = piece.endCurvature;
         pose = advanced(pose, piece, piece.length);

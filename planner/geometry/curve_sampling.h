@@ -1,7 +1,7 @@
 #pragma once
 
-#include "planner/geometry/polygon.h"
 #include "planner/geometry/curve.h"
+#include "planner/geometry/polygon.h"
 
 #include <vector>
 
@@ -13,7 +13,7 @@ inline constexpr Length kChordTolerance = metres(0.005);
 struct CurveSample {
     Length way;  ///< driven since the start of the turn
     Pose pose;
-    Curvature curvature;  ///< here; at a jump, of the piece that begins
+    Curvature curvature;        ///< here; at a jump, of the piece that begins
     Gear gear = Gear::Forward;  ///< of the piece that begins here
     Curvature arriving;         ///< of the piece that ends here; differs only at a jump of curvature
 };

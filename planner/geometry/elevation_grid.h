@@ -7,8 +7,8 @@
 
 namespace furrow {
 
-/// Heights on a square grid in the local frame, row after row from the south, each from the west. Not finite where
-/// nothing is known.
+/// Heights on a square grid in the local frame, row after row from the south, each from the west. Not finite
+/// where nothing is known.
 struct ElevationGrid {
     Point origin;  ///< the first, south-western, value's place
     double cellM = 1.0;

@@ -184,7 +184,8 @@ int quarterSegments(double radiusM, double toleranceM) {
 
 /// For polygons or lines.
 template <class Shapes>
-Result<MultiPolygon> buffered(const Shapes& shapes, double distanceM, double toleranceM, const JobContext& job) {
+Result<MultiPolygon> buffered(const Shapes& shapes, double distanceM, double toleranceM,
+                              const JobContext& job) {
     if (shapes.empty()) {
         return MultiPolygon{};
     }
@@ -224,7 +225,9 @@ Result<MultiPolygon> combined(const MultiPolygon& a, const MultiPolygon& b, cons
             }
             // Rounding made one of them touch or cross itself.
             return validOf(first, job).and_then([&](const Geometry& one) {
-                return validOf(second, job).and_then([&](const Geometry& other) { return overlaid(one, other); });
+                return validOf(second, job).and_then([&](const Geometry& other) {
+                    return overlaid(one, other);
+                });
             });
         })
         .transform([](const Geometry& result) { return fromGeos(result.get()); });
@@ -306,7 +309,8 @@ Result<MultiPolygon> dilated(const MultiPolygon& polygons, Length distance, Leng
     return buffered(polygons, distance.si(), tolerance.si(), job);
 }
 
-Result<MultiPolygon> aroundLines(const std::vector<Polyline>& lines, Length distance, Length tolerance, const JobContext& job) {
+Result<MultiPolygon> aroundLines(const std::vector<Polyline>& lines, Length distance, Length tolerance,
+                                 const JobContext& job) {
     return buffered(lines, distance.si(), tolerance.si(), job);
 }
 
@@ -348,7 +352,8 @@ Result<MultiPolygon> unionOf(const MultiPolygon& polygons, const JobContext& job
     });
 }
 
-Result<MultiPolygon> cutAlong(const MultiPolygon& polygons, const std::vector<Polyline>& lines, const JobContext& job) {
+Result<MultiPolygon> cutAlong(const MultiPolygon& polygons, const std::vector<Polyline>& lines,
+                              const JobContext& job) {
     const Geometry area = toGeos(polygons);
     const Geometry cuts = toGeos(lines);
     const auto edges = run(job, [&] { return GEOSBoundary_r(handle(), area.get()); });
@@ -452,7 +457,9 @@ Result<std::vector<Polyline>> linesOfWkt(const std::string& wkt) {
 }
 
 Result<MultiPolygon> madeValid(const MultiPolygon& polygons, const JobContext& job) {
-    return validOf(toGeos(polygons), job).transform([](const Geometry& result) { return fromGeos(result.get()); });
+    return validOf(toGeos(polygons), job).transform([](const Geometry& result) {
+        return fromGeos(result.get());
+    });
 }
 
 struct PreparedArea::Impl {

@@ -30,7 +30,8 @@ Result<MultiPolygon> dilated(const MultiPolygon& polygons, Length distance, Leng
                              const JobContext& job);
 
 /// The area at most `distance` away from lines, round at their ends. Arcs are drawn to `tolerance`.
-Result<MultiPolygon> aroundLines(const std::vector<Polyline>& lines, Length distance, Length tolerance, const JobContext& job);
+Result<MultiPolygon> aroundLines(const std::vector<Polyline>& lines, Length distance, Length tolerance,
+                                 const JobContext& job);
 
 /// A grid for polygons whose edges lie on each other except for rounding, like those of neighbouring lanes.
 /// In floating point, whole polygons may get lost there. The grid moves points by less than any measurement
@@ -46,7 +47,8 @@ Result<MultiPolygon> intersection(const MultiPolygon& a, const MultiPolygon& b, 
 Result<MultiPolygon> unionOf(const MultiPolygon& polygons, const JobContext& job, Length grid = {});
 
 /// The pieces into which lines cut polygons. A line that ends inside cuts nothing off.
-Result<MultiPolygon> cutAlong(const MultiPolygon& polygons, const std::vector<Polyline>& lines, const JobContext& job);
+Result<MultiPolygon> cutAlong(const MultiPolygon& polygons, const std::vector<Polyline>& lines,
+                              const JobContext& job);
 
 /// The diameter of the widest circle inside, to a centimetre or a hundredth of it; 0 for no polygons.
 Result<Length> breadthOf(const MultiPolygon& polygons, const JobContext& job);

@@ -27,7 +27,8 @@ struct Deleter {
 using Geometry = std::unique_ptr<GEOSGeometry, Deleter>;
 
 GEOSCoordSequence* sequenceOf(const std::vector<Point>& points) {
-    GEOSCoordSequence* const sequence = GEOSCoordSeq_create_r(handle(), static_cast<unsigned>(points.size()), 2);
+    GEOSCoordSequence* const sequence =
+        GEOSCoordSeq_create_r(handle(), static_cast<unsigned>(points.size()), 2);
     for (unsigned i = 0; i < points.size(); ++i) {
         GEOSCoordSeq_setXY_r(handle(), sequence, i, points[i].x, points[i].y);
     }
@@ -51,19 +52,21 @@ Geometry turnedPolygon(const Polygon& polygon, Angle heading, const std::vector<
     for (const Ring& hole : polygon.holes) {
         holes.push_back(GEOSGeom_createLinearRing_r(handle(), sequenceOf(turnedRing(hole, heading))));
     }
-    return Geometry{GEOSGeom_createPolygon_r(handle(), GEOSGeom_createLinearRing_r(handle(), sequenceOf(outer)),
+    return Geometry{GEOSGeom_createPolygon_r(handle(),
+                                             GEOSGeom_createLinearRing_r(handle(), sequenceOf(outer)),
                                              holes.data(), static_cast<unsigned>(holes.size()))};
 }
 
 Geometry collection(int type, std::vector<GEOSGeometry*>& parts) {
-    return Geometry{GEOSGeom_createCollection_r(handle(), type, parts.data(), static_cast<unsigned>(parts.size()))};
+    return Geometry{
+        GEOSGeom_createCollection_r(handle(), type, parts.data(), static_cast<unsigned>(parts.size()))};
 }
 
 Geometry rectangle(double fromX, double toX, double y, double half) {
     const std::vector<Point> corners{
         {fromX, y - half}, {toX, y - half}, {toX, y + half}, {fromX, y + half}, {fromX, y - half}};
-    return Geometry{GEOSGeom_createPolygon_r(handle(), GEOSGeom_createLinearRing_r(handle(), sequenceOf(corners)),
-                                             nullptr, 0)};
+    return Geometry{GEOSGeom_createPolygon_r(
+        handle(), GEOSGeom_createLinearRing_r(handle(), sequenceOf(corners)), nullptr, 0)};
 }
 
 }  // namespace
@@ -76,7 +79,8 @@ PlainFigures plainFigures(const Polygon& mainland, Length width, Angle heading, 
     const double half = 0.5 * width.si();
     std::vector<GEOSGeometry*> tracks;
     for (double y = low.y + half; y < high.y; y += width.si()) {
-        tracks.push_back(GEOSGeom_createLineString_r(handle(), sequenceOf({{left.x - 1.0, y}, {right.x + 1.0, y}})));
+        tracks.push_back(
+            GEOSGeom_createLineString_r(handle(), sequenceOf({{left.x - 1.0, y}, {right.x + 1.0, y}})));
     }
     const Geometry lines = collection(GEOS_MULTILINESTRING, tracks);
     const Geometry inside{GEOSIntersection_r(handle(), lines.get(), polygon.get())};

@@ -76,7 +76,8 @@ bool isInside(const Polygon& polygon, Point point) {
 }
 
 bool isInside(const MultiPolygon& polygons, Point point) {
-    return std::ranges::any_of(polygons, [point](const Polygon& polygon) { return isInside(polygon, point); });
+    return std::ranges::any_of(polygons,
+                               [point](const Polygon& polygon) { return isInside(polygon, point); });
 }
 
 std::size_t vertexCount(const MultiPolygon& polygons) {

@@ -21,7 +21,8 @@ Polyline simplified(const Polyline& line, Length tolerance) {
         double farthest = tolerance.si();
         std::size_t at = first;
         for (std::size_t i = first + 1; i < last; ++i) {
-            if (const double beside = distanceToSegment(line[i], line[first], line[last]); beside > farthest) {
+            if (const double beside = distanceToSegment(line[i], line[first], line[last]);
+                beside > farthest) {
                 farthest = beside;
                 at = i;
             }

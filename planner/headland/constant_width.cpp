@@ -23,10 +23,11 @@ Result<Headland> constantWidth(const HeadlandTask& task, const JobContext& job) 
     const auto givenWidth = settings.length(kHeadlandWidth);
     const auto givenPasses = settings.count(kHeadlandPasses);
     if (givenWidth && givenPasses && passesWithin(*givenWidth, task) != *givenPasses) {
-        return std::unexpected(Error{.code = ErrorCode::Usage,
-                                     .what = "headland.width_m and headland.passes do not agree",
-                                     .where = "settings",
-                                     .remedy = "give one of the two, or a width that holds just these passes"});
+        return std::unexpected(
+            Error{.code = ErrorCode::Usage,
+                  .what = "headland.width_m and headland.passes do not agree",
+                  .where = "settings",
+                  .remedy = "give one of the two, or a width that holds just these passes"});
     }
     Headland wanted;
     wanted.passes = givenPasses  ? *givenPasses
@@ -34,10 +35,11 @@ Result<Headland> constantWidth(const HeadlandTask& task, const JobContext& job) 
                                  : passesForTurns(task);
     wanted.width = givenWidth ? heldWidth(*givenWidth, task) : widthOfPasses(wanted.passes, task);
     if (givenWidth && *givenWidth - wanted.width > kWorthTelling) {
-        wanted.notes.push_back({message("A headland of {:.1f} m holds {}; it is {:.1f} m wide, and the rest is mainland",
-                                        givenWidth->si(), counted("{} pass", "{} passes", wanted.passes), wanted.width.si()),
-                                "headland",
-                                {}});
+        wanted.notes.push_back(
+            {message("A headland of {:.1f} m holds {}; it is {:.1f} m wide, and the rest is mainland",
+                     givenWidth->si(), counted("{} pass", "{} passes", wanted.passes), wanted.width.si()),
+             "headland",
+             {}});
     }
     if (!task.field.edgeHeadlands().empty()) {
         wanted.strips = EdgeStrips::along(task.workable(), wanted.width, wanted.passes);
@@ -45,9 +47,9 @@ Result<Headland> constantWidth(const HeadlandTask& task, const JobContext& job) 
     return headlandOf(std::move(wanted), task, job);
 }
 
-constexpr const Parameter* kParameters[] = {&kHeadlandPasses,    &kHeadlandWidth, &kHeadlandDriven,
-                                            &kHeadlandOrder,     &kHeadlandWhen,  &kHeadlandDirection,
-                                            &kHeadlandCorner,     &kHeadlandFinish};
+constexpr const Parameter* kParameters[] = {&kHeadlandPasses, &kHeadlandWidth, &kHeadlandDriven,
+                                            &kHeadlandOrder,  &kHeadlandWhen,  &kHeadlandDirection,
+                                            &kHeadlandCorner, &kHeadlandFinish};
 
 }  // namespace
 

@@ -30,7 +30,8 @@ constexpr double kStepM = 0.1;
 constexpr double kSameHeadingRad = 1e-9;
 
 bool isSame(const Pose& a, const Pose& b) {
-    return distance(a.position, b.position) < kRoundingM && std::abs((a.heading - b.heading).si()) < kSameHeadingRad;
+    return distance(a.position, b.position) < kRoundingM &&
+           std::abs((a.heading - b.heading).si()) < kSameHeadingRad;
 }
 
 Pose poseBefore(const Curve& line, std::size_t piece) {
@@ -50,7 +51,8 @@ Curve fromAStraight(const Curve& line) {
         return line;
     }
     const auto index = first - line.pieces.begin();
-    Curve turned{.type = line.type, .start = poseBefore(line, static_cast<std::size_t>(index)), .pieces = line.pieces};
+    Curve turned{
+        .type = line.type, .start = poseBefore(line, static_cast<std::size_t>(index)), .pieces = line.pieces};
     std::ranges::rotate(turned.pieces, turned.pieces.begin() + index);
     return turned;
 }
@@ -58,13 +60,14 @@ Curve fromAStraight(const Curve& line) {
 /// A manoeuvre at a corner: onwards past the point where its two sides meet, and back before that point on
 /// the next side.
 struct Manoeuvre {
-    Length onward;   ///< worked beyond the start of the rounding
+    Length onward;  ///< worked beyond the start of the rounding
     Curve turn;
-    Length back;     ///< worked before the end of the rounding
+    Length back;  ///< worked before the end of the rounding
 };
 
 std::optional<Manoeuvre> manoeuvre(const Curve& line, const RoundedCorner& corner, CornerMethod method,
-                                   const BoundaryDistance& edge, const Rig& rig, CornerWays& ways, const JobContext& job) {
+                                   const BoundaryDistance& edge, const Rig& rig, CornerWays& ways,
+                                   const JobContext& job) {
     const Machine& machine = rig.machine();
     const Pose entry = poseBefore(line, corner.firstPiece);
     const Pose exit = poseBefore(line, corner.lastPiece + 1);
@@ -81,7 +84,8 @@ std::optional<Manoeuvre> manoeuvre(const Curve& line, const RoundedCorner& corne
     const auto farthest = [&](const Pose& from, double sign, double wanted) {
         double best = 0.0;
         for (double m = kStepM; m <= wanted; m += kStepM) {
-            const Pose pose{.position = from.position + sign * m * direction(from.heading.si()), .heading = from.heading};
+            const Pose pose{.position = from.position + sign * m * direction(from.heading.si()),
+                            .heading = from.heading};
             if (!isInside(pose, working, edge)) {
                 break;
             }
@@ -105,8 +109,9 @@ std::optional<Manoeuvre> manoeuvre(const Curve& line, const RoundedCorner& corne
         const Pose to{.position = exit.position - back * out, .heading = exit.heading};
         // For a machine that cannot reverse, the third kind is a forward turn as well.
         const Curve turn = method == CornerMethod::Searched ? ways.between(rig, from, to, job)
-                          : method == CornerMethod::Loop   ? connection(from, to, machine, kDubinsMethod.run)
-                                                           : connection(from, to, machine, kReedsSheppMethod.run);
+                           : method == CornerMethod::Loop
+                               ? connection(from, to, machine, kDubinsMethod.run)
+                               : connection(from, to, machine, kReedsSheppMethod.run);
         if (rig.driven(Rig::inLine(from), turn)) {
             return Manoeuvre{metres(onward), turn, metres(back)};
         }
@@ -121,7 +126,8 @@ std::optional<Manoeuvre> manoeuvre(const Curve& line, const RoundedCorner& corne
 }  // namespace
 
 Curve CornerWays::between(const Rig& rig, const Pose& from, const Pose& to, const JobContext& job) {
-    const auto known = std::ranges::find_if(known_, [&](const Known& one) { return isSame(one.from, from) && isSame(one.to, to); });
+    const auto known = std::ranges::find_if(
+        known_, [&](const Known& one) { return isSame(one.from, from) && isSame(one.to, to); });
     if (known != known_.end()) {
         return known->way;
     }
@@ -155,7 +161,8 @@ std::vector<RoundedCorner> roundedCorners(const Curve& line, Length radius) {
             }
         }
         corner.turn = radians(turnRad);
-        corner.place = 0.5 * (poseBefore(line, corner.firstPiece).position + poseBefore(line, corner.lastPiece + 1).position);
+        corner.place = 0.5 * (poseBefore(line, corner.firstPiece).position +
+                              poseBefore(line, corner.lastPiece + 1).position);
         corner.radius = metres(arcM / std::max(1e-9, std::abs(turnRad)));
         if (std::abs(turnRad) >= kSmallestCornerRad && std::abs(turnRad) <= kLargestCornerRad) {
             corners.push_back(corner);
@@ -171,8 +178,10 @@ Area uncutCorner(const RoundedCorner& corner, Length width) {
 }
 
 std::vector<PassStretch> withCorners(const Curve& closed, CornerMethod method, const MultiPolygon& drivable,
-                                     const Machine& machine, const std::function<bool(const RoundedCorner&)>& wanted,
-                                     CornerWays& ways, std::vector<RoundedCorner>& left, const JobContext& job) {
+                                     const Machine& machine,
+                                     const std::function<bool(const RoundedCorner&)>& wanted,
+                                     CornerWays& ways, std::vector<RoundedCorner>& left,
+                                     const JobContext& job) {
     const Curve line = fromAStraight(closed);
     std::vector<RoundedCorner> corners = roundedCorners(line, machine.minTurningRadius());
     std::vector<PassStretch> stretches{{.line = {.type = {}, .start = line.start, .pieces = {}}}};
@@ -186,7 +195,9 @@ std::vector<PassStretch> withCorners(const Curve& closed, CornerMethod method, c
     std::size_t next = 0;
     const auto work = [&](const CurvePiece& piece) { stretches.back().line.pieces.push_back(piece); };
     for (const RoundedCorner& corner : corners) {
-        const auto found = corner.firstPiece > 0 && wanted(corner) ? manoeuvre(line, corner, method, edge, rig, ways, job) : std::nullopt;
+        const auto found = corner.firstPiece > 0 && wanted(corner)
+                               ? manoeuvre(line, corner, method, edge, rig, ways, job)
+                               : std::nullopt;
         if (!found) {
             left.push_back(corner);
             continue;

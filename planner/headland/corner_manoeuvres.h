@@ -12,9 +12,9 @@ namespace furrow {
 struct RoundedCorner {
     std::size_t firstPiece = 0;  ///< of the line: the first arc that rounds it
     std::size_t lastPiece = 0;
-    Angle turn;                  ///< positive to the left
-    Point place;                 ///< the middle between the ends of the rounding
-    Length radius;               ///< on average
+    Angle turn;     ///< positive to the left
+    Point place;    ///< the middle between the ends of the rounding
+    Length radius;  ///< on average
 };
 
 /// Corners of at least 45 degrees that are rounded with less than twice the machine's radius.
@@ -49,7 +49,9 @@ enum class CornerMethod { Rounded, Loop, Reverse, Searched };
 /// @param ways    of the same machine and drivable area
 /// @param left    corners that stayed rounded
 std::vector<PassStretch> withCorners(const Curve& closed, CornerMethod method, const MultiPolygon& drivable,
-                                     const Machine& machine, const std::function<bool(const RoundedCorner&)>& wanted,
-                                     CornerWays& ways, std::vector<RoundedCorner>& left, const JobContext& job);
+                                     const Machine& machine,
+                                     const std::function<bool(const RoundedCorner&)>& wanted,
+                                     CornerWays& ways, std::vector<RoundedCorner>& left,
+                                     const JobContext& job);
 
 }  // namespace furrow

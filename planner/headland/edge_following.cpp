@@ -62,10 +62,13 @@ std::vector<Station> stationsOf(const Curve& line, const FollowingRules& rules) 
     for (const CurvePiece& piece : line.pieces) {
         const Pose ends = advanced(begins, piece, piece.length);
         const auto steps = std::max(1, static_cast<int>(std::ceil(piece.length.si() / kStepM)));
-        if (piece.curvature != Curvature{} && rules.leavesOut(begins.position) && rules.leavesOut(ends.position)) {
+        if (piece.curvature != Curvature{} && rules.leavesOut(begins.position) &&
+            rules.leavesOut(ends.position)) {
             const Point ahead = direction(begins.heading.si());
-            const double toCornerM = toMeeting(begins.position, ahead, ends.position, direction(ends.heading.si())).first;
-            stations.push_back({{.position = begins.position + toCornerM * ahead, .heading = begins.heading}, true});
+            const double toCornerM =
+                toMeeting(begins.position, ahead, ends.position, direction(ends.heading.si())).first;
+            stations.push_back(
+                {{.position = begins.position + toCornerM * ahead, .heading = begins.heading}, true});
         } else {
             for (int i = 0; i < steps; ++i) {
                 const Pose pose = advanced(begins, piece, piece.length * (static_cast<double>(i) / steps));
@@ -180,7 +183,8 @@ private:
     std::size_t next(std::size_t i) const { return (i + 1) % stations_.size(); }
     std::size_t last(std::size_t i) const { return (i + stations_.size() - 1) % stations_.size(); }
 
-    static double outsideM(const Feeler& feeler, const Station& station, const BoundaryDistance& edges, Length beside) {
+    static double outsideM(const Feeler& feeler, const Station& station, const BoundaryDistance& edges,
+                           Length beside) {
         if (station.isLeftOut) {
             return -edges.reachM();
         }
@@ -241,12 +245,12 @@ private:
 
     std::vector<Station> stations_;
     std::vector<Feeler> feelers_;
-    double sharpest_;             ///< 1/m
-    double mostM_ = 0.0;          ///< a larger value means that the line does not fit anyway
-    std::vector<double> stepM_;   ///< to the next station
-    std::vector<double> bend_;    ///< 1/m
+    double sharpest_;            ///< 1/m
+    double mostM_ = 0.0;         ///< a larger value means that the line does not fit anyway
+    std::vector<double> stepM_;  ///< to the next station
+    std::vector<double> bend_;   ///< 1/m
     std::vector<double> inM_;
-    NumberSet pending_;           ///< stations whose neighbourhood has changed since their last turn
+    NumberSet pending_;  ///< stations whose neighbourhood has changed since their last turn
     bool changed_ = true;
 };
 
@@ -256,7 +260,8 @@ bool FollowingRules::leavesOut(Point place) const {
     return std::ranges::any_of(leftOut, [&](Point corner) { return distance(corner, place) < aroundM; });
 }
 
-Ring followingTheEdge(const Curve& line, const BoundaryDistance& edges, const Machine& machine, const FollowingRules& rules) {
+Ring followingTheEdge(const Curve& line, const BoundaryDistance& edges, const Machine& machine,
+                      const FollowingRules& rules) {
     WayIn way{stationsOf(line, rules), edges, machine, rules.beside};
     way.solve();
     return way.ring();

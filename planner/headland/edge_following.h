@@ -1,9 +1,9 @@
 #pragma once
 
 #include "planner/geometry/boundary_distance.h"
+#include "planner/geometry/curve.h"
 #include "planner/geometry/polygon.h"
 #include "planner/machine/machine.h"
-#include "planner/geometry/curve.h"
 
 #include <span>
 
@@ -29,6 +29,7 @@ struct FollowingRules {
 ///
 /// @param edges  its range is larger than the swing of the footprint
 /// @return points no farther apart than 0.25 m. Cost: a few times corners of the footprint times points.
-Ring followingTheEdge(const Curve& line, const BoundaryDistance& edges, const Machine& machine, const FollowingRules& rules);
+Ring followingTheEdge(const Curve& line, const BoundaryDistance& edges, const Machine& machine,
+                      const FollowingRules& rules);
 
 }  // namespace furrow

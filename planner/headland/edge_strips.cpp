@@ -89,9 +89,8 @@ Result<MultiPolygon> withoutStrips(const MultiPolygon& workable, std::span<const
     Result<MultiPolygon> left = workable;
     for (const auto& [widthM, lines] : linesByWidth) {
         left = left.and_then([&](const MultiPolygon& rest) {
-            return aroundLines(lines, metres(widthM), kArcTolerance, job).and_then([&](const MultiPolygon& taken) {
-                return difference(rest, taken, job);
-            });
+            return aroundLines(lines, metres(widthM), kArcTolerance, job)
+                .and_then([&](const MultiPolygon& taken) { return difference(rest, taken, job); });
         });
     }
     return left;

@@ -2,10 +2,10 @@
 
 #include "planner/geometry/boundary_distance.h"
 #include "planner/geometry/convex_hull.h"
+#include "planner/geometry/curve_parts.h"
 #include "planner/geometry/geos_bridge.h"
 #include "planner/geometry/tolerances.h"
 #include "planner/turns/connection.h"
-#include "planner/geometry/curve_parts.h"
 
 #include <algorithm>
 #include <array>
@@ -58,7 +58,8 @@ Ring stripOf(const Candidate& candidate, double widthM) {
 Curve lineOf(const Candidate& candidate, const Machine& machine) {
     const Point way = candidate.to - candidate.from;
     return {.type = {},
-            .start = vehicleAt({.position = candidate.from, .heading = radians(std::atan2(way.y, way.x))}, machine),
+            .start = vehicleAt({.position = candidate.from, .heading = radians(std::atan2(way.y, way.x))},
+                               machine),
             .pieces = {{.length = metres(norm(way)), .curvature = {}}}};
 }
 
@@ -157,7 +158,8 @@ struct Left {
 
     bool liesBy(std::size_t piece, const Bounds& box) const {
         const Bounds& own = boxes[piece];
-        return own.min.x <= box.max.x && own.max.x >= box.min.x && own.min.y <= box.max.y && own.max.y >= box.min.y;
+        return own.min.x <= box.max.x && own.max.x >= box.min.x && own.min.y <= box.max.y &&
+               own.max.y >= box.min.y;
     }
     /// The land left after one more pass.
     Result<MultiPolygon> without(const MultiPolygon& worked, const JobContext& job) const {
@@ -184,7 +186,8 @@ public:
     explicit Chooser(const FinishingTask& task)
         : task_{task},
           widthM_{task.lowered.machine().operatingWidth().si()},
-          flushM_{0.5 * std::max(widthM_, task.lowered.machine().workingFootprintWidth().si()) + kBesideEdgeM},
+          flushM_{0.5 * std::max(widthM_, task.lowered.machine().workingFootprintWidth().si()) +
+                  kBesideEdgeM},
           runInM_{task.lowered.machine().runIn().si()} {}
 
     double widthM() const { return widthM_; }
@@ -222,8 +225,10 @@ public:
         for (int i = 0; i < kHeadings; ++i) {
             const Point along = direction(2.0 * std::numbers::pi * i / kHeadings);
             const Point side{-along.y, along.x};
-            const auto [right, left] = std::ranges::minmax(
-                piece.outer | std::views::transform([&](Point point) { return dot(side, point - piece.outer.front()); }));
+            const auto [right, left] =
+                std::ranges::minmax(piece.outer | std::views::transform([&](Point point) {
+                                        return dot(side, point - piece.outer.front());
+                                    }));
             for (double asideM = right - 0.5 * widthM_ + kStepShare * widthM_; asideM < left + 0.5 * widthM_;
                  asideM += kStepShare * widthM_) {
                 addLane(piece, piece.outer.front() + asideM * side, along, 0.0, lanes);
@@ -263,7 +268,8 @@ public:
         candidate.from = lane.on + beginsM * lane.along;
         candidate.to = lane.on + endsM * lane.along;
         const Curve line = lineOf(candidate, task_.lowered.machine());
-        return isRefused(line) || worksOnPurposeLeft(candidate) || !isClear(line) ? std::nullopt : std::optional{candidate};
+        return isRefused(line) || worksOnPurposeLeft(candidate) || !isClear(line) ? std::nullopt
+                                                                                  : std::optional{candidate};
     }
 
     /// The stretches of a lane on which the machine has room.
@@ -271,7 +277,8 @@ public:
         std::vector<Lane> free;
         const Angle heading = radians(std::atan2(lane.along.y, lane.along.x));
         const auto roomM = [&](double m) {
-            const Pose pose = vehicleAt({.position = lane.on + m * lane.along, .heading = heading}, task_.lowered.machine());
+            const Pose pose = vehicleAt({.position = lane.on + m * lane.along, .heading = heading},
+                                        task_.lowered.machine());
             return task_.lowered.roomM(Rig::inLine(pose));
         };
         std::optional<double> begun;
@@ -325,11 +332,14 @@ private:
     }
 
     /// Also checks between the sampled places.
-    bool isClear(const Curve& line) const { return task_.lowered.driven(Rig::inLine(line.start), line).has_value(); }
+    bool isClear(const Curve& line) const {
+        return task_.lowered.driven(Rig::inLine(line.start), line).has_value();
+    }
 
     /// Adds the lane along a line as far as the piece lies beside it, not far beyond the guide, with the
     /// run-in before it.
-    void addLane(const Polygon& piece, Point on, Point along, double lengthM, std::vector<Lane>& lanes) const {
+    void addLane(const Polygon& piece, Point on, Point along, double lengthM,
+                 std::vector<Lane>& lanes) const {
         const Point side = (0.5 * widthM_) * Point{-along.y, along.x};
         const double beyondM = kBeyondWidths * widthM_;
         const Ring strip = {on - beyondM * along - side, on + (lengthM + beyondM) * along - side,
@@ -339,7 +349,8 @@ private:
         if (beside.empty() || gainM2 < leastGainM2()) {
             return;
         }
-        const auto [first, last] = std::ranges::minmax(beside, {}, [&](Point point) { return dot(along, point - on); });
+        const auto [first, last] =
+            std::ranges::minmax(beside, {}, [&](Point point) { return dot(along, point - on); });
         lanes.push_back({.on = on,
                          .along = along,
                          .fromM = dot(along, first - on) - runInM_,
@@ -370,8 +381,8 @@ bool isTooMuch(const FinishingTask& task, const Left& left) {
 /// Takes the pass with the largest gain, again and again, while too much is left. Each pass can only lower
 /// the other gains. A lane that is still the best after its gain is recomputed is therefore the best of all
 /// (Minoux 1978, doi 10.1007/BFb0006528).
-Result<void> chooseBest(std::vector<Lane> lanes, const Chooser& chooser, const FinishingTask& task, Chosen& chosen,
-                        const JobContext& job) {
+Result<void> chooseBest(std::vector<Lane> lanes, const Chooser& chooser, const FinishingTask& task,
+                        Chosen& chosen, const JobContext& job) {
     const auto less = [](const Lane& a, const Lane& b) { return a.gainM2 < b.gainM2; };
     std::ranges::make_heap(lanes, less);
     while (!lanes.empty() && chosen.passes.size() < kMostPasses && isTooMuch(task, chosen.left)) {
@@ -415,10 +426,11 @@ Result<void> chooseBest(std::vector<Lane> lanes, const Chooser& chooser, const F
 }
 
 /// Adds passes on full lock over land at the edges, piece by piece, the largest first.
-Result<void> chooseBends(const Chooser& chooser, const FinishingTask& task, const BoundaryDistance& edges, Chosen& chosen,
-                         const JobContext& job) {
+Result<void> chooseBends(const Chooser& chooser, const FinishingTask& task, const BoundaryDistance& edges,
+                         Chosen& chosen, const JobContext& job) {
     const auto isAtEdge = [&](const Polygon& piece) {
-        return std::ranges::any_of(piece.outer, [&](Point place) { return edges.insideM(place).value_or(kNearM) < kNearM; });
+        return std::ranges::any_of(
+            piece.outer, [&](Point place) { return edges.insideM(place).value_or(kNearM) < kNearM; });
     };
     const auto isRefused = [&](const Curve& line) { return chooser.isRefused(line); };
     std::size_t givenUp = 0;
@@ -494,11 +506,12 @@ Result<std::vector<HeadlandPass>> finishingPasses(const FinishingTask& task, con
     return passes;
 }
 
-const Parameter kHeadlandFinish{.key = "headland.finish",
-                                .name = "Finish corners",
-                                .description = "Short passes where corners would leave more than 1 % of the field.",
-                                .kind = ParameterKind::Flag,
-                                .standard = 1.0,
-                                .choices = {}};
+const Parameter kHeadlandFinish{
+    .key = "headland.finish",
+    .name = "Finish corners",
+    .description = "Short passes where corners would leave more than 1 % of the field.",
+    .kind = ParameterKind::Flag,
+    .standard = 1.0,
+    .choices = {}};
 
 }  // namespace furrow

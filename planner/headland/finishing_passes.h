@@ -16,10 +16,10 @@ struct FinishingTask {
     const MultiPolygon& left;      ///< not worked although within reach, largest first
     Area mayStay;                  ///< in total
     Area mayStayInOnePiece;
-    const Rig& lowered;            ///< implement down, in the drivable area
-    FullLockPasses* bends = nullptr;  ///< for machines that cannot reverse
+    const Rig& lowered;                           ///< implement down, in the drivable area
+    FullLockPasses* bends = nullptr;              ///< for machines that cannot reverse
     std::span<const Polygon> leftOnPurpose = {};  ///< no pass works any of it
-    std::span<const PassStretch> refused = {};  ///< no way in or out; left out, with nearly equal ones
+    std::span<const PassStretch> refused = {};    ///< no way in or out; left out, with nearly equal ones
 };
 
 /// Short straight passes over the land left at corners and between other passes. Each runs along an edge or

@@ -86,10 +86,13 @@ void addSwept(const WorkingLine& from, const WorkingLine& to, MultiPolygon& swep
 }  // namespace
 
 FullLockPasses::FullLockPasses(const Rig& lowered, PassAccessFinder access)
-    : lowered_{&lowered}, access_{std::move(access)}, trailer_{Trailer::of(lowered.machine())}, radiusM_{lowered.machine().minTurningRadius().si()} {}
+    : lowered_{&lowered},
+      access_{std::move(access)},
+      trailer_{Trailer::of(lowered.machine())},
+      radiusM_{lowered.machine().minTurningRadius().si()} {}
 
-Result<FullLockPasses> FullLockPasses::of(const MultiPolygon& drivable, const Rig& lowered, PassAccessFinder access,
-                                          const JobContext& job) {
+Result<FullLockPasses> FullLockPasses::of(const MultiPolygon& drivable, const Rig& lowered,
+                                          PassAccessFinder access, const JobContext& job) {
     FullLockPasses passes{lowered, std::move(access)};
     double implementM = passes.radiusM_;
     if (const auto& trailer = passes.trailer_) {
@@ -108,7 +111,8 @@ std::pair<Point, Point> FullLockPasses::workingLine(const RigState& state) const
     const Implement& implement = lowered_->machine().spec().implement;
     const Point ahead = direction(state.implement.si());
     const Point left{-ahead.y, ahead.x};
-    const Point carried = trailer_ ? trailer_->poseOf(state.tractor, state.implement).position : state.tractor.position;
+    const Point carried =
+        trailer_ ? trailer_->poseOf(state.tractor, state.implement).position : state.tractor.position;
     const double behindM = trailer_ ? -trailer_->trailingM : implement.offset.si();
     const Point middle = carried + behindM * ahead + implement.lateralOffset.si() * left;
     const Point half = 0.5 * implement.operatingWidth.si() * left;
@@ -144,7 +148,8 @@ bool isClose(const Pose& a, const Pose& b, double closeM) {
 
 /// The best candidate with a way in and a way out. Few are asked for. Poses close to a failed one are
 /// skipped.
-std::optional<Candidate> bestWithAccess(std::vector<Candidate> candidates, const PassAccessFinder& access, double closeM) {
+std::optional<Candidate> bestWithAccess(std::vector<Candidate> candidates, const PassAccessFinder& access,
+                                        double closeM) {
     std::ranges::stable_sort(candidates, std::ranges::greater{}, &Candidate::gainM2);
     std::vector<Pose> notReached;
     std::vector<Pose> notLeft;
@@ -185,7 +190,8 @@ public:
           areaEachM2_{area(piece).si() / static_cast<double>(std::max<std::size_t>(1, places_.size()))},
           widthM_{lowered_.machine().operatingWidth().si()},
           look_{passes.trailer_ ? std::min(kLook, passes.trailer_->longestStep()) : kLook},
-          swings_{1.0 + (passes.trailer_ ? widthM_ / passes.trailer_->trailingM : widthM_ / passes.radiusM_)} {
+          swings_{1.0 +
+                  (passes.trailer_ ? widthM_ / passes.trailer_->trailingM : widthM_ / passes.radiusM_)} {
         for (const Point& place : places_) {
             mean_ = mean_ + (1.0 / static_cast<double>(places_.size())) * place;
         }
@@ -203,7 +209,8 @@ public:
         std::vector<Point> found;
         const auto add = [&](Point near) {
             const auto middle = passes_.nearestMiddle(near);
-            if (middle && std::ranges::none_of(found, [&](Point other) { return distance(*middle, other) < kSameMiddleM; })) {
+            if (middle && std::ranges::none_of(
+                              found, [&](Point other) { return distance(*middle, other) < kSameMiddleM; })) {
                 found.push_back(*middle);
             }
         };
@@ -225,11 +232,13 @@ public:
             const Point around = middle + inwardsM * inwards;
             const auto within = std::ranges::count_if(
                 places_, [&](Point place) { return distance(place, around) < passes_.outerM_ + leadM; });
-            const double mostM2 = gainM2(static_cast<std::size_t>(within), leadM + kLengthsOut * passes_.straightM_);
+            const double mostM2 =
+                gainM2(static_cast<std::size_t>(within), leadM + kLengthsOut * passes_.straightM_);
             for (int i = 0; i < 2 * kBegins && mostM2 > kWorthAsking * bestM2_ && !job.stopRequested(); ++i) {
                 const double begin = 2.0 * std::numbers::pi * (i / 2) / kBegins;
                 const double side = i % 2 == 0 ? 1.0 : -1.0;
-                const double aheadRad = headingDifference({}, radians(side * (std::atan2(-inwards.y, -inwards.x) - begin))).si();
+                const double aheadRad =
+                    headingDifference({}, radians(side * (std::atan2(-inwards.y, -inwards.x) - begin))).si();
                 if (std::abs(aheadRad) > kLeastBeforeRad) {
                     add(around, begin, side, leadM, candidates);
                 }
@@ -256,7 +265,7 @@ private:
             return;
         }
         const CurvePiece arc{.length = metres(kMostRounds * 2.0 * std::numbers::pi * passes_.radiusM_),
-                            .curvature = Curvature::fromSi(side / passes_.radiusM_)};
+                             .curvature = Curvature::fromSi(side / passes_.radiusM_)};
         follow(*in, arc);
         if (worked_ == 0) {
             return;
@@ -305,7 +314,8 @@ private:
             const double reachM = 0.5 * widthM_ + 2.0 * look_.si();
             const bool isBeside = distance(mean_, middle) < reachM + farthestM_;
             for (std::size_t i = 0; isBeside && i < places_.size(); ++i) {
-                if (isWorked_[i] == 0 && distance(places_[i], middle) < reachM && isInside(ring, places_[i])) {
+                if (isWorked_[i] == 0 && distance(places_[i], middle) < reachM &&
+                    isInside(ring, places_[i])) {
                     isWorked_[i] = 1;
                     ++worked_;
                     lastUse_ = states_.size();
@@ -334,12 +344,15 @@ private:
     std::size_t lastUse_ = 0;
 };
 
-std::optional<BentPass> FullLockPasses::over(const Polygon& piece, const std::function<bool(const Curve&)>& isRefused,
+std::optional<BentPass> FullLockPasses::over(const Polygon& piece,
+                                             const std::function<bool(const Curve&)>& isRefused,
                                              const JobContext& job) {
     if (std::ranges::contains(hopeless_, piece)) {
         return std::nullopt;
     }
-    const auto access = [&](const Curve& line) { return isRefused(line) ? PassAccess::NoWayIn : access_(line); };
+    const auto access = [&](const Curve& line) {
+        return isRefused(line) ? PassAccess::NoWayIn : access_(line);
+    };
     const Machine& machine = lowered_->machine();
     Trial trial{*this, piece};
     const std::vector<Point> middles = trial.middles();
@@ -350,7 +363,8 @@ std::optional<BentPass> FullLockPasses::over(const Polygon& piece, const std::fu
         for (const Point& middle : middles) {
             trial.addAround(middle, leadM, candidates, job);
         }
-        auto found = bestWithAccess(std::move(candidates), access, kCloseShare * machine.operatingWidth().si());
+        auto found =
+            bestWithAccess(std::move(candidates), access, kCloseShare * machine.operatingWidth().si());
         if (found && (!best || found->gainM2 > best->gainM2)) {
             best = std::move(found);
         }
@@ -378,7 +392,8 @@ std::optional<BentPass> FullLockPasses::worked(Curve line, const JobContext& job
         });
     }
     auto worked = unionOf(swept, job, kSnapGrid);
-    return worked ? std::optional{BentPass{.line = std::move(line), .worked = std::move(*worked)}} : std::nullopt;
+    return worked ? std::optional{BentPass{.line = std::move(line), .worked = std::move(*worked)}}
+                  : std::nullopt;
 }
 
 }  // namespace furrow

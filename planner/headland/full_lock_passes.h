@@ -13,7 +13,7 @@ namespace furrow {
 
 /// A pass with bends.
 struct BentPass {
-    Curve line;            ///< of the vehicle's reference point
+    Curve line;           ///< of the vehicle's reference point
     MultiPolygon worked;  ///< what the implement sweeps
 };
 
@@ -28,14 +28,15 @@ public:
     /// @param drivable  area in which `lowered` may be
     /// @param lowered  outlives this
     /// Cancelled.
-    static Result<FullLockPasses> of(const MultiPolygon& drivable, const Rig& lowered, PassAccessFinder access,
-                                     const JobContext& job);
+    static Result<FullLockPasses> of(const MultiPolygon& drivable, const Rig& lowered,
+                                     PassAccessFinder access, const JobContext& job);
 
     /// The pass that works most of a piece: straight in, on full lock as far round as is useful, straight
     /// out. The implement is in line at both ends. Empty if no pass has room to work any of the piece, or a
     /// way in and out. That piece is then not tried again. Cost: some thousand bends driven.
     /// @param isRefused  whether nearly the same pass has failed before
-    std::optional<BentPass> over(const Polygon& piece, const std::function<bool(const Curve&)>& isRefused, const JobContext& job);
+    std::optional<BentPass> over(const Polygon& piece, const std::function<bool(const Curve&)>& isRefused,
+                                 const JobContext& job);
 
 private:
     class Trial;

@@ -22,8 +22,9 @@ Length HeadlandPass::length() const {
 }
 
 Length widthBeside(const Headland& headland, Point place) {
-    const auto nearest = std::ranges::min_element(
-        headland.strips, {}, [place](const EdgeStrip& strip) { return distanceToSegment(place, strip.from, strip.to); });
+    const auto nearest = std::ranges::min_element(headland.strips, {}, [place](const EdgeStrip& strip) {
+        return distanceToSegment(place, strip.from, strip.to);
+    });
     return nearest == headland.strips.end() ? headland.width : nearest->width;
 }
 

@@ -2,10 +2,10 @@
 
 #include "planner/core/result.h"
 #include "planner/field/field.h"
+#include "planner/geometry/curve.h"
 #include "planner/jobs/job.h"
 #include "planner/machine/machine.h"
 #include "planner/settings/settings.h"
-#include "planner/geometry/curve.h"
 #include "planner/turns/turn_method.h"
 
 #include <functional>
@@ -41,16 +41,16 @@ struct EdgeStrip {
 
 /// The strip kept for turning and the mainland inside it.
 struct Headland {
-    Length width;                ///< from the boundary, at most; 0 without a headland
-    int passes = 0;              ///< operating widths that fit into it
-    std::vector<EdgeStrip> strips;  ///< of all edges if they differ; empty if all are the same
-    MultiPolygon mainland;       ///< the field without headland, in metres
-    double mainlandRatio = 0.0;  ///< A_r = area(mainland) / area(field)
+    Length width;                     ///< from the boundary, at most; 0 without a headland
+    int passes = 0;                   ///< operating widths that fit into it
+    std::vector<EdgeStrip> strips;    ///< of all edges if they differ; empty if all are the same
+    MultiPolygon mainland;            ///< the field without headland, in metres
+    double mainlandRatio = 0.0;       ///< A_r = area(mainland) / area(field)
     std::vector<HeadlandPass> rings;  ///< in the chosen direction; empty if the strip is only for turning
-    Length uncutStrip;           ///< at most, along the boundary outside the outermost pass
-    Area uncutCorners;           ///< where that pass is rounded
-    std::vector<Note> notes;     ///< what was reduced, and why
-    bool narrowed = false;       ///< the field was too narrow for the wanted headland
+    Length uncutStrip;                ///< at most, along the boundary outside the outermost pass
+    Area uncutCorners;                ///< where that pass is rounded
+    std::vector<Note> notes;          ///< what was reduced, and why
+    bool narrowed = false;            ///< the field was too narrow for the wanted headland
 };
 
 /// The width of the headland along the edge nearest to a place. Cost: O(edges).

@@ -1,6 +1,7 @@
 #include "planner/headland/headland_passes.h"
 
 #include "planner/geometry/boundary_distance.h"
+#include "planner/geometry/curve_sampling.h"
 #include "planner/geometry/geos_bridge.h"
 #include "planner/geometry/segment.h"
 #include "planner/geometry/simplify.h"
@@ -12,7 +13,6 @@
 #include "planner/headland/smooth_ring.h"
 #include "planner/turns/trailer.h"
 #include "planner/turns/turn_method.h"
-#include "planner/geometry/curve_sampling.h"
 
 #include <algorithm>
 #include <cmath>
@@ -49,7 +49,9 @@ constexpr Length kBesideEdge = metres(0.02);
 
 CornerMethod cornerMethod(const Settings& settings) {
     const std::string id = settings.choice(kHeadlandCorner);
-    return id == kLoopCorner ? CornerMethod::Loop : id == kReverseCorner ? CornerMethod::Reverse : CornerMethod::Rounded;
+    return id == kLoopCorner      ? CornerMethod::Loop
+           : id == kReverseCorner ? CornerMethod::Reverse
+                                  : CornerMethod::Rounded;
 }
 
 /// The distances from the edge to the line of every pass, outermost first.
@@ -65,7 +67,7 @@ std::vector<Length> insets(int passes, const Machine& machine, Length margin) {
 /// The distances from the edges to one ring: one for all edges, or one for each strip. Strips without such a
 /// pass have none.
 struct RingInsets {
-    std::vector<Length> different;  ///< all different
+    std::vector<Length> different;                    ///< all different
     std::vector<std::optional<std::size_t>> ofStrip;  ///< index into `different`; empty if one holds for all
 };
 
@@ -84,8 +86,9 @@ std::vector<RingInsets> ringsOf(const Headland& headland, const Machine& machine
         for (std::size_t ring = 0; ring < own.size(); ++ring) {
             RingInsets& all = rings[ring];
             all.ofStrip.resize(headland.strips.size());
-            const auto known = std::ranges::find_if(
-                all.different, [&](Length inset) { return std::abs((inset - own[ring]).si()) < kSameInset.si(); });
+            const auto known = std::ranges::find_if(all.different, [&](Length inset) {
+                return std::abs((inset - own[ring]).si()) < kSameInset.si();
+            });
             all.ofStrip[i] = static_cast<std::size_t>(known - all.different.begin());
             if (known == all.different.end()) {
                 all.different.push_back(own[ring]);
@@ -93,7 +96,9 @@ std::vector<RingInsets> ringsOf(const Headland& headland, const Machine& machine
         }
     }
     for (RingInsets& ring : rings) {
-        const bool isWhole = ring.different.size() == 1 && std::ranges::all_of(ring.ofStrip, [](const auto& one) { return one.has_value(); });
+        const bool isWhole =
+            ring.different.size() == 1 &&
+            std::ranges::all_of(ring.ofStrip, [](const auto& one) { return one.has_value(); });
         if (isWhole) {
             ring.ofStrip.clear();
         }
@@ -104,7 +109,7 @@ std::vector<RingInsets> ringsOf(const Headland& headland, const Machine& machine
 /// One ring all around. Its corners are rounded or driven into.
 struct ClosedRing {
     std::vector<HeadlandPass> passes;
-    std::vector<Curve> lines;             ///< of the passes before corners are driven into and before cuts
+    std::vector<Curve> lines;            ///< of the passes before corners are driven into and before cuts
     std::vector<RoundedCorner> rounded;  ///< corners that stayed rounded
     std::vector<Point> outside;          ///< places beside corners that are driven into
     Length movedIn;
@@ -146,14 +151,18 @@ Result<ClosedRing> closedRing(const PassTask& task, Length inset, int ring, cons
         return corners.method != CornerMethod::Searched ||
                std::ranges::any_of(corners.driven, [&](Point place) { return isAt(corner, place, machine); });
     };
-    ClosedRing result{.passes = {}, .rounded = {}, .movedIn = tracks->movedIn, .complete = tracks->givenUp == 0, .inside = tracks->inside};
+    ClosedRing result{.passes = {},
+                      .rounded = {},
+                      .movedIn = tracks->movedIn,
+                      .complete = tracks->givenUp == 0,
+                      .inside = tracks->inside};
     result.lines = tracks->lines;
     for (const Curve& line : result.lines) {
         result.passes.push_back({.ring = ring,
                                  .width = machine.operatingWidth(),
                                  .closed = true,
-                                 .stretches = withCorners(line, corners.method,
-                                                          task.drivable, machine, wanted, ways, result.rounded, job)});
+                                 .stretches = withCorners(line, corners.method, task.drivable, machine,
+                                                          wanted, ways, result.rounded, job)});
         for (const PassStretch& stretch : result.passes.back().stretches) {
             if (corners.method == CornerMethod::Searched && stretch.working) {
                 std::ranges::move(placesOutside(stretch.line, task.drivable, machine, job),
@@ -189,8 +198,9 @@ Result<MultiPolygon> insideOf(const std::vector<Curve>& lines, const JobContext&
 /// jut back and forth within less than a turn, for example traced from an image, would cut them into many
 /// stretches. They then run beside the outermost pass, which goes round such edges smoothly.
 /// @param outermost  its lines; empty if they could not be made
-Result<std::vector<HeadlandPass>> innerRingOf(const PassTask& task, const std::vector<Curve>& outermost, Length fromOutermost,
-                                              Length inset, int ring, const JobContext& job) {
+Result<std::vector<HeadlandPass>> innerRingOf(const PassTask& task, const std::vector<Curve>& outermost,
+                                              Length fromOutermost, Length inset, int ring,
+                                              const JobContext& job) {
     auto along = innerPasses(task, inset, ring, job);
     if (!along || outermost.empty() || stretchCount(*along) < kManyStretches) {
         return along;
@@ -210,12 +220,14 @@ Result<std::vector<HeadlandPass>> innerRingOf(const PassTask& task, const std::v
             plain.back().holes.push_back(simplifiedRing(hole, drawn));
         }
     }
-    std::vector<HeadlandPass> beside = passesOn(plain, task, ring, kGentleShare * task.machine.operatingWidth());
+    std::vector<HeadlandPass> beside =
+        passesOn(plain, task, ring, kGentleShare * task.machine.operatingWidth());
     return kTimesFewer * stretchCount(beside) <= stretchCount(*along) ? std::move(beside) : std::move(along);
 }
 
 /// A rounded line that is not inside everywhere is driven in the parts that are inside.
-std::vector<HeadlandPass> cutWhereOutside(std::vector<HeadlandPass> passes, const PassTask& task, const JobContext& job) {
+std::vector<HeadlandPass> cutWhereOutside(std::vector<HeadlandPass> passes, const PassTask& task,
+                                          const JobContext& job) {
     for (HeadlandPass& pass : passes) {
         // Corners that are driven into were checked with their manoeuvres.
         if (!pass.closed || pass.stretches.size() != 1) {
@@ -254,8 +266,9 @@ Area leftAt(const std::vector<RoundedCorner>& corners, const Machine& machine) {
     const double swingM = std::hypot(besideM, overhangM) - besideM;
     Area sum;
     for (const RoundedCorner& corner : corners) {
-        sum += uncutCorner(corner, machine.operatingWidth()) +
-               squareMetres(2.0 * swingM * (overhangM + besideM * std::tan(0.25 * std::abs(corner.turn.si()))));
+        sum +=
+            uncutCorner(corner, machine.operatingWidth()) +
+            squareMetres(2.0 * swingM * (overhangM + besideM * std::tan(0.25 * std::abs(corner.turn.si()))));
     }
     return sum;
 }
@@ -264,7 +277,8 @@ Area leftAt(const std::vector<RoundedCorner>& corners, const Machine& machine) {
 Result<std::optional<ClosedRing>> withCornersDriven(const PassTask& task, Length inset, int ring,
                                                     const std::vector<RoundedCorner>& wanted, Length beside,
                                                     CornerWays& ways, const JobContext& job) {
-    CornerRules corners{.method = CornerMethod::Searched, .driven = {}, .beside = beside, .followsEdges = ring == 0};
+    CornerRules corners{
+        .method = CornerMethod::Searched, .driven = {}, .beside = beside, .followsEdges = ring == 0};
     std::ranges::transform(wanted, std::back_inserter(corners.driven), &RoundedCorner::place);
     while (!corners.driven.empty()) {
         auto sharp = closedRing(task, inset, ring, corners, ways, job);
@@ -272,8 +286,9 @@ Result<std::optional<ClosedRing>> withCornersDriven(const PassTask& task, Length
             return std::unexpected(sharp.error());
         }
         const auto failed = std::erase_if(corners.driven, [&](Point place) {
-            return std::ranges::any_of(sharp->rounded,
-                                       [&](const RoundedCorner& corner) { return isAt(corner, place, task.machine); });
+            return std::ranges::any_of(sharp->rounded, [&](const RoundedCorner& corner) {
+                return isAt(corner, place, task.machine);
+            });
         });
         if (failed > 0) {
             continue;
@@ -293,7 +308,8 @@ Result<std::optional<ClosedRing>> withCornersDriven(const PassTask& task, Length
 
 /// The outermost pass, rounded. If that leaves too much, a machine that can reverse drives into the corners
 /// that it can leave.
-Result<ClosedRing> outermostRing(const PassTask& task, Length inset, CornerWays& ways, const JobContext& job) {
+Result<ClosedRing> outermostRing(const PassTask& task, Length inset, CornerWays& ways,
+                                 const JobContext& job) {
     std::vector<RoundedCorner> arcCorners;
     // The corners and their uncut area are measured before the line follows the edges.
     if (!Trailer::of(task.machine)) {
@@ -302,7 +318,8 @@ Result<ClosedRing> outermostRing(const PassTask& task, Length inset, CornerWays&
             return arcs;
         }
         const std::vector<RoundedCorner> outward = outwardCorners(*arcs);
-        if (canReverse(task.machine) && arcs->complete && leftAt(outward, task.machine) > kMostUncutShare * area(task.workable)) {
+        if (canReverse(task.machine) && arcs->complete &&
+            leftAt(outward, task.machine) > kMostUncutShare * area(task.workable)) {
             auto driven = withCornersDriven(task, inset, 0, outward, kBesideEdge, ways, job);
             if (!driven) {
                 return std::unexpected(driven.error());
@@ -325,7 +342,8 @@ Result<ClosedRing> outermostRing(const PassTask& task, Length inset, CornerWays&
 
 /// An inner pass of a machine that cannot reverse, rounded. At corners where that leaves too much between two
 /// passes, the machine drives on and comes back in a loop, since there is room.
-Result<ClosedRing> innerRing(const PassTask& task, Length inset, int ring, CornerWays& ways, const JobContext& job) {
+Result<ClosedRing> innerRing(const PassTask& task, Length inset, int ring, CornerWays& ways,
+                             const JobContext& job) {
     auto rounded = closedRing(task, inset, ring, {.followsEdges = false}, ways, job);
     if (!rounded || !rounded->complete) {
         return rounded;
@@ -345,8 +363,9 @@ Result<ClosedRing> innerRing(const PassTask& task, Length inset, int ring, Corne
 }
 
 /// The passes of a ring that does not go all round, or has different distances from the edge.
-Result<std::vector<HeadlandPass>> partsOfRing(const Headland& headland, const EdgeStrips& strips, const RingInsets& insets,
-                                              int ring, const PassTask& task, const JobContext& job) {
+Result<std::vector<HeadlandPass>> partsOfRing(const Headland& headland, const EdgeStrips& strips,
+                                              const RingInsets& insets, int ring, const PassTask& task,
+                                              const JobContext& job) {
     const BoundaryDistance mainland{headland.mainland, task.machine.operatingWidth()};
     std::vector<HeadlandPass> passes;
     for (std::size_t k = 0; k < insets.different.size(); ++k) {
@@ -380,7 +399,8 @@ Result<void> addRings(Headland& headland, const PassTask& task, const JobContext
     const CornerMethod method = cornerMethod(task.settings);
     headland.uncutStrip = uncutEdge(machine);
     const std::vector<RingInsets> all = ringsOf(headland, machine, task.margin);
-    const std::optional<EdgeStrips> strips = headland.strips.empty() ? std::nullopt : std::optional<EdgeStrips>{headland.strips};
+    const std::optional<EdgeStrips> strips =
+        headland.strips.empty() ? std::nullopt : std::optional<EdgeStrips>{headland.strips};
     const auto keep = [&](std::vector<HeadlandPass> passes) {
         std::ranges::move(passes, std::back_inserter(headland.rings));
     };
@@ -408,12 +428,13 @@ Result<void> addRings(Headland& headland, const PassTask& task, const JobContext
         }
         // A machine that cannot reverse would not get out of a corner again.
         if (ring == 0 || method != CornerMethod::Rounded || !canReverse(machine)) {
-            auto closed = ring == 0 && method == CornerMethod::Rounded
-                              ? outermostRing(task, inset + beside, ways, job)
-                          : method == CornerMethod::Rounded
-                              ? innerRing(task, inset + beside, ring, ways, job)
-                              : closedRing(task, inset + beside, ring,
-                                           {.method = method, .driven = {}, .beside = {}, .followsEdges = false}, ways, job);
+            auto closed =
+                ring == 0 && method == CornerMethod::Rounded ? outermostRing(task, inset + beside, ways, job)
+                : method == CornerMethod::Rounded
+                    ? innerRing(task, inset + beside, ring, ways, job)
+                    : closedRing(task, inset + beside, ring,
+                                 {.method = method, .driven = {}, .beside = {}, .followsEdges = false}, ways,
+                                 job);
             if (!closed) {
                 return std::unexpected(closed.error());
             }
@@ -425,11 +446,13 @@ Result<void> addRings(Headland& headland, const PassTask& task, const JobContext
                         headland.uncutCorners += uncutCorner(corner, machine.operatingWidth());
                     }
                 }
-                keep(closed->inside ? std::move(closed->passes) : cutWhereOutside(std::move(closed->passes), task, job));
+                keep(closed->inside ? std::move(closed->passes)
+                                    : cutWhereOutside(std::move(closed->passes), task, job));
                 continue;
             }
         }
-        auto stretches = innerRingOf(task, outermost, inset - all.front().different.front(), inset, ring, job);
+        auto stretches =
+            innerRingOf(task, outermost, inset - all.front().different.front(), inset, ring, job);
         if (!stretches) {
             return std::unexpected(stretches.error());
         }

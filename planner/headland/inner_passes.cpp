@@ -1,9 +1,9 @@
 #include "planner/headland/inner_passes.h"
 
 #include "planner/geometry/boundary_distance.h"
+#include "planner/geometry/curve_parts.h"
 #include "planner/geometry/geos_bridge.h"
 #include "planner/headland/smooth_ring.h"
-#include "planner/geometry/curve_parts.h"
 #include "planner/turns/footprint_check.h"
 
 #include <algorithm>
@@ -53,8 +53,9 @@ struct Room {
     BoundaryDistance edge;
 
     bool isFreeAt(const Pose& from, double aheadM) const {
-        return isInside({.position = from.position + aheadM * direction(from.heading.si()), .heading = from.heading},
-                        working, edge);
+        return isInside(
+            {.position = from.position + aheadM * direction(from.heading.si()), .heading = from.heading},
+            working, edge);
     }
 
     /// The distance that the machine can drive on (back if the sign is -1), at most `wantedM`. A negative
@@ -73,7 +74,9 @@ struct Room {
 
 /// The line extended before its start and past its end. A negative length shortens it.
 Curve extended(Curve line, double beforeM, double pastM) {
-    const auto change = [](CurvePiece& piece, double by) { piece.length = metres(std::max(0.0, piece.length.si() + by)); };
+    const auto change = [](CurvePiece& piece, double by) {
+        piece.length = metres(std::max(0.0, piece.length.si() + by));
+    };
     const bool startsStraight = line.pieces.front().curvature == Curvature{};
     if (beforeM > 0.0 || startsStraight) {
         const double byM = std::max(beforeM, -line.pieces.front().length.si());
@@ -100,7 +103,8 @@ double turnBetween(const Curve& before, const Curve& after) {
 }
 
 HeadlandPass passOf(std::vector<Curve> lines, bool closed, int ring, const Room& room) {
-    HeadlandPass pass{.ring = ring, .width = room.machine.operatingWidth(), .closed = closed, .stretches = {}};
+    HeadlandPass pass{
+        .ring = ring, .width = room.machine.operatingWidth(), .closed = closed, .stretches = {}};
     const double widthM = pass.width.si();
     // The distance of the implement behind the vehicle's reference point.
     const double leadM = -room.machine.spec().implement.offset.si();
@@ -112,15 +116,18 @@ HeadlandPass passOf(std::vector<Curve> lines, bool closed, int ring, const Room&
         return turn > 0.0;
     };
     const auto beyondM = [&](const Curve& before, const Curve& after) {
-        return std::min(0.5 * widthM * std::tan(0.5 * turnBetween(before, after)), kMostWidthsOnward * widthM);
+        return std::min(0.5 * widthM * std::tan(0.5 * turnBetween(before, after)),
+                        kMostWidthsOnward * widthM);
     };
     for (std::size_t i = 0; i < lines.size(); ++i) {
         Curve line = lines[i];
         if (!closed) {
             // The pass outside ends where its nose meets the edge. This pass also works the land that its
             // implement leaves there.
-            const double fromEdgeM = ring * widthM < noseM + leadM && turnsInward(lines, i) ? ring * widthM : 0.0;
-            const double backM = beyondM(lines[(i + lines.size() - 1) % lines.size()], line) + fromEdgeM - leadM;
+            const double fromEdgeM =
+                ring * widthM < noseM + leadM && turnsInward(lines, i) ? ring * widthM : 0.0;
+            const double backM =
+                beyondM(lines[(i + lines.size() - 1) % lines.size()], line) + fromEdgeM - leadM;
             const double onM = beyondM(line, lines[(i + 1) % lines.size()]) + leadM;
             // The straights at both ends may shrink if the machine is longer than the room.
             const auto straightM = [](const CurvePiece& piece) {
@@ -130,7 +137,8 @@ HeadlandPass passOf(std::vector<Curve> lines, bool closed, int ring, const Room&
             // Beside the edge the machine reverses into its lane and needs its run-in again.
             const double runInM = room.machine.runIn().si();
             const double before =
-                room.farthest(line.start, -1.0, backM + runInM, -share * straightM(line.pieces.front())) - runInM;
+                room.farthest(line.start, -1.0, backM + runInM, -share * straightM(line.pieces.front())) -
+                runInM;
             const double past = room.farthest(line.end(), 1.0, onM, -share * straightM(line.pieces.back()));
             line = extended(std::move(line), before, past);
         }
@@ -142,7 +150,8 @@ HeadlandPass passOf(std::vector<Curve> lines, bool closed, int ring, const Room&
 }
 
 /// The stretches of a line whose points belong, as from and to, each at least `least` long.
-std::vector<std::pair<Length, Length>> belonging(const Curve& line, const std::function<bool(Point)>& belongs, Length least) {
+std::vector<std::pair<Length, Length>> belonging(const Curve& line, const std::function<bool(Point)>& belongs,
+                                                 Length least) {
     std::vector<std::pair<Length, Length>> stretches;
     const Length whole = line.length();
     const int steps = std::max(1, static_cast<int>(std::ceil(whole.si() / kCutM)));
@@ -170,7 +179,9 @@ std::vector<std::pair<Length, Length>> belonging(const Curve& line, const std::f
 
 /// Removes arcs at the ends that bend more than this: they lead round a corner that the part does not take.
 Curve withoutBentEnds(Curve line, double sharpestPerM) {
-    const auto isBent = [sharpestPerM](const CurvePiece& piece) { return std::abs(piece.curvature.si()) > sharpestPerM; };
+    const auto isBent = [sharpestPerM](const CurvePiece& piece) {
+        return std::abs(piece.curvature.si()) > sharpestPerM;
+    };
     while (!line.pieces.empty() && isBent(line.pieces.back())) {
         line.pieces.pop_back();
     }
@@ -192,7 +203,9 @@ struct Extent {
 
     double lengthM() const { return toM - fromM; }
     double widthM() const { return leftM - rightM; }
-    Point at(double alongM, double asideM) const { return origin + alongM * along + asideM * Point{-along.y, along.x}; }
+    Point at(double alongM, double asideM) const {
+        return origin + alongM * along + asideM * Point{-along.y, along.x};
+    }
 };
 
 Extent extentOf(const Ring& ring, Point along) {
@@ -269,7 +282,8 @@ Curve lineAlong(const Polygon& part) {
 
 }  // namespace
 
-std::vector<HeadlandPass> passesOn(const MultiPolygon& region, const PassTask& task, int ring, Length gentle) {
+std::vector<HeadlandPass> passesOn(const MultiPolygon& region, const PassTask& task, int ring,
+                                   Length gentle) {
     const Room room{task};
     const Length width = task.machine.operatingWidth();
     const Area mostUncut = std::min(kMostUncut, squareMetres(kUncutShare * width.si() * width.si()));
@@ -294,13 +308,15 @@ std::vector<HeadlandPass> passesOn(const MultiPolygon& region, const PassTask& t
     return passes;
 }
 
-Result<std::vector<HeadlandPass>> innerPasses(const PassTask& task, Length inset, int ring, const JobContext& job) {
+Result<std::vector<HeadlandPass>> innerPasses(const PassTask& task, Length inset, int ring,
+                                              const JobContext& job) {
     return erodedSharp(task.workable, inset, job).transform([&](const MultiPolygon& region) {
         return passesOn(region, task, ring, {});
     });
 }
 
-std::vector<HeadlandPass> partsOf(const std::vector<HeadlandPass>& passes, const std::function<bool(Point)>& belongs,
+std::vector<HeadlandPass> partsOf(const std::vector<HeadlandPass>& passes,
+                                  const std::function<bool(Point)>& belongs,
                                   const std::function<bool(Point)>& isLeft, const PassTask& task) {
     const Room room{task};
     const double widthM = task.machine.operatingWidth().si();
@@ -322,7 +338,8 @@ std::vector<HeadlandPass> partsOf(const std::vector<HeadlandPass>& passes, const
     };
     const auto drawnOut = [&](Curve line) {
         const double leastM = -0.5 * line.length().si();
-        const double backM = room.farthest(line.start, -1.0, leftM(line.start, -1.0) - leadM + runInM, leastM) - runInM;
+        const double backM =
+            room.farthest(line.start, -1.0, leftM(line.start, -1.0) - leadM + runInM, leastM) - runInM;
         const double onM = room.farthest(line.end(), 1.0, leftM(line.end(), 1.0) + leadM, leastM);
         return extended(std::move(line), backM, onM);
     };
@@ -331,13 +348,15 @@ std::vector<HeadlandPass> partsOf(const std::vector<HeadlandPass>& passes, const
         bool isWhole = true;
         HeadlandPass part{.ring = pass.ring, .width = pass.width, .closed = false, .stretches = {}};
         for (const PassStretch& stretch : pass.stretches) {
-            for (const auto& [from, to] : belonging(stretch.line, belongs, kLeastPart * task.machine.operatingWidth())) {
+            for (const auto& [from, to] :
+                 belonging(stretch.line, belongs, kLeastPart * task.machine.operatingWidth())) {
                 if (from <= Length{} && to >= stretch.line.length()) {
                     part.stretches.push_back(stretch);
                     continue;
                 }
                 isWhole = false;
-                Curve piece = withoutBentEnds(partOf(stretch.line, from, to), 0.5 / task.machine.minTurningRadius().si());
+                Curve piece = withoutBentEnds(partOf(stretch.line, from, to),
+                                              0.5 / task.machine.minTurningRadius().si());
                 if (piece.pieces.empty()) {
                     continue;
                 }
@@ -366,9 +385,10 @@ Result<std::vector<HeadlandPass>> passesAlongStrips(const PassTask& task, Length
     }
     // The area that the next pass covers if it drives into its corners. The opening uses slightly less than
     // half a width.
-    const auto strips = erodedSharp(*inside, 0.999 * half, job)
-                            .and_then([&](const MultiPolygon& core) { return dilated(core, 1.5 * half, kArcTolerance, job); })
-                            .and_then([&](const MultiPolygon& covered) { return difference(*inside, covered, job); });
+    const auto strips =
+        erodedSharp(*inside, 0.999 * half, job)
+            .and_then([&](const MultiPolygon& core) { return dilated(core, 1.5 * half, kArcTolerance, job); })
+            .and_then([&](const MultiPolygon& covered) { return difference(*inside, covered, job); });
     if (!strips) {
         return std::unexpected(strips.error());
     }
@@ -385,7 +405,8 @@ Result<std::vector<HeadlandPass>> passesAlongStrips(const PassTask& task, Length
         }
         for (const Polygon& part : *parts) {
             Curve line = lineAlong(part);
-            if (area(part).si() < kNarrowestStripM * line.length().si() || line.length() < kShortest * width) {
+            if (area(part).si() < kNarrowestStripM * line.length().si() ||
+                line.length() < kShortest * width) {
                 continue;
             }
             // Only as far as the machine fits, from the middle outwards.
@@ -399,7 +420,8 @@ Result<std::vector<HeadlandPass>> passesAlongStrips(const PassTask& task, Length
             line.start.position = middle.position - backM * direction(middle.heading.si());
             line.pieces.front().length = metres(backM + onM);
             if (line.length() > kShortest * width) {
-                passes.push_back({.ring = ring, .width = width, .closed = false, .stretches = {{.line = line}}});
+                passes.push_back(
+                    {.ring = ring, .width = width, .closed = false, .stretches = {{.line = line}}});
             }
         }
     }

@@ -19,13 +19,15 @@ std::vector<HeadlandPass> passesOn(const MultiPolygon& region, const PassTask& t
 ///
 /// @param inset  from the edges of the field to the middle of the pass
 /// Cost: one GEOS buffer. Cancelled.
-Result<std::vector<HeadlandPass>> innerPasses(const PassTask& task, Length inset, int ring, const JobContext& job);
+Result<std::vector<HeadlandPass>> innerPasses(const PassTask& task, Length inset, int ring,
+                                              const JobContext& job);
 
 /// The parts of passes that belong to some strips only. Both ends are extended as far as land is left and the
 /// machine stays in the field.
 /// @param belongs  whether a place of a pass is in one of those strips
 /// @param isLeft   whether no other pass works a place
-std::vector<HeadlandPass> partsOf(const std::vector<HeadlandPass>& passes, const std::function<bool(Point)>& belongs,
+std::vector<HeadlandPass> partsOf(const std::vector<HeadlandPass>& passes,
+                                  const std::function<bool(Point)>& belongs,
                                   const std::function<bool(Point)>& isLeft, const PassTask& task);
 
 /// Straight passes along strips narrower than one operating width at the place of the next pass, for example

@@ -41,7 +41,8 @@ Machine mirrored(const Machine& machine) {
 
 Curve mirrored(const Curve& turn) {
     Curve other = turn;
-    other.start = {.position = mirroredPoint(turn.start.position), .heading = normalisedPoseHeading(-turn.start.heading)};
+    other.start = {.position = mirroredPoint(turn.start.position),
+                   .heading = normalisedPoseHeading(-turn.start.heading)};
     for (CurvePiece& piece : other.pieces) {
         piece.curvature = -piece.curvature;
         piece.endCurvature = -piece.endCurvature;

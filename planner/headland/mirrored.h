@@ -1,9 +1,9 @@
 #pragma once
 
+#include "planner/geometry/curve.h"
 #include "planner/geometry/polygon.h"
 #include "planner/headland/headland.h"
 #include "planner/machine/machine.h"
-#include "planner/geometry/curve.h"
 
 #include <vector>
 

@@ -9,14 +9,18 @@ namespace {
 
 /// Keeps the mainland away from obstacles that swaths do not go round, if the tractor is wider than its
 /// implement.
-Result<MultiPolygon> clearOfObstacles(MultiPolygon mainland, const HeadlandTask& task, const JobContext& job) {
+Result<MultiPolygon> clearOfObstacles(MultiPolygon mainland, const HeadlandTask& task,
+                                      const JobContext& job) {
     const Length beside = uncutEdge(task.machine);
     if (beside <= Length{}) {
         return mainland;
     }
     return obstaclesOf(task.field, task.workable(), job)
-        .and_then([&](const MultiPolygon& obstacles) { return dilated(obstacles, beside, kArcTolerance, job); })
-        .and_then([&](const MultiPolygon& kept) { return kept.empty() ? Result<MultiPolygon>{mainland} : difference(mainland, kept, job); });
+        .and_then(
+            [&](const MultiPolygon& obstacles) { return dilated(obstacles, beside, kArcTolerance, job); })
+        .and_then([&](const MultiPolygon& kept) {
+            return kept.empty() ? Result<MultiPolygon>{mainland} : difference(mainland, kept, job);
+        });
 }
 
 Result<Headland> noHeadland(const HeadlandTask& task, const JobContext& job) {
@@ -24,7 +28,8 @@ Result<Headland> noHeadland(const HeadlandTask& task, const JobContext& job) {
     // The margin is kept with or without a headland.
     auto mainland = margin > metres(0.0) ? eroded(task.workable(), margin, kArcTolerance, job)
                                          : Result<MultiPolygon>{task.workable()};
-    mainland = mainland.and_then([&](MultiPolygon land) { return clearOfObstacles(std::move(land), task, job); });
+    mainland =
+        mainland.and_then([&](MultiPolygon land) { return clearOfObstacles(std::move(land), task, job); });
     if (!mainland) {
         return std::unexpected(mainland.error());
     }

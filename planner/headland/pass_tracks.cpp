@@ -1,12 +1,12 @@
 #include "planner/headland/pass_tracks.h"
 
+#include "planner/geometry/curve_parts.h"
 #include "planner/geometry/geos_bridge.h"
 #include "planner/geometry/simplify.h"
 #include "planner/geometry/tolerances.h"
 #include "planner/headland/edge_following.h"
 #include "planner/headland/smooth_ring.h"
 #include "planner/headland/swing_out.h"
-#include "planner/geometry/curve_parts.h"
 #include "planner/turns/rig.h"
 
 #include <algorithm>
@@ -108,7 +108,9 @@ Result<MultiPolygon> rounded(const Polygon& region, Length radius, const JobCont
     const MultiPolygon discs = discsAtInwardCorners(region, radius.si());
     Result<MultiPolygon> left = MultiPolygon{region};
     if (!discs.empty()) {
-        left = unionOf(discs, job).and_then([&](const MultiPolygon& taken) { return difference({region}, taken, job); });
+        left = unionOf(discs, job).and_then([&](const MultiPolygon& taken) {
+            return difference({region}, taken, job);
+        });
     }
     return left.and_then([&](const MultiPolygon& polygons) { return opened(polygons, radius, job); });
 }
@@ -197,7 +199,8 @@ Ring moved(const Ring& ring, const Displacement& displacement) {
     return simplifiedRing(std::move(result), kSimplified);
 }
 
-Result<MultiPolygon> moved(const MultiPolygon& polygons, const Displacement& displacement, const JobContext& job) {
+Result<MultiPolygon> moved(const MultiPolygon& polygons, const Displacement& displacement,
+                           const JobContext& job) {
     if (displacement.isEmpty()) {
         return polygons;
     }
@@ -220,10 +223,11 @@ std::vector<CurvePiece> inShortPieces(const std::vector<CurvePiece>& pieces) {
     for (const CurvePiece& piece : pieces) {
         const auto count = std::max(1, static_cast<int>(std::ceil(piece.length.si() / kShortPieceM)));
         for (int i = 0; i < count; ++i) {
-            all.push_back({.length = (1.0 / count) * piece.length,
-                           .curvature = piece.curvatureAt((static_cast<double>(i) / count) * piece.length),
-                           .endCurvature = piece.curvatureAt((static_cast<double>(i + 1) / count) * piece.length),
-                           .gear = piece.gear});
+            all.push_back(
+                {.length = (1.0 / count) * piece.length,
+                 .curvature = piece.curvatureAt((static_cast<double>(i) / count) * piece.length),
+                 .endCurvature = piece.curvatureAt((static_cast<double>(i + 1) / count) * piece.length),
+                 .gear = piece.gear});
         }
     }
     return all;
@@ -371,8 +375,9 @@ Result<PassTracks> linesOf(const MultiPolygon& region, Length radius, Length gen
 }
 
 /// A region whose lines follow the edges, or the given region if that fails.
-Result<MultiPolygon> alongEdges(const MultiPolygon& region, const MultiPolygon& drivable, const Machine& machine,
-                                const FollowingRules& following, Length gentle, const JobContext& job) {
+Result<MultiPolygon> alongEdges(const MultiPolygon& region, const MultiPolygon& drivable,
+                                const Machine& machine, const FollowingRules& following, Length gentle,
+                                const JobContext& job) {
     const auto straight = linesOf(region, machine.minTurningRadius(), gentle, job);
     if (!straight) {
         return std::unexpected(straight.error());
@@ -401,11 +406,12 @@ Result<MultiPolygon> alongEdges(const MultiPolygon& region, const MultiPolygon& 
         std::ranges::move(*valid, std::back_inserter(taken));
     }
     auto followed = madeValid(outer, job).and_then([&](const MultiPolygon& valid) {
-        return unionOf(taken, job).and_then([&](const MultiPolygon& one) { return difference(valid, one, job); });
+        return unionOf(taken, job).and_then([&](const MultiPolygon& one) {
+            return difference(valid, one, job);
+        });
     });
-    const auto along = followed.and_then([&](const MultiPolygon& valid) {
-        return linesOf(valid, machine.minTurningRadius(), gentle, job);
-    });
+    const auto along = followed.and_then(
+        [&](const MultiPolygon& valid) { return linesOf(valid, machine.minTurningRadius(), gentle, job); });
     if (!along) {
         return std::unexpected(along.error());
     }
@@ -434,9 +440,11 @@ Result<PassTracks> passTracks(const MultiPolygon& workable, Length inset, const 
     // one place gets it.
     const double besideM = radius.si() + 0.5 * machine.workingFootprintWidth().si();
     const double swingM = std::hypot(besideM, reachM) - besideM;
-    const bool touches = !Trailer::of(machine) && inset.si() < 0.5 * machine.workingFootprintWidth().si() + swingM;
+    const bool touches =
+        !Trailer::of(machine) && inset.si() < 0.5 * machine.workingFootprintWidth().si() + swingM;
     const Rig rig{drivable, machine, ImplementAt::Lowered};
-    const FollowingRules following{.beside = rules.beside, .leftOut = rules.driven, .aroundM = besideM + reachM};
+    const FollowingRules following{
+        .beside = rules.beside, .leftOut = rules.driven, .aroundM = besideM + reachM};
     if (rules.followsEdges && rules.movesIn && !rig.hasTrailer()) {
         base = base.and_then([&](const MultiPolygon& region) {
             return alongEdges(region, drivable, machine, following, metres(reachM), job);
@@ -445,7 +453,8 @@ Result<PassTracks> passTracks(const MultiPolygon& workable, Length inset, const 
     Displacement displacement{reachM};
     const auto lines = [&] {
         return base.and_then([&](const MultiPolygon& region) { return moved(region, displacement, job); })
-            .and_then([&](const MultiPolygon& region) { return linesOf(region, radius, metres(reachM), job); });
+            .and_then(
+                [&](const MultiPolygon& region) { return linesOf(region, radius, metres(reachM), job); });
     };
     Result<PassTracks> tracks = lines();
     for (int round = 0; tracks && rules.movesIn; ++round) {
@@ -467,7 +476,8 @@ Result<PassTracks> passTracks(const MultiPolygon& workable, Length inset, const 
             }
             return excesses;
         };
-        std::vector<Excess> excesses = look(Look::NowAndThen, [&](Point place) { return displacement.changedLastAt(place); });
+        std::vector<Excess> excesses =
+            look(Look::NowAndThen, [&](Point place) { return displacement.changedLastAt(place); });
         // Merged corners may move the line a little farther away.
         if (excesses.empty()) {
             excesses = look(Look::Closely, everywhere);
@@ -497,7 +507,8 @@ std::vector<Point> placesOutside(const Curve& line, const MultiPolygon& drivable
                                  const JobContext& job) {
     std::vector<Point> places;
     const Rig rig{drivable, machine, ImplementAt::Lowered};
-    for (const Excess& excess : excessesAlong(line, rig, 0.5 * overhangM(machine), Look::Closely, everywhere, job)) {
+    for (const Excess& excess :
+         excessesAlong(line, rig, 0.5 * overhangM(machine), Look::Closely, everywhere, job)) {
         if (excess.outsideM > kDrawingM) {
             places.push_back(excess.place);
         }
@@ -506,7 +517,7 @@ std::vector<Point> placesOutside(const Curve& line, const MultiPolygon& drivable
 }
 
 std::vector<Curve> partsInside(const Curve& closedLine, const MultiPolygon& drivable, const Machine& machine,
-                              const JobContext& job) {
+                               const JobContext& job) {
     // The line also stays away before and after such a place, by this distance.
     const double awayM = 2.0 * kCutLookM;
     const Rig rig{drivable, machine, ImplementAt::Lowered};

@@ -1,10 +1,10 @@
 #pragma once
 
 #include "planner/core/result.h"
+#include "planner/geometry/curve.h"
 #include "planner/geometry/polygon.h"
 #include "planner/jobs/job.h"
 #include "planner/machine/machine.h"
-#include "planner/geometry/curve.h"
 
 #include <span>
 #include <vector>
@@ -13,7 +13,7 @@ namespace furrow {
 
 /// Rules for the line of a pass.
 struct TrackRules {
-    Length beside;  ///< part of the inset: distance of the footprint from the edge
+    Length beside;                       ///< part of the inset: distance of the footprint from the edge
     std::span<const Point> driven = {};  ///< corners to be driven into: the line stays unchanged there
     /// The line moves as near to the edges as tail and nose allow. If false, corners keep the arcs of their
     /// rounding.
@@ -25,8 +25,8 @@ struct TrackRules {
 /// obstacle, clockwise.
 struct PassTracks {
     std::vector<Curve> lines;
-    Length movedIn;  ///< at most, because the footprint would have left the field in a bend
-    int givenUp = 0;  ///< rings that could not be rounded
+    Length movedIn;       ///< at most, because the footprint would have left the field in a bend
+    int givenUp = 0;      ///< rings that could not be rounded
     bool inside = false;  ///< checked: the footprint stays inside everywhere
 };
 
@@ -48,6 +48,6 @@ std::vector<Point> placesOutside(const Curve& line, const MultiPolygon& drivable
 /// The parts of a line on which the footprint, implement down, is inside. Parts shorter than the width of a
 /// pass are dropped. A closed line is cut open there. It stays unchanged if nothing is outside.
 std::vector<Curve> partsInside(const Curve& closedLine, const MultiPolygon& drivable, const Machine& machine,
-                              const JobContext& job);
+                               const JobContext& job);
 
 }  // namespace furrow

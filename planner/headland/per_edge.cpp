@@ -27,11 +27,13 @@ double angleBetween(const Pose& leaving, const EdgeStrip& strip) {
 }
 
 /// The edges straight ahead of a swath, from its middle and both its sides.
-std::vector<std::size_t> edgesAhead(const Pose& leaving, const EdgeStrips& strips, const HeadlandTask& task, Length within) {
+std::vector<std::size_t> edgesAhead(const Pose& leaving, const EdgeStrips& strips, const HeadlandTask& task,
+                                    Length within) {
     std::vector<std::size_t> edges;
     const Point ahead = direction(leaving.heading.si());
     for (const double side : {-kAlmostHalf, 0.0, kAlmostHalf}) {
-        const Point from = leaving.position + side * task.machine.operatingWidth().si() * Point{-ahead.y, ahead.x};
+        const Point from =
+            leaving.position + side * task.machine.operatingWidth().si() * Point{-ahead.y, ahead.x};
         const auto edge = strips.ahead({.position = from, .heading = leaving.heading}, within);
         if (edge && !std::ranges::contains(edges, *edge)) {
             edges.push_back(*edge);
@@ -41,7 +43,8 @@ std::vector<std::size_t> edgesAhead(const Pose& leaving, const EdgeStrips& strip
 }
 
 /// Widens the edges at swath ends to the room for turning. Returns whether one of them was too narrow.
-Result<bool> makeRoom(std::vector<EdgeStrip>& strips, const MultiPolygon& mainland, const HeadlandTask& task) {
+Result<bool> makeRoom(std::vector<EdgeStrip>& strips, const MultiPolygon& mainland,
+                      const HeadlandTask& task) {
     const auto ends = task.swathEnds(mainland);
     if (!ends) {
         return std::unexpected(ends.error());
@@ -53,8 +56,8 @@ Result<bool> makeRoom(std::vector<EdgeStrip>& strips, const MultiPolygon& mainla
     bool wasNarrow = false;
     for (const Pose& leaving : *ends) {
         for (const std::size_t i : edgesAhead(leaving, edges, task, within)) {
-            const Length room =
-                roomForTurnsAt(radians(angleBetween(leaving, strips[i])), task.machine, task.turn, task.drawsOutEnds);
+            const Length room = roomForTurnsAt(radians(angleBetween(leaving, strips[i])), task.machine,
+                                               task.turn, task.drawsOutEnds);
             if (const int passes = passesFor(room, task.machine); passes > strips[i].passes) {
                 strips[i].passes = passes;
                 strips[i].width = widthOfPasses(passes, task);
@@ -80,7 +83,8 @@ std::vector<EdgeStrip> narrowest(const HeadlandTask& task, const std::vector<Pos
     const auto [least, most] = std::ranges::minmax(strips, {}, asideM);
     for (EdgeStrip& strip : strips) {
         const auto isAt = [&](double sideM) {
-            return std::abs(asideM(strip) - sideM) < kStraightM && std::abs(cross(way, strip.to) - sideM) < kStraightM;
+            return std::abs(asideM(strip) - sideM) < kStraightM &&
+                   std::abs(cross(way, strip.to) - sideM) < kStraightM;
         };
         if (isAt(asideM(least)) || isAt(asideM(most))) {
             strip.passes = 0;
@@ -131,10 +135,12 @@ constexpr const Parameter* kParameters[] = {&kHeadlandDriven,    &kHeadlandOrder
 }  // namespace
 
 const Method<HeadlandGenerator> kPerEdgeMethod{
-    .info = {.id = "per-edge",
-             .name = "Only where it turns",
-             .description = "Along each edge as wide as the turns there need it; a single pass where no swath ends, or nothing if it is not worked.",
-             .parameters = kParameters},
+    .info =
+        {.id = "per-edge",
+         .name = "Only where it turns",
+         .description =
+             "Along each edge as wide as the turns there need it; a single pass where no swath ends, or nothing if it is not worked.",
+         .parameters = kParameters},
     .run = perEdge};
 
 }  // namespace furrow

@@ -95,7 +95,8 @@ public:
         while (!pending_.empty()) {
             const std::size_t i = pending_.back();
             pending_.pop_back();
-            while (!gone_.contains(i) && corners_[i].needM + corners_[links_[i].next].needM > corners_[i].lengthM) {
+            while (!gone_.contains(i) &&
+                   corners_[i].needM + corners_[links_[i].next].needM > corners_[i].lengthM) {
                 if (left_ <= 3 || !shorten(i)) {
                     if (!sharpestRad_) {
                         return false;
@@ -141,8 +142,9 @@ private:
         }
         corner.needM = turn > kStraightRad ? radiusM_ * kRadiusSlack * std::tan(0.5 * turn) : 0.0;
         // The middle of the arc is t tan(turn / 4) away from the corner.
-        corner.wantM =
-            turn > kStraightRad ? std::max({corner.needM, gentleM_, kCornerSlackM / std::tan(0.25 * turn)}) : 0.0;
+        corner.wantM = turn > kStraightRad
+                           ? std::max({corner.needM, gentleM_, kCornerSlackM / std::tan(0.25 * turn)})
+                           : 0.0;
     }
 
     void cut(std::size_t i) {
@@ -154,13 +156,14 @@ private:
     bool shorten(std::size_t i) {
         const std::size_t next = links_[i].next;
         const bool cutAtOne = corners_[i].isCut || corners_[next].isCut;
-        if (const auto meeting = cutAtOne ? std::nullopt
-                                          : oneCornerFor(corners_[i], corners_[next], radiusM_, toleranceM_)) {
+        if (const auto meeting =
+                cutAtOne ? std::nullopt : oneCornerFor(corners_[i], corners_[next], radiusM_, toleranceM_)) {
             corners_[i].at = *meeting;
             drop(next);
             return true;
         }
-        const bool firstGoes = corners_[next].isCut || (!corners_[i].isCut && moveWithout(i) <= moveWithout(next) + kTieM);
+        const bool firstGoes =
+            corners_[next].isCut || (!corners_[i].isCut && moveWithout(i) <= moveWithout(next) + kTieM);
         const std::size_t gone = firstGoes ? i : next;
         if (moveWithout(gone) > toleranceM_) {
             return false;
@@ -225,13 +228,13 @@ std::vector<double> roundingsOf(const std::vector<Corner>& corners) {
 /// The line from the end of one corner's rounding over `edges` edges: straights, and arcs round the corners
 /// between. If it closes, also the arc round the first corner.
 Curve lineThrough(const std::vector<Corner>& corners, const std::vector<double>& cuts, std::size_t from,
-                 std::size_t edges, bool closes) {
+                  std::size_t edges, bool closes) {
     const std::size_t size = corners.size();
     const Corner& first = corners[from];
     Curve line{.type = {},
-              .start = {.position = first.at + cuts[from] * first.way,
-                        .heading = radians(std::atan2(first.way.y, first.way.x))},
-              .pieces = {}};
+               .start = {.position = first.at + cuts[from] * first.way,
+                         .heading = radians(std::atan2(first.way.y, first.way.x))},
+               .pieces = {}};
     for (std::size_t i = 1; i <= edges; ++i) {
         const std::size_t before = (from + i - 1) % size;
         const std::size_t at = (from + i) % size;
@@ -241,8 +244,9 @@ Curve lineThrough(const std::vector<Corner>& corners, const std::vector<double>&
         }
         if ((i < edges || closes) && std::abs(corner.turnRad) > kStraightRad) {
             const double radiusM = cuts[at] / std::tan(0.5 * std::abs(corner.turnRad));
-            line.pieces.push_back({.length = metres(radiusM * std::abs(corner.turnRad)),
-                                   .curvature = Curvature::fromSi(std::copysign(1.0 / radiusM, corner.turnRad))});
+            line.pieces.push_back(
+                {.length = metres(radiusM * std::abs(corner.turnRad)),
+                 .curvature = Curvature::fromSi(std::copysign(1.0 / radiusM, corner.turnRad))});
             line.pieces.back().endCurvature = line.pieces.back().curvature;
         }
     }
@@ -263,7 +267,8 @@ std::optional<Curve> smoothRing(const Ring& given, Length radius, Length toleran
     const std::vector<Corner> corners = chain.take();
     const bool sharp = std::ranges::any_of(
         corners, [](const Corner& corner) { return std::abs(corner.turnRad) > kSharpestRad; });
-    return sharp ? std::nullopt : std::optional{lineThrough(corners, roundingsOf(corners), 0, corners.size(), true)};
+    return sharp ? std::nullopt
+                 : std::optional{lineThrough(corners, roundingsOf(corners), 0, corners.size(), true)};
 }
 
 SmoothStretches smoothStretches(const Ring& given, const StretchRules& rules) {

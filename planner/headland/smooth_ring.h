@@ -1,7 +1,7 @@
 #pragma once
 
-#include "planner/geometry/polygon.h"
 #include "planner/geometry/curve.h"
+#include "planner/geometry/polygon.h"
 
 #include <optional>
 #include <vector>

@@ -76,7 +76,8 @@ Result<MultiPolygon> mainlandOf(const Headland& headland, const HeadlandTask& ta
 }  // namespace
 
 Length widthOfPasses(int passes, const HeadlandTask& task) {
-    return passes == 0 ? task.margin : task.margin + uncutEdge(task.machine) + passes * task.machine.operatingWidth();
+    return passes == 0 ? task.margin
+                       : task.margin + uncutEdge(task.machine) + passes * task.machine.operatingWidth();
 }
 
 int passesWithin(Length width, const HeadlandTask& task) {
@@ -86,7 +87,8 @@ int passesWithin(Length width, const HeadlandTask& task) {
 
 Length heldWidth(Length given, const HeadlandTask& task) {
     const int passes = passesWithin(given, task);
-    return task.settings.flag(kHeadlandDriven) && passes > 0 ? widthOfPasses(passes, task) : std::max(given, task.margin);
+    return task.settings.flag(kHeadlandDriven) && passes > 0 ? widthOfPasses(passes, task)
+                                                             : std::max(given, task.margin);
 }
 
 int passesFor(Length room, const Machine& machine) {
@@ -122,8 +124,9 @@ Result<Headland> headlandOf(Headland wanted, const HeadlandTask& task, const Job
         headland.notes.push_back(
             {headland.passes == 0
                  ? message("The field is too narrow for {:.1f} m of headland; there is none", widest.si())
-                 : message("The field is too narrow for {:.1f} m of headland; it is {:.1f} m with {}", widest.si(),
-                           headland.width.si(), counted("{} pass", "{} passes", headland.passes)),
+                 : message("The field is too narrow for {:.1f} m of headland; it is {:.1f} m with {}",
+                           widest.si(), headland.width.si(),
+                           counted("{} pass", "{} passes", headland.passes)),
              "headland",
              {}});
     }

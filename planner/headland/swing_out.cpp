@@ -37,14 +37,14 @@ bool isStraight(const CurvePiece& piece) {
 struct Corner {
     std::size_t last = 0;  ///< piece
     double turnRad = 0.0;
-    double side = 1.0;      ///< 1 to the left
+    double side = 1.0;    ///< 1 to the left
     double entryM = 0.0;  ///< from the start of the bends to the meeting point of the two sides
     double exitM = 0.0;   ///< from there to their end
 };
 
 /// The corner that begins after a straight. Empty if it is not worth a swing.
-std::optional<Corner> cornerAfter(const std::vector<CurvePiece>& pieces, std::size_t straight, const Pose& begins,
-                                  double radiusM) {
+std::optional<Corner> cornerAfter(const std::vector<CurvePiece>& pieces, std::size_t straight,
+                                  const Pose& begins, double radiusM) {
     Corner corner;
     double turnRad = 0.0;
     double lengthM = 0.0;
@@ -78,8 +78,8 @@ std::optional<Corner> cornerAfter(const std::vector<CurvePiece>& pieces, std::si
     for (std::size_t k = straight + 1; k <= corner.last; ++k) {
         ends = advanced(ends, pieces[k], pieces[k].length);
     }
-    std::tie(corner.entryM, corner.exitM) = toMeeting(begins.position, direction(begins.heading.si()), ends.position,
-                                                      direction(ends.heading.si()));
+    std::tie(corner.entryM, corner.exitM) = toMeeting(begins.position, direction(begins.heading.si()),
+                                                      ends.position, direction(ends.heading.si()));
     return corner;
 }
 
@@ -100,7 +100,9 @@ Swing swingOf(const Corner& corner, double overRad, double radiusM) {
     return {.beforeM = endX - afterM * std::cos(corner.turnRad),
             .afterM = afterM,
             .arcs = {{{.length = metres(radiusM * farthest), .curvature = curvature},
-                      {.length = metres(radiusM * overRad), .curvature = -1.0 * curvature, .endCurvature = -1.0 * curvature}}}};
+                      {.length = metres(radiusM * overRad),
+                       .curvature = -1.0 * curvature,
+                       .endCurvature = -1.0 * curvature}}}};
 }
 
 }  // namespace

@@ -1,7 +1,7 @@
 #include "planner/headland/turning_room.h"
 
-#include "planner/turns/connection.h"
 #include "planner/geometry/curve_sampling.h"
+#include "planner/turns/connection.h"
 
 #include <algorithm>
 #include <cmath>
@@ -49,8 +49,10 @@ Length roomForTurns(const Machine& machine, TurnPlanner* turn, bool drawnOut) {
 
 Length roomForTurnsAt(Angle angle, const Machine& machine, TurnPlanner* turn, bool drawnOut) {
     const double flattest = degrees(15.0).si();
-    const double acute = std::clamp(std::min(angle.si(), std::numbers::pi - angle.si()), flattest, 0.5 * std::numbers::pi);
-    return metres(std::max(depthM(machine, turn, acute, drawnOut), depthM(machine, turn, std::numbers::pi - acute, drawnOut)));
+    const double acute =
+        std::clamp(std::min(angle.si(), std::numbers::pi - angle.si()), flattest, 0.5 * std::numbers::pi);
+    return metres(std::max(depthM(machine, turn, acute, drawnOut),
+                           depthM(machine, turn, std::numbers::pi - acute, drawnOut)));
 }
 
 Length reachOfLevelTurn(const Machine& machine, TurnPlanner* turn) {

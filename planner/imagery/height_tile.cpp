@@ -28,8 +28,8 @@ std::vector<std::uint8_t> shadeOf(GDALDataset& heights, TileId id) {
     const double latRad =
         fromMercator(edges.west, 0.5 * (edges.north + edges.south)).latDeg * std::numbers::pi / 180.0;
     // Metres of web Mercator are shorter on the ground away from the equator.
-    std::array<std::string, 7> words{"-of",  "MEM", "-s", std::format("{}", std::cos(latRad)),
-                                     "-alt", "45",  "-compute_edges"};
+    std::array<std::string, 7> words{
+        "-of", "MEM", "-s", std::format("{}", std::cos(latRad)), "-alt", "45", "-compute_edges"};
     std::vector<char*> list;
     for (std::string& word : words) {
         list.push_back(word.data());
@@ -41,7 +41,8 @@ std::vector<std::uint8_t> shadeOf(GDALDataset& heights, TileId id) {
         GDALDataset::FromHandle(GDALDEMProcessing("", &heights, "hillshade", nullptr, options, nullptr))};
     GDALDEMProcessingOptionsFree(options);
     return shade ? bytesOf(*shade, 1)
-                 : std::vector<std::uint8_t>(static_cast<std::size_t>(kFullSide) * static_cast<std::size_t>(kFullSide));
+                 : std::vector<std::uint8_t>(static_cast<std::size_t>(kFullSide) *
+                                             static_cast<std::size_t>(kFullSide));
 }
 
 /// How much of a pixel a contour line covers: from the height's distance to the next line over its gradient.
@@ -72,17 +73,21 @@ std::optional<TilePicture> heightTile(GDALDataset& heights, TileId id, double st
                 picture.rgba.insert(picture.rgba.end(), 4, 0);
                 continue;
             }
-            const double light = (shade[at] - kLevelShade) / (shade[at] < kLevelShade ? kLevelShade : 255.0 - kLevelShade);
+            const double light =
+                (shade[at] - kLevelShade) / (shade[at] < kLevelShade ? kLevelShade : 255.0 - kLevelShade);
             const double hidden = kStrongest * std::abs(light);
             const double slopeX = 0.5 * (values[at + 1] - values[at - 1]);
             const double slopeY = 0.5 * (values[at + kFullSide] - values[at - kFullSide]);
             const double gradient = std::hypot(slopeX, slopeY);
-            const double line = std::isfinite(gradient) ? 0.9 * contourCover(values[at], gradient, stepM) : 0.0;
+            const double line =
+                std::isfinite(gradient) ? 0.9 * contourCover(values[at], gradient, stepM) : 0.0;
             const double ground = light < 0.0 ? 0.0 : 255.0 * hidden;
             for (const std::uint8_t colour : kContourColour) {
-                picture.rgba.push_back(static_cast<std::uint8_t>(std::lround(line * colour + (1.0 - line) * ground)));
+                picture.rgba.push_back(
+                    static_cast<std::uint8_t>(std::lround(line * colour + (1.0 - line) * ground)));
             }
-            picture.rgba.push_back(static_cast<std::uint8_t>(std::lround(255.0 * (line + (1.0 - line) * hidden))));
+            picture.rgba.push_back(
+                static_cast<std::uint8_t>(std::lround(255.0 * (line + (1.0 - line) * hidden))));
         }
     }
     return picture;

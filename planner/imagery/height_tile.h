@@ -7,9 +7,9 @@ namespace furrow {
 /// Pixels of heights around a tile that a hillshade and contour lines need.
 inline constexpr int kHeightMargin = 2;
 
-/// Shade and contour lines of a raster of heights on a tile with such a margin. The shade is GDAL's, with the light
-/// from the north-west at 45 degrees; it darkens and lightens what lies beneath and leaves level ground as it is.
-/// Every fifth contour line is wider.
+/// Shade and contour lines of a raster of heights on a tile with such a margin. The shade is GDAL's, with the
+/// light from the north-west at 45 degrees; it darkens and lightens what lies beneath and leaves level ground
+/// as it is. Every fifth contour line is wider.
 ///
 /// @param heights  one band in metres, NaN where unknown; changed in doing so
 /// @param stepM    between contour lines, > 0

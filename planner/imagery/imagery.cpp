@@ -48,7 +48,8 @@ Result<std::shared_ptr<const Imagery>> openImagery(const std::filesystem::path& 
         return TileFolder::open(path, rowsFromSouth);
     }
     if (!std::filesystem::is_regular_file(status)) {
-        return std::unexpected(readFailed(path.string(), "it is no file", "choose a file or a folder of tiles"));
+        return std::unexpected(
+            readFailed(path.string(), "it is no file", "choose a file or a folder of tiles"));
     }
     if (std::filesystem::file_size(path, error) == 0) {
         return std::unexpected(readFailed(path.string(), "the file is empty", "copy or export it again"));

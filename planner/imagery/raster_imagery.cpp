@@ -41,10 +41,9 @@ Result<std::shared_ptr<const Imagery>> RasterImagery::open(const std::filesystem
     const GdalMessages messages;
     RasterDataset raster = openRaster(path);
     if (!raster || raster->GetRasterCount() == 0) {
-        return std::unexpected(readFailed(where,
-                                          raster ? "there is no picture in it"
-                                                 : "it is damaged, or no picture that Furrow can show",
-                                          "give a GeoTIFF, MBTiles, or a folder of tiles"));
+        return std::unexpected(readFailed(
+            where, raster ? "there is no picture in it" : "it is damaged, or no picture that Furrow can show",
+            "give a GeoTIFF, MBTiles, or a folder of tiles"));
     }
     std::shared_ptr<RasterImagery> made{new RasterImagery{path}};
     std::error_code error;
@@ -90,14 +89,15 @@ Result<void> RasterImagery::place(TileReader& reader) {
     facts_.southWest = fromMercator(edges_.west, edges_.south);
     facts_.northEast = fromMercator(edges_.east, edges_.north);
     // A tenth of a zoom coarser than the raster shows all of it still.
-    facts_.finestZoom = std::clamp(static_cast<int>(std::ceil(std::log2(mercatorPixelM(0) / pixelM) - 0.1)), 0,
-                                   kFinestTileZoom);
+    facts_.finestZoom = std::clamp(static_cast<int>(std::ceil(std::log2(mercatorPixelM(0) / pixelM) - 0.1)),
+                                   0, kFinestTileZoom);
 
     int blockWidth = 0;
     int blockHeight = 0;
     GDALRasterBand& band = *raster.GetRasterBand(1);
     band.GetBlockSize(&blockWidth, &blockHeight);
-    const double blockBytes = double(blockWidth) * blockHeight * GDALGetDataTypeSizeBytes(band.GetRasterDataType());
+    const double blockBytes =
+        double(blockWidth) * blockHeight * GDALGetDataTypeSizeBytes(band.GetRasterDataType());
     const int longest = std::max(raster.GetRasterXSize(), raster.GetRasterYSize());
     const bool reduces = longest > kReducedSide && band.GetOverviewCount() == 0;
     const double pixels = double(raster.GetRasterXSize()) * raster.GetRasterYSize();
@@ -135,7 +135,8 @@ Result<void> RasterImagery::chooseBands(GDALDataset& raster) {
         bands_ = {1};
     }
     alpha_ = alpha;
-    if (const GDALColorTable* table = first.GetColorTable(); bands_.size() == 1 && !wide_ && table != nullptr) {
+    if (const GDALColorTable* table = first.GetColorTable();
+        bands_.size() == 1 && !wide_ && table != nullptr) {
         for (int i = 0; i < 256; ++i) {
             const GDALColorEntry* entry = table->GetColorEntry(std::min(i, table->GetColorEntryCount() - 1));
             palette_.push_back({static_cast<std::uint8_t>(entry->c1), static_cast<std::uint8_t>(entry->c2),
@@ -155,8 +156,10 @@ Result<void> RasterImagery::measureHeights(GDALDataset& raster) {
     if (!sample) {
         return std::unexpected(sample.error());
     }
-    const double latRad = 0.5 * (facts_.southWest.latDeg + facts_.northEast.latDeg) * std::numbers::pi / 180.0;
-    slope_ = meanSlope(**sample, (edges_.east - edges_.west) * std::cos(latRad) / (*sample)->GetRasterXSize());
+    const double latRad =
+        0.5 * (facts_.southWest.latDeg + facts_.northEast.latDeg) * std::numbers::pi / 180.0;
+    slope_ =
+        meanSlope(**sample, (edges_.east - edges_.west) * std::cos(latRad) / (*sample)->GetRasterXSize());
     return {};
 }
 
@@ -187,19 +190,21 @@ Result<void> RasterImagery::unchanged() const {
     std::error_code error;
     const auto written = std::filesystem::last_write_time(path_, error);
     if (error) {
-        return std::unexpected(readFailed(path_.string(), "the file is not there any more",
-                                          "put it back, or remove the layer"));
+        return std::unexpected(
+            readFailed(path_.string(), "the file is not there any more", "put it back, or remove the layer"));
     }
     const auto bytes = std::filesystem::file_size(path_, error);
     if (written != written_ || bytes != bytes_) {
-        return std::unexpected(readFailed(path_.string(), "the file was changed while it was open", "open it again"));
+        return std::unexpected(
+            readFailed(path_.string(), "the file was changed while it was open", "open it again"));
     }
     return {};
 }
 
 bool RasterImagery::isInside(TileId id) const {
     const TileEdges tile = edgesOf(id);
-    return tile.west < edges_.east && tile.east > edges_.west && tile.south < edges_.north && tile.north > edges_.south;
+    return tile.west < edges_.east && tile.east > edges_.west && tile.south < edges_.north &&
+           tile.north > edges_.south;
 }
 
 Result<std::unique_ptr<TileReader>> RasterImagery::takeReader() const {
@@ -214,7 +219,8 @@ Result<std::unique_ptr<TileReader>> RasterImagery::takeReader() const {
     const GdalMessages messages;
     RasterDataset raster = openRaster(path_);
     if (!raster) {
-        return std::unexpected(readFailed(path_.string(), "the file cannot be read any more", "open it again"));
+        return std::unexpected(
+            readFailed(path_.string(), "the file cannot be read any more", "open it again"));
     }
     return std::make_unique<TileReader>(std::move(raster), path_);
 }
@@ -294,7 +300,8 @@ TilePicture RasterImagery::pictureOf(GDALDataset& warped) const {
         std::vector<std::uint8_t> bytes;
         for (const float value : floatsOf(warped, band)) {
             const double share = (double{value} - darkest_) / (lightest_ - darkest_);
-            bytes.push_back(static_cast<std::uint8_t>(std::lround(255.0 * std::clamp(std::isfinite(share) ? share : 0.0, 0.0, 1.0))));
+            bytes.push_back(static_cast<std::uint8_t>(
+                std::lround(255.0 * std::clamp(std::isfinite(share) ? share : 0.0, 0.0, 1.0))));
         }
         colours.push_back(std::move(bytes));
     }
@@ -308,7 +315,8 @@ TilePicture RasterImagery::pictureOf(GDALDataset& warped) const {
             continue;
         }
         const bool grey = colours.size() < 3;
-        const std::array<std::uint8_t, 3> colour{colours[0][i], colours[grey ? 0 : 1][i], colours[grey ? 0 : 2][i]};
+        const std::array<std::uint8_t, 3> colour{colours[0][i], colours[grey ? 0 : 1][i],
+                                                 colours[grey ? 0 : 2][i]};
         addPixel(picture.rgba, colour, alpha[i]);
     }
     return picture;
@@ -318,7 +326,8 @@ double RasterImagery::contourStepM(int zoom) const {
     if (facts_.kind == ImageryKind::Picture) {
         return 0.0;
     }
-    const double latRad = 0.5 * (facts_.southWest.latDeg + facts_.northEast.latDeg) * std::numbers::pi / 180.0;
+    const double latRad =
+        0.5 * (facts_.southWest.latDeg + facts_.northEast.latDeg) * std::numbers::pi / 180.0;
     return contourStep(slope_, mercatorPixelM(zoom) * std::cos(latRad));
 }
 

@@ -37,7 +37,7 @@ private:
     std::uintmax_t bytes_ = 0;
     TileEdges edges_;
     std::vector<int> bands_;
-    int alpha_ = 0;  ///< its band; 0 for none
+    int alpha_ = 0;      ///< its band; 0 for none
     bool wide_ = false;  ///< values beyond a byte, drawn between these two
     double darkest_ = 0.0;
     double lightest_ = 255.0;

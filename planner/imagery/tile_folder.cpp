@@ -27,7 +27,8 @@ constexpr std::size_t kSampledColumns = 64;
 std::optional<int> numberOf(const std::string& name) {
     int number = -1;
     const auto [end, error] = std::from_chars(name.data(), name.data() + name.size(), number);
-    return error == std::errc{} && end == name.data() + name.size() && number >= 0 ? std::optional{number} : std::nullopt;
+    return error == std::errc{} && end == name.data() + name.size() && number >= 0 ? std::optional{number}
+                                                                                   : std::nullopt;
 }
 
 /// Subfolders whose names are numbers, ascending.
@@ -35,7 +36,8 @@ std::vector<int> numberedFolders(const fs::path& folder) {
     std::vector<int> numbers;
     std::error_code error;
     for (const auto& entry : fs::directory_iterator{folder, error}) {
-        if (const auto number = numberOf(entry.path().filename().string()); number && entry.is_directory(error)) {
+        if (const auto number = numberOf(entry.path().filename().string());
+            number && entry.is_directory(error)) {
             numbers.push_back(*number);
         }
     }
@@ -118,8 +120,8 @@ std::vector<std::uint8_t> maskOf(GDALDataset& raster) {
     const int width = raster.GetRasterXSize();
     const int height = raster.GetRasterYSize();
     std::vector<std::uint8_t> mask(static_cast<std::size_t>(width) * static_cast<std::size_t>(height));
-    if (raster.GetRasterBand(1)->GetMaskBand()->RasterIO(GF_Read, 0, 0, width, height, mask.data(), width, height,
-                                                         GDT_Byte, 0, 0, nullptr) != CE_None) {
+    if (raster.GetRasterBand(1)->GetMaskBand()->RasterIO(GF_Read, 0, 0, width, height, mask.data(), width,
+                                                         height, GDT_Byte, 0, 0, nullptr) != CE_None) {
         std::ranges::fill(mask, std::uint8_t{255});
     }
     return mask;
@@ -138,16 +140,19 @@ bool TileFolder::isOne(const fs::path& folder) {
     return false;
 }
 
-Result<std::shared_ptr<const Imagery>> TileFolder::open(const fs::path& folder, std::optional<bool> rowsFromSouth) {
+Result<std::shared_ptr<const Imagery>> TileFolder::open(const fs::path& folder,
+                                                        std::optional<bool> rowsFromSouth) {
     const std::vector<int> zooms = zoomsIn(folder);
     const Extent extent = zooms.empty() ? Extent{} : extentOf(folder / std::to_string(zooms.back()));
     if (extent.extension.empty()) {
         return std::unexpected(readFailed(folder.string(), "there are no tiles in this folder",
                                           "choose the folder that holds the folders of the zooms, 0 to 24"));
     }
-    if (const auto text = fileStart(folder / "tilemapresource.xml", 4096); text && text->contains("geodetic")) {
-        return std::unexpected(inputRefused(folder.string(), "its tiles are in degrees, not in web Mercator",
-                                            "make them again with the profile mercator, or give the raster itself"));
+    if (const auto text = fileStart(folder / "tilemapresource.xml", 4096);
+        text && text->contains("geodetic")) {
+        return std::unexpected(
+            inputRefused(folder.string(), "its tiles are in degrees, not in web Mercator",
+                         "make them again with the profile mercator, or give the raster itself"));
     }
     std::shared_ptr<TileFolder> made{new TileFolder{folder, extent.extension}};
     ImageryFacts& facts = made->facts_;
@@ -167,7 +172,8 @@ Result<std::shared_ptr<const Imagery>> TileFolder::open(const fs::path& folder, 
 
 Result<std::optional<TilePicture>> TileFolder::tile(TileId id, const JobContext& /*job*/) const {
     const int row = facts_.rowsFromSouth ? (1 << id.zoom) - 1 - id.row : id.row;
-    const fs::path path = folder_ / std::to_string(id.zoom) / std::to_string(id.column) / (std::to_string(row) + extension_);
+    const fs::path path =
+        folder_ / std::to_string(id.zoom) / std::to_string(id.column) / (std::to_string(row) + extension_);
     std::error_code error;
     if (!fs::is_regular_file(path, error)) {
         return fs::is_directory(folder_, error)
@@ -177,7 +183,8 @@ Result<std::optional<TilePicture>> TileFolder::tile(TileId id, const JobContext&
     }
     registerGdalDrivers();
     const GdalMessages messages;
-    const RasterDataset raster{GDALDataset::Open(path.c_str(), GDAL_OF_RASTER | GDAL_OF_READONLY, kDrivers.data())};
+    const RasterDataset raster{
+        GDALDataset::Open(path.c_str(), GDAL_OF_RASTER | GDAL_OF_READONLY, kDrivers.data())};
     const int side = raster ? raster->GetRasterXSize() : 0;
     if (!raster || raster->GetRasterYSize() != side || side > kLargestSide) {
         return std::unexpected(readFailed(path.string(), "a tile is damaged", "make the tiles again"));
@@ -197,7 +204,8 @@ Result<std::optional<TilePicture>> TileFolder::tile(TileId id, const JobContext&
         std::array<std::uint8_t, 3> colour{};
         std::uint8_t opacity = alpha[i];
         if (table != nullptr) {
-            const GDALColorEntry* entry = table->GetColorEntry(std::min<int>(bands[0][i], table->GetColorEntryCount() - 1));
+            const GDALColorEntry* entry =
+                table->GetColorEntry(std::min<int>(bands[0][i], table->GetColorEntryCount() - 1));
             colour = {static_cast<std::uint8_t>(entry->c1), static_cast<std::uint8_t>(entry->c2),
                       static_cast<std::uint8_t>(entry->c3)};
             opacity = static_cast<std::uint8_t>(entry->c4);

@@ -7,7 +7,8 @@
 
 namespace furrow {
 
-/// A folder of pictures named zoom/column/row in web Mercator, rows counted from the north or, as TMS, from the south.
+/// A folder of pictures named zoom/column/row in web Mercator, rows counted from the north or, as TMS, from
+/// the south.
 class TileFolder final : public Imagery {
 public:
     /// Whether a folder has such tiles. Cost: reads as few folders as it takes to find one.

@@ -20,8 +20,16 @@ namespace furrow {
 
 namespace {
 
-constexpr std::array kDrivers{"GTiff", "MBTiles",     "GPKG",    "PNG",     "JPEG",
-                              "WEBP",  "JP2OpenJPEG", "AAIGrid", "SRTMHGT", "DTED",
+constexpr std::array kDrivers{"GTiff",
+                              "MBTiles",
+                              "GPKG",
+                              "PNG",
+                              "JPEG",
+                              "WEBP",
+                              "JP2OpenJPEG",
+                              "AAIGrid",
+                              "SRTMHGT",
+                              "DTED",
                               static_cast<const char*>(nullptr)};
 
 int goOn(double /*share*/, const char* /*message*/, void* job) {
@@ -29,7 +37,9 @@ int goOn(double /*share*/, const char* /*message*/, void* job) {
 }
 
 Error damaged(const std::string& where, const std::string& reason) {
-    return readFailed(where, reason.empty() ? Message{"a part of it cannot be read"} : message("a part of it is damaged: {}", reason),
+    return readFailed(where,
+                      reason.empty() ? Message{"a part of it cannot be read"}
+                                     : message("a part of it is damaged: {}", reason),
                       "copy or export the file again");
 }
 
@@ -67,7 +77,8 @@ void setNoData(GDALWarpOptions& options, GDALDataset& raster, const TileBands& b
     }
     if (!bands.withAlpha) {
         options.padfDstNoDataReal = static_cast<double*>(CPLMalloc(bytes));
-        std::ranges::fill_n(options.padfDstNoDataReal, std::ssize(values), std::numeric_limits<double>::quiet_NaN());
+        std::ranges::fill_n(options.padfDstNoDataReal, std::ssize(values),
+                            std::numeric_limits<double>::quiet_NaN());
     }
 }
 
@@ -77,8 +88,8 @@ std::vector<Value> valuesOf(GDALDataset& raster, int band, GDALDataType type) {
     const int width = raster.GetRasterXSize();
     const int height = raster.GetRasterYSize();
     std::vector<Value> values(static_cast<std::size_t>(width) * static_cast<std::size_t>(height));
-    if (raster.GetRasterBand(band)->RasterIO(GF_Read, 0, 0, width, height, values.data(), width, height, type, 0, 0,
-                                             nullptr) != CE_None) {
+    if (raster.GetRasterBand(band)->RasterIO(GF_Read, 0, 0, width, height, values.data(), width, height, type,
+                                             0, 0, nullptr) != CE_None) {
         std::ranges::fill(values, Value{});
     }
     return values;
@@ -138,8 +149,8 @@ bool TileReader::place(double& pixelM, TileEdges& edges) {
     int columns = 0;
     int rows = 0;
     if (!levels_.front()->findWay() ||
-        GDALSuggestedWarpOutput2(raster_.get(), GDALGenImgProjTransform, levels_.front()->transformer, suggested.data(),
-                                 &columns, &rows, extent.data(), 0) != CE_None) {
+        GDALSuggestedWarpOutput2(raster_.get(), GDALGenImgProjTransform, levels_.front()->transformer,
+                                 suggested.data(), &columns, &rows, extent.data(), 0) != CE_None) {
         return false;
     }
     pixelM = suggested[1];
@@ -157,7 +168,8 @@ TileReader::Level* TileReader::levelFor(double pixelM) {
     // The coarsest that is not coarser than the tile, but for a little.
     std::size_t best = 0;
     for (std::size_t i = 1; i < levels_.size(); ++i) {
-        if (levels_[i]->reduction * pixelM_ <= 1.2 * pixelM && levels_[i]->reduction > levels_[best]->reduction) {
+        if (levels_[i]->reduction * pixelM_ <= 1.2 * pixelM &&
+            levels_[i]->reduction > levels_[best]->reduction) {
             best = i;
         }
     }
@@ -206,7 +218,8 @@ Result<RasterDataset> TileReader::tile(TileId id, const TileBands& bands, const 
     options->nSrcAlphaBand = bands.alpha;
     options->nDstAlphaBand = bands.withAlpha ? count + 1 : 0;
     setNoData(*options, *level->raster, bands);
-    options->papszWarpOptions = CSLSetNameValue(options->papszWarpOptions, "INIT_DEST", bands.withAlpha ? "0" : "NO_DATA");
+    options->papszWarpOptions =
+        CSLSetNameValue(options->papszWarpOptions, "INIT_DEST", bands.withAlpha ? "0" : "NO_DATA");
     options->papszWarpOptions = CSLSetNameValue(options->papszWarpOptions, "UNIFIED_SRC_NODATA", "PARTIAL");
     if (pixelM < 2.1 * level->reduction * pixelM_) {
         // Four neighbours are enough, and many times as quick as a kernel that fits exactly.
@@ -218,7 +231,8 @@ Result<RasterDataset> TileReader::tile(TileId id, const TileBands& bands, const 
     }
     constexpr double kErrorPx = 0.125;
     options->pfnTransformer = GDALApproxTransform;
-    options->pTransformerArg = GDALCreateApproxTransformer(GDALGenImgProjTransform, level->transformer, kErrorPx);
+    options->pTransformerArg =
+        GDALCreateApproxTransformer(GDALGenImgProjTransform, level->transformer, kErrorPx);
     options->pfnProgress = goOn;
     options->pProgressArg = const_cast<JobContext*>(&job);
 
@@ -236,11 +250,12 @@ Result<RasterDataset> TileReader::tile(TileId id, const TileBands& bands, const 
     return target;
 }
 
-Result<RasterDataset> reducedRaster(GDALDataset& source, const std::vector<int>& bands, int longestSide, bool average,
-                                    const std::string& where, const JobContext& job) {
+Result<RasterDataset> reducedRaster(GDALDataset& source, const std::vector<int>& bands, int longestSide,
+                                    bool average, const std::string& where, const JobContext& job) {
     const int longest = std::max(source.GetRasterXSize(), source.GetRasterYSize());
     const auto reduced = [&](int side) {
-        return std::to_string(std::max<std::int64_t>(1, std::int64_t{side} * std::min(longest, longestSide) / longest));
+        return std::to_string(
+            std::max<std::int64_t>(1, std::int64_t{side} * std::min(longest, longestSide) / longest));
     };
     CPLStringList words;
     const auto add = [&](std::initializer_list<std::string> more) {

@@ -62,12 +62,14 @@ Result<Machine> Machine::create(const MachineSpec& spec) {
                         requirement.mayBeZero ? "give a number of 0 or more" : "give a number above 0"));
         }
     }
-    const Length widest = std::max({implement.operatingWidth, implement.raisedWidth.value_or(Length{}), tractor.width});
+    const Length widest =
+        std::max({implement.operatingWidth, implement.raisedWidth.value_or(Length{}), tractor.width});
     if (implement.transportWidth.value_or(widest) > widest) {
-        return std::unexpected(refused("transport_width_m",
-                                       message("{:.2f} m for transport is wider than the machine at work, {:.2f} m",
-                                               implement.transportWidth->si(), widest.si()),
-                                       "give its width while it is folded"));
+        return std::unexpected(
+            refused("transport_width_m",
+                    message("{:.2f} m for transport is wider than the machine at work, {:.2f} m",
+                            implement.transportWidth->si(), widest.si()),
+                    "give its width while it is folded"));
     }
     for (const double offset :
          {implement.offset.si(), implement.hitchOffset.si(), implement.lateralOffset.si()}) {
@@ -117,7 +119,8 @@ Speed Machine::turningSpeed() const {
 
 Length Machine::runIn() const {
     const Implement& implement = spec_.implement;
-    const Length trailing = implement.mounting == Mounting::Trailed ? implement.hitchOffset - implement.offset : Length{};
+    const Length trailing =
+        implement.mounting == Mounting::Trailed ? implement.hitchOffset - implement.offset : Length{};
     return std::max(implement.runIn, kLengthsToComeIntoLine * trailing);
 }
 

@@ -324,7 +324,8 @@ Message wanted(const MachineKey& key) {
     switch (key.kind) {
         case MachineKeyKind::Flag: return "give true or false";
         case MachineKeyKind::Text:
-            return key.choices.empty() ? Message{"give a text in quotes"} : message("give {}", joined(key.choices));
+            return key.choices.empty() ? Message{"give a text in quotes"}
+                                       : message("give {}", joined(key.choices));
         case MachineKeyKind::Number: break;
     }
     return key.unit.empty() ? "give a number" : message("give a number in {}", key.unit);
@@ -354,11 +355,10 @@ Result<MachineValue> valueOf(const MachineKey& key, const nlohmann::json& json, 
             }
             break;
     }
-    return std::unexpected(
-        refused(origin, key.key,
-                message("{} does not fit here",
-                            json.dump(-1, ' ', false, nlohmann::json::error_handler_t::replace)),
-                wanted(key)));
+    return std::unexpected(refused(
+        origin, key.key,
+        message("{} does not fit here", json.dump(-1, ' ', false, nlohmann::json::error_handler_t::replace)),
+        wanted(key)));
 }
 
 Result<nlohmann::json> parsed(std::string_view text, std::string_view origin) {

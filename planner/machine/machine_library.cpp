@@ -49,13 +49,14 @@ Result<Machine> findMachine(std::string_view idOrName) {
     }
     const std::vector<std::string_view> candidates{names.begin(), names.end()};
     const std::string nearest = nearestName(wanted, candidates);
-    return std::unexpected(Error{
-        .code = ErrorCode::Usage,
-        .what = message("there is no machine '{}'", idOrName),
-        .where = "machine",
-        .remedy = nearest.empty()
-                      ? message("use one of: {}; or give a machine file (.json)", known)
-                      : message("did you mean '{}'? use one of: {}; or give a machine file (.json)", nearest, known)});
+    return std::unexpected(
+        Error{.code = ErrorCode::Usage,
+              .what = message("there is no machine '{}'", idOrName),
+              .where = "machine",
+              .remedy = nearest.empty()
+                            ? message("use one of: {}; or give a machine file (.json)", known)
+                            : message("did you mean '{}'? use one of: {}; or give a machine file (.json)",
+                                      nearest, known)});
 }
 
 }  // namespace furrow

@@ -1,11 +1,11 @@
 #include "planner/path/drivable_check.h"
 
+#include "planner/geometry/curve_sampling.h"
 #include "planner/geometry/geos_bridge.h"
 #include "planner/geometry/tolerances.h"
 #include "planner/jobs/parallel.h"
 #include "planner/turns/footprint_check.h"
 #include "planner/turns/rig.h"
-#include "planner/geometry/curve_sampling.h"
 
 #include <algorithm>
 #include <cmath>
@@ -62,7 +62,8 @@ struct Shapes {
 
 /// The states of tractor and implement along a segment: at every sample, no farther apart than `step`, and
 /// close together while a trailed implement is not in line. `implement` continues from segment to segment.
-std::vector<RigState> statesAlong(const PathSegment& segment, const Shapes& shapes, Length step, Angle& implement) {
+std::vector<RigState> statesAlong(const PathSegment& segment, const Shapes& shapes, Length step,
+                                  Angle& implement) {
     std::vector<RigState> states;
     const auto poseAt = [](const PathSample& sample) {
         return Pose{.position = sample.position, .heading = radians(sample.headingRad)};
@@ -73,19 +74,22 @@ std::vector<RigState> statesAlong(const PathSegment& segment, const Shapes& shap
         const Pose start = poseAt(from);
         const Length way = metres(segment.samples[i].sM - from.sM);
         const Curvature curvature = Curvature::fromSi(from.curvature1pm);
-        const CurvePiece piece{.length = way, .curvature = curvature, .endCurvature = curvature, .gear = segment.gear};
+        const CurvePiece piece{
+            .length = way, .curvature = curvature, .endCurvature = curvature, .gear = segment.gear};
         // At least once: on the spot only the heading changes.
         Length gone;
         do {
             Length next = std::min(way, gone + step);
             if (shapes.trailer) {
-                const double askew = std::remainder((implement - states.back().tractor.heading).si(), 2.0 * std::numbers::pi);
+                const double askew =
+                    std::remainder((implement - states.back().tractor.heading).si(), 2.0 * std::numbers::pi);
                 if (std::abs(askew) > kInLineRad || curvature != Curvature{}) {
                     next = std::min(next, gone + shapes.trailer->longestStep());
                 }
             }
             const Pose pose = next == way ? poseAt(segment.samples[i]) : advanced(start, piece, next);
-            implement = shapes.trailer ? shapes.trailer->headingAfter(implement, states.back().tractor, pose) : pose.heading;
+            implement = shapes.trailer ? shapes.trailer->headingAfter(implement, states.back().tractor, pose)
+                                       : pose.heading;
             states.push_back({pose, implement});
             gone = next;
         } while (gone < way);
@@ -94,10 +98,12 @@ std::vector<RigState> statesAlong(const PathSegment& segment, const Shapes& shap
 }
 
 /// The outlines of one shape along the way.
-std::vector<Polyline> outlines(std::span<const RigState> states, const Ring& shape, const std::optional<Trailer>& trailer) {
+std::vector<Polyline> outlines(std::span<const RigState> states, const Ring& shape,
+                               const std::optional<Trailer>& trailer) {
     std::vector<Polyline> all;
     for (const RigState& state : states) {
-        all.push_back(placed(shape, trailer ? trailer->poseOf(state.tractor, state.implement) : state.tractor));
+        all.push_back(
+            placed(shape, trailer ? trailer->poseOf(state.tractor, state.implement) : state.tractor));
         all.back().push_back(all.back().front());
     }
     return all;
@@ -149,8 +155,9 @@ std::optional<BlockedConnection> farthestAlong(std::span<const RigState> states,
 
 /// The place where the area swept between two stretches of work is farthest outside. Empty if it stays
 /// inside.
-std::optional<BlockedConnection> farthestOnWay(std::span<const RigState> states, const Shapes& shapes, bool lowered,
-                                               const PreparedArea& drivable, const PreparedArea& land) {
+std::optional<BlockedConnection> farthestOnWay(std::span<const RigState> states, const Shapes& shapes,
+                                               bool lowered, const PreparedArea& drivable,
+                                               const PreparedArea& land) {
     std::vector<Polyline> all = outlines(states, shapes.implement(lowered), shapes.trailer);
     std::vector<Polyline> tracks = cornerTracks(all);
     if (shapes.trailer) {
@@ -198,12 +205,13 @@ Result<std::vector<BlockedConnection>> blockedConnections(const Path& path, cons
         std::vector<RigState> states;
     };
     std::vector<Connection> connections;
-    Angle implement = path.segments.empty() ? Angle{} : radians(path.segments.front().samples.front().headingRad);
+    Angle implement =
+        path.segments.empty() ? Angle{} : radians(path.segments.front().samples.front().headingRad);
     for (std::size_t i = 0; i < path.segments.size(); ++i) {
         const PathSegment& segment = path.segments[i];
         // Swaths are followed as well, since the implement trails on from one segment to the next.
-        std::vector<RigState> states =
-            statesAlong(segment, shapes, segment.kind == SegmentKind::HeadlandPass ? kPassStep : kAnyStep, implement);
+        std::vector<RigState> states = statesAlong(
+            segment, shapes, segment.kind == SegmentKind::HeadlandPass ? kPassStep : kAnyStep, implement);
         if (segment.kind != SegmentKind::Swath) {
             connections.push_back({i, std::move(states)});
         }

@@ -24,8 +24,11 @@ Result<DrivenParts> DrivenParts::of(const MultiPolygon& drivable, Length breadth
     });
 }
 
-Result<DrivenParts> DrivenParts::of(const MultiPolygon& drivable, const Machine& machine, Length spare, const JobContext& job) {
-    return of(drivable, std::max(machine.spec().tractor.width, machine.turningWidth()) - metres(kNeckContactM) + spare, job);
+Result<DrivenParts> DrivenParts::of(const MultiPolygon& drivable, const Machine& machine, Length spare,
+                                    const JobContext& job) {
+    return of(drivable,
+              std::max(machine.spec().tractor.width, machine.turningWidth()) - metres(kNeckContactM) + spare,
+              job);
 }
 
 bool DrivenParts::separate(Point from, Point to) const {
@@ -33,7 +36,9 @@ bool DrivenParts::separate(Point from, Point to) const {
 }
 
 std::size_t DrivenParts::partAt(Point place) const {
-    const auto insideM = [&](const BoundaryDistance& edges) { return edges.insideM(place).value_or(-kWholeField.si()); };
+    const auto insideM = [&](const BoundaryDistance& edges) {
+        return edges.insideM(place).value_or(-kWholeField.si());
+    };
     return static_cast<std::size_t>(std::ranges::max_element(edges_, {}, insideM) - edges_.begin());
 }
 

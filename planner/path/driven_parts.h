@@ -15,7 +15,8 @@ public:
     static Result<DrivenParts> of(const MultiPolygon& drivable, Length breadth, const JobContext& job);
     /// Necks join two parts if they let the machine through with its implement raised, touching both sides.
     /// @param spare  extra width required in total
-    static Result<DrivenParts> of(const MultiPolygon& drivable, const Machine& machine, Length spare, const JobContext& job);
+    static Result<DrivenParts> of(const MultiPolygon& drivable, const Machine& machine, Length spare,
+                                  const JobContext& job);
 
     /// The part in which a place lies, or to which it is nearest. O(edges).
     std::size_t partAt(Point place) const;

@@ -13,32 +13,32 @@ enum class Severity { Blocking, Note };
 
 /// What a finding is about. Files and the command line name it by its id.
 enum class FindingKind {
-    Outside,             ///< leaves where the machine may be
-    Obstacle,            ///< crosses an obstacle
-    Undrivable,          ///< the planner found no way
-    Curvature,           ///< bends more sharply than the machine
-    MissingTurn,         ///< nothing leads from one pass to the next
-    Jump,                ///< the path jumps
-    Heading,             ///< moves sideways
-    HeadingJump,         ///< turns on the spot
-    Reverse,             ///< drives backwards, and cannot
-    DroppedPass,         ///< a headland pass is not on the path
-    DroppedSwath,        ///< a swath is not on the path
-    Missed,              ///< land within reach is not worked
-    OutOfReach,          ///< land that the machine cannot reach
-    HeadlandNotWorked,   ///< the strip is kept for turning only
-    CurvatureRate,       ///< the steering has to turn too fast
-    StatedCurvature,     ///< states another curvature than it has
-    Speed,               ///< states more than the machine can
-    LateralAcceleration, ///< is too fast for its bends
-    Time,                ///< states times that do not fit
-    LanesCrossed,        ///< drives over worked land
-    HitchAngle,          ///< bends the hitch too far
-    Gate,                ///< of the ways in and out
-    TurnKind,            ///< a turn of another kind than chosen
-    Repair,              ///< the boundary was repaired
-    Instead,             ///< another choice was quicker
-    Setting,             ///< a note of a stage about one of its settings
+    Outside,              ///< leaves where the machine may be
+    Obstacle,             ///< crosses an obstacle
+    Undrivable,           ///< the planner found no way
+    Curvature,            ///< bends more sharply than the machine
+    MissingTurn,          ///< nothing leads from one pass to the next
+    Jump,                 ///< the path jumps
+    Heading,              ///< moves sideways
+    HeadingJump,          ///< turns on the spot
+    Reverse,              ///< drives backwards, and cannot
+    DroppedPass,          ///< a headland pass is not on the path
+    DroppedSwath,         ///< a swath is not on the path
+    Missed,               ///< land within reach is not worked
+    OutOfReach,           ///< land that the machine cannot reach
+    HeadlandNotWorked,    ///< the strip is kept for turning only
+    CurvatureRate,        ///< the steering has to turn too fast
+    StatedCurvature,      ///< states another curvature than it has
+    Speed,                ///< states more than the machine can
+    LateralAcceleration,  ///< is too fast for its bends
+    Time,                 ///< states times that do not fit
+    LanesCrossed,         ///< drives over worked land
+    HitchAngle,           ///< bends the hitch too far
+    Gate,                 ///< of the ways in and out
+    TurnKind,             ///< a turn of another kind than chosen
+    Repair,               ///< the boundary was repaired
+    Instead,              ///< another choice was quicker
+    Setting,              ///< a note of a stage about one of its settings
 };
 
 /// One setting and its new value, as in `--set key=value`.

@@ -16,13 +16,16 @@ constexpr Length kNeckSpare = metres(0.8);
 FittingWays::FittingWays(const MultiPolygon& drivable, const Machine& machine, TravelCost travel)
     : drivable_{drivable}, rig_{drivable, machine}, travel_{std::move(travel)} {}
 
-std::optional<Curve> FittingWays::between(const Pose& leaving, const Pose& arriving, const JobContext& job, SearchEffort effort) {
+std::optional<Curve> FittingWays::between(const Pose& leaving, const Pose& arriving, const JobContext& job,
+                                          SearchEffort effort) {
     const auto parts = parts_.load();
-    const bool apart = effort == SearchEffort::Quick && parts && parts->separate(leaving.position, arriving.position);
+    const bool apart =
+        effort == SearchEffort::Quick && parts && parts->separate(leaving.position, arriving.position);
     auto way = fittingConnection(rig_, leaving, arriving, travel_, job, apart ? SearchEffort::None : effort);
     if (!way && !job.stopRequested()) {
         std::call_once(once_, [this] {
-            if (auto found = DrivenParts::of(drivable_, rig_.machine().spec().tractor.width + kNeckSpare, {})) {
+            if (auto found =
+                    DrivenParts::of(drivable_, rig_.machine().spec().tractor.width + kNeckSpare, {})) {
                 parts_ = std::make_shared<const DrivenParts>(std::move(*found));
             }
         });
@@ -30,7 +33,8 @@ std::optional<Curve> FittingWays::between(const Pose& leaving, const Pose& arriv
     return way;
 }
 
-std::optional<Curve> FittingWays::byOne(const Method<TurnPlanner>& kind, const Pose& leaving, const Pose& arriving) const {
+std::optional<Curve> FittingWays::byOne(const Method<TurnPlanner>& kind, const Pose& leaving,
+                                        const Pose& arriving) const {
     return fittingTurn(rig_, leaving, arriving, travel_, kind);
 }
 

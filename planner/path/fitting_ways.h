@@ -22,9 +22,11 @@ public:
 
     const Rig& rig() const { return rig_; }
     /// Cost: as of `fittingConnection`.
-    std::optional<Curve> between(const Pose& leaving, const Pose& arriving, const JobContext& job, SearchEffort effort);
+    std::optional<Curve> between(const Pose& leaving, const Pose& arriving, const JobContext& job,
+                                 SearchEffort effort);
     /// The turn of one kind, if it fits.
-    std::optional<Curve> byOne(const Method<TurnPlanner>& kind, const Pose& leaving, const Pose& arriving) const;
+    std::optional<Curve> byOne(const Method<TurnPlanner>& kind, const Pose& leaving,
+                               const Pose& arriving) const;
 
 private:
     MultiPolygon drivable_;

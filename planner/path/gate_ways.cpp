@@ -51,11 +51,12 @@ Ring disc(Point centre, double radiusM) {
 /// A straight between the place and the field, driven in or out, as near to the place and as straight as
 /// fits.
 /// @param other  the next place to drive to, or the one before
-std::optional<Leg> straightAt(const RoutePlace& place, const Field& field, const Rig& rig, Point other, bool drivenIn) {
+std::optional<Leg> straightAt(const RoutePlace& place, const Field& field, const Rig& rig, Point other,
+                              bool drivenIn) {
     const Point way = other - place.position;
-    const Point inward = place.gate               ? inwardFrom(place.position, field)
+    const Point inward = place.gate              ? inwardFrom(place.position, field)
                          : norm(way) > kContactM ? (1.0 / norm(way)) * way
-                                                  : Point{1.0, 0.0};
+                                                 : Point{1.0, 0.0};
     const double mostM = place.gate ? kLengthsIn * rig.machine().spec().tractor.length.si() : 0.0;
     const Point onward = drivenIn ? inward : Point{-inward.x, -inward.y};
     const CurvePiece straight{.length = kStraight, .curvature = {}};
@@ -64,9 +65,11 @@ std::optional<Leg> straightAt(const RoutePlace& place, const Field& field, const
             for (const double aside : headings) {
                 const Angle heading = radians(std::atan2(onward.y, onward.x)) + degrees(aside);
                 const Point near = place.position + m * inward;
-                const Pose start{.position = drivenIn ? near : near - kStraight.si() * direction(heading.si()),
-                                 .heading = heading};
-                if (rig.outsideM(Rig::inLine(start)) <= kContactM && rig.driven(Rig::inLine(start), straight)) {
+                const Pose start{
+                    .position = drivenIn ? near : near - kStraight.si() * direction(heading.si()),
+                    .heading = heading};
+                if (rig.outsideM(Rig::inLine(start)) <= kContactM &&
+                    rig.driven(Rig::inLine(start), straight)) {
                     return Leg{.kind = SegmentKind::Transfer,
                                .number = 0,
                                .line = {.type = {}, .start = start, .pieces = {straight}},
@@ -82,7 +85,8 @@ std::optional<Leg> straightAt(const RoutePlace& place, const Field& field, const
 
 }  // namespace
 
-Result<std::optional<RoutePlace>> routePlace(const Field& field, const Settings& settings, const Parameter& parameter) {
+Result<std::optional<RoutePlace>> routePlace(const Field& field, const Settings& settings,
+                                             const Parameter& parameter) {
     const std::string given = settings.place(parameter);
     const std::vector<Gate>& gates = field.source().gates;
     const auto at = [&](const Gate& gate) { return RoutePlace{field.frame().toLocal(gate.position), gate}; };
@@ -98,11 +102,12 @@ Result<std::optional<RoutePlace>> routePlace(const Field& field, const Settings&
         for (const Gate& gate : gates) {
             names += (names.empty() ? "" : ", ") + gate.name;
         }
-        return std::unexpected(Error{.code = ErrorCode::Usage,
-                                     .what = message("there is no gate '{}'", given),
-                                     .where = std::string{parameter.key},
-                                     .remedy = names.empty() ? Message{"give a point such as POINT (4.1 52.0)"}
-                                                             : message("give one of {} or a point such as POINT (4.1 52.0)", names)});
+        return std::unexpected(Error{
+            .code = ErrorCode::Usage,
+            .what = message("there is no gate '{}'", given),
+            .where = std::string{parameter.key},
+            .remedy = names.empty() ? Message{"give a point such as POINT (4.1 52.0)"}
+                                    : message("give one of {} or a point such as POINT (4.1 52.0)", names)});
     }
     const RoutePlace place{field.frame().toLocal({points->front().x, points->front().y}), std::nullopt};
     const PreparedArea inside{field.drivable()};
@@ -121,7 +126,9 @@ Result<MultiPolygon> withOpenGates(const MultiPolygon& drivable, const Field& fi
     for (const auto& place : places) {
         if (place && place->gate && place->gate->width > metres(0.0)) {
             // The margin between the area and the boundary opens with the gate.
-            const auto near = intersection(field.drivable(), {{.outer = disc(place->position, 0.5 * place->gate->width.si()), .holes = {}}}, job);
+            const auto near = intersection(
+                field.drivable(),
+                {{.outer = disc(place->position, 0.5 * place->gate->width.si()), .holes = {}}}, job);
             if (!near) {
                 return near;
             }

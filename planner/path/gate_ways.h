@@ -21,7 +21,8 @@ struct RoutePlace {
 
 /// A point as WKT, the name of a gate, or, if no value is given, the field's first gate. Empty if there is no
 /// gate either. Usage: a name that no gate has, a point outside the field.
-Result<std::optional<RoutePlace>> routePlace(const Field& field, const Settings& settings, const Parameter& parameter);
+Result<std::optional<RoutePlace>> routePlace(const Field& field, const Settings& settings,
+                                             const Parameter& parameter);
 
 /// The drivable area with these gates open, each as a disc of the gate's width.
 Result<MultiPolygon> withOpenGates(const MultiPolygon& drivable, const Field& field,

@@ -31,13 +31,14 @@ struct StartPlace {
     std::size_t piece = 0;
     Length way;  ///< along that piece
     Pose pose;
-    Pose end;  ///< the end of the pass with this start
+    Pose end;               ///< the end of the pass with this start
     bool reversed = false;  ///< a single stretch, driven in the other direction
 };
 
 /// The starts of a pass in stretches: the beginning of each stretch. In the other direction the nose is at
 /// the place of the tail. It must fit there, and it swings differently in bends.
-std::vector<StartPlace> startsOfStretches(const HeadlandPass& pass, const std::function<bool(const Curve&)>& fits) {
+std::vector<StartPlace> startsOfStretches(const HeadlandPass& pass,
+                                          const std::function<bool(const Curve&)>& fits) {
     std::vector<StartPlace> places;
     const std::size_t count = pass.stretches.size();
     for (std::size_t s = 0; s < count; ++s) {
@@ -56,7 +57,8 @@ std::vector<StartPlace> startsOfStretches(const HeadlandPass& pass, const std::f
 
 /// A trailed implement has to be in line again at the end of a closed pass, `inLineAfter` after the last
 /// bend.
-std::vector<StartPlace> startPlaces(const HeadlandPass& pass, Length inLineAfter, const std::function<bool(const Curve&)>& fits) {
+std::vector<StartPlace> startPlaces(const HeadlandPass& pass, Length inLineAfter,
+                                    const std::function<bool(const Curve&)>& fits) {
     if (!pass.closed) {
         return startsOfStretches(pass, fits);
     }
@@ -108,9 +110,11 @@ std::vector<Leg> legsFrom(const HeadlandPass& pass, const StartPlace& start) {
     PassStretch tail{.line = {.type = {}, .start = first.line.start, .pieces = {}}, .working = true};
     const Curvature here = split.curvatureAt(start.way);
     head.line.pieces.push_back({split.length - start.way, here, split.endCurvature, split.gear});
-    head.line.pieces.insert(head.line.pieces.end(), first.line.pieces.begin() + static_cast<std::ptrdiff_t>(start.piece) + 1,
+    head.line.pieces.insert(head.line.pieces.end(),
+                            first.line.pieces.begin() + static_cast<std::ptrdiff_t>(start.piece) + 1,
                             first.line.pieces.end());
-    tail.line.pieces.assign(first.line.pieces.begin(), first.line.pieces.begin() + static_cast<std::ptrdiff_t>(start.piece));
+    tail.line.pieces.assign(first.line.pieces.begin(),
+                            first.line.pieces.begin() + static_cast<std::ptrdiff_t>(start.piece));
     if (start.way > metres(0.0)) {
         tail.line.pieces.push_back({start.way, split.curvature, here, split.gear});
     }
@@ -155,7 +159,8 @@ std::vector<std::size_t> families(const std::vector<HeadlandPass>& passes,
 
 /// Family after family, the one nearest to `from` first. In each family from outside in or inside out.
 std::vector<std::size_t> sequence(const std::vector<HeadlandPass>& passes,
-                                  const std::vector<std::vector<StartPlace>>& places, bool insideOut, Point from) {
+                                  const std::vector<std::vector<StartPlace>>& places, bool insideOut,
+                                  Point from) {
     const std::vector<std::size_t> family = families(passes, places);
     std::vector<std::size_t> left(passes.size());
     for (std::size_t i = 0; i < left.size(); ++i) {
@@ -174,9 +179,11 @@ std::vector<std::size_t> sequence(const std::vector<HeadlandPass>& passes,
             }
         }
         std::vector<std::size_t> members;
-        std::ranges::copy_if(left, std::back_inserter(members), [&](std::size_t i) { return family[i] == chosen; });
+        std::ranges::copy_if(left, std::back_inserter(members),
+                             [&](std::size_t i) { return family[i] == chosen; });
         std::erase_if(left, [&](std::size_t i) { return family[i] == chosen; });
-        std::ranges::stable_sort(members, {}, [&](std::size_t i) { return insideOut ? -passes[i].ring : passes[i].ring; });
+        std::ranges::stable_sort(members, {},
+                                 [&](std::size_t i) { return insideOut ? -passes[i].ring : passes[i].ring; });
         order.insert(order.end(), members.begin(), members.end());
         if (!places[order.back()].empty()) {
             from = places[order.back()].front().pose.position;
@@ -234,7 +241,8 @@ std::vector<Leg> headlandLegs(const std::vector<HeadlandPass>& passes, const Hea
     const Length inLineAfter =
         Trailer::of(machine) ? kLengthsIntoLine * (implement.hitchOffset - implement.offset) : Length{};
     const Ring working = machine.workingFootprint();
-    const BoundaryDistance edges{drive.drivable, machine.workingFootprintWidth() + machine.spec().tractor.length};
+    const BoundaryDistance edges{drive.drivable,
+                                 machine.workingFootprintWidth() + machine.spec().tractor.length};
     const auto fits = [&](const Curve& line) {
         return isInside(line.start, working, edges) && staysInside(line, working, edges, kCheckStep);
     };
@@ -270,15 +278,17 @@ std::vector<Leg> headlandLegs(const std::vector<HeadlandPass>& passes, const Hea
     return legs;
 }
 
-PassPlace placeFor(const Curve& line, const std::vector<Leg>& legs, RememberedWays& ways, const JobContext& job) {
+PassPlace placeFor(const Curve& line, const std::vector<Leg>& legs, RememberedWays& ways,
+                   const JobContext& job) {
     const Pose start = line.start;
     const Pose end = line.end();
     std::vector<std::pair<double, std::size_t>> places;  // detour, and the leg that follows
     for (std::size_t i = 0; i <= legs.size(); ++i) {
         const double toM = i > 0 ? distance(legs[i - 1].line.end().position, start.position) : 0.0;
         const double onM = i < legs.size() ? distance(end.position, legs[i].line.start.position) : 0.0;
-        const double directM =
-            i > 0 && i < legs.size() ? distance(legs[i - 1].line.end().position, legs[i].line.start.position) : 0.0;
+        const double directM = i > 0 && i < legs.size()
+                                   ? distance(legs[i - 1].line.end().position, legs[i].line.start.position)
+                                   : 0.0;
         // Legs that follow on each other without a way between are one pass.
         if (i == 0 || i == legs.size() || directM > kMeetM) {
             places.emplace_back(toM + onM - directM, i);
@@ -302,8 +312,8 @@ PassPlace placeFor(const Curve& line, const std::vector<Leg>& legs, RememberedWa
     return found;
 }
 
-FinishedLegs withFinishingPasses(std::vector<Leg> given, const std::vector<HeadlandPass>& passes, RememberedWays& ways,
-                                 const JobContext& job) {
+FinishedLegs withFinishingPasses(std::vector<Leg> given, const std::vector<HeadlandPass>& passes,
+                                 RememberedWays& ways, const JobContext& job) {
     FinishedLegs finished{.legs = std::move(given), .put = {}, .refused = {}};
     for (const HeadlandPass& pass : passes) {
         const Leg leg = legOf(pass, pass.stretches.front());

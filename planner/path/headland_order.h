@@ -14,8 +14,8 @@ struct HeadlandDrive {
     bool insideOut = false;
     /// The pose that follows (the first swath's start) or precedes (the last swath's end). The passes are
     /// rotated so that the ways between them and to it are short. Empty if there are no swaths.
-    std::optional<Pose> before;  ///< end of the leg right before the headland
-    std::optional<Pose> after;   ///< start of the leg right after the headland
+    std::optional<Pose> before;    ///< end of the leg right before the headland
+    std::optional<Pose> after;     ///< start of the leg right after the headland
     const MultiPolygon& drivable;  ///< the ways between passes stay inside if possible
 };
 
@@ -31,7 +31,8 @@ struct PassPlace {
     PassAccess access = PassAccess::NoWayIn;
     std::size_t before = 0;  ///< valid if there are ways
 };
-PassPlace placeFor(const Curve& line, const std::vector<Leg>& legs, RememberedWays& ways, const JobContext& job);
+PassPlace placeFor(const Curve& line, const std::vector<Leg>& legs, RememberedWays& ways,
+                   const JobContext& job);
 
 struct FinishedLegs {
     std::vector<Leg> legs;
@@ -40,7 +41,7 @@ struct FinishedLegs {
 };
 
 /// The same legs with short passes in between, each where the ways there and on are short and quickly found.
-FinishedLegs withFinishingPasses(std::vector<Leg> legs, const std::vector<HeadlandPass>& passes, RememberedWays& ways,
-                                 const JobContext& job);
+FinishedLegs withFinishingPasses(std::vector<Leg> legs, const std::vector<HeadlandPass>& passes,
+                                 RememberedWays& ways, const JobContext& job);
 
 }  // namespace furrow

@@ -1,7 +1,7 @@
 #include "planner/path/lifted_legs.h"
 
-#include "planner/swaths/mainland_edges.h"
 #include "planner/geometry/curve_parts.h"
+#include "planner/swaths/mainland_edges.h"
 
 #include <algorithm>
 #include <cmath>
@@ -35,11 +35,14 @@ bool meets(const WorkingLine& line, Point from, Point to) {
 /// One polygon that is not worked.
 class UnworkedLand {
 public:
-    explicit UnworkedLand(const Polygon& polygon) : polygon_{{polygon}}, edges_{polygon_}, box_{bounds(polygon_)} {}
+    explicit UnworkedLand(const Polygon& polygon)
+        : polygon_{{polygon}}, edges_{polygon_}, box_{bounds(polygon_)} {}
 
     bool isTouched(const WorkingLine& line) const {
-        if (std::max(line.right.x, line.left.x) < box_.min.x || std::min(line.right.x, line.left.x) > box_.max.x ||
-            std::max(line.right.y, line.left.y) < box_.min.y || std::min(line.right.y, line.left.y) > box_.max.y) {
+        if (std::max(line.right.x, line.left.x) < box_.min.x ||
+            std::min(line.right.x, line.left.x) > box_.max.x ||
+            std::max(line.right.y, line.left.y) < box_.min.y ||
+            std::min(line.right.y, line.left.y) > box_.max.y) {
             return false;
         }
         bool touched = edges_.contains(line.right);
@@ -102,7 +105,8 @@ public:
     }
 
     void add(const Leg& leg, LiftedLegs& result) const {
-        const std::vector<Stretch> stretches = leg.implementDown ? stretchesOf(leg.line) : std::vector<Stretch>{};
+        const std::vector<Stretch> stretches =
+            leg.implementDown ? stretchesOf(leg.line) : std::vector<Stretch>{};
         if (stretches.size() < 2 && (stretches.empty() || stretches.front().works)) {
             result.legs.push_back(leg);
             return;
@@ -125,7 +129,8 @@ private:
         const Pose pose = line.at(m);
         const Point nose = direction(pose.heading.si());
         const Point left{-nose.y, nose.x};
-        const Point middle = pose.position + implement_.offset.si() * nose + implement_.lateralOffset.si() * left;
+        const Point middle =
+            pose.position + implement_.offset.si() * nose + implement_.lateralOffset.si() * left;
         const double half = 0.5 * implement_.operatingWidth.si();
         return {.right = middle - half * left, .left = middle + half * left};
     }
@@ -206,7 +211,8 @@ private:
 
 }  // namespace
 
-LiftedLegs liftedOver(const std::vector<Leg>& legs, const MultiPolygon& unworked, const Machine& machine, Length shortest) {
+LiftedLegs liftedOver(const std::vector<Leg>& legs, const MultiPolygon& unworked, const Machine& machine,
+                      Length shortest) {
     if (unworked.empty()) {
         return {.legs = legs, .passedOver = {}};
     }

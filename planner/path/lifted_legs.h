@@ -20,6 +20,7 @@ struct LiftedLegs {
 /// @param unworked  in metres, may overlap
 /// Ends are exact to a centimetre. Land narrower than a quarter of a metre along the way may be missed. Cost:
 /// four tests for each metre of a leg near such land.
-LiftedLegs liftedOver(const std::vector<Leg>& legs, const MultiPolygon& unworked, const Machine& machine, Length shortest);
+LiftedLegs liftedOver(const std::vector<Leg>& legs, const MultiPolygon& unworked, const Machine& machine,
+                      Length shortest);
 
 }  // namespace furrow

@@ -124,7 +124,8 @@ Message nameOf(const PathSegment& segment) {
 }
 
 Message passName(SegmentKind kind, int number) {
-    return kind == SegmentKind::HeadlandPass ? message("headland pass {}", number) : message("swath {}", number);
+    return kind == SegmentKind::HeadlandPass ? message("headland pass {}", number)
+                                             : message("swath {}", number);
 }
 
 }  // namespace furrow

@@ -1,8 +1,8 @@
 #pragma once
 
 #include "planner/core/message.h"
-#include "planner/geometry/point.h"
 #include "planner/geometry/curve.h"
+#include "planner/geometry/point.h"
 #include "planner/units/quantity.h"
 
 #include <optional>

@@ -43,9 +43,11 @@ WayFinder waysBy(TurnPlanner* turn, const Machine& machine) {
     };
 }
 
-Result<Path> buildPath(std::span<const Leg> legs, const Machine& machine, const WayFinder& way, const JobContext& job) {
+Result<Path> buildPath(std::span<const Leg> legs, const Machine& machine, const WayFinder& way,
+                       const JobContext& job) {
     const std::size_t gaps = legs.empty() ? 0 : legs.size() - 1;
-    const Length longest = kTransferRadii * machine.minTurningRadius() + kTransferWidths * machine.operatingWidth();
+    const Length longest =
+        kTransferRadii * machine.minTurningRadius() + kTransferWidths * machine.operatingWidth();
     auto ways = parallelMap<std::optional<Leg>>(
         gaps,
         [&](std::size_t i) -> std::optional<Leg> {
@@ -54,7 +56,8 @@ Result<Path> buildPath(std::span<const Leg> legs, const Machine& machine, const 
             }
             Curve turn = way(legs[i], legs[i + 1], job);
             const bool isTransfer = (turn.type == kCombinedTurn && turn.length() > longest) ||
-                                    legs[i].kind == SegmentKind::Transfer || legs[i + 1].kind == SegmentKind::Transfer;
+                                    legs[i].kind == SegmentKind::Transfer ||
+                                    legs[i + 1].kind == SegmentKind::Transfer;
             return Leg{.kind = isTransfer ? SegmentKind::Transfer : SegmentKind::Turn,
                        .number = 0,
                        .line = std::move(turn),

@@ -15,7 +15,7 @@ namespace furrow {
 struct Leg {
     SegmentKind kind = SegmentKind::Swath;
     int number = 0;  ///< of the swath or headland pass
-    Curve line;       ///< of the vehicle's reference point
+    Curve line;      ///< of the vehicle's reference point
     bool implementDown = true;
 };
 
@@ -36,6 +36,7 @@ WayFinder waysBy(TurnPlanner* turn, const Machine& machine);
 /// Speed starts and ends at 0 and stops where gear or heading change. It obeys the limits for work, turns,
 /// reversing, sideways and lengthwise acceleration. A turn lasts at least until the implement is lifted and
 /// lowered. Between two samples the acceleration is constant. Cost: O(samples). Cancelled.
-Result<Path> buildPath(std::span<const Leg> legs, const Machine& machine, const WayFinder& way, const JobContext& job);
+Result<Path> buildPath(std::span<const Leg> legs, const Machine& machine, const WayFinder& way,
+                       const JobContext& job);
 
 }  // namespace furrow

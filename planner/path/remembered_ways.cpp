@@ -2,8 +2,8 @@
 
 namespace furrow {
 
-std::optional<Curve> RememberedWays::operator()(const Pose& leaving, const Pose& arriving, const JobContext& job,
-                                               SearchEffort effort) {
+std::optional<Curve> RememberedWays::operator()(const Pose& leaving, const Pose& arriving,
+                                                const JobContext& job, SearchEffort effort) {
     const std::array key{leaving.position.x,  leaving.position.y,  leaving.heading.si(),
                          arriving.position.x, arriving.position.y, arriving.heading.si()};
     {

@@ -11,8 +11,8 @@
 namespace furrow {
 
 /// Finds a way that fits with the given effort, or none.
-using FittingWayFinder = std::function<std::optional<Curve>(const Pose& leaving, const Pose& arriving, const JobContext& job,
-                                                          SearchEffort effort)>;
+using FittingWayFinder = std::function<std::optional<Curve>(const Pose& leaving, const Pose& arriving,
+                                                            const JobContext& job, SearchEffort effort)>;
 
 /// Remembers the result of each search, found or not. So a path that differs by a few legs costs only those.
 /// May be used by several threads at once. Returns the same as the finder.
@@ -21,7 +21,7 @@ public:
     explicit RememberedWays(FittingWayFinder finder) : finder_{std::move(finder)} {}
 
     std::optional<Curve> operator()(const Pose& leaving, const Pose& arriving, const JobContext& job,
-                                   SearchEffort effort = SearchEffort::Thorough);
+                                    SearchEffort effort = SearchEffort::Thorough);
 
 private:
     FittingWayFinder finder_;

@@ -66,8 +66,10 @@ void addRuns(const Leg& leg, double longestMps, const Machine& machine, std::vec
             runs.push_back({.leg = &leg, .gear = a.gear});
             open = &runs.back();
         }
-        const CurvePiece piece{.length = b.way - a.way, .curvature = a.curvature, .endCurvature = b.arriving, .gear = a.gear};
-        const double limit = std::min({kindLimit(leg.kind, a.gear, machine), sidewaysLimit(piece, machine), longestMps});
+        const CurvePiece piece{
+            .length = b.way - a.way, .curvature = a.curvature, .endCurvature = b.arriving, .gear = a.gear};
+        const double limit =
+            std::min({kindLimit(leg.kind, a.gear, machine), sidewaysLimit(piece, machine), longestMps});
         runs.back().steps.push_back({.from = a.pose, .to = b.pose, .piece = piece, .limitMps = limit});
     }
 }
@@ -132,11 +134,12 @@ public:
 
     void begin(const Run& run, double speedMps) {
         timeS_ += run.pauseS;
-        path_.segments.push_back({.kind = run.leg->kind,
-                                  .turnType = std::string{run.leg->kind == SegmentKind::Turn ? run.leg->line.type : ""},
-                                  .number = run.leg->number,
-                                  .gear = run.gear,
-                                  .implementDown = run.leg->implementDown});
+        path_.segments.push_back(
+            {.kind = run.leg->kind,
+             .turnType = std::string{run.leg->kind == SegmentKind::Turn ? run.leg->line.type : ""},
+             .number = run.leg->number,
+             .gear = run.gear,
+             .implementDown = run.leg->implementDown});
         add(run.steps.front().from, run.steps.front().piece.curvature, speedMps);
     }
 
@@ -144,8 +147,8 @@ public:
     /// the next step.
     void drive(const Step& step, double fromMps, double toMps, Curvature after) {
         const double lengthM = step.piece.length.si();
-        const double peakMps =
-            std::min(step.limitMps, std::sqrt(0.5 * (fromMps * fromMps + toMps * toMps) + acceleration_ * lengthM));
+        const double peakMps = std::min(
+            step.limitMps, std::sqrt(0.5 * (fromMps * fromMps + toMps * toMps) + acceleration_ * lengthM));
         const double speedingM = std::max(0.0, 0.5 * (peakMps * peakMps - fromMps * fromMps) / acceleration_);
         const double brakingM = std::max(0.0, 0.5 * (peakMps * peakMps - toMps * toMps) / acceleration_);
         const double startM = wayM_;
@@ -155,7 +158,8 @@ public:
             // Constant acceleration: the mean speed is that of the ends. From stop to stop within one
             // sample's length there is a peak in between.
             const double sum = speedMps + reachedMps;
-            timeS_ += sum > 0.0 ? 2.0 * (untilM - doneM) / sum : 2.0 * std::sqrt((untilM - doneM) / acceleration_);
+            timeS_ +=
+                sum > 0.0 ? 2.0 * (untilM - doneM) / sum : 2.0 * std::sqrt((untilM - doneM) / acceleration_);
             wayM_ = startM + untilM;
             doneM = untilM;
             speedMps = reachedMps;

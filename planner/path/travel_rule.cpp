@@ -28,9 +28,11 @@ public:
                 std::swap(a, b);
             }
             const auto rowAbove = [&](double y) {
-                return std::clamp(std::ceil((y - box_.min.y) / cellM_ - 0.5), 0.0, static_cast<double>(rows_));
+                return std::clamp(std::ceil((y - box_.min.y) / cellM_ - 0.5), 0.0,
+                                  static_cast<double>(rows_));
             };
-            for (auto row = static_cast<std::size_t>(rowAbove(a.y)); row < static_cast<std::size_t>(rowAbove(b.y)); ++row) {
+            for (auto row = static_cast<std::size_t>(rowAbove(a.y));
+                 row < static_cast<std::size_t>(rowAbove(b.y)); ++row) {
                 const double y = box_.min.y + (static_cast<double>(row) + 0.5) * cellM_;
                 crossings[row].push_back(a.x + (b.x - a.x) * (y - a.y) / (b.y - a.y));
             }
@@ -40,11 +42,13 @@ public:
             std::ranges::sort(crossings[row]);
             for (std::size_t i = 0; i + 1 < crossings[row].size(); i += 2) {
                 const auto columnAt = [&](double x) {
-                    return static_cast<std::size_t>(std::clamp(std::ceil((x - box_.min.x) / cellM_ - 0.5), 0.0,
-                                                               static_cast<double>(columns_)));
+                    return static_cast<std::size_t>(std::clamp(std::ceil((x - box_.min.x) / cellM_ - 0.5),
+                                                               0.0, static_cast<double>(columns_)));
                 };
-                std::fill(inside_.begin() + static_cast<std::ptrdiff_t>(row * columns_ + columnAt(crossings[row][i])),
-                          inside_.begin() + static_cast<std::ptrdiff_t>(row * columns_ + columnAt(crossings[row][i + 1])),
+                std::fill(inside_.begin() +
+                              static_cast<std::ptrdiff_t>(row * columns_ + columnAt(crossings[row][i])),
+                          inside_.begin() +
+                              static_cast<std::ptrdiff_t>(row * columns_ + columnAt(crossings[row][i + 1])),
                           true);
             }
         }
@@ -53,7 +57,8 @@ public:
     bool contains(Point point) const {
         const double column = (point.x - box_.min.x) / cellM_;
         const double row = (point.y - box_.min.y) / cellM_;
-        return column >= 0.0 && row >= 0.0 && column < static_cast<double>(columns_) && row < static_cast<double>(rows_) &&
+        return column >= 0.0 && row >= 0.0 && column < static_cast<double>(columns_) &&
+               row < static_cast<double>(rows_) &&
                inside_[static_cast<std::size_t>(row) * columns_ + static_cast<std::size_t>(column)];
     }
 
@@ -72,14 +77,17 @@ Result<TravelCost> travelRule(Traversal rule, const TravelTask& task, const JobC
         return TravelCost{};
     }
     const bool headland = rule == Traversal::Headland;
-    const Length room = headland ? task.machine.minTurningRadius() + 0.5 * task.machine.turningWidth()
-                                 : task.margin + 1.5 * std::max(task.machine.operatingWidth(), task.machine.turningWidth());
+    const Length room =
+        headland ? task.machine.minTurningRadius() + 0.5 * task.machine.turningWidth()
+                 : task.margin + 1.5 * std::max(task.machine.operatingWidth(), task.machine.turningWidth());
     return eroded(headland ? task.mainland : task.workable, room, kTolerance, job)
         .transform([](const MultiPolygon& dear) -> TravelCost {
             if (dear.empty()) {
                 return {};
             }
-            return [raster = std::make_shared<const Raster>(dear)](Point point) { return raster->contains(point) ? kDear : 1.0; };
+            return [raster = std::make_shared<const Raster>(dear)](Point point) {
+                return raster->contains(point) ? kDear : 1.0;
+            };
         });
 }
 

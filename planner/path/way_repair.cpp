@@ -1,8 +1,8 @@
 #include "planner/path/way_repair.h"
 
+#include "planner/geometry/curve_parts.h"
 #include "planner/geometry/tolerances.h"
 #include "planner/headland/smooth_ring.h"
-#include "planner/geometry/curve_parts.h"
 
 #include <algorithm>
 #include <cmath>
@@ -28,14 +28,17 @@ bool isSame(const Pose& a, const Pose& b) {
 
 class WayRepair {
 public:
-    WayRepair(std::vector<Leg> legs, RememberedWays& ways, const Rig& lowered, const DrivenParts& parts, const JobContext& job)
+    WayRepair(std::vector<Leg> legs, RememberedWays& ways, const Rig& lowered, const DrivenParts& parts,
+              const JobContext& job)
         : legs_{std::move(legs)}, ways_{ways}, lowered_{lowered}, parts_{parts}, job_{job} {}
 
     std::vector<Leg> run() {
         for (std::size_t i = 0; i + 1 < legs_.size() && !job_.stopRequested(); ++i) {
-            const bool apart = parts_.separate(legs_[i].line.end().position, legs_[i + 1].line.start.position);
+            const bool apart =
+                parts_.separate(legs_[i].line.end().position, legs_[i + 1].line.start.position);
             if (!apart && !leads(legs_[i], legs_[i + 1], SearchEffort::Thorough)) {
-                static_cast<void>(turnRound(i + 1) || turnRound(i) || turnBothRound(i) || moveAway(i + 1) || moveAway(i));
+                static_cast<void>(turnRound(i + 1) || turnRound(i) || turnBothRound(i) || moveAway(i + 1) ||
+                                  moveAway(i));
             }
         }
         return std::move(legs_);
@@ -48,7 +51,9 @@ private:
     }
 
     bool leadsTo(const Leg& leg, std::size_t place) { return place == 0 || leads(legs_[place - 1], leg); }
-    bool leadsFrom(const Leg& leg, std::size_t place) { return place + 1 >= legs_.size() || leads(leg, legs_[place + 1]); }
+    bool leadsFrom(const Leg& leg, std::size_t place) {
+        return place + 1 >= legs_.size() || leads(leg, legs_[place + 1]);
+    }
 
     /// The same work with another start or in the other direction.
     std::vector<Leg> others(const Leg& leg) const {
@@ -62,7 +67,8 @@ private:
                 const Length way = (static_cast<double>(i) / kStarts) * length;
                 Leg other = leg;
                 other.line = partOf(leg.line, way, length);
-                std::ranges::copy(partOf(leg.line, Length{}, way).pieces, std::back_inserter(other.line.pieces));
+                std::ranges::copy(partOf(leg.line, Length{}, way).pieces,
+                                  std::back_inserter(other.line.pieces));
                 found.push_back(std::move(other));
             }
             return found;
@@ -118,7 +124,8 @@ private:
             const Point after = rest[i].line.start.position;
             if (i != place && distance(before, after) > kMeetM) {
                 detours.emplace_back(distance(before, candidates.front().line.start.position) +
-                                         distance(candidates.front().line.end().position, after) - distance(before, after),
+                                         distance(candidates.front().line.end().position, after) -
+                                         distance(before, after),
                                      i);
             }
         }
@@ -145,8 +152,8 @@ private:
 
 }  // namespace
 
-std::vector<Leg> withWaysBetween(std::vector<Leg> legs, RememberedWays& ways, const Rig& lowered, const DrivenParts& parts,
-                                 const JobContext& job) {
+std::vector<Leg> withWaysBetween(std::vector<Leg> legs, RememberedWays& ways, const Rig& lowered,
+                                 const DrivenParts& parts, const JobContext& job) {
     return WayRepair{std::move(legs), ways, lowered, parts, job}.run();
 }
 

@@ -17,8 +17,8 @@ namespace furrow {
 ///
 /// @param lowered  the rig for driving a pass, implement down
 /// Cost: only lookups if all ways were found before; some dozen quick searches for each missing way.
-std::vector<Leg> withWaysBetween(std::vector<Leg> legs, RememberedWays& ways, const Rig& lowered, const DrivenParts& parts,
-                                 const JobContext& job);
+std::vector<Leg> withWaysBetween(std::vector<Leg> legs, RememberedWays& ways, const Rig& lowered,
+                                 const DrivenParts& parts, const JobContext& job);
 
 /// The legs sorted by part, the part of the first leg first and that of the last leg last. Within each part
 /// the order stays.

@@ -40,7 +40,8 @@ Message shown(const Parameter& parameter, const SettingValue& value) {
     return Message{settingText(value).empty() ? "nothing" : settingText(value)};
 }
 
-/// What might mend a plan: of the settings that were given those of the last stages first, since they change least of it.
+/// What might mend a plan: of the settings that were given those of the last stages first, since they change
+/// least of it.
 std::vector<Change> changesFor(const Plan& plan) {
     const Settings& settings = plan.request.settings;
     std::vector<Change> changes;
@@ -54,7 +55,8 @@ std::vector<Change> changesFor(const Plan& plan) {
     const bool leaves = std::ranges::any_of(plan.findings, [](const Finding& finding) {
         return finding.severity == Severity::Blocking && finding.kind == FindingKind::Outside;
     });
-    const bool canWiden = settings.choice(*stageMethod("headland")) == "constant" && !settings.isSet(kHeadlandWidth);
+    const bool canWiden =
+        settings.choice(*stageMethod("headland")) == "constant" && !settings.isSet(kHeadlandWidth);
     if (leaves && canWiden && !plan.headland.narrowed) {
         changes.push_back({&kHeadlandPasses, std::to_string(plan.headland.passes + 1)});
     }
@@ -87,7 +89,8 @@ bool isBlockedAnew(const Plan& changed, const Plan& plan, double nearM) {
 
 }  // namespace
 
-Result<std::shared_ptr<const Plan>> withAdvice(const std::shared_ptr<const Plan>& plan, const JobContext& job, StageCache* cache) {
+Result<std::shared_ptr<const Plan>> withAdvice(const std::shared_ptr<const Plan>& plan, const JobContext& job,
+                                               StageCache* cache) {
     if (plan->drivable() || plan->request.draft) {
         return plan;
     }
@@ -114,8 +117,9 @@ Result<std::shared_ptr<const Plan>> withAdvice(const std::shared_ptr<const Plan>
         for (Finding& finding : advised->findings) {
             if (needsAdvice(finding) && !hasNear((*changed)->findings, finding, nearM)) {
                 finding.change = {.key = std::string{change.parameter->key}, .value = change.value};
-                finding.suggestion = message("Set \"{}\" to \"{}\": with that this is gone.", change.parameter->name,
-                                             shown(*change.parameter, request.settings.value(*change.parameter)));
+                finding.suggestion =
+                    message("Set \"{}\" to \"{}\": with that this is gone.", change.parameter->name,
+                            shown(*change.parameter, request.settings.value(*change.parameter)));
             }
         }
     }

@@ -1,7 +1,7 @@
 #include "planner/plan/audit_input.h"
 
-#include "planner/plan/general_parameters.h"
 #include "planner/geometry/curve_sampling.h"
+#include "planner/plan/general_parameters.h"
 
 #include <ranges>
 
@@ -47,7 +47,8 @@ AuditInput auditInput(const AuditedParts& plan) {
     }
     for (const RouteStep& step : plan.route.steps) {
         const Swath& swath = plan.swaths.swaths[step.swath];
-        input.passes.push_back({.line = drivenMiddle(step, plan.swaths), .width = swath.width, .number = swath.number});
+        input.passes.push_back(
+            {.line = drivenMiddle(step, plan.swaths), .width = swath.width, .number = swath.number});
     }
     addPasses(plan.headland.rings, input.passes);
     addPasses(plan.finishing, input.passes);

@@ -16,7 +16,8 @@ namespace furrow {
 namespace {
 
 constexpr std::array kSmooth{&kContinuousDubinsMethod, &kContinuousReedsSheppMethod};
-constexpr std::array kReversing{&kReedsSheppMethod, &kContinuousReedsSheppMethod, &kFishtailMethod, &kThreePointMethod};
+constexpr std::array kReversing{&kReedsSheppMethod, &kContinuousReedsSheppMethod, &kFishtailMethod,
+                                &kThreePointMethod};
 
 Message whyNot(const Method<TurnPlanner>& kind, const Machine& machine, int outside, int impossible) {
     if (!canReverse(machine) && std::ranges::contains(kReversing, &kind)) {
@@ -25,13 +26,15 @@ Message whyNot(const Method<TurnPlanner>& kind, const Machine& machine, int outs
     if (impossible == 0) {
         return "There the chosen one does not fit into the field.";
     }
-    return outside == 0 ? "The chosen one cannot be driven between these swaths."
-                        : "There the chosen one does not fit into the field or cannot be driven between these swaths.";
+    return outside == 0
+               ? "The chosen one cannot be driven between these swaths."
+               : "There the chosen one does not fit into the field or cannot be driven between these swaths.";
 }
 
 }  // namespace
 
-ChosenTurns::ChosenTurns(const Settings& settings, const SwathSet& swaths, const Decomposition& cells, const FittingWays& ways)
+ChosenTurns::ChosenTurns(const Settings& settings, const SwathSet& swaths, const Decomposition& cells,
+                         const FittingWays& ways)
     : kind_{turnKind(settings)}, ways_{ways} {
     for (std::size_t cell = 0; cell < cells.cells.size(); ++cell) {
         for (const std::size_t swath : cells.cells[cell].swaths) {
@@ -49,7 +52,8 @@ bool ChosenTurns::belongsBetween(const Leg& leaving, const Leg& arriving) const 
     return from != cellOfSwath_.end() && to != cellOfSwath_.end() && from->second == to->second;
 }
 
-std::optional<Curve> ChosenTurns::fitting(const Method<TurnPlanner>& kind, const Leg& leaving, const Leg& arriving) const {
+std::optional<Curve> ChosenTurns::fitting(const Method<TurnPlanner>& kind, const Leg& leaving,
+                                          const Leg& arriving) const {
     return ways_.byOne(kind, leaving.line.end(), arriving.line.start);
 }
 
@@ -92,20 +96,23 @@ std::optional<Finding> ChosenTurns::told(std::span<const Leg> legs) const {
         }
         const Pose leaving = legs[i].line.end();
         const bool isOfKind =
-            connection(leaving, legs[i + 1].line.start, ways_.rig().machine(), kind_.run).type == kind_.info.id;
+            connection(leaving, legs[i + 1].line.start, ways_.rig().machine(), kind_.run).type ==
+            kind_.info.id;
         ++(isOfKind ? outside : impossible);
         place = place.value_or(leaving.position);
     }
     if (!place) {
         return std::nullopt;
     }
-    return Finding{.severity = Severity::Note,
-                   .kind = FindingKind::TurnKind,
-                   .place = *place,
-                   .text = message("Turns between swaths that are of another kind than chosen (path.method): {} of {}. {}",
-                                   outside + impossible, all, whyNot(kind_, ways_.rig().machine(), outside, impossible)),
-                   .suggestion = "Choose the best that fits, which takes the quickest everywhere.",
-                   .change = SettingChange{"path.method", std::string{kBestFeasibleMethod.info.id}}};
+    return Finding{
+        .severity = Severity::Note,
+        .kind = FindingKind::TurnKind,
+        .place = *place,
+        .text =
+            message("Turns between swaths that are of another kind than chosen (path.method): {} of {}. {}",
+                    outside + impossible, all, whyNot(kind_, ways_.rig().machine(), outside, impossible)),
+        .suggestion = "Choose the best that fits, which takes the quickest everywhere.",
+        .change = SettingChange{"path.method", std::string{kBestFeasibleMethod.info.id}}};
 }
 
 }  // namespace furrow

@@ -12,17 +12,20 @@
 
 namespace furrow {
 
-/// Where the turns of the kind that was chosen belong: between two swaths of one cell. Other ways are whatever fits, but
-/// for smooth steering, which stays smooth everywhere it can. May be asked by several threads at once.
+/// Where the turns of the kind that was chosen belong: between two swaths of one cell. Other ways are
+/// whatever fits, but for smooth steering, which stays smooth everywhere it can. May be asked by several
+/// threads at once.
 class ChosenTurns {
 public:
     /// Keeps what it is made from.
-    ChosenTurns(const Settings& settings, const SwathSet& swaths, const Decomposition& cells, const FittingWays& ways);
+    ChosenTurns(const Settings& settings, const SwathSet& swaths, const Decomposition& cells,
+                const FittingWays& ways);
 
     /// The turn from one leg to the next of the chosen kind, where it belongs and fits.
     std::optional<Curve> between(const Leg& leaving, const Leg& arriving) const;
 
-    /// The same from any leg to any other, as long as it leads through no obstacle: for machines that may leave the field.
+    /// The same from any leg to any other, as long as it leads through no obstacle: for machines that may
+    /// leave the field.
     std::optional<Curve> anywhere(const Leg& leaving, const Leg& arriving) const;
 
     /// How many turns between swaths are of another kind, and why; nothing where all are as chosen.
@@ -30,7 +33,8 @@ public:
 
 private:
     bool belongsBetween(const Leg& leaving, const Leg& arriving) const;
-    std::optional<Curve> fitting(const Method<TurnPlanner>& kind, const Leg& leaving, const Leg& arriving) const;
+    std::optional<Curve> fitting(const Method<TurnPlanner>& kind, const Leg& leaving,
+                                 const Leg& arriving) const;
 
     const Method<TurnPlanner>& kind_;
     const FittingWays& ways_;

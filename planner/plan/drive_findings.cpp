@@ -12,7 +12,8 @@ namespace furrow {
 
 namespace {
 
-// Where no way was found through a neck with no more room beside the machine, it is the neck that is in the way.
+// Where no way was found through a neck with no more room beside the machine, it is the neck that is in the
+// way.
 constexpr Length kNeckSpare = metres(0.5);
 
 /// "The way from swath 3 to swath 4", "Headland pass 1".
@@ -23,7 +24,7 @@ Message nameOfWay(const Path& path, std::size_t segment) {
     const PathSegment* const before = path.workBefore(segment);
     const PathSegment* const after = path.workAfter(segment);
     return message("The way from {} to {}", before == nullptr ? Message{"the start"} : nameOf(*before),
-                       after == nullptr ? Message{"the end"} : nameOf(*after));
+                   after == nullptr ? Message{"the end"} : nameOf(*after));
 }
 
 /// Whether a way leaves one part of the field for another.
@@ -40,7 +41,8 @@ Finding blockedFinding(const Path& path, const BlockedConnection& blocked, const
         return {.severity = Severity::Blocking,
                 .kind = blocked.obstacle ? FindingKind::Obstacle : FindingKind::Outside,
                 .place = blocked.place,
-                .text = message("{} leads from one part of the field to another that this machine cannot drive to.", way),
+                .text = message(
+                    "{} leads from one part of the field to another that this machine cannot drive to.", way),
                 .suggestion = "Plan the parts of the field apart, or widen the passage between them."};
     }
     if (blocked.obstacle) {
@@ -63,7 +65,8 @@ Message blockedReason(const BlockedConnection& blocked) {
 
 }  // namespace
 
-Result<std::vector<Finding>> checkWays(Path& path, const MultiPolygon& drivable, const Machine& machine, const JobContext& job) {
+Result<std::vector<Finding>> checkWays(Path& path, const MultiPolygon& drivable, const Machine& machine,
+                                       const JobContext& job) {
     std::vector<Finding> findings;
     const auto blocked = blockedConnections(path, drivable, machine, job);
     if (!blocked) {
@@ -100,18 +103,22 @@ std::optional<Finding> impossibleTurns(const PlanRequest& request, const Path& p
     if (!turnsOnTheSpot || request.machine.spec().tractor.canTurnInPlace || path.turnCount() == 0) {
         return std::nullopt;
     }
-    return Finding{.severity = Severity::Blocking,
-                   .kind = FindingKind::HeadingJump,
-                   .place = std::ranges::find(path.segments, SegmentKind::Turn, &PathSegment::kind)->samples.front().position,
-                   .text = "Turns on the spot are chosen (path.method), and this machine cannot turn on the spot.",
-                   .suggestion = "Take a machine that can."};
+    return Finding{
+        .severity = Severity::Blocking,
+        .kind = FindingKind::HeadingJump,
+        .place =
+            std::ranges::find(path.segments, SegmentKind::Turn, &PathSegment::kind)->samples.front().position,
+        .text = "Turns on the spot are chosen (path.method), and this machine cannot turn on the spot.",
+        .suggestion = "Take a machine that can."};
 }
 
-std::vector<Finding> newFindings(const AuditReport& audit, const std::vector<Finding>& told, const Path& path) {
+std::vector<Finding> newFindings(const AuditReport& audit, const std::vector<Finding>& told,
+                                 const Path& path) {
     const auto isTold = [&](const AuditFinding& found) {
         const FindingKind kind = found.finding.kind;
         if (found.segment && !path.segments[*found.segment].drivable &&
-            (kind == FindingKind::Outside || kind == FindingKind::Obstacle || kind == FindingKind::Undrivable)) {
+            (kind == FindingKind::Outside || kind == FindingKind::Obstacle ||
+             kind == FindingKind::Undrivable)) {
             return true;
         }
         return kind == FindingKind::HeadingJump && std::ranges::contains(told, kind, &Finding::kind);

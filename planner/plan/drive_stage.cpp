@@ -35,7 +35,8 @@ std::vector<Leg> legsOf(const DriveTask& task) {
         } else if (!legs.empty()) {
             drive.before = legs.back().line.end();
         }
-        const std::vector<Leg> passes = headlandLegs(task.headland.rings, drive, machine, otherTurns(settings));
+        const std::vector<Leg> passes =
+            headlandLegs(task.headland.rings, drive, machine, otherTurns(settings));
         legs.insert(first ? legs.begin() : legs.end(), passes.begin(), passes.end());
     }
     return legs;
@@ -50,7 +51,8 @@ Error nothingWorked(const Field& field) {
 }
 
 /// Wet spots and the land beside them that is passed over, and what the swaths leave.
-Result<MultiPolygon> landLeftOnPurpose(const DriveTask& task, MultiPolygon passedOver, const JobContext& job) {
+Result<MultiPolygon> landLeftOnPurpose(const DriveTask& task, MultiPolygon passedOver,
+                                       const JobContext& job) {
     std::ranges::copy(task.request.field->passable(), std::back_inserter(passedOver));
     std::ranges::copy(task.laid.swaths.leftOnPurpose, std::back_inserter(passedOver));
     return passedOver.empty() ? Result<MultiPolygon>{} : unionOf(passedOver, job);
@@ -65,9 +67,11 @@ Result<RouteEnds> routeEnds(const Field& field, const Settings& settings) {
     return RouteEnds{*std::move(start), *std::move(end)};
 }
 
-/// Where ways may lead: gates are open, and where the machine may leave the field so is everything but obstacles.
+/// Where ways may lead: gates are open, and where the machine may leave the field so is everything but
+/// obstacles.
 Result<MultiPolygon> groundForWays(const DriveTask& task, const MultiPolygon& open, const JobContext& job) {
-    return task.request.settings.flag(kStayInside) ? Result<MultiPolygon>{open} : groundAround(*task.request.field, job);
+    return task.request.settings.flag(kStayInside) ? Result<MultiPolygon>{open}
+                                                   : groundAround(*task.request.field, job);
 }
 
 }  // namespace
@@ -98,13 +102,16 @@ Result<Driven> driveStage(const DriveTask& task, std::optional<Duration> atMost,
         return std::unexpected(ground.error());
     }
     const auto fitting = std::make_shared<FittingWays>(*ground, machine, *travel);
-    const bool folds = machine.spec().implement.transportWidth && std::ranges::any_of(*places, &std::optional<RoutePlace>::has_value);
+    const bool folds = machine.spec().implement.transportWidth &&
+                       std::ranges::any_of(*places, &std::optional<RoutePlace>::has_value);
     const auto folded = folds ? std::make_shared<FittingWays>(*ground, machine.folded(), *travel) : fitting;
     GateWays gates;
-    RememberedWays ways{[&](const Pose& leaving, const Pose& arriving, const JobContext& part, SearchEffort effort) {
+    RememberedWays ways{[&](const Pose& leaving, const Pose& arriving, const JobContext& part,
+                            SearchEffort effort) {
         return (gates.leads(leaving, arriving) ? folded : fitting)->between(leaving, arriving, part, effort);
     }};
-    auto [legs, passedOver] = liftedOver(legsOf(task), field.passable(), machine, machine.spec().implement.length);
+    auto [legs, passedOver] =
+        liftedOver(legsOf(task), field.passable(), machine, machine.spec().implement.length);
     if (std::ranges::none_of(legs, &Leg::implementDown)) {
         return std::unexpected(nothingWorked(field));
     }
@@ -117,7 +124,8 @@ Result<Driven> driveStage(const DriveTask& task, std::optional<Duration> atMost,
     const PathOverLegs path{task, *ground, ways, chosen, *leftOnPurpose};
     auto driven = path.drive(legs, {}, atMost, job.part(0.0, 0.8));
     if (driven) {
-        driven = finishStage(task, *std::move(driven), std::move(legs), path, ways, *ground, job.part(0.8, 1.0));
+        driven =
+            finishStage(task, *std::move(driven), std::move(legs), path, ways, *ground, job.part(0.8, 1.0));
     }
     if (driven) {
         std::ranges::move(gates.findings, std::back_inserter(driven->findings));

@@ -19,7 +19,8 @@ namespace furrow {
 
 namespace {
 
-// Short passes are added until no more than this is left: below the limits from which the audit blocks a plan.
+// Short passes are added until no more than this is left: below the limits from which the audit blocks a
+// plan.
 constexpr double kMayStayShare = 0.009;
 constexpr Area kMayStayInOnePiece = squareMetres(95.0);
 constexpr int kFinishingRounds = 6;
@@ -37,14 +38,15 @@ bool leavesTooMuch(const Driven& driven) {
 std::vector<HeadlandPass> leadingOutside(const Path& path, const std::vector<HeadlandPass>& passes) {
     std::vector<HeadlandPass> outside;
     const auto begins = [](const PathSegment* segment, const HeadlandPass& pass) {
-        return segment != nullptr && distance(segment->samples.front().position, pass.stretches.front().line.start.position) < kMeetM;
+        return segment != nullptr && distance(segment->samples.front().position,
+                                              pass.stretches.front().line.start.position) < kMeetM;
     };
     for (const HeadlandPass& pass : passes) {
         const auto isOutside = [&](std::size_t i) {
             const PathSegment& segment = path.segments[i];
             return !segment.drivable &&
-                   (begins(&segment, pass) ||
-                    (!segment.implementDown && (begins(path.workBefore(i), pass) || begins(path.workAfter(i), pass))));
+                   (begins(&segment, pass) || (!segment.implementDown && (begins(path.workBefore(i), pass) ||
+                                                                          begins(path.workAfter(i), pass))));
         };
         if (std::ranges::any_of(std::views::iota(std::size_t{0}, path.segments.size()), isOutside)) {
             outside.push_back(pass);
@@ -61,20 +63,24 @@ bool mayFinish(const DriveTask& task) {
 }
 
 /// Passes on full lock, for machines that cannot reverse.
-Result<std::optional<FullLockPasses>> fullLockPasses(const DriveTask& task, const Rig& lowered, const std::vector<Leg>& legs,
-                                                     RememberedWays& ways, const MultiPolygon& ground, const JobContext& job) {
+Result<std::optional<FullLockPasses>> fullLockPasses(const DriveTask& task, const Rig& lowered,
+                                                     const std::vector<Leg>& legs, RememberedWays& ways,
+                                                     const MultiPolygon& ground, const JobContext& job) {
     const Machine& machine = task.request.machine;
     if (canReverse(machine) || machine.spec().tractor.canTurnInPlace) {
         return std::optional<FullLockPasses>{};
     }
-    return FullLockPasses::of(ground, lowered, [&legs, &ways, job](const Curve& line) { return placeFor(line, legs, ways, job).access; }, job)
+    return FullLockPasses::of(
+               ground, lowered,
+               [&legs, &ways, job](const Curve& line) { return placeFor(line, legs, ways, job).access; }, job)
         .transform([](FullLockPasses&& made) { return std::optional{std::move(made)}; });
 }
 
 }  // namespace
 
-Result<Driven> finishStage(const DriveTask& task, Driven driven, std::vector<Leg> legs, const PathOverLegs& path,
-                           RememberedWays& ways, const MultiPolygon& ground, const JobContext& job) {
+Result<Driven> finishStage(const DriveTask& task, Driven driven, std::vector<Leg> legs,
+                           const PathOverLegs& path, RememberedWays& ways, const MultiPolygon& ground,
+                           const JobContext& job) {
     if (!mayFinish(task) || !leavesTooMuch(driven)) {
         return driven;
     }
@@ -85,7 +91,8 @@ Result<Driven> finishStage(const DriveTask& task, Driven driven, std::vector<Leg
     }
     const MultiPolygon& workable = task.request.field->workable();
     const Length margin = task.ground.margin;
-    const auto land = margin > Length{} ? eroded(workable, margin, kArcTolerance, job) : Result<MultiPolygon>{workable};
+    const auto land =
+        margin > Length{} ? eroded(workable, margin, kArcTolerance, job) : Result<MultiPolygon>{workable};
     if (!land) {
         return std::unexpected(land.error());
     }
@@ -93,7 +100,8 @@ Result<Driven> finishStage(const DriveTask& task, Driven driven, std::vector<Leg
     const auto refuse = [&refused](const HeadlandPass& pass) { refused.push_back(pass.stretches.front()); };
     for (int round = 0; round < kFinishingRounds && leavesTooMuch(driven); ++round) {
         Stopwatch watch;
-        const JobContext part = job.part(static_cast<double>(round) / kFinishingRounds, (round + 1.0) / kFinishingRounds);
+        const JobContext part =
+            job.part(static_cast<double>(round) / kFinishingRounds, (round + 1.0) / kFinishingRounds);
         const Area hairs = driven.audit.left - area(driven.audit.leftAreas);
         const auto passes = finishingPasses({.workable = *land,
                                              .left = driven.audit.leftAreas,
@@ -124,7 +132,8 @@ Result<Driven> finishStage(const DriveTask& task, Driven driven, std::vector<Leg
         }
         finished->driving += driven.driving;
         finished->auditing += driven.auditing;
-        if (blockingCount(finished->findings) > blockingCount(driven.findings) || outsideIn(*finished) > outsideIn(driven)) {
+        if (blockingCount(finished->findings) > blockingCount(driven.findings) ||
+            outsideIn(*finished) > outsideIn(driven)) {
             const std::vector<HeadlandPass> outside = leadingOutside(finished->path, more.put);
             if (outside.empty()) {
                 break;

@@ -4,13 +4,14 @@
 
 namespace furrow {
 
-/// Where more is left than may stay, short passes over it, if the plan gets better by them. A pass that has no way in is
-/// replaced by others in another round.
+/// Where more is left than may stay, short passes over it, if the plan gets better by them. A pass that has
+/// no way in is replaced by others in another round.
 ///
 /// @param driven  over these legs
 /// @param ground  where ways may lead, gates open
 /// Cancelled.
-Result<Driven> finishStage(const DriveTask& task, Driven driven, std::vector<Leg> legs, const PathOverLegs& path,
-                           RememberedWays& ways, const MultiPolygon& ground, const JobContext& job);
+Result<Driven> finishStage(const DriveTask& task, Driven driven, std::vector<Leg> legs,
+                           const PathOverLegs& path, RememberedWays& ways, const MultiPolygon& ground,
+                           const JobContext& job);
 
 }  // namespace furrow

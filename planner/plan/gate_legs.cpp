@@ -11,11 +11,12 @@ GateWays addGateWays(std::vector<Leg>& legs, const RouteEnds& places, const Fiel
         return place.gate && !place.gate->name.empty() ? Message{place.gate->name} : Message{"this place"};
     };
     const auto tell = [&](const RoutePlace& place, Message text) {
-        gates.findings.push_back({.severity = Severity::Blocking,
-                                  .kind = FindingKind::Gate,
-                                  .place = place.position,
-                                  .text = std::move(text),
-                                  .suggestion = place.gate ? "Make the gate wider, or take another." : "Choose another place."});
+        gates.findings.push_back(
+            {.severity = Severity::Blocking,
+             .kind = FindingKind::Gate,
+             .place = place.position,
+             .text = std::move(text),
+             .suggestion = place.gate ? "Make the gate wider, or take another." : "Choose another place."});
     };
     const Length width = rig.machine().transportWidth();
     const auto isNarrow = [&](const RoutePlace& place) {

@@ -13,8 +13,8 @@ namespace furrow {
 
 /// The ways in and out. On them, and on the ways from and to them, the implement is folded.
 struct GateWays {
-    std::optional<Pose> in;   ///< where the way in ends
-    std::optional<Pose> out;  ///< where the way out begins
+    std::optional<Pose> in;         ///< where the way in ends
+    std::optional<Pose> out;        ///< where the way out begins
     std::vector<Finding> findings;  ///< where there is none, and why
 
     bool leads(const Pose& leaving, const Pose& arriving) const { return leaving == in || arriving == out; }

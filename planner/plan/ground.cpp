@@ -47,10 +47,10 @@ Result<void> checkThatItFits(const Field& field, const Machine& machine, Length 
     Message what;
     if (room->empty()) {
         what = message("the field is nowhere as wide as the machine ({:.2f} m{})",
-                           std::min(width, length).si(), withMargin);
+                       std::min(width, length).si(), withMargin);
     } else if (!mayHoldLine(*room, std::max(width, length) - std::min(width, length))) {
         what = message("the machine ({:.2f} m wide, {:.2f} m long{}) fits nowhere into the field", width.si(),
-                           length.si(), withMargin);
+                       length.si(), withMargin);
     } else {
         return {};
     }
@@ -72,7 +72,9 @@ Result<Ground> groundOf(const PlanRequest& request, const JobContext& job) {
     if (auto fits = checkThatItFits(field, request.machine, margin, job); !fits) {
         return std::unexpected(fits.error());
     }
-    return drivableArea(field, margin, job).transform([&](MultiPolygon&& drivable) { return Ground{margin, std::move(drivable)}; });
+    return drivableArea(field, margin, job).transform([&](MultiPolygon&& drivable) {
+        return Ground{margin, std::move(drivable)};
+    });
 }
 
 }  // namespace furrow

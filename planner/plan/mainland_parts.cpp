@@ -36,7 +36,8 @@ SwathSet setOf(const SwathSet& all, const MainlandPart& part) {
     return set;
 }
 
-Result<SwathSet> swathsByMethod(const PlanRequest& request, const MultiPolygon& mainland, const JobContext& job) {
+Result<SwathSet> swathsByMethod(const PlanRequest& request, const MultiPolygon& mainland,
+                                const JobContext& job) {
     return swathMethod(request.settings)({.field = *request.field,
                                           .mainland = mainland,
                                           .machine = request.machine,

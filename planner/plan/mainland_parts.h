@@ -26,6 +26,7 @@ private:
 SwathSet setOf(const SwathSet& all, const MainlandPart& part);
 
 /// Of the chosen swath method. Errors: those of the method.
-Result<SwathSet> swathsByMethod(const PlanRequest& request, const MultiPolygon& mainland, const JobContext& job);
+Result<SwathSet> swathsByMethod(const PlanRequest& request, const MultiPolygon& mainland,
+                                const JobContext& job);
 
 }  // namespace furrow

@@ -1,9 +1,9 @@
 #include "planner/plan/method_registry.h"
 
 #include "planner/headland/methods.h"
+#include "planner/path/gate_ways.h"
 #include "planner/plan/general_parameters.h"
 #include "planner/plan/round_stage.h"
-#include "planner/path/gate_ways.h"
 #include "planner/route/methods.h"
 #include "planner/settings/operation.h"
 #include "planner/settings/traversal.h"
@@ -27,7 +27,8 @@ namespace {
 // The methods of each stage, the default first. A new method is one more line here.
 constexpr std::array kHeadlandMethods{
     &kConstantWidthMethod,
-    &kPerEdgeMethod, &kNoHeadlandMethod,
+    &kPerEdgeMethod,
+    &kNoHeadlandMethod,
 };
 constexpr std::array kSwathMethods{
     &kExactMethod,
@@ -51,13 +52,8 @@ constexpr std::array kDecompositionMethods{
     &kOnePieceMethod,
 };
 constexpr std::array kRouteMethods{
-    &kOptimisedMethod,
-    &kBoustrophedonMethod,
-    &kSnakeMethod,
-    &kSpiralMethod,
-    &kSkipMethod,
-    &kRacetrackMethod,
-    &kCustomMethod,
+    &kOptimisedMethod, &kBoustrophedonMethod, &kSnakeMethod,  &kSpiralMethod,
+    &kSkipMethod,      &kRacetrackMethod,     &kCustomMethod,
 };
 constexpr std::array kTurnMethods{
     &kBestFeasibleMethod,
@@ -77,8 +73,8 @@ constexpr std::array kTurnMethods{
 };
 
 // Parameters that every method of a stage reads.
-constexpr std::array<const Parameter*, 7> kSwathParameters{&kEnds,          &kOverlap,       &kLastPass,  &kMinLength,
-                                                           &kTramlineEvery, &kTramlineStart, &kRoundUpTo};
+constexpr std::array<const Parameter*, 7> kSwathParameters{
+    &kEnds, &kOverlap, &kLastPass, &kMinLength, &kTramlineEvery, &kTramlineStart, &kRoundUpTo};
 constexpr std::array<const Parameter*, 2> kCellParameters{&kSplit, &kCellHeading};
 constexpr std::array<const Parameter*, 3> kRouteParameters{&kTraversal, &kRouteStart, &kRouteEnd};
 constexpr std::array<const Parameter*, 1> kPathParameters{&kStayInside};
@@ -137,12 +133,8 @@ struct Registry {
                              "Cells",
                              "How the mainland is divided; the swaths of a cell are driven together.",
                              kCellParameters};
-    StageEntry route{kRouteMethods,
-                     "route",
-                     "Route",
-                     "route.method",
-                     "Order",
-                     "In which order the swaths are driven.",
+    StageEntry route{kRouteMethods,   "route", "Route",
+                     "route.method",  "Order", "In which order the swaths are driven.",
                      kRouteParameters};
     StageEntry path{kTurnMethods,   "path", "Turns",
                     "path.method",  "Turn", "How the machine gets from one swath to the next.",

@@ -20,9 +20,8 @@ Result<Ordered> orderStage(const PlanRequest& request, const LaidSwaths& laid, c
         }
         cell.outline = *std::move(outline);
     }
-    return routeMethod(request.settings)(routeTask(request, laid.swaths, *cells), job.part(0.4, 1.0)).transform([&](Route&& route) {
-        return Ordered{*std::move(cells), std::move(route)};
-    });
+    return routeMethod(request.settings)(routeTask(request, laid.swaths, *cells), job.part(0.4, 1.0))
+        .transform([&](Route&& route) { return Ordered{*std::move(cells), std::move(route)}; });
 }
 
 RouteTask routeTask(const PlanRequest& request, const SwathSet& swaths, const Decomposition& cells) {

@@ -60,8 +60,14 @@ void append(MultiPolygon& all, const MultiPolygon& more) {
 class HeadingChooser {
 public:
     HeadingChooser(const PlanRequest& request, const MultiPolygon& mainland, const SwathSet& common,
-                   const std::vector<MultiPolygon>& pieces, const EndsDrawnOut& withEnds, const JobContext& job)
-        : request_{request}, mainland_{mainland}, common_{common}, pieces_{pieces}, withEnds_{withEnds}, job_{job} {}
+                   const std::vector<MultiPolygon>& pieces, const EndsDrawnOut& withEnds,
+                   const JobContext& job)
+        : request_{request},
+          mainland_{mainland},
+          common_{common},
+          pieces_{pieces},
+          withEnds_{withEnds},
+          job_{job} {}
 
     Result<LaidSwaths> chosen() {
         if (auto divided = divide(); !divided) {
@@ -94,8 +100,11 @@ private:
     Result<void> divide() {
         for (std::size_t piece = 0; piece < pieces_.size(); ++piece) {
             const SwathSet inside = pieces_.size() == 1 ? common_ : cutTo(common_, pieces_[piece]);
-            const auto cells = decompositionMethod(request_.settings)(
-                {.mainland = pieces_[piece], .swaths = inside, .machine = request_.machine, .settings = request_.settings}, job_);
+            const auto cells = decompositionMethod(request_.settings)({.mainland = pieces_[piece],
+                                                                       .swaths = inside,
+                                                                       .machine = request_.machine,
+                                                                       .settings = request_.settings},
+                                                                      job_);
             if (!cells) {
                 return std::unexpected(cells.error());
             }
@@ -115,7 +124,8 @@ private:
     std::vector<std::size_t> largestFirst() const {
         std::vector<std::size_t> order(cells_.size());
         std::iota(order.begin(), order.end(), std::size_t{0});
-        std::ranges::stable_sort(order, std::ranges::greater{}, [this](std::size_t cell) { return area(cells_[cell].outline); });
+        std::ranges::stable_sort(order, std::ranges::greater{},
+                                 [this](std::size_t cell) { return area(cells_[cell].outline); });
         return order;
     }
 
@@ -125,8 +135,8 @@ private:
         double coverage = 0.0;
     };
 
-    /// With a heading of its own for one more cell; nothing where that is not worth it. `before` becomes that of what is
-    /// kept.
+    /// With a heading of its own for one more cell; nothing where that is not worth it. `before` becomes that
+    /// of what is kept.
     Result<std::optional<LaidSwaths>> tried(std::size_t cell, Estimate& before) {
         if (cells_[cell].swaths.swaths.empty()) {
             return std::optional<LaidSwaths>{};
@@ -142,7 +152,8 @@ private:
         if (!swaths || swaths->swaths.empty() || isCommon(swaths->heading)) {
             return std::optional<LaidSwaths>{};
         }
-        const Duration working = seconds(lengthM(cells_[cell].swaths) / request_.machine.spec().tractor.workingSpeed.si());
+        const Duration working =
+            seconds(lengthM(cells_[cell].swaths) / request_.machine.spec().tractor.workingSpeed.si());
         isOwn_[cell] = true;
         own_.push_back({std::move(*land), std::move(*swaths)});
         auto with = laid();
@@ -150,7 +161,8 @@ private:
         if (!takes) {
             return std::unexpected(takes.error());
         }
-        if (takes->time < before.time - kWorthwhile * working && takes->coverage > before.coverage - kMostLost) {
+        if (takes->time < before.time - kWorthwhile * working &&
+            takes->coverage > before.coverage - kMostLost) {
             before = *takes;
             return std::optional{std::move(*with)};
         }
@@ -193,7 +205,9 @@ private:
             })
             .transform([this](MultiPolygon land) {
                 const double widthM = request_.machine.operatingWidth().si();
-                std::erase_if(land, [&](const Polygon& piece) { return area(piece).si() < kSmallPiece * widthM * widthM; });
+                std::erase_if(land, [&](const Polygon& piece) {
+                    return area(piece).si() < kSmallPiece * widthM * widthM;
+                });
                 return land;
             });
     }
@@ -205,7 +219,8 @@ private:
             append(taken, own.outline);
         }
         const auto rest = [&](const MultiPolygon& polygons) {
-            return taken.empty() || polygons.empty() ? Result<MultiPolygon>{polygons} : difference(polygons, taken, job_, kSnapGrid);
+            return taken.empty() || polygons.empty() ? Result<MultiPolygon>{polygons}
+                                                     : difference(polygons, taken, job_, kSnapGrid);
         };
         for (std::size_t piece = 0; piece < pieces_.size(); ++piece) {
             auto outline = rest(pieces_[piece]);
@@ -276,7 +291,8 @@ private:
         }
         const double missedM = (1.0 - covered->share) * area(mainland_).si() / machine.operatingWidth().si();
         const double workedM = drawn.swaths.totalLength.si() + kPiecemealFactor * missedM;
-        return Estimate{.time = turning + seconds(workedM / machine.spec().tractor.workingSpeed.si()), .coverage = covered->share};
+        return Estimate{.time = turning + seconds(workedM / machine.spec().tractor.workingSpeed.si()),
+                        .coverage = covered->share};
     }
 
     const PlanRequest& request_;
@@ -292,8 +308,9 @@ private:
 
 }  // namespace
 
-Result<LaidSwaths> withOwnHeadings(const PlanRequest& request, const MultiPolygon& mainland, const SwathSet& common,
-                                   const std::vector<MultiPolygon>& pieces, const EndsDrawnOut& withEnds, const JobContext& job) {
+Result<LaidSwaths> withOwnHeadings(const PlanRequest& request, const MultiPolygon& mainland,
+                                   const SwathSet& common, const std::vector<MultiPolygon>& pieces,
+                                   const EndsDrawnOut& withEnds, const JobContext& job) {
     return HeadingChooser{request, mainland, common, pieces, withEnds, job}.chosen();
 }
 

@@ -22,13 +22,14 @@ namespace {
 
 /// Never told: a quicker plan is there.
 Error tooSlow(const Field& field) {
-    return {.code = ErrorCode::InputRefused, .what = "the path takes longer than another", .where = field.name()};
+    return {
+        .code = ErrorCode::InputRefused, .what = "the path takes longer than another", .where = field.name()};
 }
 
 }  // namespace
 
-PathOverLegs::PathOverLegs(const DriveTask& task, const MultiPolygon& ground, RememberedWays& ways, const ChosenTurns& chosen,
-                           const MultiPolygon& leftOnPurpose)
+PathOverLegs::PathOverLegs(const DriveTask& task, const MultiPolygon& ground, RememberedWays& ways,
+                           const ChosenTurns& chosen, const MultiPolygon& leftOnPurpose)
     : task_{task}, ground_{ground}, ways_{ways}, chosen_{chosen}, leftOnPurpose_{leftOnPurpose} {}
 
 Result<Path> PathOverLegs::joined(std::vector<Leg>& legs, const JobContext& job) const {
@@ -60,11 +61,13 @@ Result<Path> PathOverLegs::joined(std::vector<Leg>& legs, const JobContext& job)
     if (!parts) {
         return std::unexpected(parts.error());
     }
-    legs = withWaysBetween(partByPart(std::move(legs), *parts), ways_, Rig{ground_, machine, ImplementAt::Lowered}, *parts, job);
+    legs = withWaysBetween(partByPart(std::move(legs), *parts), ways_,
+                           Rig{ground_, machine, ImplementAt::Lowered}, *parts, job);
     return build(job.part(0.75, 1.0));
 }
 
-Result<std::vector<Finding>> PathOverLegs::foundIn(Path& path, const std::vector<Leg>& legs, const JobContext& job) const {
+Result<std::vector<Finding>> PathOverLegs::foundIn(Path& path, const std::vector<Leg>& legs,
+                                                   const JobContext& job) const {
     std::vector<Finding> findings;
     if (task_.request.settings.flag(kStayInside)) {
         auto checked = checkWays(path, ground_, task_.request.machine, job);
@@ -82,8 +85,8 @@ Result<std::vector<Finding>> PathOverLegs::foundIn(Path& path, const std::vector
     return findings;
 }
 
-Result<Driven> PathOverLegs::drive(std::vector<Leg>& legs, std::vector<HeadlandPass> finishing, std::optional<Duration> atMost,
-                                   const JobContext& job) const {
+Result<Driven> PathOverLegs::drive(std::vector<Leg>& legs, std::vector<HeadlandPass> finishing,
+                                   std::optional<Duration> atMost, const JobContext& job) const {
     Stopwatch watch;
     auto path = joined(legs, job.part(0.0, 0.4));
     if (!path) {
@@ -120,7 +123,8 @@ Result<Driven> PathOverLegs::drive(std::vector<Leg>& legs, std::vector<HeadlandP
         return std::unexpected(report.error());
     }
     driven.audit = *std::move(report);
-    std::ranges::move(newFindings(driven.audit, driven.findings, driven.path), std::back_inserter(driven.findings));
+    std::ranges::move(newFindings(driven.audit, driven.findings, driven.path),
+                      std::back_inserter(driven.findings));
     driven.auditing = watch.lap();
     return driven;
 }

@@ -25,21 +25,22 @@ class PathOverLegs {
 public:
     /// @param ground         where ways may lead, gates open
     /// @param leftOnPurpose  for the audit
-    PathOverLegs(const DriveTask& task, const MultiPolygon& ground, RememberedWays& ways, const ChosenTurns& chosen,
-                 const MultiPolygon& leftOnPurpose);
+    PathOverLegs(const DriveTask& task, const MultiPolygon& ground, RememberedWays& ways,
+                 const ChosenTurns& chosen, const MultiPolygon& leftOnPurpose);
 
-    /// The path over these legs with what is found along it. Where no way leads from one leg to the next they are put in
-    /// another order.
+    /// The path over these legs with what is found along it. Where no way leads from one leg to the next they
+    /// are put in another order.
     ///
     /// @param finishing  passes among the legs that the headland does not have
     /// @param atMost     InputRefused for a path that takes longer, before its audit
     /// Cancelled.
-    Result<Driven> drive(std::vector<Leg>& legs, std::vector<HeadlandPass> finishing, std::optional<Duration> atMost,
-                         const JobContext& job) const;
+    Result<Driven> drive(std::vector<Leg>& legs, std::vector<HeadlandPass> finishing,
+                         std::optional<Duration> atMost, const JobContext& job) const;
 
 private:
     Result<Path> joined(std::vector<Leg>& legs, const JobContext& job) const;
-    Result<std::vector<Finding>> foundIn(Path& path, const std::vector<Leg>& legs, const JobContext& job) const;
+    Result<std::vector<Finding>> foundIn(Path& path, const std::vector<Leg>& legs,
+                                         const JobContext& job) const;
 
     const DriveTask& task_;
     const MultiPolygon& ground_;

@@ -18,12 +18,13 @@ void addNotes(Plan& plan) {
     const Point middle = field.frame().toLocal(middleOf(field.source().parts));
     const auto add = [&](const std::vector<Note>& notes, FindingKind kind) {
         for (const Note& note : notes) {
-            plan.findings.push_back({.severity = Severity::Note,
-                                     .kind = kind,
-                                     .place = note.place ? field.frame().toLocal(*note.place) : middle,
-                                     .text = message("{}.", note.text.capitalised()),
-                                     .suggestion = "",
-                                     .setting = kind == FindingKind::Setting ? note.where.text() : std::string{}});
+            plan.findings.push_back(
+                {.severity = Severity::Note,
+                 .kind = kind,
+                 .place = note.place ? field.frame().toLocal(*note.place) : middle,
+                 .text = message("{}.", note.text.capitalised()),
+                 .suggestion = "",
+                 .setting = kind == FindingKind::Setting ? note.where.text() : std::string{}});
         }
     };
     add(plan.notes, FindingKind::Instead);
@@ -87,7 +88,8 @@ AuditInput auditInput(const Plan& plan) {
                        .leftOnPurpose = plan.leftOnPurpose});
 }
 
-Result<std::shared_ptr<const Plan>> makePlan(const PlanRequest& request, const JobContext& job, StageCache* cache) {
+Result<std::shared_ptr<const Plan>> makePlan(const PlanRequest& request, const JobContext& job,
+                                             StageCache* cache) {
     Stopwatch watch;
     StageCache ownCache;
     StageRunner runner{cache != nullptr ? *cache : ownCache};

@@ -10,8 +10,8 @@ struct Plan {
     PlanRequest request;
     Length margin;  ///< as used: the setting, or the boundary's accuracy
     Headland headland;
-    /// Land that may be driven on and is not worked on purpose: wet spots, what is passed over with them, alleys, gaps.
-    /// The margin is not in it.
+    /// Land that may be driven on and is not worked on purpose: wet spots, what is passed over with them,
+    /// alleys, gaps. The margin is not in it.
     MultiPolygon leftOnPurpose;
     SwathSet swaths;
     Decomposition cells;
@@ -20,8 +20,8 @@ struct Plan {
     AuditReport audit;
     /// Of the planner and the audit; what both found is told once.
     std::vector<Finding> findings;
-    /// What was used where the quickest was asked for, or a choice that promises time and is slower here; the latter with
-    /// a note.
+    /// What was used where the quickest was asked for, or a choice that promises time and is slower here; the
+    /// latter with a note.
     std::vector<SettingChange> instead;
     std::vector<Note> notes;
     StageTimings timings;
@@ -34,11 +34,12 @@ struct Plan {
 /// What the audit reads of a plan. Points into it: the plan must outlive it.
 AuditInput auditInput(const Plan& plan);
 
-/// Plans a field: headland, swaths, cells and route, path, audit, in this order; choices that promise time are compared
-/// with simpler ones (quickestChoice).
+/// Plans a field: headland, swaths, cells and route, path, audit, in this order; choices that promise time
+/// are compared with simpler ones (quickestChoice).
 ///
 /// @param cache  of plans before this one; the plan is the same without
 /// Errors: those of the stages; InputRefused where the machine fits nowhere in the field. Cancelled.
-Result<std::shared_ptr<const Plan>> makePlan(const PlanRequest& request, const JobContext& job = {}, StageCache* cache = nullptr);
+Result<std::shared_ptr<const Plan>> makePlan(const PlanRequest& request, const JobContext& job = {},
+                                             StageCache* cache = nullptr);
 
 }  // namespace furrow

@@ -6,8 +6,8 @@
 
 namespace furrow {
 
-/// The segment of the path that is nearest to a place within reach, a later one over an earlier. Cost: O(n) for n
-/// samples.
+/// The segment of the path that is nearest to a place within reach, a later one over an earlier. Cost: O(n)
+/// for n samples.
 std::optional<std::size_t> segmentAt(const Plan& plan, Point place, Length reach);
 
 /// The cell around a place; nothing outside of all of them.

@@ -22,7 +22,8 @@ struct PlanRequest {
 
 /// Field, machine and guides are the same.
 inline bool isSameButSettings(const PlanRequest& a, const PlanRequest& b) {
-    return (a.field == b.field || a.field->source() == b.field->source()) && a.machine == b.machine && a.guides == b.guides;
+    return (a.field == b.field || a.field->source() == b.field->source()) && a.machine == b.machine &&
+           a.guides == b.guides;
 }
 
 }  // namespace furrow

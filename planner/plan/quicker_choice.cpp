@@ -66,8 +66,8 @@ Message reasonFor(const PlannedStages& better, const PlannedStages& other) {
 }
 
 Message takenInstead(const Parameter& parameter, const SimplerChoice& choice, const Message& reason) {
-    return message("\"{}\": \"{}\" is planned instead of \"{}\": {}", parameter.name, choiceName(parameter, choice.simpler),
-                   choiceName(parameter, choice.chosen), reason);
+    return message("\"{}\": \"{}\" is planned instead of \"{}\": {}", parameter.name,
+                   choiceName(parameter, choice.simpler), choiceName(parameter, choice.chosen), reason);
 }
 
 PlanRequest along(PlanRequest request, Angle heading) {
@@ -76,8 +76,8 @@ PlanRequest along(PlanRequest request, Angle heading) {
     return request;
 }
 
-/// Headings that a search by time found, other than the one it took: along the longest edge, which estimates and turns as
-/// driven may tell apart otherwise; more of them where the plan cannot be driven.
+/// Headings that a search by time found, other than the one it took: along the longest edge, which estimates
+/// and turns as driven may tell apart otherwise; more of them where the plan cannot be driven.
 std::vector<HeadingCandidate> headingsToTry(const PlannedStages& plan) {
     const SwathSet& swaths = plan.laidOut.laid->swaths;
     std::vector<HeadingCandidate> headings;
@@ -92,7 +92,8 @@ std::vector<HeadingCandidate> headingsToTry(const PlannedStages& plan) {
 
 Message anotherHeading(const HeadingCandidate& taken, const Message& reason) {
     const Message line = taken.alongLongestEdge ? Message{"Swaths along the longest edge"}
-                                                : message("Swaths at a bearing of {:.1f} degrees", lineBearingDeg(taken.heading));
+                                                : message("Swaths at a bearing of {:.1f} degrees",
+                                                          lineBearingDeg(taken.heading));
     return message("{} are planned instead of the heading with the best estimate: {}", line, reason);
 }
 
@@ -107,8 +108,8 @@ bool hasOwnOrder(const Settings& settings) {
 
 /// The best plan so far.
 struct Best {
-    PlanRequest asked;    ///< before anything was decided
-    PlannedStages plan;   ///< whose request has all that was decided
+    PlanRequest asked;                            ///< before anything was decided
+    PlannedStages plan;                           ///< whose request has all that was decided
     std::vector<HeadingCandidate> headings = {};  ///< of the search
     std::vector<SettingChange> instead = {};
     std::vector<Note> notes = {};
@@ -136,10 +137,11 @@ private:
     JobContext quiet_;
 };
 
-/// Takes the plan with other settings where it is better as driven: whether it did. One that cannot be made is no better.
-/// Cancelled.
+/// Takes the plan with other settings where it is better as driven: whether it did. One that cannot be made
+/// is no better. Cancelled.
 Result<bool> Chooser::takeIfBetter(Best& best, const PlanRequest& other) {
-    auto plan = runner_.run(other, best.plan.drivable() ? std::optional{timeOf(best.plan)} : std::nullopt, quiet_);
+    auto plan =
+        runner_.run(other, best.plan.drivable() ? std::optional{timeOf(best.plan)} : std::nullopt, quiet_);
     if (isCancelled(plan)) {
         return std::unexpected(plan.error());
     }
@@ -152,7 +154,8 @@ Result<bool> Chooser::takeIfBetter(Best& best, const PlanRequest& other) {
 
 /// Those that reach into corners are worth it where the plan can be driven.
 Result<void> Chooser::tryCorners(Best& best) {
-    if (best.plan.request.settings.choice(kHeadlandCorner) != kQuickestCorner || best.plan.laidOut.headland->rings.empty()) {
+    if (best.plan.request.settings.choice(kHeadlandCorner) != kQuickestCorner ||
+        best.plan.laidOut.headland->rings.empty()) {
         return {};
     }
     std::string_view corner = kRoundedCorner;
@@ -227,7 +230,8 @@ Result<void> Chooser::tryPattern(Best& best, const PlanRequest& pattern, Duratio
 }
 
 /// Takes the plan along another heading, with its own order and corners, where that is quicker. Cancelled.
-Result<void> Chooser::tryHeading(Best& best, const HeadingCandidate& candidate, std::optional<Duration> atMost) {
+Result<void> Chooser::tryHeading(Best& best, const HeadingCandidate& candidate,
+                                 std::optional<Duration> atMost) {
     auto plan = runner_.run(along(best.asked, candidate.heading), atMost, quiet_);
     if (!plan) {
         return isCancelled(plan) ? Result<void>{std::unexpected(plan.error())} : Result<void>{};
@@ -279,7 +283,8 @@ Result<void> Chooser::trySimpler(Best& best, const SimplerChoice& choice) {
     if (!isBetter(other->plan, best.plan)) {
         return {};
     }
-    other->notes.push_back({takenInstead(parameter, choice, reasonFor(other->plan, best.plan)), "instead", {}});
+    other->notes.push_back(
+        {takenInstead(parameter, choice, reasonFor(other->plan, best.plan)), "instead", {}});
     other->instead.push_back({std::string{choice.key}, std::string{choice.simpler}});
     std::ranges::copy_if(best.instead, std::back_inserter(other->instead), [](const SettingChange& change) {
         return std::ranges::contains(kSimplerChoices, change.key, &SimplerChoice::key);
@@ -295,7 +300,8 @@ Duration timeForAll(const Machine& machine, const Path& path, const AuditReport&
     return path.duration() + seconds(missedM / machine.spec().tractor.workingSpeed.si());
 }
 
-Result<QuickestChoice> quickestChoice(const PlanRequest& request, StageRunner& runner, const JobContext& job) {
+Result<QuickestChoice> quickestChoice(const PlanRequest& request, StageRunner& runner,
+                                      const JobContext& job) {
     Chooser chooser{runner, job};
     auto best = chooser.improved(request, job);
     if (!best) {
@@ -308,7 +314,8 @@ Result<QuickestChoice> quickestChoice(const PlanRequest& request, StageRunner& r
         }
     }
     return tried.transform([&] {
-        return QuickestChoice{std::move(best->plan), std::move(best->instead), std::move(best->notes), std::move(best->headings)};
+        return QuickestChoice{std::move(best->plan), std::move(best->instead), std::move(best->notes),
+                              std::move(best->headings)};
     });
 }
 

@@ -12,22 +12,28 @@ struct QuickestChoice {
     std::vector<HeadingCandidate> headings;  ///< of the search, of which one was taken
 };
 
-/// The plan as asked, with what is left to the planner, and what promises time, decided by the time of the driven path:
-/// what one plan leaves and the other does not counts as worked by itself; a plan with fewer blocking findings comes first.
+/// The plan as asked, with what is left to the planner, and what promises time, decided by the time of the
+/// driven path: what one plan leaves and the other does not counts as worked by itself; a plan with fewer
+/// blocking findings comes first.
 ///
-/// - Heading, of searches by time: along the longest edge as well; where the plan cannot be driven, other headings that
+/// - Heading, of searches by time: along the longest edge as well; where the plan cannot be driven, other
+/// headings that
 ///   the search found, too.
-/// - Order, of `route.method=optimised`: boustrophedon and snake, where their turns are about as quick by the estimate.
-/// - Corners, of `headland.corner=quickest`: those that reach into the corners of the headland, of drivable plans.
-/// - `headland.method=per-edge` and `decomposition.heading=per-cell`: one width all round, one heading for all cells, each
+/// - Order, of `route.method=optimised`: boustrophedon and snake, where their turns are about as quick by the
+/// estimate.
+/// - Corners, of `headland.corner=quickest`: those that reach into the corners of the headland, of drivable
+/// plans.
+/// - `headland.method=per-edge` and `decomposition.heading=per-cell`: one width all round, one heading for
+/// all cells, each
 ///   with all of the above. An order of one's own keeps its swaths.
 ///
-/// What was taken stands in Plan::instead; a note says so, but for orders and corners, of which none was asked for.
-/// Cost: a plan for each; those that are slower are not audited. Errors: of the plan as asked. Cancelled.
+/// What was taken stands in Plan::instead; a note says so, but for orders and corners, of which none was
+/// asked for. Cost: a plan for each; those that are slower are not audited. Errors: of the plan as asked.
+/// Cancelled.
 Result<QuickestChoice> quickestChoice(const PlanRequest& request, StageRunner& runner, const JobContext& job);
 
-/// Seconds: the driven path, and what it leaves within the field worked by itself. Areas that are left on purpose cost
-/// nothing.
+/// Seconds: the driven path, and what it leaves within the field worked by itself. Areas that are left on
+/// purpose cost nothing.
 Duration timeForAll(const Machine& machine, const Path& path, const AuditReport& audit);
 
 }  // namespace furrow

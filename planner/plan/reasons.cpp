@@ -44,13 +44,15 @@ const Parameter* swathSetting(const Settings& settings) {
 
 Message tooNarrow(const Plan& plan) {
     if (const Parameter* const swaths = swathSetting(plan.request.settings)) {
-        return message("The field is too narrow for this machine to turn in: take a smaller machine, or let the swaths run along "
-                       "the field ({}).",
-                       swaths->key);
+        return message(
+            "The field is too narrow for this machine to turn in: take a smaller machine, or let the swaths run along "
+            "the field ({}).",
+            swaths->key);
     }
     if (plan.margin > Length{}) {
-        return message("The field is too narrow for this machine to turn in: take a smaller machine or a smaller margin ({}).",
-                       kMargin.key);
+        return message(
+            "The field is too narrow for this machine to turn in: take a smaller machine or a smaller margin ({}).",
+            kMargin.key);
     }
     return "The field is too narrow for this machine to turn in: take a smaller machine.";
 }
@@ -65,11 +67,12 @@ Message whyOutside(const Plan& plan) {
     if (plan.headland.passes == 0 && headland != nullptr) {
         return noHeadland(*headland);
     }
-    const Length room = plan.margin + roomForTurns(plan.request.machine, turnMethod(settings), settings.choice(kEnds) == "full");
+    const Length room = plan.margin + roomForTurns(plan.request.machine, turnMethod(settings),
+                                                   settings.choice(kEnds) == "full");
     if (!plan.headland.narrowed) {
         return headland != nullptr && plan.headland.width < room
-                   ? message("A turn of this machine needs {:.1f} m of headland; it is {:.1f} m ({}).", room.si(),
-                             plan.headland.width.si(), headland->key)
+                   ? message("A turn of this machine needs {:.1f} m of headland; it is {:.1f} m ({}).",
+                             room.si(), plan.headland.width.si(), headland->key)
                    : Message{};
     }
     return tooNarrow(plan);
@@ -86,7 +89,8 @@ bool isAtMainland(const Plan& plan, Point place) {
 Message whyMissed(const Plan& plan, Point place) {
     const Settings& settings = plan.request.settings;
     const Parameter& method = *stageMethod("swaths");
-    if (const Parameter* const headland = headlandSetting(settings); plan.headland.passes == 0 && headland != nullptr) {
+    if (const Parameter* const headland = headlandSetting(settings);
+        plan.headland.passes == 0 && headland != nullptr) {
         return noHeadland(*headland);
     }
     if (plan.headland.passes > 0 && !settings.flag(kHeadlandDriven)) {
@@ -96,10 +100,12 @@ Message whyMissed(const Plan& plan, Point place) {
         return message("The chosen swaths ({}) do not reach it.", method.key);
     }
     if (plan.headland.passes > 0 && !settings.flag(kStayInside)) {
-        return message("No passes finish what others leave where the machine may leave the field ({}).", kStayInside.key);
+        return message("No passes finish what others leave where the machine may leave the field ({}).",
+                       kStayInside.key);
     }
-    return settings.flag(kHeadlandFinish) ? Message{}
-                                          : message("No passes finish what others leave ({}).", kHeadlandFinish.key);
+    return settings.flag(kHeadlandFinish)
+               ? Message{}
+               : message("No passes finish what others leave ({}).", kHeadlandFinish.key);
 }
 
 }  // namespace

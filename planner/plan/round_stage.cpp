@@ -15,7 +15,8 @@ namespace furrow {
 
 namespace {
 
-// What any machine gets round with less work than a headland takes; wide ones get round what is as wide as they are.
+// What any machine gets round with less work than a headland takes; wide ones get round what is as wide as
+// they are.
 constexpr Length kSmallForAll = metres(1.5);
 // Passes along the mainland's edge swing out over it in bends.
 constexpr Length kSwing = metres(0.5);
@@ -42,7 +43,8 @@ Length roundUpTo(const Settings& settings, const Machine& machine) {
     return settings.length(kRoundUpTo).value_or(std::max(machine.operatingWidth(), kSmallForAll));
 }
 
-std::vector<Ring> insideMainland(const std::vector<Ring>& obstacles, const MultiPolygon& mainland, Length margin, const Machine& machine) {
+std::vector<Ring> insideMainland(const std::vector<Ring>& obstacles, const MultiPolygon& mainland,
+                                 Length margin, const Machine& machine) {
     std::vector<Ring> inside = obstacles;
     if (inside.empty()) {
         return inside;
@@ -51,12 +53,14 @@ std::vector<Ring> insideMainland(const std::vector<Ring>& obstacles, const Multi
     const MainlandEdges edges{mainland};
     const BoundaryDistance distance{mainland, clear};
     std::erase_if(inside, [&](const Ring& ring) {
-        return !std::ranges::all_of(ring, [&](Point point) { return edges.contains(point) && !distance.insideM(point); });
+        return !std::ranges::all_of(
+            ring, [&](Point point) { return edges.contains(point) && !distance.insideM(point); });
     });
     return inside;
 }
 
-Result<RoundedSwaths> roundStage(LaidSwaths laid, std::span<const Ring> obstacles, const LayTask& task, const JobContext& job) {
+Result<RoundedSwaths> roundStage(LaidSwaths laid, std::span<const Ring> obstacles, const LayTask& task,
+                                 const JobContext& job) {
     if (obstacles.empty()) {
         return RoundedSwaths{std::move(laid), {}};
     }
@@ -92,7 +96,8 @@ Result<RoundedSwaths> roundStage(LaidSwaths laid, std::span<const Ring> obstacle
     return RoundedSwaths{std::move(laid), {}};
 }
 
-Result<MultiPolygon> withoutGoneRound(const MultiPolygon& polygons, const SwathSet& swaths, const JobContext& job) {
+Result<MultiPolygon> withoutGoneRound(const MultiPolygon& polygons, const SwathSet& swaths,
+                                      const JobContext& job) {
     if (polygons.empty() || swaths.goneRound.empty()) {
         return polygons;
     }
@@ -101,8 +106,10 @@ Result<MultiPolygon> withoutGoneRound(const MultiPolygon& polygons, const SwathS
     return difference(polygons, outlines, job, kSnapGrid);
 }
 
-std::vector<Ring> awayFromBlocking(const SwathSet& swaths, std::span<const Finding> findings, const Machine& machine) {
-    const double nearM = (kNearRadii * machine.minTurningRadius() + kNearWidths * machine.operatingWidth()).si();
+std::vector<Ring> awayFromBlocking(const SwathSet& swaths, std::span<const Finding> findings,
+                                   const Machine& machine) {
+    const double nearM =
+        (kNearRadii * machine.minTurningRadius() + kNearWidths * machine.operatingWidth()).si();
     std::vector<Ring> away = swaths.goneRound;
     std::erase_if(away, [&](const Ring& ring) {
         return std::ranges::any_of(findings, [&](const Finding& finding) {
@@ -115,7 +122,8 @@ std::vector<Ring> awayFromBlocking(const SwathSet& swaths, std::span<const Findi
 const Parameter kRoundUpTo{
     .key = "swaths.round_up_to_m",
     .name = "Go round obstacles up to",
-    .description = "Swaths go round obstacles of up to this size; larger ones get a headland. Auto is the operating width.",
+    .description =
+        "Swaths go round obstacles of up to this size; larger ones get a headland. Auto is the operating width.",
     .kind = ParameterKind::Length,
     .standard = {},
     .canBeAuto = true,

@@ -14,16 +14,21 @@ extern const Parameter kRoundUpTo;
 Length roundUpTo(const Settings& settings, const Machine& machine);
 
 /// The obstacles that lie inside a mainland, clear of the headland passes beside it.
-std::vector<Ring> insideMainland(const std::vector<Ring>& obstacles, const MultiPolygon& mainland, Length margin, const Machine& machine);
+std::vector<Ring> insideMainland(const std::vector<Ring>& obstacles, const MultiPolygon& mainland,
+                                 Length margin, const Machine& machine);
 
-/// Leads swaths round obstacles that headland and swaths were laid without, and measures what they cover then. Where one
-/// is refused the headland has to be laid again, with it. Cancelled.
-Result<RoundedSwaths> roundStage(LaidSwaths laid, std::span<const Ring> obstacles, const LayTask& task, const JobContext& job);
+/// Leads swaths round obstacles that headland and swaths were laid without, and measures what they cover
+/// then. Where one is refused the headland has to be laid again, with it. Cancelled.
+Result<RoundedSwaths> roundStage(LaidSwaths laid, std::span<const Ring> obstacles, const LayTask& task,
+                                 const JobContext& job);
 
 /// Polygons without the obstacles that swaths go round. Cancelled.
-Result<MultiPolygon> withoutGoneRound(const MultiPolygon& polygons, const SwathSet& swaths, const JobContext& job);
+Result<MultiPolygon> withoutGoneRound(const MultiPolygon& polygons, const SwathSet& swaths,
+                                      const JobContext& job);
 
-/// The obstacles that swaths go round, but for those near which something blocks the plan; all where there is none.
-std::vector<Ring> awayFromBlocking(const SwathSet& swaths, std::span<const Finding> findings, const Machine& machine);
+/// The obstacles that swaths go round, but for those near which something blocks the plan; all where there is
+/// none.
+std::vector<Ring> awayFromBlocking(const SwathSet& swaths, std::span<const Finding> findings,
+                                   const Machine& machine);
 
 }  // namespace furrow

@@ -40,8 +40,8 @@ struct NoInputs {
     friend bool operator==(const NoInputs&, const NoInputs&) = default;
 };
 
-/// The results of all stages that plans were made from lately: what does not depend on a change is not made again.
-/// Results are the same with a cache and without. Thread-safe.
+/// The results of all stages that plans were made from lately: what does not depend on a change is not made
+/// again. Results are the same with a cache and without. Thread-safe.
 struct StageCache {
     StageMemo<NoInputs, Ground> grounds;
     StageMemo<HeadlandInputs, Headland> headlands;

@@ -10,13 +10,15 @@
 
 namespace furrow {
 
-/// The last results of one stage with what they were made from. A stage whose inputs are equal is not run again: field,
-/// machine and guides, the settings that it asked for, and `Inputs`, what the stages before it made. May be asked by
-/// several threads at once. Of `kMost` results the one that was made first is forgotten. A stage may ask the memo of another one: the settings that count for that count for it, too.
+/// The last results of one stage with what they were made from. A stage whose inputs are equal is not run
+/// again: field, machine and guides, the settings that it asked for, and `Inputs`, what the stages before it
+/// made. May be asked by several threads at once. Of `kMost` results the one that was made first is
+/// forgotten. A stage may ask the memo of another one: the settings that count for that count for it, too.
 template <class Inputs, class Value, std::size_t kMost = 24>
 class StageMemo {
 public:
-    /// What was made before from the same, or what `make` makes now: Result<Value>(const PlanRequest&). Errors are not kept.
+    /// What was made before from the same, or what `make` makes now: Result<Value>(const PlanRequest&).
+    /// Errors are not kept.
     template <class Make>
     Result<std::shared_ptr<const Value>> get(const PlanRequest& request, Inputs inputs, const Make& make) {
         if (auto known = find(request, inputs)) {
@@ -33,7 +35,8 @@ public:
         auto value = std::make_shared<const Value>(*std::move(made));
         const std::scoped_lock lock{mutex_};
         listening.settings = request.settings.writingDown({});
-        results_.push_front({.request = std::move(listening), .reads = reads, .inputs = std::move(inputs), .value = value});
+        results_.push_front(
+            {.request = std::move(listening), .reads = reads, .inputs = std::move(inputs), .value = value});
         if (results_.size() > kMost) {
             results_.pop_back();
         }

@@ -47,8 +47,10 @@ std::ptrdiff_t PlannedStages::blockingCount() const {
     return furrow::blockingCount(driven->findings);
 }
 
-Result<std::shared_ptr<const Headland>> StageRunner::headland(const PlanRequest& request, const std::shared_ptr<const Ground>& ground,
-                                                              const std::vector<Ring>& filled, const MultiPolygon& workable,
+Result<std::shared_ptr<const Headland>> StageRunner::headland(const PlanRequest& request,
+                                                              const std::shared_ptr<const Ground>& ground,
+                                                              const std::vector<Ring>& filled,
+                                                              const MultiPolygon& workable,
                                                               const JobContext& job) {
     return cache_.headlands.get(request, {ground, filled}, [&](const PlanRequest& asking) {
         const Settings& settings = asking.settings;
@@ -68,27 +70,31 @@ Result<std::shared_ptr<const Headland>> StageRunner::headland(const PlanRequest&
     });
 }
 
-/// The headland is laid without the obstacles that swaths go round; one that swaths do not get round gets a headland after
-/// all.
-Result<LaidOut> StageRunner::laidOut(const PlanRequest& request, const std::shared_ptr<const Ground>& ground, std::vector<Ring> round,
-                                     const JobContext& job) {
+/// The headland is laid without the obstacles that swaths go round; one that swaths do not get round gets a
+/// headland after all.
+Result<LaidOut> StageRunner::laidOut(const PlanRequest& request, const std::shared_ptr<const Ground>& ground,
+                                     std::vector<Ring> round, const JobContext& job) {
     for (JobContext part = job;; part = job.quiet()) {
         const MultiPolygon workable = filled(request.field->drivable(), round);
         const auto headland = this->headland(request, ground, round, workable, part.part(0.0, 0.12));
         if (!headland) {
             return std::unexpected(headland.error());
         }
-        std::vector<Ring> inside = insideMainland(round, (*headland)->mainland, ground->margin, request.machine);
+        std::vector<Ring> inside =
+            insideMainland(round, (*headland)->mainland, ground->margin, request.machine);
         if (inside.size() < round.size()) {
             round = std::move(inside);
             continue;
         }
         const JobContext searching = part.part(0.12, 0.9);
         const SwathSearch search = [&](const PlanRequest& asking, const MultiPolygon& mainland) {
-            return cache_.searches.get(asking, mainland, [&](const PlanRequest& inner) { return swathsByMethod(inner, mainland, searching); });
+            return cache_.searches.get(asking, mainland, [&](const PlanRequest& inner) {
+                return swathsByMethod(inner, mainland, searching);
+            });
         };
-        const auto swaths =
-            cache_.swaths.get(request, {ground, round, (*headland)->mainland, (*headland)->passes}, [&](const PlanRequest& asking) {
+        const auto swaths = cache_.swaths.get(
+            request, {ground, round, (*headland)->mainland, (*headland)->passes},
+            [&](const PlanRequest& asking) {
                 const LayTask task{.request = asking,
                                    .ground = *ground,
                                    .workable = workable,
@@ -111,8 +117,10 @@ Result<LaidOut> StageRunner::laidOut(const PlanRequest& request, const std::shar
     }
 }
 
-Result<PlannedStages> StageRunner::plannedRound(const PlanRequest& request, const std::shared_ptr<const Ground>& ground,
-                                                std::vector<Ring> round, std::optional<Duration> atMost, const JobContext& job) {
+Result<PlannedStages> StageRunner::plannedRound(const PlanRequest& request,
+                                                const std::shared_ptr<const Ground>& ground,
+                                                std::vector<Ring> round, std::optional<Duration> atMost,
+                                                const JobContext& job) {
     auto laid = laidOut(request, ground, std::move(round), job.part(0.0, 0.8));
     if (!laid) {
         return std::unexpected(laid.error());
@@ -123,32 +131,35 @@ Result<PlannedStages> StageRunner::plannedRound(const PlanRequest& request, cons
     if (!ordered) {
         return std::unexpected(ordered.error());
     }
-    auto driven =
-        cache_.drives.get(request, {ground, laid->headland, laid->laid, *ordered, request.draft}, [&](const PlanRequest& asking) {
-            const DriveTask task{.request = asking,
-                                 .ground = *ground,
-                                 .headland = *laid->headland,
-                                 .laid = *laid->laid,
-                                 .ordered = **ordered};
-            auto made = driveStage(task, atMost, job.part(0.85, 1.0));
-            if (made) {
-                timings_.path += made->driving;
-                timings_.audit += made->auditing;
-            }
-            return made;
-        });
+    auto driven = cache_.drives.get(request, {ground, laid->headland, laid->laid, *ordered, request.draft},
+                                    [&](const PlanRequest& asking) {
+                                        const DriveTask task{.request = asking,
+                                                             .ground = *ground,
+                                                             .headland = *laid->headland,
+                                                             .laid = *laid->laid,
+                                                             .ordered = **ordered};
+                                        auto made = driveStage(task, atMost, job.part(0.85, 1.0));
+                                        if (made) {
+                                            timings_.path += made->driving;
+                                            timings_.audit += made->auditing;
+                                        }
+                                        return made;
+                                    });
     if (!driven) {
         return std::unexpected(driven.error());
     }
     return PlannedStages{request, ground, *std::move(laid), *std::move(ordered), *std::move(driven)};
 }
 
-Result<PlannedStages> StageRunner::run(const PlanRequest& request, std::optional<Duration> atMost, const JobContext& job) {
-    const auto ground = cache_.grounds.get(request, {}, [&](const PlanRequest& asking) { return groundOf(asking, job); });
+Result<PlannedStages> StageRunner::run(const PlanRequest& request, std::optional<Duration> atMost,
+                                       const JobContext& job) {
+    const auto ground =
+        cache_.grounds.get(request, {}, [&](const PlanRequest& asking) { return groundOf(asking, job); });
     if (!ground) {
         return std::unexpected(ground.error());
     }
-    const std::vector<Ring> small = smallObstacles(*request.field, roundUpTo(request.settings, request.machine));
+    const std::vector<Ring> small =
+        smallObstacles(*request.field, roundUpTo(request.settings, request.machine));
     auto best = plannedRound(request, *ground, small, atMost, job.part(0.0, small.empty() ? 1.0 : kFirstTry));
     if (!best || request.draft) {
         return best;
@@ -158,7 +169,8 @@ Result<PlannedStages> StageRunner::run(const PlanRequest& request, std::optional
         if (best->drivable() || swaths.goneRound.empty()) {
             break;
         }
-        std::vector<Ring> fewer = isLast ? std::vector<Ring>{} : awayFromBlocking(swaths, best->driven->findings, request.machine);
+        std::vector<Ring> fewer =
+            isLast ? std::vector<Ring>{} : awayFromBlocking(swaths, best->driven->findings, request.machine);
         if (fewer.size() == swaths.goneRound.size()) {
             continue;
         }

@@ -29,28 +29,33 @@ struct PlannedStages {
     bool drivable() const { return blockingCount() == 0; }
 };
 
-/// Runs the stages of requests one after the other. A stage is not run again where the cache holds its result.
+/// Runs the stages of requests one after the other. A stage is not run again where the cache holds its
+/// result.
 class StageRunner {
 public:
     explicit StageRunner(StageCache& cache) : cache_{cache} {}
 
-    /// All stages once, with just these settings. Where something blocks near obstacles that swaths go round, the plan is
-    /// made again with headlands there, or everywhere.
+    /// All stages once, with just these settings. Where something blocks near obstacles that swaths go round,
+    /// the plan is made again with headlands there, or everywhere.
     ///
     /// @param atMost  a path that takes longer is of no use: InputRefused, without the audit
     /// Errors: those of the stages; InputRefused where the machine fits nowhere in the field. Cancelled.
-    Result<PlannedStages> run(const PlanRequest& request, std::optional<Duration> atMost, const JobContext& job);
+    Result<PlannedStages> run(const PlanRequest& request, std::optional<Duration> atMost,
+                              const JobContext& job);
 
     /// Of all that was run so far.
     const StageTimings& timings() const { return timings_; }
 
 private:
-    Result<std::shared_ptr<const Headland>> headland(const PlanRequest& request, const std::shared_ptr<const Ground>& ground,
-                                                     const std::vector<Ring>& filled, const MultiPolygon& workable, const JobContext& job);
-    Result<LaidOut> laidOut(const PlanRequest& request, const std::shared_ptr<const Ground>& ground, std::vector<Ring> round,
-                            const JobContext& job);
-    Result<PlannedStages> plannedRound(const PlanRequest& request, const std::shared_ptr<const Ground>& ground,
-                                       std::vector<Ring> round, std::optional<Duration> atMost, const JobContext& job);
+    Result<std::shared_ptr<const Headland>> headland(const PlanRequest& request,
+                                                     const std::shared_ptr<const Ground>& ground,
+                                                     const std::vector<Ring>& filled,
+                                                     const MultiPolygon& workable, const JobContext& job);
+    Result<LaidOut> laidOut(const PlanRequest& request, const std::shared_ptr<const Ground>& ground,
+                            std::vector<Ring> round, const JobContext& job);
+    Result<PlannedStages> plannedRound(const PlanRequest& request,
+                                       const std::shared_ptr<const Ground>& ground, std::vector<Ring> round,
+                                       std::optional<Duration> atMost, const JobContext& job);
 
     StageCache& cache_;
     StageTimings timings_;

@@ -21,7 +21,7 @@ namespace furrow {
 
 /// Where the machine may be.
 struct Ground {
-    Length margin;          ///< that everything keeps from the boundary: the setting, or the boundary's accuracy
+    Length margin;  ///< that everything keeps from the boundary: the setting, or the boundary's accuracy
     MultiPolygon drivable;  ///< gates closed
 };
 
@@ -66,7 +66,8 @@ struct Ordered {
 struct Driven {
     Path path;
     std::vector<HeadlandPass> finishing;  ///< short passes over what others leave
-    /// Land that may be driven on and is not worked on purpose: wet spots, what is passed over with them, alleys, gaps.
+    /// Land that may be driven on and is not worked on purpose: wet spots, what is passed over with them,
+    /// alleys, gaps.
     MultiPolygon leftOnPurpose;
     AuditReport audit;  ///< empty of a draft
     std::vector<Finding> findings;

@@ -30,15 +30,18 @@ Note noteOf(const SplitFault& fault, const LocalFrame& frame) {
     const std::size_t number = fault.line + 1;
     const Message text =
         fault.missing
-            ? message("split line {} ends {:.1f} m short of the mainland's edge and cuts nothing off there (decomposition.split); "
-                      "draw it right through",
-                      number, fault.missing->si())
-            : message("split line {} lies outside of the mainland and cuts nothing (decomposition.split)", number);
+            ? message(
+                  "split line {} ends {:.1f} m short of the mainland's edge and cuts nothing off there (decomposition.split); "
+                  "draw it right through",
+                  number, fault.missing->si())
+            : message("split line {} lies outside of the mainland and cuts nothing (decomposition.split)",
+                      number);
     return {.text = text, .where = std::string{kSplit.key}, .place = frame.toGeo(fault.place)};
 }
 
-Result<std::vector<MultiPolygon>> piecesBetweenSplits(const PlanRequest& request, const MultiPolygon& mainland,
-                                                      std::vector<Note>& notes, const JobContext& job) {
+Result<std::vector<MultiPolygon>> piecesBetweenSplits(const PlanRequest& request,
+                                                      const MultiPolygon& mainland, std::vector<Note>& notes,
+                                                      const JobContext& job) {
     const LocalFrame& frame = request.field->frame();
     std::vector<Polyline> drawn;
     for (const std::vector<GeoPoint>& line : request.settings.lines(kSplit)) {
@@ -63,7 +66,8 @@ Result<std::vector<MultiPolygon>> piecesBetweenSplits(const PlanRequest& request
     return parts;
 }
 
-LaidSwaths laidInParts(const MultiPolygon& mainland, const SwathSet& common, const std::vector<MultiPolygon>& pieces) {
+LaidSwaths laidInParts(const MultiPolygon& mainland, const SwathSet& common,
+                       const std::vector<MultiPolygon>& pieces) {
     PartCollector collector{common, mainland};
     if (pieces.size() == 1) {
         collector.add(mainland, common, {});
@@ -79,10 +83,10 @@ bool hasOwnHeadings(const LaidSwaths& laid) {
     return std::ranges::any_of(laid.parts, [](const MainlandPart& part) { return part.heading.has_value(); });
 }
 
-/// Each part by itself where a neighbour has another heading: nothing goes on beyond its edge then. Parts with the common
-/// heading are one.
-Result<void> drawOut(LaidSwaths& laid, const MultiPolygon& mainland, const EndRoom& room, const Machine& machine,
-                     const JobContext& job) {
+/// Each part by itself where a neighbour has another heading: nothing goes on beyond its edge then. Parts
+/// with the common heading are one.
+Result<void> drawOut(LaidSwaths& laid, const MultiPolygon& mainland, const EndRoom& room,
+                     const Machine& machine, const JobContext& job) {
     if (!hasOwnHeadings(laid)) {
         drawOutEnds(laid.swaths, mainland, room, machine);
         return {};
@@ -103,7 +107,8 @@ Result<void> drawOut(LaidSwaths& laid, const MultiPolygon& mainland, const EndRo
         SwathSet set = setOf(laid.swaths, part);
         set.endOverlap = {};
         drawOutEnds(set, part.heading ? part.outline : *common, room, machine);
-        std::ranges::copy(set.swaths, laid.swaths.swaths.begin() + static_cast<std::ptrdiff_t>(part.firstSwath));
+        std::ranges::copy(set.swaths,
+                          laid.swaths.swaths.begin() + static_cast<std::ptrdiff_t>(part.firstSwath));
         total += set.totalLength;
         overlap += set.endOverlap;
     }
@@ -132,7 +137,9 @@ Result<LaidSwaths> withoutShortOnes(LaidSwaths laid, const PlanRequest& request,
         part.swathCount -= static_cast<std::size_t>(gone);
         first += part.swathCount;
     }
-    return leaveOut(areShort, least, laid.mainland, laid.swaths, job).and_then([&] { return withEnds(std::move(laid)); });
+    return leaveOut(areShort, least, laid.mainland, laid.swaths, job).and_then([&] {
+        return withEnds(std::move(laid));
+    });
 }
 
 struct GroundForEnds {
@@ -141,14 +148,17 @@ struct GroundForEnds {
     bool drawsIn = false;
 };
 
-/// Inside the outermost pass where there are more. Without any, and with a machine that may leave the field, everywhere
-/// but over obstacles.
+/// Inside the outermost pass where there are more. Without any, and with a machine that may leave the field,
+/// everywhere but over obstacles.
 Result<GroundForEnds> groundForEnds(const LayTask& task, const JobContext& job) {
     const Machine& machine = task.request.machine;
     if (task.passes == 0 && !task.request.settings.flag(kStayInside)) {
-        return groundAround(*task.request.field, job).transform([](const MultiPolygon& ground) { return GroundForEnds{ground, ground, true}; });
+        return groundAround(*task.request.field, job).transform([](const MultiPolygon& ground) {
+            return GroundForEnds{ground, ground, true};
+        });
     }
-    const Length outermost = task.ground.margin + (task.passes > 1 ? uncutEdge(machine) + machine.operatingWidth() : Length{});
+    const Length outermost =
+        task.ground.margin + (task.passes > 1 ? uncutEdge(machine) + machine.operatingWidth() : Length{});
     return eroded(task.workable, outermost, kArcTolerance, job).transform([&](MultiPolygon&& working) {
         return GroundForEnds{std::move(working), task.ground.drivable, false};
     });
@@ -174,7 +184,8 @@ SwathSet cutTo(const SwathSet& set, const MultiPolygon& part) {
     return inside;
 }
 
-Result<std::vector<Pose>> swathEnds(const PlanRequest& request, const MultiPolygon& mainland, const JobContext& job) {
+Result<std::vector<Pose>> swathEnds(const PlanRequest& request, const MultiPolygon& mainland,
+                                    const JobContext& job) {
     return swathsByMethod(request, mainland, job).transform([](const SwathSet& set) {
         std::vector<Pose> ends;
         for (const Swath& swath : set.swaths) {
@@ -199,8 +210,9 @@ Result<LaidSwaths> layStage(const LayTask& task, const JobContext& job) {
         return std::unexpected(pieces.error());
     }
     const bool drawsOut = request.settings.choice(kEnds) == "full";
-    const auto ground = drawsOut ? groundForEnds(task, job)
-                                 : Result<GroundForEnds>{GroundForEnds{task.mainland, task.ground.drivable, false}};
+    const auto ground =
+        drawsOut ? groundForEnds(task, job)
+                 : Result<GroundForEnds>{GroundForEnds{task.mainland, task.ground.drivable, false}};
     if (!ground) {
         return std::unexpected(ground.error());
     }

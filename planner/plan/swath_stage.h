@@ -9,7 +9,8 @@
 namespace furrow {
 
 /// The swaths of the chosen method in a mainland, found now or remembered.
-using SwathSearch = std::function<Result<std::shared_ptr<const SwathSet>>(const PlanRequest& request, const MultiPolygon& mainland)>;
+using SwathSearch = std::function<Result<std::shared_ptr<const SwathSet>>(const PlanRequest& request,
+                                                                          const MultiPolygon& mainland)>;
 
 /// What the swaths of a plan are laid from.
 struct LayTask {
@@ -22,15 +23,17 @@ struct LayTask {
 };
 
 /// The swaths of the chosen method with their tramlines and with ends as the settings want them, cut where
-/// decomposition.split says, and in a heading of their own in cells in which that is quicker, if decomposition.heading
-/// asks for it (see withOwnHeadings): parts are the pieces between split lines, and such cells. Short ones are left out.
-/// Errors: those of the method. Cancelled.
+/// decomposition.split says, and in a heading of their own in cells in which that is quicker, if
+/// decomposition.heading asks for it (see withOwnHeadings): parts are the pieces between split lines, and
+/// such cells. Short ones are left out. Errors: those of the method. Cancelled.
 Result<LaidSwaths> layStage(const LayTask& task, const JobContext& job);
 
 /// The swaths of a set that lie inside of a part of the mainland, in the same order and on the same tracks.
 SwathSet cutTo(const SwathSet& set, const MultiPolygon& part);
 
-/// Where the swaths of the chosen method end in a mainland, looking out of it. Errors: those of the method. Cancelled.
-Result<std::vector<Pose>> swathEnds(const PlanRequest& request, const MultiPolygon& mainland, const JobContext& job);
+/// Where the swaths of the chosen method end in a mainland, looking out of it. Errors: those of the method.
+/// Cancelled.
+Result<std::vector<Pose>> swathEnds(const PlanRequest& request, const MultiPolygon& mainland,
+                                    const JobContext& job);
 
 }  // namespace furrow

@@ -14,7 +14,10 @@ namespace furrow {
 namespace {
 
 Error usage(Message what, Message remedy) {
-    return {.code = ErrorCode::Usage, .what = std::move(what), .where = "--plan-name", .remedy = std::move(remedy)};
+    return {.code = ErrorCode::Usage,
+            .what = std::move(what),
+            .where = "--plan-name",
+            .remedy = std::move(remedy)};
 }
 
 /// Fields with the plans they have; without any for files that are no project.
@@ -50,7 +53,8 @@ Result<FieldsOfFile> read(const std::filesystem::path& path, const JobContext& j
     return fields;
 }
 
-Result<const FieldPlan*> planOf(const Project& project, std::size_t index, std::optional<std::string_view> name) {
+Result<const FieldPlan*> planOf(const Project& project, std::size_t index,
+                                std::optional<std::string_view> name) {
     const std::vector<FieldPlan>& plans = project.fields[index]->plans;
     if (!name) {
         return index == project.currentField ? &project.plan() : &plans.front();
@@ -84,7 +88,8 @@ Result<FieldTask> taskOf(const FieldsOfFile& fields, std::size_t index, const Ta
         task.machine = (*plan)->machine;
         task.settings = (*plan)->settings;
     } else if (wishes.planName) {
-        return std::unexpected(usage("only the fields of a project have plans", "leave it out, or give a project of the window"));
+        return std::unexpected(usage("only the fields of a project have plans",
+                                     "leave it out, or give a project of the window"));
     }
     task.machine = wishes.machine.value_or(task.machine);
     task.settings.add(wishes.settings);
@@ -113,14 +118,17 @@ Result<std::vector<FieldTask>> readFieldTasks(const std::filesystem::path& path,
 Result<FieldTask> readFieldTask(const std::filesystem::path& path, std::optional<std::string_view> fieldId,
                                 const TaskWishes& wishes, const JobContext& job) {
     return read(path, job).and_then([&](const FieldsOfFile& fields) {
-        return pickFieldIndex(fields.sources, fieldId).and_then([&](std::size_t index) { return taskOf(fields, index, wishes); });
+        return pickFieldIndex(fields.sources, fieldId).and_then([&](std::size_t index) {
+            return taskOf(fields, index, wishes);
+        });
     });
 }
 
-Result<PlanRequest> planRequest(std::shared_ptr<const Field> field, const Machine& machine, const Settings& settings,
-                                const JobContext& job) {
+Result<PlanRequest> planRequest(std::shared_ptr<const Field> field, const Machine& machine,
+                                const Settings& settings, const JobContext& job) {
     return readGuides(settings, *field, job).transform([&](std::shared_ptr<const GuideData> guides) {
-        return PlanRequest{.field = std::move(field), .machine = machine, .settings = settings, .guides = std::move(guides)};
+        return PlanRequest{
+            .field = std::move(field), .machine = machine, .settings = settings, .guides = std::move(guides)};
     });
 }
 

@@ -29,11 +29,12 @@ struct TaskWishes {
     Settings settings;  ///< these win over the plan's
 };
 
-/// The fields of a file. Those of a project have the machine and the settings of a plan: of the one that is named,
-/// or the current one (of fields that are not worked on now the first), and their edges' own headlands. All others
-/// begin with the library's first machine and the standard settings.
+/// The fields of a file. Those of a project have the machine and the settings of a plan: of the one that is
+/// named, or the current one (of fields that are not worked on now the first), and their edges' own
+/// headlands. All others begin with the library's first machine and the standard settings.
 ///
-/// @return in the order of the file. Errors as readBoundaries and readProject. Usage: a plan is named and the file is
+/// @return in the order of the file. Errors as readBoundaries and readProject. Usage: a plan is named and the
+/// file is
 ///         no project, or one of the fields has no such plan (lists those it has).
 Result<std::vector<FieldTask>> readFieldTasks(const std::filesystem::path& path, const TaskWishes& wishes,
                                               const JobContext& job);
@@ -41,8 +42,9 @@ Result<std::vector<FieldTask>> readFieldTasks(const std::filesystem::path& path,
 Result<FieldTask> readFieldTask(const std::filesystem::path& path, std::optional<std::string_view> fieldId,
                                 const TaskWishes& wishes, const JobContext& job);
 
-/// The request for a field that is checked already, with the files that the settings name. Errors as readGuides.
-Result<PlanRequest> planRequest(std::shared_ptr<const Field> field, const Machine& machine, const Settings& settings,
-                                const JobContext& job);
+/// The request for a field that is checked already, with the files that the settings name. Errors as
+/// readGuides.
+Result<PlanRequest> planRequest(std::shared_ptr<const Field> field, const Machine& machine,
+                                const Settings& settings, const JobContext& job);
 
 }  // namespace furrow

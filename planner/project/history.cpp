@@ -55,8 +55,8 @@ std::shared_ptr<const Project> projectOf(const OrderedJson& state, const Project
         }
     }
     for (const OrderedJson& changed : state.at("changed")) {
-        auto field = std::make_shared<const ProjectField>(
-            fieldOf(changed.at("features"), changed.at("plans"), project.standard, freePlanId(project), ignored));
+        auto field = std::make_shared<const ProjectField>(fieldOf(
+            changed.at("features"), changed.at("plans"), project.standard, freePlanId(project), ignored));
         fields[field->id] = std::move(field);
     }
     for (const OrderedJson& id : state.at("ids")) {
@@ -126,9 +126,11 @@ bool apply(History& history, const OrderedJson& json) {
     }
     history.steps.resize(json.at("steps").get<std::size_t>());
     history.done = std::min(json.at("done").get<std::size_t>(), history.steps.size());
-    history.file = fs::path{std::u8string{reinterpret_cast<const char8_t*>(json.at("file").get<std::string>().c_str())}};
+    history.file =
+        fs::path{std::u8string{reinterpret_cast<const char8_t*>(json.at("file").get<std::string>().c_str())}};
     history.savedFingerprint = json.at("fingerprint").get<std::string>();
-    history.saved = json.at("saved").is_null() ? std::nullopt : std::optional{json.at("saved").get<std::size_t>()};
+    history.saved =
+        json.at("saved").is_null() ? std::nullopt : std::optional{json.at("saved").get<std::size_t>()};
     return true;
 }
 
@@ -214,10 +216,11 @@ std::optional<History> HistoryJournal::read() const {
     if (history.steps.size() > kMostSteps && history.done > 0) {
         const std::size_t dropped = std::min(history.steps.size() - kMostSteps, history.done);
         history.base = stateAt(history, dropped);
-        history.steps.erase(history.steps.begin(), history.steps.begin() + static_cast<std::ptrdiff_t>(dropped));
+        history.steps.erase(history.steps.begin(),
+                            history.steps.begin() + static_cast<std::ptrdiff_t>(dropped));
         history.done -= dropped;
-        history.saved =
-            history.saved && *history.saved >= dropped ? std::optional{*history.saved - dropped} : std::nullopt;
+        history.saved = history.saved && *history.saved >= dropped ? std::optional{*history.saved - dropped}
+                                                                   : std::nullopt;
     }
     return history;
 }
@@ -249,7 +252,8 @@ Result<void> HistoryJournal::write(const History& history) {
                         {"state", stateJson(*history.steps[i].after, stateAt(history, i).get())}});
     }
     const bool restSame = written_.done == history.done && written_.file == history.file &&
-                          written_.savedFingerprint == history.savedFingerprint && written_.saved == history.saved;
+                          written_.savedFingerprint == history.savedFingerprint &&
+                          written_.saved == history.saved;
     if (text.empty() && restSame) {
         return {};
     }

@@ -36,12 +36,13 @@ struct History {
     bool isUnsaved() const { return saved != done; }
 };
 
-/// Takes what is in the project file as saved where it is one of the history's states, the latest of them: a crash
-/// may come between saving and noting it. False where the file is another program's.
+/// Takes what is in the project file as saved where it is one of the history's states, the latest of them: a
+/// crash may come between saving and noting it. False where the file is another program's.
 bool recogniseSaved(History& history, const Project& inFile, const std::string& fingerprint);
 
-/// Keeps a history in a file while it is made, so that nothing is lost when the program or the computer stops.
-/// Changes are appended; what a crash cut off is dropped when it is read. While it is open nobody else can open it.
+/// Keeps a history in a file while it is made, so that nothing is lost when the program or the computer
+/// stops. Changes are appended; what a crash cut off is dropped when it is read. While it is open nobody else
+/// can open it.
 class HistoryJournal {
 public:
     /// Opens or makes the file. Usage: another program has it open. WriteFailed.
@@ -54,9 +55,9 @@ public:
     /// What the file holds, the last kMostSteps of it; nothing where it is empty or its beginning is damaged.
     std::optional<History> read() const;
 
-    /// Brings the file to this history: appends what differs from what was written last and syncs it. Steps that
-    /// are the same are told by their pointer. Writes the file anew where it has grown too large or another
-    /// history begins. WriteFailed.
+    /// Brings the file to this history: appends what differs from what was written last and syncs it. Steps
+    /// that are the same are told by their pointer. Writes the file anew where it has grown too large or
+    /// another history begins. WriteFailed.
     Result<void> write(const History& history);
     /// Deletes the file.
     void remove();

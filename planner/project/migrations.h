@@ -13,8 +13,8 @@ inline constexpr int kProjectVersion = 1;
 /// Brings a file of one version to the next one.
 using Migration = void (*)(OrderedJson& document);
 
-/// Brings a document of `version` to the version after the last of these steps; step 0 leads from version 1 to 2.
-/// InputRefused: a version below 1, or one that is newer than the steps lead to.
+/// Brings a document of `version` to the version after the last of these steps; step 0 leads from version 1
+/// to 2. InputRefused: a version below 1, or one that is newer than the steps lead to.
 Result<OrderedJson> migrated(OrderedJson document, int version, std::span<const Migration> steps,
                              const std::string& origin);
 

@@ -15,7 +15,8 @@ bool operator==(const ProjectField& a, const ProjectField& b) {
 
 bool operator==(const Project& a, const Project& b) {
     return a.name == b.name && a.currentField == b.currentField && a.currentPlan == b.currentPlan &&
-           a.standard == b.standard && a.imagery == b.imagery && a.others == b.others && a.otherFeatures == b.otherFeatures &&
+           a.standard == b.standard && a.imagery == b.imagery && a.others == b.others &&
+           a.otherFeatures == b.otherFeatures &&
            std::ranges::equal(a.fields, b.fields, [](const auto& left, const auto& right) {
                return left == right || *left == *right;
            });
@@ -72,16 +73,18 @@ FieldPlan planForAnotherField(const FieldPlan& plan) {
     FieldPlan next = plan;
     next.others.clear();
     for (const Parameter* parameter : allParameters()) {
-        const bool namesPlaces = parameter->kind == ParameterKind::Line || parameter->kind == ParameterKind::Lines ||
-                                 parameter->kind == ParameterKind::Place || parameter->kind == ParameterKind::Numbers ||
-                                 parameter->key == "swaths.edge";
+        const bool namesPlaces = parameter->kind == ParameterKind::Line ||
+                                 parameter->kind == ParameterKind::Lines ||
+                                 parameter->kind == ParameterKind::Place ||
+                                 parameter->kind == ParameterKind::Numbers || parameter->key == "swaths.edge";
         if (!namesPlaces || !next.settings.isSet(*parameter)) {
             continue;
         }
         next.settings.clear(*parameter);
         // A method that was chosen for such a place cannot go on without it.
         for (const StageInfo& stage : stages()) {
-            const auto method = std::ranges::find(stage.methods, next.settings.choice(*stage.method), &MethodInfo::id);
+            const auto method =
+                std::ranges::find(stage.methods, next.settings.choice(*stage.method), &MethodInfo::id);
             if (method != stage.methods.end() && std::ranges::contains(method->parameters, parameter)) {
                 next.settings.clear(*stage.method);
             }

@@ -29,7 +29,7 @@ struct FieldPlan {
 
 /// A field of a farm and its plans.
 struct ProjectField {
-    std::string id;  ///< not empty; no other field of the project has it
+    std::string id;                             ///< not empty; no other field of the project has it
     std::shared_ptr<const FieldSource> source;  ///< not null, not checked: as it was drawn or read
     std::vector<FieldPlan> plans;               ///< at least one
     /// Members of the field's own feature that this version does not know, as FieldPlan::others.
@@ -86,8 +86,8 @@ struct Project {
 std::string freeFieldId(const Project& project);
 std::string freePlanId(const Project& project);
 
-/// The plan that a field begins with after another: the same machine and settings but for what names places of
-/// one field only.
+/// The plan that a field begins with after another: the same machine and settings but for what names places
+/// of one field only.
 FieldPlan planForAnotherField(const FieldPlan& plan);
 
 }  // namespace furrow

@@ -179,8 +179,9 @@ Project withSplits(Project project, const std::vector<GeoRing>& lines) {
 
 DrawnLines linesOf(const Project& project) {
     const Settings& settings = project.plan().settings;
-    return {.guide = followsLine(settings.choice(parameterOf("swaths.method"))) ? settings.line(parameterOf("swaths.line"))
-                                                                                : GeoRing{},
+    return {.guide = followsLine(settings.choice(parameterOf("swaths.method")))
+                         ? settings.line(parameterOf("swaths.line"))
+                         : GeoRing{},
             .splits = settings.lines(kSplit)};
 }
 
@@ -220,7 +221,8 @@ Project withoutPlan(Project project) {
 }
 
 Project withFieldName(Project project, const std::string& name) {
-    return withSourceChanged(std::move(project), [&name](ProjectField&, FieldSource& source) { source.name = name; });
+    return withSourceChanged(std::move(project),
+                             [&name](ProjectField&, FieldSource& source) { source.name = name; });
 }
 
 Project withPlanName(Project project, const std::string& name, const std::string& season) {
@@ -254,7 +256,8 @@ Project withImageryMoved(Project project, std::size_t from, std::size_t to) {
         ImageryLayer layer = std::move(project.imagery[from]);
         erase(project.imagery, from);
         const std::size_t place = std::min(to, project.imagery.size());
-        project.imagery.insert(project.imagery.begin() + static_cast<std::ptrdiff_t>(place), std::move(layer));
+        project.imagery.insert(project.imagery.begin() + static_cast<std::ptrdiff_t>(place),
+                               std::move(layer));
     }
     return project;
 }

@@ -10,7 +10,8 @@ namespace furrow {
 
 // Projects with one thing changed. What is not touched is shared with the project they were made from.
 
-/// The current field with another source; obstacles and gates keep their order. Nothing to do without a field.
+/// The current field with another source; obstacles and gates keep their order. Nothing to do without a
+/// field.
 Project withSource(Project project, FieldSource source);
 /// The current plan, or the standard one where there is no field, with this machine and these settings.
 Project withPlan(Project project, const Machine& machine, const Settings& settings);
@@ -24,8 +25,8 @@ Project withObstacle(Project project, Obstacle obstacle);
 Project withGate(Project project, Gate gate);
 Project withHole(Project project, std::size_t part, GeoRing hole);
 Project withoutHole(Project project, std::size_t part, std::size_t hole);
-/// With the swaths of the current plan along this line; of three points or more, as a curve where the planner can.
-/// Without points: back to the planner's own choice.
+/// With the swaths of the current plan along this line; of three points or more, as a curve where the planner
+/// can. Without points: back to the planner's own choice.
 Project withGuide(Project project, const GeoRing& line);
 /// With these lines for the mainland of the current plan to be cut along, each of at least two points.
 Project withSplits(Project project, const std::vector<GeoRing>& lines);

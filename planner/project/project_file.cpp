@@ -49,14 +49,18 @@ Error withoutField(const OrderedJson& obstacle, const std::string& origin) {
 
 bool isArea(const OrderedJson& feature) {
     const auto geometry = feature.find("geometry");
-    return geometry != feature.end() && geometry->is_object() && geometry->value("type", "").ends_with("Polygon");
+    return geometry != feature.end() && geometry->is_object() &&
+           geometry->value("type", "").ends_with("Polygon");
 }
 
 /// Sorts features into fields; those that are no part of any go to the project.
-Result<std::vector<FieldParts>> sorted(const OrderedJson& document, OpenedProject& opened, const std::string& origin) {
+Result<std::vector<FieldParts>> sorted(const OrderedJson& document, OpenedProject& opened,
+                                       const std::string& origin) {
     std::vector<FieldParts> fields;
     std::size_t unused = 0;
-    const auto find = [&fields](const std::string& id) { return std::ranges::find(fields, id, &FieldParts::id); };
+    const auto find = [&fields](const std::string& id) {
+        return std::ranges::find(fields, id, &FieldParts::id);
+    };
     for (OrderedJson feature : document.at("features")) {
         if (textProperty(feature, "kind") != "field") {
             continue;
@@ -83,8 +87,9 @@ Result<std::vector<FieldParts>> sorted(const OrderedJson& document, OpenedProjec
         }
     }
     if (unused > 0) {
-        opened.notes.push_back(counted("{} area in the file is neither field nor obstacle and was not used",
-                                       "{} areas in the file are neither field nor obstacle and were not used", unused));
+        opened.notes.push_back(
+            counted("{} area in the file is neither field nor obstacle and was not used",
+                    "{} areas in the file are neither field nor obstacle and were not used", unused));
     }
     if (const OrderedJson& head = document.at(kMember); head.contains("plans")) {
         for (const OrderedJson& plan : head.at("plans")) {
@@ -120,8 +125,8 @@ Result<OpenedProject> projectFrom(const OrderedJson& document, const std::string
     return opened;
 }
 
-/// Paths of imagery as they are written: from the project's folder, so that both can be moved together; as they are
-/// where they have nothing in common with it but the root.
+/// Paths of imagery as they are written: from the project's folder, so that both can be moved together; as
+/// they are where they have nothing in common with it but the root.
 Project withPathsFrom(Project project, const std::filesystem::path& folder) {
     for (ImageryLayer& layer : project.imagery) {
         const std::filesystem::path path{layer.path};
@@ -159,14 +164,15 @@ bool holdsProject(const std::filesystem::path& path) {
         return true;
     }
     std::error_code ignored;
-    const auto start = std::filesystem::is_regular_file(path, ignored) ? fileStart(path, kBytesThatTell) : Result<std::string>{""};
+    const auto start = std::filesystem::is_regular_file(path, ignored) ? fileStart(path, kBytesThatTell)
+                                                                       : Result<std::string>{""};
     return start && isProject(*start);
 }
 
 Result<OpenedProject> parseProject(std::string_view text, const std::string& origin) {
     const auto damaged = [&origin](const Message& what) {
-        return std::unexpected(
-            inputRefused(origin, message("this project file is damaged: {}", what), "restore a copy of the file"));
+        return std::unexpected(inputRefused(origin, message("this project file is damaged: {}", what),
+                                            "restore a copy of the file"));
     };
     try {
         OrderedJson document = OrderedJson::parse(withoutByteOrderMark(text));
@@ -185,7 +191,8 @@ Result<OpenedProject> parseProject(std::string_view text, const std::string& ori
         }
         return opened;
     } catch (const OrderedJson::parse_error& error) {
-        return damaged(message("it is not JSON at {}", lineAndColumn(text, error.byte == 0 ? 0 : error.byte - 1)));
+        return damaged(
+            message("it is not JSON at {}", lineAndColumn(text, error.byte == 0 ? 0 : error.byte - 1)));
     } catch (const OrderedJson::exception& error) {
         return damaged(error.what());
     }
@@ -196,7 +203,8 @@ Result<OpenedProject> readProject(const std::filesystem::path& path) {
     auto opened = bytes ? parseProject(*bytes, path.string()) : std::unexpected(bytes.error());
     if (opened) {
         std::error_code ignored;
-        opened->project = withPathsIn(std::move(opened->project), std::filesystem::absolute(path, ignored).parent_path());
+        opened->project =
+            withPathsIn(std::move(opened->project), std::filesystem::absolute(path, ignored).parent_path());
     }
     return opened;
 }
@@ -234,7 +242,8 @@ Result<std::string> writeProject(const Project& project, const std::filesystem::
     std::error_code ignored;
     const std::filesystem::path target = std::filesystem::weakly_canonical(path, ignored);
     const std::filesystem::path& place = target.empty() ? path : target;
-    const std::string text = projectText(withPathsFrom(project, std::filesystem::absolute(place, ignored).parent_path()));
+    const std::string text =
+        projectText(withPathsFrom(project, std::filesystem::absolute(place, ignored).parent_path()));
     const FileToWrite file{.path = place.filename(), .text = [&text] { return text; }};
     const auto written = writeTogether(place.parent_path(), std::span{&file, 1});
     return written ? Result<std::string>{fingerprint(text)} : std::unexpected(written.error());

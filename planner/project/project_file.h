@@ -13,8 +13,8 @@
 
 namespace furrow {
 
-// A project file is a GeoJSON FeatureCollection, so that every GIS opens it: one feature for each field, obstacle
-// and gate, and a member `furrow_project` with the plans. The README describes it.
+// A project file is a GeoJSON FeatureCollection, so that every GIS opens it: one feature for each field,
+// obstacle and gate, and a member `furrow_project` with the plans. The README describes it.
 
 inline constexpr std::string_view kProjectExtension = ".furrow";
 
@@ -30,8 +30,8 @@ struct OpenedProject {
 /// Of what is in a file now; nothing where there is none or it cannot be read.
 std::optional<std::string> fileFingerprint(const std::filesystem::path& path);
 
-/// Reads a project from the text of its file. InputRefused: not JSON, not a project, damaged (says what), saved by
-/// a newer Furrow.
+/// Reads a project from the text of its file. InputRefused: not JSON, not a project, damaged (says what),
+/// saved by a newer Furrow.
 Result<OpenedProject> parseProject(std::string_view text, const std::string& origin);
 /// The same from a file. ReadFailed: not there, not readable.
 Result<OpenedProject> readProject(const std::filesystem::path& path);
@@ -44,8 +44,8 @@ bool holdsProject(const std::filesystem::path& path);
 /// The file's text: the same for equal projects, one feature a line.
 std::string projectText(const Project& project);
 
-/// Writes the file beside its name and renames it: what was there stays until all of it is on the disk. A link is
-/// followed. Gives the fingerprint of what was written. WriteFailed: with the system's reason.
+/// Writes the file beside its name and renames it: what was there stays until all of it is on the disk. A
+/// link is followed. Gives the fingerprint of what was written. WriteFailed: with the system's reason.
 Result<std::string> writeProject(const Project& project, const std::filesystem::path& path);
 
 }  // namespace furrow

@@ -222,7 +222,8 @@ FieldPlan planFrom(const OrderedJson& json, Notes& notes) {
 // --- Imagery ----------------------------------------------------------------------------------------
 
 OrderedJson layerOf(const ImageryLayer& layer) {
-    OrderedJson json{{"path", layer.path}, {"name", layer.name}, {"visible", layer.visible}, {"opacity", layer.opacity}};
+    OrderedJson json{
+        {"path", layer.path}, {"name", layer.name}, {"visible", layer.visible}, {"opacity", layer.opacity}};
     if (layer.rowsFromSouth) {
         json["rows_from_south"] = *layer.rowsFromSouth;
     }
@@ -231,12 +232,13 @@ OrderedJson layerOf(const ImageryLayer& layer) {
 }
 
 ImageryLayer layerFrom(const OrderedJson& json) {
-    ImageryLayer layer{.path = json.at("path").get<std::string>(),
-                       .name = json.value("name", ""),
-                       .visible = json.value("visible", true),
-                       .opacity = std::clamp(json.value("opacity", 1.0), 0.0, 1.0),
-                       .rowsFromSouth = {},
-                       .others = otherMembers(json, {"path", "name", "visible", "opacity", "rows_from_south"})};
+    ImageryLayer layer{
+        .path = json.at("path").get<std::string>(),
+        .name = json.value("name", ""),
+        .visible = json.value("visible", true),
+        .opacity = std::clamp(json.value("opacity", 1.0), 0.0, 1.0),
+        .rowsFromSouth = {},
+        .others = otherMembers(json, {"path", "name", "visible", "opacity", "rows_from_south"})};
     if (json.contains("rows_from_south")) {
         layer.rowsFromSouth = json.at("rows_from_south").get<bool>();
     }
@@ -248,12 +250,9 @@ ImageryLayer layerFrom(const OrderedJson& json) {
 OrderedJson featuresOf(const ProjectField& field) {
     const FieldSource& source = *field.source;
     OrderedJson features = OrderedJson::array();
-    OrderedJson properties{{"kind", "field"},
-                           {"field", field.id},
-                           {"id", source.id},
-                           {"name", source.name},
-                           {"origin", source.origin},
-                           {"boundary_accuracy_m", source.boundaryAccuracy.si()}};
+    OrderedJson properties{{"kind", "field"},         {"field", field.id},
+                           {"id", source.id},         {"name", source.name},
+                           {"origin", source.origin}, {"boundary_accuracy_m", source.boundaryAccuracy.si()}};
     for (const EdgeHeadland& headland : source.edgeHeadlands) {
         properties["edge_headlands"].push_back({{"part", headland.part},
                                                 {"ring", headland.ring},
@@ -310,7 +309,8 @@ ProjectField fieldOf(const OrderedJson& features, const OrderedJson& plans, cons
                                                 .edge = headland.at("edge").get<std::size_t>(),
                                                 .width = lengthIn(headland, "width_m")});
             }
-            field.others = othersOf(feature, {"kind", "field", "id", "name", "origin", "boundary_accuracy_m", "edge_headlands"});
+            field.others = othersOf(
+                feature, {"kind", "field", "id", "name", "origin", "boundary_accuracy_m", "edge_headlands"});
         } else if (kind == "obstacle") {
             for (GeoPolygon& outline : polygonsFrom(geometry)) {
                 source.obstacles.push_back({.name = properties.value("name", ""),
@@ -366,7 +366,8 @@ void readHead(const OrderedJson& head, Project& project, Notes& notes) {
     if (head.contains("current")) {
         const OrderedJson& current = head.at("current");
         const std::string fieldId = current.value("field", "");
-        const auto field = std::ranges::find_if(project.fields, [&](const auto& each) { return each->id == fieldId; });
+        const auto field =
+            std::ranges::find_if(project.fields, [&](const auto& each) { return each->id == fieldId; });
         if (field != project.fields.end()) {
             project.currentField = static_cast<std::size_t>(field - project.fields.begin());
             const auto& plans = (*field)->plans;
@@ -378,8 +379,8 @@ void readHead(const OrderedJson& head, Project& project, Notes& notes) {
     for (const OrderedJson& layer : head.value("imagery", OrderedJson::array())) {
         project.imagery.push_back(layerFrom(layer));
     }
-    project.others =
-        otherMembers(head, {"format_version", "written_by", "name", "current", "standard", "imagery", "plans"});
+    project.others = otherMembers(
+        head, {"format_version", "written_by", "name", "current", "standard", "imagery", "plans"});
 }
 
 }  // namespace furrow

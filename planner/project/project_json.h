@@ -7,8 +7,8 @@
 
 namespace furrow {
 
-// A project and its fields as JSON: what the project file and the history have in common. Those that read throw
-// what nlohmann throws where members are missing or of another kind.
+// A project and its fields as JSON: what the project file and the history have in common. Those that read
+// throw what nlohmann throws where members are missing or of another kind.
 
 /// What could not be used as it is and was kept all the same.
 using Notes = std::vector<Message>;

@@ -34,7 +34,8 @@ Extent BesideLine::of(Point point) const {
     std::size_t nearest = 0;
     double nearestM = std::numeric_limits<double>::infinity();
     for (std::size_t i = 0; i + 1 < samples_.size(); ++i) {
-        const double awayM = distanceToSegment(point, samples_[i].pose.position, samples_[i + 1].pose.position);
+        const double awayM =
+            distanceToSegment(point, samples_[i].pose.position, samples_[i + 1].pose.position);
         if (awayM < nearestM && samples_[i + 1].way > samples_[i].way) {
             nearest = i;
             nearestM = awayM;

@@ -1,7 +1,7 @@
 #pragma once
 
-#include "planner/geometry/polygon.h"
 #include "planner/geometry/curve_sampling.h"
+#include "planner/geometry/polygon.h"
 
 #include <vector>
 

@@ -33,7 +33,8 @@ using Sequence = std::vector<std::size_t>;  ///< of cells
 
 class CellSequencer {
 public:
-    CellSequencer(const RouteTask& task, std::vector<std::vector<Variant>> cells) : task_{task}, cells_{std::move(cells)} {
+    CellSequencer(const RouteTask& task, std::vector<std::vector<Variant>> cells)
+        : task_{task}, cells_{std::move(cells)} {
         for (const auto& variants : cells_) {
             first_.push_back(all_.size());
             for (const Variant& variant : variants) {
@@ -52,7 +53,8 @@ public:
 
     /// @param fromFirst  begin with the first variant of the first cell
     std::vector<RouteStep> best(bool fromFirst, const JobContext& job) {
-        const Sequence sequence = cells_.size() <= kMostExact ? exact(fromFirst) : improved(nearest(fromFirst), fromFirst, job);
+        const Sequence sequence =
+            cells_.size() <= kMostExact ? exact(fromFirst) : improved(nearest(fromFirst), fromFirst, job);
         std::vector<RouteStep> steps;
         for (const std::size_t variant : variantsFor(sequence, fromFirst).second) {
             std::ranges::copy(all_[variant]->steps, std::back_inserter(steps));
@@ -156,7 +158,8 @@ private:
                         next = next == all_.size() || link(at, v) < link(at, next) ? v : next;
                     }
                 }
-                const auto cell = static_cast<std::size_t>(std::ranges::upper_bound(first_, next) - first_.begin()) - 1;
+                const auto cell =
+                    static_cast<std::size_t>(std::ranges::upper_bound(first_, next) - first_.begin()) - 1;
                 done[cell] = true;
                 sequence.push_back(cell);
                 at = next;
@@ -177,7 +180,8 @@ private:
             for (std::size_t i = fromFirst ? 1 : 0; i + 1 < sequence.size(); ++i) {
                 for (std::size_t k = i + 1; k < sequence.size() && !job.stopRequested(); ++k) {
                     Sequence turned = sequence;
-                    std::reverse(turned.begin() + static_cast<std::ptrdiff_t>(i), turned.begin() + static_cast<std::ptrdiff_t>(k) + 1);
+                    std::reverse(turned.begin() + static_cast<std::ptrdiff_t>(i),
+                                 turned.begin() + static_cast<std::ptrdiff_t>(k) + 1);
                     if (const double other = variantsFor(turned, fromFirst).first; other < time - 1e-6) {
                         time = other;
                         sequence = std::move(turned);
@@ -199,7 +203,8 @@ private:
     std::vector<double> links_;
 };
 
-std::vector<Variant> variantsIn(const std::vector<std::size_t>& cell, const PatternOrder& order, const RouteTask& task) {
+std::vector<Variant> variantsIn(const std::vector<std::size_t>& cell, const PatternOrder& order,
+                                const RouteTask& task) {
     SwathSet part;
     for (const std::size_t swath : cell) {
         part.swaths.push_back(task.swaths.swaths[swath]);
@@ -229,7 +234,8 @@ double quickestS(const std::vector<Variant>& variants, const RouteTask& task) {
 }
 
 /// The variants of the quickest pattern in this cell. Of about equal ones the first.
-std::vector<Variant> quickestVariants(const std::vector<std::size_t>& cell, std::span<const PatternOrder> patterns, const RouteTask& task) {
+std::vector<Variant> quickestVariants(const std::vector<std::size_t>& cell,
+                                      std::span<const PatternOrder> patterns, const RouteTask& task) {
     std::vector<Variant> best = variantsIn(cell, patterns.front(), task);
     double bestS = quickestS(best, task);
     for (const PatternOrder& pattern : patterns | std::views::drop(1)) {
@@ -248,7 +254,8 @@ Result<Route> routeOverCells(const PatternOrder& order, const RouteTask& task, c
     return routeOverCells(std::span{&order, 1}, task, job);
 }
 
-Result<Route> routeOverCells(std::span<const PatternOrder> patterns, const RouteTask& task, const JobContext& job) {
+Result<Route> routeOverCells(std::span<const PatternOrder> patterns, const RouteTask& task,
+                             const JobContext& job) {
     std::vector<std::vector<Variant>> cells;
     for (const std::vector<std::size_t>& cell : task.cells) {
         if (job.stopRequested()) {
@@ -267,7 +274,8 @@ Result<Route> routeOverCells(std::span<const PatternOrder> patterns, const Route
         cells.push_back(quickestVariants(all, patterns, task));
     }
     if (cells.size() == 1) {
-        Route route{.steps = std::ranges::min_element(cells.front(), {}, &Variant::timeS)->steps, .lengthInPlace = {}};
+        Route route{.steps = std::ranges::min_element(cells.front(), {}, &Variant::timeS)->steps,
+                    .lengthInPlace = {}};
         route.lengthInPlace = lengthInPlace(route.steps, task.swaths);
         return route;
     }

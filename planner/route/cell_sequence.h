@@ -20,6 +20,7 @@ Result<Route> routeOverCells(const PatternOrder& order, const RouteTask& task, c
 /// The same with, in each cell, the pattern that is quickest there in free space. A pattern that saves less
 /// than 0.2 % of the cell's time is passed over for an earlier one. Cost: each pattern's turns, then that of
 /// one pattern.
-Result<Route> routeOverCells(std::span<const PatternOrder> patterns, const RouteTask& task, const JobContext& job);
+Result<Route> routeOverCells(std::span<const PatternOrder> patterns, const RouteTask& task,
+                             const JobContext& job);
 
 }  // namespace furrow

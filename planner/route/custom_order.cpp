@@ -54,9 +54,9 @@ Result<Route> customOrder(const RouteTask& task, const JobContext& job) {
         }
     }
     if (!missing.empty()) {
-        return std::unexpected(refused(message("{} of {} swaths are not in the order: {}", missing.size(), count,
-                                                   listed(missing)),
-                                       "name each swath once, with a minus where it is driven backwards"));
+        return std::unexpected(refused(
+            message("{} of {} swaths are not in the order: {}", missing.size(), count, listed(missing)),
+            "name each swath once, with a minus where it is driven backwards"));
     }
     route.lengthInPlace = lengthInPlace(route.steps, task.swaths);
     return route;

@@ -118,7 +118,8 @@ Duration turningTime(const std::vector<RouteStep>& steps, const RouteTask& task)
     return sum;
 }
 
-std::vector<std::vector<RouteStep>> variantsOf(const TrackOrder& order, const SwathSet& swaths, const Settings& settings) {
+std::vector<std::vector<RouteStep>> variantsOf(const TrackOrder& order, const SwathSet& swaths,
+                                               const Settings& settings) {
     std::vector<std::vector<RouteStep>> variants{alongTracks(swaths, order, false)};
     if (settings.choice(kCorner) != "best") {
         return variants;

@@ -31,7 +31,8 @@ Duration turningTime(const std::vector<RouteStep>& steps, const RouteTask& task)
 
 /// The ways to drive tracks in this order. With route.corner `best`, eight: all four start corners and both
 /// directions through the order. With `first`, the one from the start of the first swath.
-std::vector<std::vector<RouteStep>> variantsOf(const TrackOrder& order, const SwathSet& swaths, const Settings& settings);
+std::vector<std::vector<RouteStep>> variantsOf(const TrackOrder& order, const SwathSet& swaths,
+                                               const Settings& settings);
 
 /// The route in this order of tracks. With route.corner `best`, the quickest of all four start corners and
 /// both directions through the order. With `first`, from the start of the first swath. Cancelled. Cost: eight

@@ -1,7 +1,7 @@
 #include "planner/route/route.h"
 
-#include "planner/headland/smooth_ring.h"
 #include "planner/geometry/curve_parts.h"
+#include "planner/headland/smooth_ring.h"
 #include "planner/turns/connection.h"
 #include "planner/units/angle.h"
 
@@ -79,9 +79,8 @@ Polyline drivenMiddle(const RouteStep& step, const SwathSet& swaths) {
 }
 
 Curve turnBetween(const RouteStep& from, const RouteStep& to, const SwathSet& swaths, const Machine& machine,
-                 TurnPlanner* turn) {
-    return connection(vehicleEnd(from, swaths, machine), vehicleStart(to, swaths, machine),
-                      machine, turn);
+                  TurnPlanner* turn) {
+    return connection(vehicleEnd(from, swaths, machine), vehicleStart(to, swaths, machine), machine, turn);
 }
 
 Length lengthInPlace(const std::vector<RouteStep>& steps, const SwathSet& swaths) {

@@ -1,11 +1,11 @@
 #pragma once
 
 #include "planner/core/result.h"
+#include "planner/geometry/pose.h"
 #include "planner/jobs/job.h"
 #include "planner/machine/machine.h"
 #include "planner/settings/settings.h"
 #include "planner/swaths/swath.h"
-#include "planner/geometry/pose.h"
 #include "planner/turns/turn_method.h"
 
 #include <vector>
@@ -47,7 +47,7 @@ Polyline drivenMiddle(const RouteStep& step, const SwathSet& swaths);
 
 /// The turn from the end of one step to the start of another, run-in included.
 Curve turnBetween(const RouteStep& from, const RouteStep& to, const SwathSet& swaths, const Machine& machine,
-                 TurnPlanner* turn);
+                  TurnPlanner* turn);
 
 /// L_0 of the paper for this order.
 Length lengthInPlace(const std::vector<RouteStep>& steps, const SwathSet& swaths);

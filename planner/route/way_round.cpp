@@ -1,11 +1,11 @@
 #include "planner/route/way_round.h"
 
+#include "planner/geometry/curve_parts.h"
 #include "planner/geometry/tolerances.h"
 #include "planner/jobs/parallel.h"
 #include "planner/route/beside_line.h"
 #include "planner/route/route.h"
 #include "planner/swaths/curved_swaths.h"
-#include "planner/geometry/curve_parts.h"
 #include "planner/turns/dubins.h"
 #include "planner/turns/rig.h"
 
@@ -166,7 +166,8 @@ public:
 private:
     /// The part of the line beside an extent, with the length of the machine before and after.
     Curve around(const Extent& extent) const {
-        return part(line_, std::max(0.0, extent.fromM - 2.0 * breadth_.endM), std::min(lengthM_, extent.toM + 2.0 * breadth_.endM));
+        return part(line_, std::max(0.0, extent.fromM - 2.0 * breadth_.endM),
+                    std::min(lengthM_, extent.toM + 2.0 * breadth_.endM));
     }
 
     /// The detour with the line before and after it, until a trailed implement is in line again in both
@@ -201,14 +202,16 @@ private:
     std::vector<Shape> shapesPast(const Extent& extent, Side side) const {
         const double leastM = swathRadius(task_.machine).si();
         const double endM = breadth_.endM;
-        const std::array aheads{breadth_.halfLengthM, 0.5 * (breadth_.halfLengthM + endM), endM,
-                                endM + 0.5 * breadth_.sideM, endM + breadth_.sideM, 2.0 * endM + breadth_.sideM};
+        const std::array aheads{
+            breadth_.halfLengthM,  0.5 * (breadth_.halfLengthM + endM), endM, endM + 0.5 * breadth_.sideM,
+            endM + breadth_.sideM, 2.0 * endM + breadth_.sideM};
         const double shiftM = shiftPast(extent, side);
         std::vector<Shape> shapes;
         for (const double aheadM : aheads) {
             for (const double radii : kRadii) {
                 for (const double moreM : kMoreM) {
-                    const Shape shape = shapePast(extent, shiftM + std::copysign(moreM, shiftM), aheadM, radii * leastM);
+                    const Shape shape =
+                        shapePast(extent, shiftM + std::copysign(moreM, shiftM), aheadM, radii * leastM);
                     if (shape.leftM2 <= mostLeftM2_) {
                         shapes.push_back(shape);
                     }
@@ -240,8 +243,10 @@ private:
             grows = false;
             const Shape shape = shapePast(extent, shiftPast(extent, side), breadth_.endM, leastM);
             for (const Extent& other : extents_) {
-                const bool isAlong = other.toM > shape.fromM - shape.changeM && other.fromM < shape.toM + shape.changeM;
-                const bool isInWay = other.rightM < shape.shiftM + clearM_ && other.leftM > shape.shiftM - clearM_;
+                const bool isAlong =
+                    other.toM > shape.fromM - shape.changeM && other.fromM < shape.toM + shape.changeM;
+                const bool isInWay =
+                    other.rightM < shape.shiftM + clearM_ && other.leftM > shape.shiftM - clearM_;
                 Extent both = extent;
                 both.add(other);
                 if (isAlong && isInWay && both != extent && shape.leftM2 < mostLeftM2_) {
@@ -263,7 +268,8 @@ private:
     }
 
     /// The curve from one place beside the line to another that is farther on.
-    std::optional<Curve> change(double fromM, double fromLeftM, double toM, double toLeftM, double radiusM) const {
+    std::optional<Curve> change(double fromM, double fromLeftM, double toM, double toLeftM,
+                                double radiusM) const {
         Curve turn = dubinsTurn(poseAt(fromM, fromLeftM), poseAt(toM, toLeftM), metres(radiusM));
         if (turn.length().si() > kDetour * (toM - fromM)) {
             return std::nullopt;
@@ -292,8 +298,10 @@ private:
         const Curve beside = part(line_, plateauFromM, plateauToM);
         for (const CurvePiece& piece : beside.pieces) {
             // No shift to the inner side of a bend that it would make too sharp.
-            const double radiusM = piece.curvature == Curvature{} ? std::numeric_limits<double>::infinity() : 1.0 / piece.curvature.si();
-            if (radiusM * shape.shiftM > 0.0 && std::abs(radiusM) - std::abs(shape.shiftM) < swathRadius(task_.machine).si()) {
+            const double radiusM = piece.curvature == Curvature{} ? std::numeric_limits<double>::infinity()
+                                                                  : 1.0 / piece.curvature.si();
+            if (radiusM * shape.shiftM > 0.0 &&
+                std::abs(radiusM) - std::abs(shape.shiftM) < swathRadius(task_.machine).si()) {
                 return std::nullopt;
             }
         }

@@ -7,9 +7,9 @@ namespace furrow {
 
 namespace {
 
-// A headland on which the machine turned while it worked the mainland is worked last where the wheels would spoil it
-// (sowing); first where it has to be opened or where its inner edge shows where to stop (the others). Crop and seed in
-// the mainland are not driven over on the way; soil that is being worked may be.
+// A headland on which the machine turned while it worked the mainland is worked last where the wheels would
+// spoil it (sowing); first where it has to be opened or where its inner edge shows where to stop (the
+// others). Crop and seed in the mainland are not driven over on the way; soil that is being worked may be.
 using Defaults = std::array<OperationDefault, 3>;
 
 Defaults defaults(std::string_view when, std::string_view traversal, double overlapM) {

@@ -3,8 +3,8 @@
 namespace furrow {
 
 bool isText(ParameterKind kind) {
-    return kind == ParameterKind::Line || kind == ParameterKind::Lines || kind == ParameterKind::File || kind == ParameterKind::Place ||
-           kind == ParameterKind::Numbers;
+    return kind == ParameterKind::Line || kind == ParameterKind::Lines || kind == ParameterKind::File ||
+           kind == ParameterKind::Place || kind == ParameterKind::Numbers;
 }
 
 SettingValue Parameter::defaultValue() const {

@@ -17,9 +17,12 @@ namespace {
 
 Message rangeText(const Parameter& parameter) {
     switch (parameter.kind) {
-        case ParameterKind::Length: return message("give a number from {} to {} m", parameter.min, parameter.max);
-        case ParameterKind::Angle: return message("give a number from {} to {} degrees", parameter.min, parameter.max);
-        case ParameterKind::Percent: return message("give a number from {} to {} %", parameter.min, parameter.max);
+        case ParameterKind::Length:
+            return message("give a number from {} to {} m", parameter.min, parameter.max);
+        case ParameterKind::Angle:
+            return message("give a number from {} to {} degrees", parameter.min, parameter.max);
+        case ParameterKind::Percent:
+            return message("give a number from {} to {} %", parameter.min, parameter.max);
         default: return message("give a number from {} to {}", parameter.min, parameter.max);
     }
 }
@@ -146,8 +149,10 @@ void SettingReads::add(const SettingReads& others) {
 
 bool SettingReads::areEqualIn(const Settings& a, const Settings& b) const {
     const std::scoped_lock lock{mutex_};
-    return std::ranges::all_of(values_, [&](const Parameter* each) { return a.value(*each) == b.value(*each); }) &&
-           std::ranges::all_of(given_, [&](const Parameter* each) { return a.isSet(*each) == b.isSet(*each); });
+    return std::ranges::all_of(values_,
+                               [&](const Parameter* each) { return a.value(*each) == b.value(*each); }) &&
+           std::ranges::all_of(given_,
+                               [&](const Parameter* each) { return a.isSet(*each) == b.isSet(*each); });
 }
 
 Result<void> Settings::set(const Parameter& parameter, const SettingValue& value) {
@@ -179,7 +184,8 @@ Result<void> Settings::set(const Parameter& parameter, const SettingValue& value
     } else if (parameter.kind == ParameterKind::Lines) {
         const auto* text = std::get_if<std::string>(&value);
         if (text == nullptr || !parsedLines(*text)) {
-            return wrongKind("lines in WGS84 such as MULTILINESTRING ((4.1 52.0, 4.2 52.0), (4.1 52.1, 4.2 52.1))");
+            return wrongKind(
+                "lines in WGS84 such as MULTILINESTRING ((4.1 52.0, 4.2 52.0), (4.1 52.1, 4.2 52.1))");
         }
     } else if (parameter.kind == ParameterKind::File) {
         if (!std::holds_alternative<std::string>(value)) {
@@ -204,8 +210,8 @@ Result<void> Settings::set(const Parameter& parameter, const SettingValue& value
     if (!checked) {
         return checked;
     }
-    // Only what differs is kept, so that two requests that mean the same compare equal. What depends on the operation
-    // stays as it was given, whichever of the two is set first.
+    // Only what differs is kept, so that two requests that mean the same compare equal. What depends on the
+    // operation stays as it was given, whichever of the two is set first.
     if (value == parameter.defaultValue() && !isSetByOperation(parameter.key)) {
         clear(parameter);
     } else {

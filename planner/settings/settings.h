@@ -20,7 +20,8 @@ struct Operation;
 
 class Settings;
 
-/// Which settings a stage asked for while it ran: on others its result does not depend. Several threads may ask.
+/// Which settings a stage asked for while it ran: on others its result does not depend. Several threads may
+/// ask.
 class SettingReads {
 public:
     void addValue(const Parameter& parameter);

@@ -16,14 +16,17 @@ constexpr Choice kTraversals[] = {
 
 Traversal traversalOf(const Settings& settings) {
     const std::string id = settings.choice(kTraversal);
-    return id == "boundary" ? Traversal::Boundary : id == "headland" ? Traversal::Headland : Traversal::Interior;
+    return id == "boundary"   ? Traversal::Boundary
+           : id == "headland" ? Traversal::Headland
+                              : Traversal::Interior;
 }
 
-const Parameter kTraversal{.key = "route.traversal",
-                           .name = "Ways",
-                           .description = "Where the machine may drive from swath to swath; follows from the operation.",
-                           .kind = ParameterKind::Choice,
-                           .standard = 0.0,
-                           .choices = kTraversals};
+const Parameter kTraversal{
+    .key = "route.traversal",
+    .name = "Ways",
+    .description = "Where the machine may drive from swath to swath; follows from the operation.",
+    .kind = ParameterKind::Choice,
+    .standard = 0.0,
+    .choices = kTraversals};
 
 }  // namespace furrow

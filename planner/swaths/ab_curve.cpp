@@ -51,7 +51,9 @@ Result<PickedEdge> pickedEdge(const Field& field, int number) {
 /// The run from the picked edge, in one direction round the ring, until a corner.
 Polyline runFrom(const Ring& ring, std::size_t first, bool onwards, double widthM) {
     const std::size_t size = ring.size();
-    const auto vertex = [&](std::size_t step) { return ring[onwards ? (first + 1 + step) % size : (first + 2 * size - step) % size]; };
+    const auto vertex = [&](std::size_t step) {
+        return ring[onwards ? (first + 1 + step) % size : (first + 2 * size - step) % size];
+    };
     const Point start = onwards ? ring[first] : ring[(first + 1) % size];
     const auto turnAt = [&](std::size_t step) {
         const Point in = vertex(step) - (step == 0 ? start : vertex(step - 1));
@@ -112,8 +114,12 @@ Result<SwathSet> abCurve(const SwathTask& task, const JobContext& job) {
     }
     const Length reach = metres(box.width() + box.height());
     return guideCurve(*points, swathRadius(task.machine), reach, isDrawn ? kLine.key : kEdge.key)
-        .and_then([&](const GuideLine& guide) { return parallelSwathLines(guide, *spacing, isDrawn, task, job.part(0.0, 0.5)); })
-        .and_then([&](const std::vector<SwathLine>& lines) { return swathsOnLines(lines, task, job.part(0.5, 1.0)); })
+        .and_then([&](const GuideLine& guide) {
+            return parallelSwathLines(guide, *spacing, isDrawn, task, job.part(0.0, 0.5));
+        })
+        .and_then([&](const std::vector<SwathLine>& lines) {
+            return swathsOnLines(lines, task, job.part(0.5, 1.0));
+        })
         .and_then([&](SwathSet set) -> Result<SwathSet> {
             if (spacing->lastPass != LastPass::Gap) {
                 return set;

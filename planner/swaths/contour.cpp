@@ -196,7 +196,8 @@ private:
         const Polygon& region = given.outline;
         const MainlandEdges edges{{region}};
         const double middleM = medianOf(heightsIn(heights_, edges));
-        Polyline contour = opened(longestInside(contourLines(heights_, middleM), edges), 2.0 * spacing_.width.si());
+        Polyline contour =
+            opened(longestInside(contourLines(heights_, middleM), edges), 2.0 * spacing_.width.si());
         if (given.anyway || contour.size() < 2 || lengthM(contour) < 2.0 * spacing_.width.si()) {
             contour = longestEdge(region);
         }
@@ -209,9 +210,10 @@ private:
             return std::unexpected(guide.error());
         }
         // Swaths reach half a width into the neighbouring block, so that nothing is left between the two.
-        auto around = dilated({region}, 0.5 * spacing_.width, metres(0.1), job).and_then([&](const MultiPolygon& wider) {
-            return intersection(wider, task_.mainland, job);
-        });
+        auto around = dilated({region}, 0.5 * spacing_.width, metres(0.1), job)
+                          .and_then([&](const MultiPolygon& wider) {
+                              return intersection(wider, task_.mainland, job);
+                          });
         if (!around) {
             return std::unexpected(around.error());
         }
@@ -229,7 +231,8 @@ private:
         const bool isLast = given.anyway || blocks_.size() + 1 >= kMostBlocks;
         // From the contour outwards, to both sides, until a parallel leaves its own contour.
         const auto nearest = static_cast<std::size_t>(
-            std::ranges::min_element(places, {}, [](double place) { return std::abs(place); }) - places.begin());
+            std::ranges::min_element(places, {}, [](double place) { return std::abs(place); }) -
+            places.begin());
         std::size_t first = nearest;
         std::size_t last = nearest;
         std::vector<std::vector<Curve>> parts(places.size());
@@ -267,10 +270,13 @@ private:
     /// Keeps the rest of a block for a later block, except slivers.
     Result<void> leaveRest(const Region& region, const MultiPolygon& worked, const JobContext& job) {
         const Length sliver = 0.25 * spacing_.width;
-        const auto rest = unionOf(worked, job, kSnapGrid)
-                              .and_then([&](const MultiPolygon& all) { return difference({region.outline}, all, job, kSnapGrid); })
-                              .and_then([&](const MultiPolygon& left) { return eroded(left, sliver, metres(0.05), job); })
-                              .and_then([&](const MultiPolygon& core) { return dilated(core, sliver, metres(0.05), job); });
+        const auto rest =
+            unionOf(worked, job, kSnapGrid)
+                .and_then([&](const MultiPolygon& all) {
+                    return difference({region.outline}, all, job, kSnapGrid);
+                })
+                .and_then([&](const MultiPolygon& left) { return eroded(left, sliver, metres(0.05), job); })
+                .and_then([&](const MultiPolygon& core) { return dilated(core, sliver, metres(0.05), job); });
         if (!rest) {
             return std::unexpected(rest.error());
         }
@@ -314,24 +320,28 @@ Result<SwathSet> alongContours(const SwathTask& task, const JobContext& job) {
         std::max({2.0 * task.machine.operatingWidth(), 2.0 * task.machine.minTurningRadius(), kLeastEvened});
     return ContourLayer{task, *spacing, smoothed(*task.guides->elevation, evened)}
         .lay(job.part(0.0, 0.5))
-        .and_then([&](const std::vector<SwathLine>& lines) { return swathsOnLines(lines, task, job.part(0.5, 1.0)); });
+        .and_then([&](const std::vector<SwathLine>& lines) {
+            return swathsOnLines(lines, task, job.part(0.5, 1.0));
+        });
 }
 
 constexpr const Parameter* kParameters[] = {&kElevation};
 
 }  // namespace
 
-const Parameter kElevation{.key = "swaths.elevation",
-                           .name = "Heights",
-                           .description = "A raster of heights in metres that covers the field, such as a GeoTIFF.",
-                           .kind = ParameterKind::File,
-                           .standard = {},
-                           .choices = {}};
+const Parameter kElevation{
+    .key = "swaths.elevation",
+    .name = "Heights",
+    .description = "A raster of heights in metres that covers the field, such as a GeoTIFF.",
+    .kind = ParameterKind::File,
+    .standard = {},
+    .choices = {}};
 
 const Method<SwathGenerator> kContourMethod{
     .info = {.id = "contour",
              .name = "Along the contours",
-             .description = "Across the slope: beside a line of equal height, and a new one where that no longer fits.",
+             .description =
+                 "Across the slope: beside a line of equal height, and a new one where that no longer fits.",
              .parameters = kParameters},
     .run = alongContours};
 

@@ -14,7 +14,8 @@ namespace {
 constexpr double kReach = 3.0;
 
 /// Blurs along rows or columns, over the known cells only.
-std::vector<double> blurred(const ElevationGrid& grid, const std::vector<double>& values, double deviationCells, bool rows) {
+std::vector<double> blurred(const ElevationGrid& grid, const std::vector<double>& values,
+                            double deviationCells, bool rows) {
     const auto reach = static_cast<std::ptrdiff_t>(std::ceil(kReach * deviationCells));
     std::vector<double> weights;
     for (std::ptrdiff_t k = -reach; k <= reach; ++k) {
@@ -73,12 +74,13 @@ Point placeOn(const ElevationGrid& grid, const GridEdge& edge, double heightM) {
 
 void addCell(const ElevationGrid& grid, std::size_t column, std::size_t row, double heightM, Links& links) {
     // Corners counter-clockwise from the lower left. Edge k goes from corner k to the next.
-    const std::array<double, 4> heights{grid.at(column, row), grid.at(column + 1, row), grid.at(column + 1, row + 1),
-                                        grid.at(column, row + 1)};
+    const std::array<double, 4> heights{grid.at(column, row), grid.at(column + 1, row),
+                                        grid.at(column + 1, row + 1), grid.at(column, row + 1)};
     if (!std::ranges::all_of(heights, [](double height) { return std::isfinite(height); })) {
         return;
     }
-    const std::array<GridEdge, 4> edges{{{column, row, false}, {column + 1, row, true}, {column, row + 1, false}, {column, row, true}}};
+    const std::array<GridEdge, 4> edges{
+        {{column, row, false}, {column + 1, row, true}, {column, row + 1, false}, {column, row, true}}};
     // Counter-clockwise round the cell, the line enters at the edge that goes up and leaves at the edge that
     // goes down. So uphill lies to its left.
     std::vector<std::size_t> enters;
@@ -130,7 +132,8 @@ ElevationGrid smoothed(const ElevationGrid& grid, Length radius) {
     const double deviationCells = radius.si() / grid.cellM;
     ElevationGrid even = grid;
     if (deviationCells > 0.3) {
-        even.heightsM = blurred(grid, blurred(grid, grid.heightsM, deviationCells, true), deviationCells, false);
+        even.heightsM =
+            blurred(grid, blurred(grid, grid.heightsM, deviationCells, true), deviationCells, false);
     }
     return even;
 }

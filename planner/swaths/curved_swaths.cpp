@@ -1,9 +1,9 @@
 #include "planner/swaths/curved_swaths.h"
 
-#include "planner/jobs/parallel.h"
 #include "planner/geometry/curve_parts.h"
-#include "planner/swaths/heading_search.h"
 #include "planner/geometry/curve_sampling.h"
+#include "planner/jobs/parallel.h"
+#include "planner/swaths/heading_search.h"
 #include "planner/units/angle.h"
 
 #include <algorithm>
@@ -96,7 +96,8 @@ void addStrips(const Curve& whole, Length width, MultiPolygon& strips) {
     };
     for (const CurvePiece& piece : whole.pieces) {
         const double bend = std::abs(piece.curvature.si());
-        const auto parts = std::max(1, static_cast<int>(std::ceil(bend * piece.length.si() / kMostTurnedRad)));
+        const auto parts =
+            std::max(1, static_cast<int>(std::ceil(bend * piece.length.si() / kMostTurnedRad)));
         CurvePiece part = piece;
         part.length = piece.length / parts;
         const bool isSector = bend * halfM >= 1.0;
@@ -128,7 +129,8 @@ std::vector<double> trackPlaces(double lowM, double highM, const SwathSpacing& s
     const double slack = std::min(kFlushM, 0.01 * stepM);
     std::vector<double> places;
     if (highest - lowest <= slack) {
-        const double nearest = anchored ? stepM * std::round(0.5 * (lowM + highM) / stepM) : 0.5 * (lowM + highM);
+        const double nearest =
+            anchored ? stepM * std::round(0.5 * (lowM + highM) / stepM) : 0.5 * (lowM + highM);
         places.push_back(nearest > lowM && nearest < highM ? nearest : 0.5 * (lowM + highM));
         return places;
     }
@@ -168,8 +170,9 @@ std::vector<double> trackPlaces(double lowM, double highM, const SwathSpacing& s
     return places;
 }
 
-Result<std::vector<SwathLine>> parallelSwathLines(const GuideLine& guide, const SwathSpacing& spacing, bool anchored,
-                                                  const SwathTask& task, const JobContext& job) {
+Result<std::vector<SwathLine>> parallelSwathLines(const GuideLine& guide, const SwathSpacing& spacing,
+                                                  bool anchored, const SwathTask& task,
+                                                  const JobContext& job) {
     const ParallelLines parallels{guide};
     const MainlandEdges edges{task.mainland};
     double lowM = std::numeric_limits<double>::infinity();
@@ -209,13 +212,15 @@ Result<std::vector<SwathLine>> parallelSwathLines(const GuideLine& guide, const 
         const double steps = std::round(places[i] / stepM);
         const bool isOnLane = anchored && std::abs(places[i] - steps * stepM) < kFlushM;
         for (const Curve& part : (*beside)[i]) {
-            lines.push_back({static_cast<int>(i), part, isOnLane ? std::optional{static_cast<int>(steps)} : std::nullopt});
+            lines.push_back({static_cast<int>(i), part,
+                             isOnLane ? std::optional{static_cast<int>(steps)} : std::nullopt});
         }
     }
     return lines;
 }
 
-Result<SwathSet> swathsOnLines(const std::vector<SwathLine>& lines, const SwathTask& task, const JobContext& job) {
+Result<SwathSet> swathsOnLines(const std::vector<SwathLine>& lines, const SwathTask& task,
+                               const JobContext& job) {
     SwathSet set;
     for (const auto& [track, line, lane] : lines) {
         const Point end = line.end().position;

@@ -28,8 +28,9 @@ std::vector<double> trackPlaces(double lowM, double highM, const SwathSpacing& s
 /// The parallels of a guide line over the whole mainland, cut to it, spaced and anchored as above. Parts
 /// shorter than one operating width are left out if they are remains of a bend. Cancelled. InputRefused: over
 /// a million tracks.
-Result<std::vector<SwathLine>> parallelSwathLines(const GuideLine& guide, const SwathSpacing& spacing, bool anchored,
-                                                  const SwathTask& task, const JobContext& job);
+Result<std::vector<SwathLine>> parallelSwathLines(const GuideLine& guide, const SwathSpacing& spacing,
+                                                  bool anchored, const SwathTask& task,
+                                                  const JobContext& job);
 
 /// Adds the area worked along a line, as strips without folds.
 void addStrips(const Curve& line, Length width, MultiPolygon& strips);
@@ -39,6 +40,7 @@ Result<StripCoverage> coverageOf(const SwathSet& set, const MultiPolygon& mainla
 
 /// Swaths on these lines, in their order, numbered, with coverage and overlap of flat ends. InputRefused: no
 /// lines. Cancelled.
-Result<SwathSet> swathsOnLines(const std::vector<SwathLine>& lines, const SwathTask& task, const JobContext& job);
+Result<SwathSet> swathsOnLines(const std::vector<SwathLine>& lines, const SwathTask& task,
+                               const JobContext& job);
 
 }  // namespace furrow

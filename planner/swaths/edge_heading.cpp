@@ -65,15 +65,17 @@ Angle longestEdgeHeading(const MultiPolygon& mainland) {
     return radians(std::atan2(edge.y, edge.x));
 }
 
-const Parameter kEdge{.key = "swaths.edge",
-                      .name = "Edge",
-                      .description = "Number of the boundary's edge, from 0 in the order of its points; for curves with all around it up to a corner of "
-                                     "35 degrees within a width, or a bend of 90 in all.",
-                      .kind = ParameterKind::Count,
-                      .standard = 0.0,
-                      .min = 0.0,
-                      .max = 1e6,
-                      .choices = {}};
+const Parameter kEdge{
+    .key = "swaths.edge",
+    .name = "Edge",
+    .description =
+        "Number of the boundary's edge, from 0 in the order of its points; for curves with all around it up to a corner of "
+        "35 degrees within a width, or a bend of 90 in all.",
+    .kind = ParameterKind::Count,
+    .standard = 0.0,
+    .min = 0.0,
+    .max = 1e6,
+    .choices = {}};
 
 const Method<SwathGenerator> kEdgeMethod{
     .info = {.id = "edge",

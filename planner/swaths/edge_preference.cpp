@@ -57,7 +57,8 @@ Angle mainDirection(std::span<const Point> line) {
 
 /// A ring that starts at a corner, so that no straight edge continues across its first point.
 Ring fromCorner(const Ring& ring) {
-    const auto corner = std::ranges::max_element(ring, {}, [&](const Point& point) { return norm(point - ring.front()); });
+    const auto corner =
+        std::ranges::max_element(ring, {}, [&](const Point& point) { return norm(point - ring.front()); });
     Ring turned{corner, ring.end()};
     turned.insert(turned.end(), ring.begin(), corner);
     return turned;
@@ -76,7 +77,8 @@ void addEdges(const Ring& ring, std::vector<LongEdge>& edges) {
     }
 }
 
-bool isNoWorse(SwathObjective objective, const HeadingFigures& edge, const HeadingFigures& best, double share) {
+bool isNoWorse(SwathObjective objective, const HeadingFigures& edge, const HeadingFigures& best,
+               double share) {
     if (edge.count == 0) {
         return false;
     }
@@ -86,18 +88,21 @@ bool isNoWorse(SwathObjective objective, const HeadingFigures& edge, const Headi
     if (edge.coverage < best.coverage - kCoverageSlack) {
         return false;
     }
-    return objective == SwathObjective::Length ? edge.length + edge.missed <= (1.0 + share) * (best.length + best.missed)
-                                               : isAsGood(objective, edge, best);
+    return objective == SwathObjective::Length
+               ? edge.length + edge.missed <= (1.0 + share) * (best.length + best.missed)
+               : isAsGood(objective, edge, best);
 }
 
 Note noteOf(const PreferredHeading& preferred, SwathObjective objective) {
-    const bool isLongest = preferred.longestEdge && preferred.longestEdge->heading == preferred.chosen.heading;
+    const bool isLongest =
+        preferred.longestEdge && preferred.longestEdge->heading == preferred.chosen.heading;
     const Message along = isLongest ? message("along the longest edge") : message("along an edge");
     const HeadingFigures& chosen = preferred.chosen.figures;
     const HeadingFigures& best = preferred.best->figures;
     Message text = message("swaths run {}", along);
     if (objective == SwathObjective::Time) {
-        text = message("swaths run {}; {:.0f} s slower than with the best heading", along, (chosen.time - best.time).si());
+        text = message("swaths run {}; {:.0f} s slower than with the best heading", along,
+                       (chosen.time - best.time).si());
     } else if (objective == SwathObjective::Length) {
         text = message("swaths run {}; {:.0f} m more than with the best heading", along,
                        (chosen.length + chosen.missed - best.length - best.missed).si());
@@ -105,7 +110,8 @@ Note noteOf(const PreferredHeading& preferred, SwathObjective objective) {
     return {.text = text, .where = std::string{kPreferEdge.key}, .place = {}};
 }
 
-/// The quickest headings that are apart from each other, and always the chosen one and those of the longest edges.
+/// The quickest headings that are apart from each other, and always the chosen one and those of the longest
+/// edges.
 std::vector<HeadingCandidate> candidatesOf(std::vector<BestHeading> tried, const BestHeading& chosen,
                                            const std::vector<BestHeading>& alongLongest) {
     std::ranges::stable_sort(tried, {}, [](const BestHeading& heading) { return heading.figures.time; });
@@ -125,11 +131,13 @@ std::vector<HeadingCandidate> candidatesOf(std::vector<BestHeading> tried, const
     for (std::size_t i = 0; i < tried.size() && candidates.size() < kMostCandidates; ++i) {
         add(tried[i], kApartDeg);
     }
-    // First that of the field, which people see: along another one by fractions of a degree nobody wants to drive.
+    // First that of the field, which people see: along another one by fractions of a degree nobody wants to
+    // drive.
     for (const BestHeading& edge : alongLongest) {
         add(edge, &edge == &alongLongest.front() ? kSameDeg : kApartDeg);
     }
-    std::ranges::stable_sort(candidates, {}, [](const HeadingCandidate& candidate) { return candidate.figures.time; });
+    std::ranges::stable_sort(candidates, {},
+                             [](const HeadingCandidate& candidate) { return candidate.figures.time; });
     return candidates;
 }
 
@@ -147,7 +155,8 @@ std::vector<LongEdge> longEdges(const MultiPolygon& boundary, Length least) {
     return edges;
 }
 
-PreferredHeading preferEdges(const ScanLine& scanLine, const SwathTask& task, SwathObjective objective, const BestHeading& best) {
+PreferredHeading preferEdges(const ScanLine& scanLine, const SwathTask& task, SwathObjective objective,
+                             const BestHeading& best) {
     PreferredHeading preferred{.chosen = best};
     const double share = 0.01 * *task.settings.percent(kPreferEdge);
     const std::vector<LongEdge> edges = longEdges(task.field.boundary(), task.machine.operatingWidth());
@@ -172,8 +181,9 @@ PreferredHeading preferEdges(const ScanLine& scanLine, const SwathTask& task, Sw
     return preferred;
 }
 
-Result<SwathSet> swathsOfBest(const ScanLine& scanLine, const SwathTask& task, SwathObjective objective, const BestHeading& best,
-                              std::vector<BestHeading> tried, const JobContext& job) {
+Result<SwathSet> swathsOfBest(const ScanLine& scanLine, const SwathTask& task, SwathObjective objective,
+                              const BestHeading& best, std::vector<BestHeading> tried,
+                              const JobContext& job) {
     const PreferredHeading preferred = preferEdges(scanLine, task, objective, best);
     const Angle longest = normalisedSwathHeading(longestEdgeHeading(task.mainland));
     return swathsAlong(scanLine, task, preferred.chosen.heading, objective, job).transform([&](SwathSet set) {
@@ -193,15 +203,17 @@ Result<SwathSet> swathsOfBest(const ScanLine& scanLine, const SwathTask& task, S
     });
 }
 
-const Parameter kPreferEdge{.key = "swaths.prefer_edge_percent",
-                            .name = "Prefer edges within (%)",
-                            .description = "Swaths run along the field's longest edge, or another long one, where that takes no more than this "
-                                           "above the best heading; 0 takes the best whatever its direction.",
-                            .kind = ParameterKind::Percent,
-                            .standard = 0.5,
-                            .min = 0.0,
-                            .max = 100.0,
-                            .step = 0.5,
-                            .choices = {}};
+const Parameter kPreferEdge{
+    .key = "swaths.prefer_edge_percent",
+    .name = "Prefer edges within (%)",
+    .description =
+        "Swaths run along the field's longest edge, or another long one, where that takes no more than this "
+        "above the best heading; 0 takes the best whatever its direction.",
+    .kind = ParameterKind::Percent,
+    .standard = 0.5,
+    .min = 0.0,
+    .max = 100.0,
+    .step = 0.5,
+    .choices = {}};
 
 }  // namespace furrow

@@ -16,8 +16,8 @@ struct LongEdge {
 /// fifth of the longest. Edges in a row that stay within 15 cm of one line are one. Cost: O(n log n).
 std::vector<LongEdge> longEdges(const MultiPolygon& boundary, Length least);
 
-/// The heading of the longest edge of a mainland, which the method `longest-edge` takes. Of equal edges the first.
-/// Cost: O(n).
+/// The heading of the longest edge of a mainland, which the method `longest-edge` takes. Of equal edges the
+/// first. Cost: O(n).
 Angle longestEdgeHeading(const MultiPolygon& mainland);
 
 /// The heading that a search finally takes.
@@ -31,11 +31,12 @@ struct PreferredHeading {
 /// Otherwise takes the best heading. By time and length, the share of `swaths.prefer_edge_percent` may be
 /// lost. By number, coverage and overlap nothing may get worse. Except by time no coverage may be lost. Cost:
 /// one ScanLine::figures for each long edge.
-PreferredHeading preferEdges(const ScanLine& scanLine, const SwathTask& task, SwathObjective objective, const BestHeading& best);
+PreferredHeading preferEdges(const ScanLine& scanLine, const SwathTask& task, SwathObjective objective,
+                             const BestHeading& best);
 
 /// The swaths of the preferred heading, with a note about its cost; by time also with the candidates.
 /// @param tried  other headings that may become candidates, in any order
-Result<SwathSet> swathsOfBest(const ScanLine& scanLine, const SwathTask& task, SwathObjective objective, const BestHeading& best,
-                              std::vector<BestHeading> tried, const JobContext& job);
+Result<SwathSet> swathsOfBest(const ScanLine& scanLine, const SwathTask& task, SwathObjective objective,
+                              const BestHeading& best, std::vector<BestHeading> tried, const JobContext& job);
 
 }  // namespace furrow

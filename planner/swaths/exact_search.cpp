@@ -83,7 +83,8 @@ struct Search {
 
     /// The same by time. Only headings whose bound can still win are driven in full. The time of the most
     /// promising of the first headings makes the bounds of all others cheaper.
-    Result<BestHeading> quickest(const std::vector<Angle>& headings, std::size_t first, const JobContext& job) {
+    Result<BestHeading> quickest(const std::vector<Angle>& headings, std::size_t first,
+                                 const JobContext& job) {
         tried += static_cast<int>(headings.size());
         const auto boundsOf = [&](std::size_t count, Duration enough, const JobContext& part) {
             return parallelMap<Duration>(
@@ -92,8 +93,11 @@ struct Search {
         const auto quickestOf = [&](const std::vector<Duration>& bounds) {
             return headings[static_cast<std::size_t>(std::ranges::min_element(bounds) - bounds.begin())];
         };
-        const auto timeOf = [&](Angle heading) { return scanLine.figures(heading, SwathObjective::Time).time; };
-        const auto few = boundsOf(first, seconds(std::numeric_limits<double>::infinity()), job.part(0.0, 0.1));
+        const auto timeOf = [&](Angle heading) {
+            return scanLine.figures(heading, SwathObjective::Time).time;
+        };
+        const auto few =
+            boundsOf(first, seconds(std::numeric_limits<double>::infinity()), job.part(0.0, 0.1));
         if (!few) {
             return std::unexpected(few.error());
         }
@@ -218,7 +222,8 @@ constexpr const Parameter* kParameters[] = {&kObjective, &kPreferEdge};
 const Method<SwathGenerator> kExactMethod{
     .info = {.id = "exact",
              .name = "Best heading",
-             .description = "Edge directions and every tenth of a degree, refined; says when nothing better exists.",
+             .description =
+                 "Edge directions and every tenth of a degree, refined; says when nothing better exists.",
              .parameters = kParameters},
     .run = exactSearch};
 

@@ -1,8 +1,8 @@
 #include "planner/swaths/full_ends.h"
 
+#include "planner/geometry/curve_parts.h"
 #include "planner/geometry/tolerances.h"
 #include "planner/swaths/clamped_integral.h"
-#include "planner/geometry/curve_parts.h"
 #include "planner/swaths/methods.h"
 
 #include <algorithm>
@@ -74,7 +74,8 @@ private:
             for (std::size_t i = 0; i < rings_[ring].size(); ++i) {
                 const double from = vertex(ring, i).y;
                 const double to = vertex(ring, i + 1).y;
-                for (std::size_t band = bandOf(std::min(from, to)); band <= bandOf(std::max(from, to)); ++band) {
+                for (std::size_t band = bandOf(std::min(from, to)); band <= bandOf(std::max(from, to));
+                     ++band) {
                     bands_[band].push_back({ring, i});
                 }
             }
@@ -172,11 +173,11 @@ std::vector<Piece> edgeAcross(const TurnedEdges& mainland, const End& end, doubl
 }
 
 struct Machinery {
-    double halfWidthM;         // of the implement at work
-    double halfImplementM;     // along the swath
-    double halfTractorM;       // width
-    double aheadM;             // distance that the tractor reaches beyond the implement, the larger of both
-                               // directions
+    double halfWidthM;      // of the implement at work
+    double halfImplementM;  // along the swath
+    double halfTractorM;    // width
+    double aheadM;          // distance that the tractor reaches beyond the implement, the larger of both
+                            // directions
 };
 
 Machinery machineryOf(const Machine& machine) {
@@ -192,7 +193,8 @@ Machinery machineryOf(const Machine& machine) {
 /// Extends ends of swaths that run along one direction.
 class EndDrawer {
 public:
-    EndDrawer(SwathSet& set, Point along, const MultiPolygon& mainland, const EndRoom& room, const Machine& machine)
+    EndDrawer(SwathSet& set, Point along, const MultiPolygon& mainland, const EndRoom& room,
+              const Machine& machine)
         : set_{set},
           along_{along},
           left_{-along_.y, along_.x},
@@ -230,8 +232,9 @@ private:
     double tooFar(const End& end, double mostM) const {
         const double backM = std::min(mostM, machinery_.aheadM + machinery_.halfWidthM);
         const End before{.x = end.x - end.ahead * backM, .y = end.y, .ahead = end.ahead};
-        const double free = std::min(freeAhead(driving_, before, machinery_.halfWidthM) - machinery_.halfImplementM,
-                                     freeAhead(driving_, before, machinery_.halfTractorM) - machinery_.aheadM);
+        const double free =
+            std::min(freeAhead(driving_, before, machinery_.halfWidthM) - machinery_.halfImplementM,
+                     freeAhead(driving_, before, machinery_.halfTractorM) - machinery_.aheadM);
         return std::clamp(backM - free, 0.0, mostM);
     }
 
@@ -248,11 +251,11 @@ private:
             return end.x;
         }
         // The turn goes to one of the neighbours, so the room is one width more on both sides.
-        const double free = std::min(
-            {freeAhead(working_, end, machinery_.halfWidthM),
-             freeAhead(driving_, end, machinery_.halfWidthM) - machinery_.halfImplementM,
-             freeAhead(driving_, end, machinery_.halfTractorM) - machinery_.aheadM,
-             freeAhead(driving_, end, 3.0 * machinery_.halfWidthM) - turningM_});
+        const double free =
+            std::min({freeAhead(working_, end, machinery_.halfWidthM),
+                      freeAhead(driving_, end, machinery_.halfWidthM) - machinery_.halfImplementM,
+                      freeAhead(driving_, end, machinery_.halfTractorM) - machinery_.aheadM,
+                      freeAhead(driving_, end, 3.0 * machinery_.halfWidthM) - turningM_});
         const double more = std::clamp(free, 0.0, wanted);
         set_.endOverlap += squareMetres(areaBeyond(end, across, more));
         return end.x + end.ahead * more;

@@ -73,12 +73,13 @@ constexpr const Parameter* kAPlusParameters[] = {&kLine, &kAngle};
 
 }  // namespace
 
-const Parameter kLine{.key = "swaths.line",
-                      .name = "Line",
-                      .description = "In WGS84: A and B of a line, a curve, A alone with a direction, or a pivot's centre.",
-                      .kind = ParameterKind::Line,
-                      .standard = {},
-                      .choices = {}};
+const Parameter kLine{
+    .key = "swaths.line",
+    .name = "Line",
+    .description = "In WGS84: A and B of a line, a curve, A alone with a direction, or a pivot's centre.",
+    .kind = ParameterKind::Line,
+    .standard = {},
+    .choices = {}};
 
 const Method<SwathGenerator> kAbLineMethod{
     .info = {.id = "ab-line",

@@ -129,24 +129,26 @@ std::vector<GuideLine> rounded(const GuideLine& line, Length radius, Angle sharp
 Result<GuideLine> guideCurve(const Polyline& points, Length radius, Length reach, std::string_view where) {
     const Polyline line = simplified(withoutCloseOnes(points), kSimplified);
     if (line.size() < 2) {
-        return std::unexpected(Error{.code = ErrorCode::Usage,
-                                     .what = "a curve needs at least two points that differ",
-                                     .where = std::string{where},
-                                     .remedy = "give it as WKT in WGS84, such as LINESTRING (4.1 52.0, 4.2 52.0, 4.3 52.1)"});
+        return std::unexpected(
+            Error{.code = ErrorCode::Usage,
+                  .what = "a curve needs at least two points that differ",
+                  .where = std::string{where},
+                  .remedy = "give it as WKT in WGS84, such as LINESTRING (4.1 52.0, 4.2 52.0, 4.3 52.1)"});
     }
     if (const auto crossing = crossingOf(line)) {
-        return std::unexpected(Error{
-            .code = ErrorCode::InputRefused,
-            .what = message("the curve crosses itself, {:.0f} m from its start", distance(*crossing, line.front())),
-            .where = std::string{where},
-            .remedy = "give a curve that does not, or plan its parts apart"});
+        return std::unexpected(Error{.code = ErrorCode::InputRefused,
+                                     .what = message("the curve crosses itself, {:.0f} m from its start",
+                                                     distance(*crossing, line.front())),
+                                     .where = std::string{where},
+                                     .remedy = "give a curve that does not, or plan its parts apart"});
     }
     std::vector<GuideLine> result =
         rounded(guideLineThrough(drawnOut(line, reach.si()), radius, kGentle), radius, kSharpest);
     if (result.size() != 1) {
         return std::unexpected(Error{
             .code = ErrorCode::InputRefused,
-            .what = message("the curve bends more sharply than this machine can follow ({:.1f} m of radius)", radius.si()),
+            .what = message("the curve bends more sharply than this machine can follow ({:.1f} m of radius)",
+                            radius.si()),
             .where = std::string{where},
             .remedy = "give a gentler curve, or one without a turn back"});
     }

@@ -69,8 +69,8 @@ GuideLine guideLineThrough(const Polyline& points, Length radius, Length toleran
         const double turnRad = headingDifference(radians(headingOf(i)), radians(headingOf(i + 1))).si();
         const double nextM = distance(points[i + 1], points[i + 2]);
         // The middle of the arc is t tan(turn / 4) away from the corner.
-        const double tangentM = std::min({0.5 * edgeM, 0.5 * nextM,
-                                          tolerance.si() / std::max(std::tan(0.25 * std::abs(turnRad)), 1e-12)});
+        const double tangentM = std::min(
+            {0.5 * edgeM, 0.5 * nextM, tolerance.si() / std::max(std::tan(0.25 * std::abs(turnRad)), 1e-12)});
         const double radiusM = tangentM / std::max(std::tan(0.5 * std::abs(turnRad)), 1e-12);
         const bool isArc = radiusM >= radius.si();
         if (const double straightM = edgeM - takenM - (isArc ? tangentM : 0.0); straightM > 0.0) {
@@ -92,8 +92,8 @@ Curve drivable(const GuideLine& line) {
         if (piece.lengthM <= 0.0) {
             continue;
         }
-        const Curvature curvature = Curvature::fromSi(
-            std::abs(piece.turnRad) < kStraightRad ? 0.0 : piece.turnRad / piece.lengthM);
+        const Curvature curvature =
+            Curvature::fromSi(std::abs(piece.turnRad) < kStraightRad ? 0.0 : piece.turnRad / piece.lengthM);
         if (!turn.pieces.empty() && turn.pieces.back().curvature == curvature) {
             turn.pieces.back().length += metres(piece.lengthM);
         } else {
@@ -123,7 +123,8 @@ Pose ParallelLines::on(double place, double leftM) const {
     const Placed& placed = placed_[index];
     const double share = place - static_cast<double>(index);
     const double headingRad = placed.headingRad + share * placed.piece.turnRad;
-    return {.position = positionOn(placed.from, placed.headingRad, placed.piece, share) + leftM * leftOfHeading(headingRad),
+    return {.position = positionOn(placed.from, placed.headingRad, placed.piece, share) +
+                        leftM * leftOfHeading(headingRad),
             .heading = radians(headingRad)};
 }
 
@@ -138,7 +139,8 @@ double ParallelLines::distanceM(Point point, std::size_t piece) const {
     if (std::abs(turnRad) < kStraightRad) {
         const Point ahead = direction(placed.headingRad);
         const double along = dot(ahead, point - placed.from);
-        return along > 0.0 && along < placed.piece.lengthM ? std::abs(cross(ahead, point - placed.from)) : endsM;
+        return along > 0.0 && along < placed.piece.lengthM ? std::abs(cross(ahead, point - placed.from))
+                                                           : endsM;
     }
     const double radiusM = placed.piece.lengthM / turnRad;  // negative to the right
     const Point centre = placed.from + radiusM * leftOfHeading(placed.headingRad);
@@ -182,7 +184,8 @@ double ParallelLines::leftOf(Point point) const {
         const bool isWithin = distance(point, centre) < std::abs(radiusM);
         return (isWithin == (radiusM > 0.0) ? 1.0 : -1.0) * nearestM;
     }
-    return cross(direction(placed.headingRad + 0.5 * turnRad), point - placed.from) >= 0.0 ? nearestM : -nearestM;
+    return cross(direction(placed.headingRad + 0.5 * turnRad), point - placed.from) >= 0.0 ? nearestM
+                                                                                           : -nearestM;
 }
 
 std::vector<double> ParallelLines::placesBetween(double from, double to, double leftM, double apartM) const {
@@ -191,8 +194,9 @@ std::vector<double> ParallelLines::placesBetween(double from, double to, double 
         const GuidePiece& piece = placed_[i].piece;
         const double beside = std::abs(piece.lengthM - leftM * piece.turnRad);
         // Corners are passed in steps, too.
-        const auto steps = static_cast<int>(std::ceil(std::max(
-            {2.0, std::max(piece.lengthM, beside) / apartM, std::abs(piece.turnRad) / (kLookRad * apartM / kLookM)})));
+        const auto steps =
+            static_cast<int>(std::ceil(std::max({2.0, std::max(piece.lengthM, beside) / apartM,
+                                                 std::abs(piece.turnRad) / (kLookRad * apartM / kLookM)})));
         for (int k = 1; k <= steps; ++k) {
             const double place = static_cast<double>(i) + static_cast<double>(k) / steps;
             if (place > places.back() && place < to) {
@@ -204,7 +208,8 @@ std::vector<double> ParallelLines::placesBetween(double from, double to, double 
     return places;
 }
 
-std::vector<ParallelLines::Interval> ParallelLines::freeAmong(const std::vector<double>& places, double leftM) const {
+std::vector<ParallelLines::Interval> ParallelLines::freeAmong(const std::vector<double>& places,
+                                                              double leftM) const {
     // The last place with the same state as `same`.
     const auto border = [&](double same, double other, bool free) {
         for (int round = 0; round < 60 && std::abs(other - same) > 1e-15; ++round) {
@@ -237,10 +242,11 @@ std::vector<ParallelLines::Interval> ParallelLines::freeStretches(double leftM) 
     for (const Interval& stretch : seen) {
         // Between stretches that do not meet lies a stretch too short for the first sampling, or an end of
         // the line.
-        if (!stretches.empty() && distance(on(stretches.back().to, leftM).position, on(stretch.from, leftM).position) >
-                                      kMeetingM) {
+        if (!stretches.empty() &&
+            distance(on(stretches.back().to, leftM).position, on(stretch.from, leftM).position) > kMeetingM) {
             const Interval gap{stretches.back().to, stretch.from};
-            for (const Interval& small : freeAmong(placesBetween(gap.from, gap.to, leftM, kLookCloselyM), leftM)) {
+            for (const Interval& small :
+                 freeAmong(placesBetween(gap.from, gap.to, leftM, kLookCloselyM), leftM)) {
                 const bool isEnd = small.to <= gap.from + kLeastPlace || small.from >= gap.to - kLeastPlace;
                 if (!isEnd) {
                     stretches.push_back(small);
@@ -252,12 +258,13 @@ std::vector<ParallelLines::Interval> ParallelLines::freeStretches(double leftM) 
     return stretches;
 }
 
-std::vector<ParallelLines::Interval> ParallelLines::withoutTight(const std::vector<Interval>& stretches, double leftM,
-                                                                  double radiusM) const {
+std::vector<ParallelLines::Interval> ParallelLines::withoutTight(const std::vector<Interval>& stretches,
+                                                                 double leftM, double radiusM) const {
     std::vector<Interval> kept;
     for (const Interval& stretch : stretches) {
         bool open = false;
-        for (auto i = static_cast<std::size_t>(stretch.from); i < placed_.size() && static_cast<double>(i) < stretch.to; ++i) {
+        for (auto i = static_cast<std::size_t>(stretch.from);
+             i < placed_.size() && static_cast<double>(i) < stretch.to; ++i) {
             const GuidePiece& piece = placed_[i].piece;
             const double besideM = piece.lengthM - leftM * piece.turnRad;
             const bool isTight = std::abs(piece.turnRad) > kStraightRad &&
@@ -280,12 +287,14 @@ void ParallelLines::append(GuideLine& line, Interval stretch, double leftM) cons
     if (line.pieces.empty()) {
         line.start = on(stretch.from, leftM);
     }
-    for (auto i = static_cast<std::size_t>(stretch.from); i < placed_.size() && static_cast<double>(i) < stretch.to; ++i) {
+    for (auto i = static_cast<std::size_t>(stretch.from);
+         i < placed_.size() && static_cast<double>(i) < stretch.to; ++i) {
         const double from = std::max(stretch.from, static_cast<double>(i));
         const double to = std::min(stretch.to, static_cast<double>(i + 1));
         const GuidePiece& piece = placed_[i].piece;
         const double share = to - from;
-        const GuidePiece beside{.lengthM = share * (piece.lengthM - leftM * piece.turnRad), .turnRad = share * piece.turnRad};
+        const GuidePiece beside{.lengthM = share * (piece.lengthM - leftM * piece.turnRad),
+                                .turnRad = share * piece.turnRad};
         if (beside.lengthM > 0.0 || std::abs(beside.turnRad) > kStraightRad) {
             line.pieces.push_back(beside);
         }
@@ -338,7 +347,8 @@ std::vector<GuideLine> ParallelLines::at(double leftM, Length radius, Angle shar
         const bool meet = distance(before.position, after.position) < kMeetingM;
         if (meet && side * bendRad >= 0.0 && std::abs(bendRad) <= sharpest.si()) {
             if (std::abs(bendRad) > kStraightRad) {
-                lines.back().pieces.push_back({.lengthM = radius.si() * std::abs(bendRad), .turnRad = bendRad});
+                lines.back().pieces.push_back(
+                    {.lengthM = radius.si() * std::abs(bendRad), .turnRad = bendRad});
             }
         } else {
             open = fill(wide[k].to, wide[k + 1].from, true);

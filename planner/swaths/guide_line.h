@@ -1,8 +1,8 @@
 #pragma once
 
 #include "planner/geometry/box_tree.h"
-#include "planner/geometry/polygon.h"
 #include "planner/geometry/curve.h"
+#include "planner/geometry/polygon.h"
 
 #include <optional>
 #include <vector>
@@ -74,7 +74,8 @@ private:
     std::vector<double> placesBetween(double from, double to, double leftM, double apartM) const;
     std::vector<Interval> freeAmong(const std::vector<double>& places, double leftM) const;
     std::vector<Interval> freeStretches(double leftM) const;
-    std::vector<Interval> withoutTight(const std::vector<Interval>& stretches, double leftM, double radiusM) const;
+    std::vector<Interval> withoutTight(const std::vector<Interval>& stretches, double leftM,
+                                       double radiusM) const;
     void append(GuideLine& line, Interval stretch, double leftM) const;
 
     GuideLine line_;

@@ -17,7 +17,8 @@ constexpr double kRoomSlackM = 0.01;
 constexpr Choice kLastPasses[] = {
     {"overlap", "Overlaps its neighbour", "Full spacing; the last swath is moved back to the edge."},
     {"spread", "Spread over all", "The spacing is reduced evenly so that all fit."},
-    {"gap", "Left out", "Full spacing; a rest of less than half a width stays uncovered, where it costs least."},
+    {"gap", "Left out",
+     "Full spacing; a rest of less than half a width stays uncovered, where it costs least."},
 };
 
 LastPass lastPassOf(const Settings& settings) {
@@ -39,15 +40,14 @@ bool hasRoomBeside(const SwathTask& task) {
 }  // namespace
 
 Result<SwathSpacing> spacingFor(const SwathTask& task, std::optional<Point> anchor) {
-    SwathSpacing spacing{
-        .width = task.machine.operatingWidth(),
-        .overlap = *task.settings.length(kOverlap),
-        .lastPass = lastPassOf(task.settings),
-        .anchor = anchor};
+    SwathSpacing spacing{.width = task.machine.operatingWidth(),
+                         .overlap = *task.settings.length(kOverlap),
+                         .lastPass = lastPassOf(task.settings),
+                         .anchor = anchor};
     if (spacing.overlap >= spacing.width) {
         return std::unexpected(Error{.code = ErrorCode::InputRefused,
                                      .what = message("an overlap of {} m leaves nothing of {} m",
-                                                         spacing.overlap.si(), spacing.width.si()),
+                                                     spacing.overlap.si(), spacing.width.si()),
                                      .where = std::string{kOverlap.key},
                                      .remedy = "give less than the operating width"});
     }
@@ -57,7 +57,8 @@ Result<SwathSpacing> spacingFor(const SwathTask& task, std::optional<Point> anch
 
 Error tooManyTracks(const SwathSpacing& spacing) {
     return {.code = ErrorCode::InputRefused,
-            .what = message("{} m for each swath makes over a million swaths", (spacing.width - spacing.overlap).si()),
+            .what = message("{} m for each swath makes over a million swaths",
+                            (spacing.width - spacing.overlap).si()),
             .where = "operating_width_m",
             .remedy = "check the operating width and the overlap"};
 }
@@ -86,18 +87,20 @@ Result<ScanLine> scanLineFor(const SwathTask& task, std::optional<Point> anchor)
     return scanLine;
 }
 
-Result<BestHeading> bestHeading(const ScanLine& scanLine, std::span<const Angle> headings, SwathObjective objective,
-                          const JobContext& job) {
+Result<BestHeading> bestHeading(const ScanLine& scanLine, std::span<const Angle> headings,
+                                SwathObjective objective, const JobContext& job) {
     // If lines decide, areas are only measured for headings with the best lines.
     std::vector<Angle> left{headings.begin(), headings.end()};
     if (isOfLines(objective)) {
         const auto lines = parallelMap<HeadingFigures>(
-            left.size(), [&](std::size_t i) { return scanLine.lineFigures(left[i], objective); }, job.part(0.0, 0.8));
+            left.size(), [&](std::size_t i) { return scanLine.lineFigures(left[i], objective); },
+            job.part(0.0, 0.8));
         if (!lines) {
             return std::unexpected(lines.error());
         }
         const HeadingFigures best = *std::ranges::min_element(
-            *lines, [&](const HeadingFigures& a, const HeadingFigures& b) { return isBetter(objective, a, b); });
+            *lines,
+            [&](const HeadingFigures& a, const HeadingFigures& b) { return isBetter(objective, a, b); });
         left.clear();
         for (std::size_t i = 0; i < headings.size(); ++i) {
             if (isAsGood(objective, (*lines)[i], best)) {
@@ -120,8 +123,8 @@ Result<BestHeading> bestHeading(const ScanLine& scanLine, std::span<const Angle>
     return BestHeading{left[best], (*figures)[best]};
 }
 
-Result<SwathSet> swathsAlong(const ScanLine& scanLine, const SwathTask& task, Angle heading, SwathObjective objective,
-                             const JobContext& job) {
+Result<SwathSet> swathsAlong(const ScanLine& scanLine, const SwathTask& task, Angle heading,
+                             SwathObjective objective, const JobContext& job) {
     SwathSet set = scanLine.swaths(normalisedSwathHeading(heading), objective);
     if (set.swaths.empty()) {
         return std::unexpected(noSwathFits());

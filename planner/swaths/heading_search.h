@@ -27,11 +27,11 @@ struct BestHeading {
     Angle heading;
     HeadingFigures figures;
 };
-Result<BestHeading> bestHeading(const ScanLine& scanLine, std::span<const Angle> headings, SwathObjective objective,
-                          const JobContext& job);
+Result<BestHeading> bestHeading(const ScanLine& scanLine, std::span<const Angle> headings,
+                                SwathObjective objective, const JobContext& job);
 
 /// The swaths of one heading as a method's result. InputRefused: no swath fits. Cancelled.
-Result<SwathSet> swathsAlong(const ScanLine& scanLine, const SwathTask& task, Angle heading, SwathObjective objective,
-                             const JobContext& job);
+Result<SwathSet> swathsAlong(const ScanLine& scanLine, const SwathTask& task, Angle heading,
+                             SwathObjective objective, const JobContext& job);
 
 }  // namespace furrow

@@ -24,11 +24,12 @@ constexpr double kBeginsM = 1e-3;
 constexpr double kBesideM = 0.02;
 
 /// A rectangle along a direction: its range along it, and its range across it, to the left.
-Polygon rectangleAlong(Point along, Point origin, std::pair<double, double> length, std::pair<double, double> across) {
+Polygon rectangleAlong(Point along, Point origin, std::pair<double, double> length,
+                       std::pair<double, double> across) {
     const Point left{-along.y, along.x};
     const auto at = [&](double x, double y) { return origin + x * along + y * left; };
-    return {.outer = {at(length.first, across.first), at(length.second, across.first), at(length.second, across.second),
-                      at(length.first, across.second)},
+    return {.outer = {at(length.first, across.first), at(length.second, across.first),
+                      at(length.second, across.second), at(length.first, across.second)},
             .holes = {}};
 }
 
@@ -45,16 +46,19 @@ Bounds turnedBounds(const MultiPolygon& mainland, Point along) {
 }
 
 /// The continuation of a lane in the mainland, straight ahead of the pose at its end.
-Result<MultiPolygon> aheadOf(const Pose& end, Length width, const MultiPolygon& mainland, const JobContext& job) {
+Result<MultiPolygon> aheadOf(const Pose& end, Length width, const MultiPolygon& mainland,
+                             const JobContext& job) {
     const Bounds box = bounds(mainland);
     const double farM = box.width() + box.height() + norm(end.position - box.min);
     const Point along = direction(end.heading.si());
     const double halfM = 0.5 * width.si();
-    auto pieces = intersection(mainland, {rectangleAlong(along, end.position, {0.0, farM}, {-halfM, halfM})}, job);
+    auto pieces =
+        intersection(mainland, {rectangleAlong(along, end.position, {0.0, farM}, {-halfM, halfM})}, job);
     if (pieces) {
         // Beyond the mainland's edge the land belongs to another lane.
         std::erase_if(*pieces, [&](const Polygon& piece) {
-            return std::ranges::none_of(piece.outer, [&](Point p) { return dot(along, p - end.position) < kBeginsM; });
+            return std::ranges::none_of(piece.outer,
+                                        [&](Point p) { return dot(along, p - end.position) < kBeginsM; });
         });
     }
     return pieces;
@@ -82,7 +86,8 @@ Result<MultiPolygon> lanesOf(const SwathSet& set, const MultiPolygon& mainland, 
 }
 
 /// The first and the last track beside a piece.
-std::pair<int, int> tracksBeside(const Polygon& piece, const SwathSet& set, const std::vector<Polyline>& middles) {
+std::pair<int, int> tracksBeside(const Polygon& piece, const SwathSet& set,
+                                 const std::vector<Polyline>& middles) {
     std::pair<int, int> tracks{std::numeric_limits<int>::max(), std::numeric_limits<int>::min()};
     for (std::size_t i = 0; i < middles.size(); ++i) {
         const Swath& swath = set.swaths[i];
@@ -109,7 +114,8 @@ Result<MultiPolygon> besideLanes(const SwathSet& set, const MultiPolygon& mainla
     const Bounds box = turnedBounds(mainland, along);
     MultiPolygon left;
     const auto take = [&](double from, double to) -> Result<void> {
-        auto strip = intersection(mainland, {rectangleAlong(along, {}, {box.min.x - 1.0, box.max.x + 1.0}, {from, to})}, job);
+        auto strip = intersection(
+            mainland, {rectangleAlong(along, {}, {box.min.x - 1.0, box.max.x + 1.0}, {from, to})}, job);
         if (!strip) {
             return std::unexpected(strip.error());
         }
@@ -136,13 +142,15 @@ Result<MultiPolygon> betweenLanes(const SwathSet& set, const MultiPolygon& mainl
         });
 }
 
-Result<MultiPolygon> besideOutermostLanes(const SwathSet& set, const MultiPolygon& mainland, const JobContext& job) {
+Result<MultiPolygon> besideOutermostLanes(const SwathSet& set, const MultiPolygon& mainland,
+                                          const JobContext& job) {
     auto left = betweenLanes(set, mainland, job);
     if (!left || left->empty()) {
         return left;
     }
     std::vector<Polyline> middles;
-    std::ranges::transform(set.swaths, std::back_inserter(middles), [](const Swath& swath) { return middleLine(swath); });
+    std::ranges::transform(set.swaths, std::back_inserter(middles),
+                           [](const Swath& swath) { return middleLine(swath); });
     const auto [first, last] = std::ranges::minmax(set.swaths, {}, &Swath::track);
     std::erase_if(*left, [&](const Polygon& piece) {
         const auto [from, to] = tracksBeside(piece, set, middles);

@@ -16,6 +16,7 @@ Result<MultiPolygon> besideLanes(const SwathSet& set, const MultiPolygon& mainla
 Result<MultiPolygon> betweenLanes(const SwathSet& set, const MultiPolygon& mainland, const JobContext& job);
 
 /// The same, but only pieces that lie beside the first track alone, or the last track alone. Cancelled.
-Result<MultiPolygon> besideOutermostLanes(const SwathSet& set, const MultiPolygon& mainland, const JobContext& job);
+Result<MultiPolygon> besideOutermostLanes(const SwathSet& set, const MultiPolygon& mainland,
+                                          const JobContext& job);
 
 }  // namespace furrow

@@ -1,8 +1,8 @@
 #include "planner/swaths/mainland_edges.h"
 
-#include "planner/geometry/segment.h"
 #include "planner/geometry/curve_parts.h"
 #include "planner/geometry/curve_sampling.h"
+#include "planner/geometry/segment.h"
 
 #include <algorithm>
 #include <cmath>
@@ -22,21 +22,25 @@ MainlandEdges::MainlandEdges(const MultiPolygon& mainland) : box_{bounds(mainlan
     std::vector<Bounds> boxes;
     forEachEdge(mainland, [&](Point from, Point to) {
         edges_.push_back({from, to});
-        boxes.push_back({{std::min(from.x, to.x), std::min(from.y, to.y)}, {std::max(from.x, to.x), std::max(from.y, to.y)}});
+        boxes.push_back({{std::min(from.x, to.x), std::min(from.y, to.y)},
+                         {std::max(from.x, to.x), std::max(from.y, to.y)}});
     });
     tree_ = BoxTree{boxes};
 }
 
 bool MainlandEdges::contains(Point point) const {
     bool inside = false;
-    tree_.any([&](const Bounds& box) { return box.min.y <= point.y && box.max.y >= point.y && box.max.x >= point.x; },
-              [&](std::size_t i) {
-                  const auto [a, b] = edges_[i];
-                  if (meetsRay(point, a, b)) {
-                      inside = !inside;
-                  }
-                  return false;
-              });
+    tree_.any(
+        [&](const Bounds& box) {
+            return box.min.y <= point.y && box.max.y >= point.y && box.max.x >= point.x;
+        },
+        [&](std::size_t i) {
+            const auto [a, b] = edges_[i];
+            if (meetsRay(point, a, b)) {
+                inside = !inside;
+            }
+            return false;
+        });
     return inside;
 }
 
@@ -46,7 +50,8 @@ std::vector<Curve> MainlandEdges::partsInside(const Curve& line) const {
     for (std::size_t k = 0; k + 1 < samples.size(); ++k) {
         const Point a = samples[k].pose.position;
         const Point b = samples[k + 1].pose.position;
-        const Bounds chord{{std::min(a.x, b.x), std::min(a.y, b.y)}, {std::max(a.x, b.x), std::max(a.y, b.y)}};
+        const Bounds chord{{std::min(a.x, b.x), std::min(a.y, b.y)},
+                           {std::max(a.x, b.x), std::max(a.y, b.y)}};
         tree_.any(
             [&](const Bounds& box) {
                 return box.min.x <= chord.max.x && chord.min.x <= box.max.x && box.min.y <= chord.max.y &&
@@ -58,7 +63,8 @@ std::vector<Curve> MainlandEdges::partsInside(const Curve& line) const {
                 const double share = area == 0.0 ? -1.0 : cross(c - a, d - c) / area;
                 const double edgeShare = area == 0.0 ? -1.0 : cross(c - a, b - a) / area;
                 if (share >= 0.0 && share <= 1.0 && edgeShare >= 0.0 && edgeShare <= 1.0) {
-                    crossings.push_back((samples[k].way + share * (samples[k + 1].way - samples[k].way)).si());
+                    crossings.push_back(
+                        (samples[k].way + share * (samples[k + 1].way - samples[k].way)).si());
                 }
                 return false;
             });

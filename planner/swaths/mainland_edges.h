@@ -1,8 +1,8 @@
 #pragma once
 
 #include "planner/geometry/box_tree.h"
-#include "planner/geometry/polygon.h"
 #include "planner/geometry/curve.h"
+#include "planner/geometry/polygon.h"
 
 #include <vector>
 

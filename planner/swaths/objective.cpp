@@ -9,7 +9,8 @@ namespace {
 constexpr Choice kObjectives[] = {
     {"time", "Least time", "The shortest time in swaths and turns."},
     {"swath-count", "Fewest swaths", "As few swaths, and so turns, as possible."},
-    {"swath-length", "Shortest swaths", "The least metres driven in swaths, with what is missed added as metres."},
+    {"swath-length", "Shortest swaths",
+     "The least metres driven in swaths, with what is missed added as metres."},
     {"coverage", "Most covered", "The largest covered share of the mainland."},
     {"overlap", "Least overlap", "The smallest area worked twice."},
 };
@@ -28,7 +29,8 @@ double advantage(SwathObjective objective, const HeadingFigures& a, const Headin
     switch (objective) {
         case SwathObjective::Time: return beyond((b.time - a.time).si(), kTimeSlackS);
         case SwathObjective::Count: return b.count - a.count;
-        case SwathObjective::Length: return beyond((b.length + b.missed - a.length - a.missed).si(), kLengthSlackM);
+        case SwathObjective::Length:
+            return beyond((b.length + b.missed - a.length - a.missed).si(), kLengthSlackM);
         case SwathObjective::Coverage: return beyond(a.coverage - b.coverage, kCoverageSlack);
         case SwathObjective::Overlap: return beyond((b.overlap - a.overlap).si(), kAreaSlackM2);
     }

@@ -28,7 +28,8 @@ std::pair<double, double> reachOf(const MultiPolygon& mainland, Point centre) {
 Curve ringAround(Point centre, double radiusM, double fromRad) {
     const Curvature curvature = Curvature::fromSi(1.0 / radiusM);
     return {.type = {},
-            .start = {.position = centre + radiusM * direction(fromRad), .heading = radians(fromRad + 0.5 * std::numbers::pi)},
+            .start = {.position = centre + radiusM * direction(fromRad),
+                      .heading = radians(fromRad + 0.5 * std::numbers::pi)},
             .pieces = {{.length = metres(2.0 * std::numbers::pi * radiusM), .curvature = curvature}}};
 }
 
@@ -74,7 +75,8 @@ Result<SwathSet> pivot(const SwathTask& task, const JobContext& job) {
     int track = 0;
     double fromRad = 0.0;
     // From the outside inwards, starting half a width inside, because a pivot's land is measured by its rim.
-    for (double radiusM = farthestM - 0.5 * spacing->width.si(); radiusM > nearestM; radiusM -= stepM, ++track) {
+    for (double radiusM = farthestM - 0.5 * spacing->width.si(); radiusM > nearestM;
+         radiusM -= stepM, ++track) {
         if (radiusM < tightestM) {
             leftOut = static_cast<int>(std::ceil((radiusM - nearestM) / stepM));
             break;
@@ -85,14 +87,17 @@ Result<SwathSet> pivot(const SwathTask& task, const JobContext& job) {
         // The next ring begins farther on, by the length of the way over to it: two arcs of the smallest
         // radius.
         const double aheadM = std::sqrt(std::max(0.0, stepM * (4.0 * tightestM - stepM)));
-        fromRad += (aheadM + 2.0 * task.machine.spec().implement.runIn.si()) / std::max(radiusM - stepM, tightestM);
+        fromRad +=
+            (aheadM + 2.0 * task.machine.spec().implement.runIn.si()) / std::max(radiusM - stepM, tightestM);
     }
     auto set = swathsOnLines(lines, task, job);
     if (set && leftOut > 0) {
-        set->notes.push_back({.text = message("{} within {:.1f} m of the centre: tighter than this machine can follow, left out",
-                                                  counted("{} circle", "{} circles", leftOut), tightestM),
-                              .where = "swaths",
-                              .place = given.front()});
+        set->notes.push_back(
+            {.text =
+                 message("{} within {:.1f} m of the centre: tighter than this machine can follow, left out",
+                         counted("{} circle", "{} circles", leftOut), tightestM),
+             .where = "swaths",
+             .place = given.front()});
     }
     return set;
 }

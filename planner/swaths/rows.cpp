@@ -47,7 +47,8 @@ std::vector<Row> sortedRows(const std::vector<Polyline>& lines) {
             std::ranges::reverse(line);
         }
     }
-    std::ranges::stable_sort(rows, {}, [along](const Row& row) { return cross(along, row.line.front() + row.line.back()); });
+    std::ranges::stable_sort(
+        rows, {}, [along](const Row& row) { return cross(along, row.line.front() + row.line.back()); });
     return rows;
 }
 
@@ -139,7 +140,8 @@ Result<SwathSet> alongRows(const SwathTask& task, const JobContext& job) {
         rows = between(rows);
     }
     const std::vector<int> skipped = task.settings.numbers(kSkipRows);
-    const auto skippedRows = std::erase_if(rows, [&](const Row& row) { return std::ranges::contains(skipped, row.number); });
+    const auto skippedRows =
+        std::erase_if(rows, [&](const Row& row) { return std::ranges::contains(skipped, row.number); });
     const MainlandEdges edges{task.mainland};
     const Length radius = swathRadius(task.machine);
     std::vector<SwathLine> lines;
@@ -187,12 +189,13 @@ const Parameter kRowsAt{.key = "swaths.rows_at",
                         .standard = 0.0,
                         .choices = kPlaces};
 
-const Parameter kSkipRows{.key = "swaths.skip",
-                          .name = "Skip",
-                          .description = "Rows that are left out, numbered from 1 as in the file; between rows, that on the right.",
-                          .kind = ParameterKind::Numbers,
-                          .standard = {},
-                          .choices = {}};
+const Parameter kSkipRows{
+    .key = "swaths.skip",
+    .name = "Skip",
+    .description = "Rows that are left out, numbered from 1 as in the file; between rows, that on the right.",
+    .kind = ParameterKind::Numbers,
+    .standard = {},
+    .choices = {}};
 
 const Method<SwathGenerator> kRowsMethod{
     .info = {.id = "rows",

@@ -32,7 +32,8 @@ class Ladder {
 public:
     explicit Ladder(const std::vector<double>& rungs)
         : rungs_{rungs},
-          perMetre_{rungs.size() > 1 ? static_cast<double>(rungs.size() - 1) / (rungs.back() - rungs.front()) : 0.0} {}
+          perMetre_{rungs.size() > 1 ? static_cast<double>(rungs.size() - 1) / (rungs.back() - rungs.front())
+                                     : 0.0} {}
 
     /// The number of rungs below a value.
     std::size_t below(double value) const {
@@ -85,16 +86,18 @@ struct ScanLine::Walk {
         if (std::abs(dx) < kSteep * dy) {
             return integrate(low, high, edgeLadder, clampedIntegral);
         }
-        const auto [once, twice] = integrate(low, high, edgeLadder, [](Point from, Point to, Interval interval) {
-            const double span = interval.to - interval.from;
-            return clampedArea(to.x - interval.from, span) - clampedArea(from.x - interval.from, span);
-        });
+        const auto [once, twice] =
+            integrate(low, high, edgeLadder, [](Point from, Point to, Interval interval) {
+                const double span = interval.to - interval.from;
+                return clampedArea(to.x - interval.from, span) - clampedArea(from.x - interval.from, span);
+            });
         return {once * (dy / dx), twice * (dy / dx)};
     }
 
 private:
     template <class Integral>
-    std::pair<double, double> integrate(Point low, Point high, const Ladder& edgeLadder, Integral&& integral) const {
+    std::pair<double, double> integrate(Point low, Point high, const Ladder& edgeLadder,
+                                        Integral&& integral) const {
         const double slope = (high.x - low.x) / (high.y - low.y);
         const auto at = [&](double y) {
             return y <= low.y ? low : y >= high.y ? high : Point{low.x + slope * (y - low.y), y};
@@ -158,7 +161,8 @@ void countOverlaps(std::vector<Interval>& intervals, std::vector<Interval>& once
 Length shortestTurnBetween(Length spacing, Length radius) {
     const Pose from{.position = {}, .heading = degrees(0.0)};
     const auto lengthAt = [&](double shiftM) {
-        return dubinsLength(from, {.position = {shiftM, spacing.si()}, .heading = degrees(180.0)}, radius).si();
+        return dubinsLength(from, {.position = {shiftM, spacing.si()}, .heading = degrees(180.0)}, radius)
+            .si();
     };
     double shortest = lengthAt(0.0);
     // A turn is longer than the shift it corrects.
@@ -311,12 +315,14 @@ void ScanLine::layThroughAnchor(Walk& walk) const {
     // The whole number of steps that brings the anchor's line to its lowest place inside the mainland.
     const double first = walk.anchorY - step * std::floor((walk.anchorY - lowest + slack) / step);
     if (walk.highY - walk.lowY <= width) {
-        const double nearest = walk.anchorY + step * std::round((0.5 * (lowest + highest) - walk.anchorY) / step);
+        const double nearest =
+            walk.anchorY + step * std::round((0.5 * (lowest + highest) - walk.anchorY) / step);
         const bool crosses = nearest > walk.lowY && nearest < walk.highY;
         walk.tracks.push_back(crosses ? nearest : 0.5 * (lowest + highest));
         return;
     }
-    if (spacing_.lastPass == LastPass::Spread && walk.anchorY > lowest - slack && walk.anchorY < highest + slack) {
+    if (spacing_.lastPass == LastPass::Spread && walk.anchorY > lowest - slack &&
+        walk.anchorY < highest + slack) {
         // As many as needed on each side of the anchor, evenly.
         const auto spread = [&](double from, double to) {
             if (to - from <= slack) {
@@ -343,7 +349,8 @@ void ScanLine::layThroughAnchor(Walk& walk) const {
     }
     if (!isGap && (walk.tracks.empty() || walk.tracks.back() < highest - slack)) {
         walk.tracks.push_back(highest);
-    } else if (isGap && !walk.tracks.empty() && spacing_.isWorthASwath(metres(highest - walk.tracks.back()))) {
+    } else if (isGap && !walk.tracks.empty() &&
+               spacing_.isWorthASwath(metres(highest - walk.tracks.back()))) {
         walk.tracks.push_back(spacing_.overEdge ? walk.tracks.back() + step : highest);
     }
     if (walk.tracks.empty()) {
@@ -448,7 +455,8 @@ void ScanLine::findSlabs(Walk& walk) const {
         const bool isOne = beyondActive - firstActive == 1;
         std::vector<Interval>& into = isOne ? walk.covered : walk.scratch;
         walk.scratch.clear();
-        for (std::size_t i = walk.firstInterval[firstActive]; i + 1 < walk.firstInterval[beyondActive]; i += 2) {
+        for (std::size_t i = walk.firstInterval[firstActive]; i + 1 < walk.firstInterval[beyondActive];
+             i += 2) {
             if (walk.crossings[i + 1] - walk.crossings[i] >= kShortestSwathM) {
                 into.push_back({walk.crossings[i], walk.crossings[i + 1]});
             }
@@ -471,8 +479,8 @@ Duration ScanLine::drivingTime(const Walk& walk, const TurnLength& turnLength) c
         const Pose to{.position = {(back ? endX : startX) + lead, y}, .heading = degrees(back ? 180.0 : 0.0)};
         if (from) {
             // Pieces of one track lie straight ahead of each other.
-            turnsM += from->position.y == y ? std::abs(to.position.x - from->position.x)
-                                            : turnLength(*from, to);
+            turnsM +=
+                from->position.y == y ? std::abs(to.position.x - from->position.x) : turnLength(*from, to);
         }
         swathsM += endX - startX;
         from = Pose{.position = {(back ? startX : endX) + lead, y}, .heading = to.heading};
@@ -517,7 +525,8 @@ std::pair<double, double> ScanLine::coveredAreas(const Walk& walk) const {
         for (std::size_t i = begin; i < end; ++i) {
             const Point b = walk.rotated[i];
             if (a.y != b.y) {
-                const auto [covered, doubled] = a.y < b.y ? walk.coveredBeside(a, b, ladder) : walk.coveredBeside(b, a, ladder);
+                const auto [covered, doubled] =
+                    a.y < b.y ? walk.coveredBeside(a, b, ladder) : walk.coveredBeside(b, a, ladder);
                 const double sign = a.y < b.y ? 1.0 : -1.0;
                 coveredM2 += sign * covered;
                 doubledM2 += sign * doubled;

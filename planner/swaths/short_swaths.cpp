@@ -20,7 +20,8 @@ struct Worked {
     double sharedM2 = 0.0;
 };
 
-Result<Worked> workedBy(const SwathSet& gone, const SwathSet& kept, const MultiPolygon& mainland, const JobContext& job) {
+Result<Worked> workedBy(const SwathSet& gone, const SwathSet& kept, const MultiPolygon& mainland,
+                        const JobContext& job) {
     MultiPolygon lanes;
     for (const Swath& swath : gone.swaths) {
         addStrips(lineOf(swath), swath.width, lanes);
@@ -38,7 +39,9 @@ Result<Worked> workedBy(const SwathSet& gone, const SwathSet& kept, const MultiP
         return intersection(all, mainland, job, kSnapGrid);
     });
     const auto alone = whole.and_then([&](const MultiPolygon& all) {
-        return unionOf(others, job, kSnapGrid).and_then([&](const MultiPolygon& near) { return difference(all, near, job, kSnapGrid); });
+        return unionOf(others, job, kSnapGrid).and_then([&](const MultiPolygon& near) {
+            return difference(all, near, job, kSnapGrid);
+        });
     });
     if (!alone) {
         return std::unexpected(alone.error());
@@ -63,8 +66,8 @@ std::vector<bool> shortOnes(const SwathSet& set, Length least) {
     return areShort;
 }
 
-Result<void> leaveOut(const std::vector<bool>& shortOnes, Length least, const MultiPolygon& mainland, SwathSet& set,
-                      const JobContext& job) {
+Result<void> leaveOut(const std::vector<bool>& shortOnes, Length least, const MultiPolygon& mainland,
+                      SwathSet& set, const JobContext& job) {
     SwathSet gone;
     SwathSet kept;
     for (std::size_t i = 0; i < set.swaths.size(); ++i) {
@@ -85,22 +88,24 @@ Result<void> leaveOut(const std::vector<bool>& shortOnes, Length least, const Mu
         set.swaths[i].number = static_cast<int>(i) + 1;
         set.totalLength += set.swaths[i].length();
     }
-    set.notes.push_back({.text = counted("{} swath shorter than {:.2f} m is left out", "{} swaths shorter than {:.2f} m are left out",
-                                         gone.swaths.size(), least.si()),
-                         .where = std::string{kMinLength.key},
-                         .place = {}});
+    set.notes.push_back(
+        {.text = counted("{} swath shorter than {:.2f} m is left out",
+                         "{} swaths shorter than {:.2f} m are left out", gone.swaths.size(), least.si()),
+         .where = std::string{kMinLength.key},
+         .place = {}});
     return {};
 }
 
-const Parameter kMinLength{.key = "swaths.min_length_m",
-                           .name = "Shortest swath",
-                           .description = "Swaths that are shorter are left out; auto is the implement's length.",
-                           .kind = ParameterKind::Length,
-                           .standard = {},
-                           .canBeAuto = true,
-                           .min = 0.0,
-                           .max = 100.0,
-                           .step = 0.5,
-                           .choices = {}};
+const Parameter kMinLength{
+    .key = "swaths.min_length_m",
+    .name = "Shortest swath",
+    .description = "Swaths that are shorter are left out; auto is the implement's length.",
+    .kind = ParameterKind::Length,
+    .standard = {},
+    .canBeAuto = true,
+    .min = 0.0,
+    .max = 100.0,
+    .step = 0.5,
+    .choices = {}};
 
 }  // namespace furrow

@@ -20,7 +20,7 @@ std::vector<bool> shortOnes(const SwathSet& set, Length least);
 /// removed ones. Cancelled.
 ///
 /// @param set  with flat ends, like its figures
-Result<void> leaveOut(const std::vector<bool>& shortOnes, Length least, const MultiPolygon& mainland, SwathSet& set,
-                      const JobContext& job);
+Result<void> leaveOut(const std::vector<bool>& shortOnes, Length least, const MultiPolygon& mainland,
+                      SwathSet& set, const JobContext& job);
 
 }  // namespace furrow

@@ -75,7 +75,8 @@ Result<StripCoverage> coverageOf(const MultiPolygon& strips, const MultiPolygon&
     std::vector<TurnedEdge> edges;
     const auto add = [&](const MultiPolygon& polygons, std::size_t owner) {
         forEachEdge(polygons, [&](Point from, Point to) {
-            edges.push_back({{dot(ahead, from), cross(ahead, from)}, {dot(ahead, to), cross(ahead, to)}, owner});
+            edges.push_back(
+                {{dot(ahead, from), cross(ahead, from)}, {dot(ahead, to), cross(ahead, to)}, owner});
         });
     };
     add(mainland, 0);
@@ -104,7 +105,8 @@ Result<StripCoverage> coverageOf(const MultiPolygon& strips, const MultiPolygon&
                 if (to < 0.0 || from > kLinesAtOnce) {
                     continue;
                 }
-                for (double k = std::max(0.0, std::ceil(from)); k < std::min<double>(to, kLinesAtOnce); k += 1.0) {
+                for (double k = std::max(0.0, std::ceil(from)); k < std::min<double>(to, kLinesAtOnce);
+                     k += 1.0) {
                     const double share = (first + k * apartM - edge.from.x) / (edge.to.x - edge.from.x);
                     lines[static_cast<std::size_t>(k)].push_back(
                         {edge.owner, edge.from.y + share * (edge.to.y - edge.from.y)});

@@ -2,12 +2,12 @@
 
 #include "planner/core/result.h"
 #include "planner/field/field.h"
+#include "planner/geometry/curve.h"
 #include "planner/geometry/polygon.h"
 #include "planner/jobs/job.h"
 #include "planner/machine/machine.h"
 #include "planner/settings/settings.h"
 #include "planner/swaths/objective.h"
-#include "planner/geometry/curve.h"
 
 #include <algorithm>
 #include <optional>
@@ -30,7 +30,7 @@ struct Swath {
     /// Whole spacings to the left of the line that the swaths were laid by. Empty without such a line, or if
     /// the swath was moved to the edge.
     std::optional<int> lane = {};
-    bool tramline = false;  ///< passes of a wider machine will later drive on it
+    bool tramline = false;   ///< passes of a wider machine will later drive on it
     bool goesRound = false;  ///< leaves its track to pass obstacles
     /// The line from start to end as lines and arcs, if it is not straight along the set's heading. Otherwise
     /// without pieces.
@@ -61,10 +61,10 @@ struct SwathSet {
     std::vector<Swath> swaths;  ///< ordered by track, then along the heading
     Angle heading;              ///< modulo pi; for curved swaths the mean
     bool proved = false;        ///< no better set exists for the objective
-    Length totalLength;     ///< of the swaths as they are
-    double coverage = 0.0;  ///< A_cov: covered share of the mainland, flat ends
-    Area overlap;           ///< area inside the mainland covered at least twice, flat ends
-    Length shift;           ///< from half a width inside the mainland's edge to the first track
+    Length totalLength;         ///< of the swaths as they are
+    double coverage = 0.0;      ///< A_cov: covered share of the mainland, flat ends
+    Area overlap;               ///< area inside the mainland covered at least twice, flat ends
+    Length shift;               ///< from half a width inside the mainland's edge to the first track
     /// The widths of the strips to the right and left of the outermost straight swaths that the last pass
     /// leaves out (`gap`).
     Length restRight;
@@ -73,13 +73,13 @@ struct SwathSet {
     /// the last pass is `gap`, and land between and beside rows. Land at the ends of swaths does not count.
     MultiPolygon leftOnPurpose;
     int headingsTried = 1;
-    /// Of a search by time: the quickest headings by its estimate, at least a degree apart, quickest first, and
-    /// the headings of the longest edges of field and mainland. The set's own heading is among them.
+    /// Of a search by time: the quickest headings by its estimate, at least a degree apart, quickest first,
+    /// and the headings of the longest edges of field and mainland. The set's own heading is among them.
     std::vector<HeadingCandidate> candidates;
     /// Area worked beyond the mainland's edge by extended ends.
     Area endOverlap;
     std::vector<Ring> goneRound;  ///< obstacles inside the mainland that swaths go round
-    std::vector<Note> notes;  ///< what was left out, and why
+    std::vector<Note> notes;      ///< what was left out, and why
 
     bool isCurved() const {
         return std::ranges::any_of(swaths, [](const Swath& swath) { return swath.isCurved(); });

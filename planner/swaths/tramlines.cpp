@@ -9,7 +9,8 @@ namespace {
 constexpr Choice kStarts[] = {
     {"left", "At the left edge", "The first swath on the left is one, or the line that was given."},
     {"right", "At the right edge", "The first swath on the right is one, or the line that was given."},
-    {"half", "Half way in", "So that the wide machine begins flush with the left edge, or beside the line that was given."},
+    {"half", "Half way in",
+     "So that the wide machine begins flush with the left edge, or beside the line that was given."},
 };
 
 }  // namespace
@@ -21,7 +22,8 @@ void markTramlines(SwathSet& set, const Settings& settings) {
     }
     const std::string start = settings.choice(kTramlineStart);
     const bool isHalf = start == "half";
-    const bool hasLanes = std::ranges::any_of(set.swaths, [](const Swath& swath) { return swath.lane.has_value(); });
+    const bool hasLanes =
+        std::ranges::any_of(set.swaths, [](const Swath& swath) { return swath.lane.has_value(); });
     std::vector<int> tracks;  // from right to left
     for (const Swath& swath : set.swaths) {
         if (tracks.empty() || tracks.back() != swath.track) {
@@ -41,14 +43,15 @@ void markTramlines(SwathSet& set, const Settings& settings) {
     }
 }
 
-const Parameter kTramlineEvery{.key = "swaths.tramline_every",
-                               .name = "Tramline every",
-                               .description = "Every how many swaths a wider machine will drive again; 0 for none.",
-                               .kind = ParameterKind::Count,
-                               .standard = 0.0,
-                               .min = 0.0,
-                               .max = 100.0,
-                               .choices = {}};
+const Parameter kTramlineEvery{
+    .key = "swaths.tramline_every",
+    .name = "Tramline every",
+    .description = "Every how many swaths a wider machine will drive again; 0 for none.",
+    .kind = ParameterKind::Count,
+    .standard = 0.0,
+    .min = 0.0,
+    .max = 100.0,
+    .choices = {}};
 
 const Parameter kTramlineStart{.key = "swaths.tramline_start",
                                .name = "First tramline",

@@ -280,8 +280,8 @@ private:
         return found;
     }
 
-    /// Unit vectors of the way driven around a sample. Where the machine changes gear there are two, to the sample
-    /// and on from it: what lies between them is nobody's course.
+    /// Unit vectors of the way driven around a sample. Where the machine changes gear there are two, to the
+    /// sample and on from it: what lies between them is nobody's course.
     struct Course {
         std::optional<Point> onward;  ///< nothing where the machine hardly moved
         std::optional<Point> before;
@@ -289,7 +289,8 @@ private:
 
     static std::optional<Point> unit(Point step, double shortestM) {
         const double length = norm(step);
-        return length >= shortestM && std::isfinite(length) ? std::optional{(1.0 / length) * step} : std::nullopt;
+        return length >= shortestM && std::isfinite(length) ? std::optional{(1.0 / length) * step}
+                                                            : std::nullopt;
     }
 
     static Course courseAt(const Ring& places, std::size_t i) {

@@ -117,8 +117,8 @@ Curve straightened(Curve way, const Rig& rig, const TravelCost& travel, const Jo
 }
 
 /// The searched way, with the straight that the implement needs before it is lowered, if that fits.
-std::optional<Curve> searched(const Rig& rig, const Pose& leaving, const Pose& arriving, const TravelCost& travel,
-                             const JobContext& job, SearchEffort effort) {
+std::optional<Curve> searched(const Rig& rig, const Pose& leaving, const Pose& arriving,
+                              const TravelCost& travel, const JobContext& job, SearchEffort effort) {
     if (effort == SearchEffort::None) {
         return std::nullopt;
     }
@@ -141,7 +141,7 @@ std::optional<Curve> searched(const Rig& rig, const Pose& leaving, const Pose& a
 }  // namespace
 
 std::optional<Curve> fittingConnection(const Rig& rig, const Pose& leaving, const Pose& arriving,
-                                      const TravelCost& travel, const JobContext& job, SearchEffort effort) {
+                                       const TravelCost& travel, const JobContext& job, SearchEffort effort) {
     const Machine& machine = rig.machine();
     std::vector<Candidate> turns = candidates(leaving, arriving, machine);
     const auto fits = std::ranges::find_if(turns, [&](const Candidate& candidate) {
@@ -156,18 +156,19 @@ std::optional<Curve> fittingConnection(const Rig& rig, const Pose& leaving, cons
     return better ? std::optional{std::move(fits->turn)} : way;
 }
 
-std::optional<Curve> fittingTurn(const Rig& rig, const Pose& leaving, const Pose& arriving, const TravelCost& travel,
-                                const Method<TurnPlanner>& kind) {
+std::optional<Curve> fittingTurn(const Rig& rig, const Pose& leaving, const Pose& arriving,
+                                 const TravelCost& travel, const Method<TurnPlanner>& kind) {
     const Machine& machine = rig.machine();
     Curve turn = connection(leaving, arriving, machine, kind.run);
-    if (turn.type != kind.info.id || isDear(turn, machine, travel) || !rig.driven(Rig::inLine(leaving), turn)) {
+    if (turn.type != kind.info.id || isDear(turn, machine, travel) ||
+        !rig.driven(Rig::inLine(leaving), turn)) {
         return std::nullopt;
     }
     return turn;
 }
 
 Curve feasibleConnection(const Rig& rig, const Pose& leaving, const Pose& arriving, const TravelCost& travel,
-                        const JobContext& job) {
+                         const JobContext& job) {
     auto way = fittingConnection(rig, leaving, arriving, travel, job);
     return way ? std::move(*way) : std::move(candidates(leaving, arriving, rig.machine()).front().turn);
 }
@@ -175,7 +176,8 @@ Curve feasibleConnection(const Rig& rig, const Pose& leaving, const Pose& arrivi
 const Method<TurnPlanner> kBestFeasibleMethod{
     .info = {.id = "best-feasible",
              .name = "Best that fits",
-             .description = "The quickest turn of any kind that stays inside the field, in several moves where it must.",
+             .description =
+                 "The quickest turn of any kind that stays inside the field, in several moves where it must.",
              .parameters = {}},
     .run = runBestFeasible};
 

@@ -17,14 +17,15 @@ extern const Method<TurnPlanner> kBestFeasibleMethod;
 /// @param travel  cost of driving at a place; empty: the same everywhere
 /// Cost: some ten microseconds if a turn fits, up to half a second if nothing does.
 Curve feasibleConnection(const Rig& rig, const Pose& leaving, const Pose& arriving, const TravelCost& travel,
-                        const JobContext& job);
+                         const JobContext& job);
 /// The same. Empty if nothing fits.
-std::optional<Curve> fittingConnection(const Rig& rig, const Pose& leaving, const Pose& arriving, const TravelCost& travel,
-                                      const JobContext& job, SearchEffort effort = SearchEffort::Thorough);
+std::optional<Curve> fittingConnection(const Rig& rig, const Pose& leaving, const Pose& arriving,
+                                       const TravelCost& travel, const JobContext& job,
+                                       SearchEffort effort = SearchEffort::Thorough);
 
 /// The turn of one kind, if it stays inside and does not cross dear places that it could go round. Empty if
 /// it does not fit, or if the poses or the machine do not allow this kind.
-std::optional<Curve> fittingTurn(const Rig& rig, const Pose& leaving, const Pose& arriving, const TravelCost& travel,
-                                const Method<TurnPlanner>& kind);
+std::optional<Curve> fittingTurn(const Rig& rig, const Pose& leaving, const Pose& arriving,
+                                 const TravelCost& travel, const Method<TurnPlanner>& kind);
 
 }  // namespace furrow

@@ -1,18 +1,17 @@
 #include "planner/turns/footprint_check.h"
 
-#include "planner/geometry/tolerances.h"
 #include "planner/geometry/curve_sampling.h"
+#include "planner/geometry/tolerances.h"
 
 #include <algorithm>
 #include <cmath>
 
 namespace furrow {
 
-namespace {
+namespace {}  // namespace
 
-}  // namespace
-
-FootprintRoom roomAround(const Pose& pose, const Ring& footprint, double radiusM, const BoundaryDistance& edges) {
+FootprintRoom roomAround(const Pose& pose, const Ring& footprint, double radiusM,
+                         const BoundaryDistance& edges) {
     const double reachM = edges.reachM();
     FootprintRoom room{reachM, reachM};
     const Point ahead = direction(pose.heading.si());
@@ -27,7 +26,8 @@ FootprintRoom roomAround(const Pose& pose, const Ring& footprint, double radiusM
         if (sureM > 0.0 && dot(away, away) <= sureM * sureM) {
             continue;
         }
-        const double insideM = edges.insideM(pose.position + corner.x * ahead + corner.y * left).value_or(reachM);
+        const double insideM =
+            edges.insideM(pose.position + corner.x * ahead + corner.y * left).value_or(reachM);
         room.edgesM = std::min(room.edgesM, insideM);
         if (insideM > freeM) {
             free = corner;
@@ -40,7 +40,8 @@ FootprintRoom roomAround(const Pose& pose, const Ring& footprint, double radiusM
         // Skip corners that are farther away than the nearest so far plus the radius of the footprint.
         const double mostM = radiusM + room.cornersM;
         if (dot(way, way) < mostM * mostM) {
-            room.cornersM = std::min(room.cornersM, awayFrom(footprint, {dot(ahead, way), cross(ahead, way)}));
+            room.cornersM =
+                std::min(room.cornersM, awayFrom(footprint, {dot(ahead, way), cross(ahead, way)}));
         }
     }
     return room;

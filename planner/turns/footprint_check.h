@@ -19,7 +19,8 @@ struct FootprintRoom {
     double least() const { return edgesM < cornersM ? edgesM : cornersM; }
 };
 /// @param radiusM  of the footprint
-FootprintRoom roomAround(const Pose& pose, const Ring& footprint, double radiusM, const BoundaryDistance& edges);
+FootprintRoom roomAround(const Pose& pose, const Ring& footprint, double radiusM,
+                         const BoundaryDistance& edges);
 /// From the reference point to the farthest corner.
 double radiusOf(const Ring& footprint);
 

@@ -19,8 +19,15 @@ public:
     /// @param towards  later questions are near this place, so the search goes towards it first (Silver 2005,
     /// Cooperative Pathfinding: reverse resumable A*)
     /// @param clearance  of the tractor's middle from the edges; not required near both ends
-    GridDistance(const Rig& rig, const TravelCost& travel, Point goal, Point towards, double cellM, Length clearance, std::size_t mostCells)
-        : rig_{rig}, travel_{travel}, origin_{goal}, towards_{towards}, cellM_{cellM}, clearance_{clearance}, mostCells_{mostCells} {
+    GridDistance(const Rig& rig, const TravelCost& travel, Point goal, Point towards, double cellM,
+                 Length clearance, std::size_t mostCells)
+        : rig_{rig},
+          travel_{travel},
+          origin_{goal},
+          towards_{towards},
+          cellM_{cellM},
+          clearance_{clearance},
+          mostCells_{mostCells} {
         open_.push({norm(towards - goal), 0, 0});
         reached_[packed(0, 0)] = {.distance = 0.0, .travel = 1.0};
     }
@@ -32,7 +39,8 @@ public:
         Place& place = placeAt(column, row);
         // A place where nobody may stand would start a search of the whole field.
         while (!place.settled) {
-            if (place.travel == 0.0 || open_.empty() || open_.top().atLeast > most || settled_ == mostCells_) {
+            if (place.travel == 0.0 || open_.empty() || open_.top().atLeast > most ||
+                settled_ == mostCells_) {
                 return std::numeric_limits<double>::infinity();
             }
             settleNearest();
@@ -68,7 +76,9 @@ private:
         return rig_.mayStandAt(point, isFar ? clearance_ : Length{});
     }
 
-    Point middleOf(std::int32_t column, std::int32_t row) const { return origin_ + Point{column * cellM_, row * cellM_}; }
+    Point middleOf(std::int32_t column, std::int32_t row) const {
+        return origin_ + Point{column * cellM_, row * cellM_};
+    }
 
     Place& placeAt(std::int32_t column, std::int32_t row) {
         auto [found, isNew] = reached_.try_emplace(packed(column, row));

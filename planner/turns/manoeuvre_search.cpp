@@ -44,10 +44,10 @@ constexpr std::size_t kShotEvery = 8;
 constexpr double kNearRadii = 8.0;
 /// Range and resolution of the search. Far ways use a coarser grid.
 struct Scope {
-    double reach = 1.0;           ///< factor on the usual range
-    double cellsAcross = 200.0;   ///< largest number of grid cells on the straight line to the goal
+    double reach = 1.0;               ///< factor on the usual range
+    double cellsAcross = 200.0;       ///< largest number of grid cells on the straight line to the goal
     std::size_t mostCells = 200'000;  ///< larger regions are not searched
-    bool clear = false;           ///< excludes places where only the tractor gets through
+    bool clear = false;               ///< excludes places where only the tractor gets through
 };
 
 constexpr Scope kNear{};
@@ -89,7 +89,8 @@ struct Node {
 
 class Search {
 public:
-    Search(const Rig& rig, const Pose& from, const Pose& to, const TravelCost& travel, const JobContext& job, const Scope& scope)
+    Search(const Rig& rig, const Pose& from, const Pose& to, const TravelCost& travel, const JobContext& job,
+           const Scope& scope)
         : rig_{rig},
           machine_{rig.machine()},
           to_{to},
@@ -170,8 +171,12 @@ private:
 
     Key keyOf(const Node& node) const {
         const double cellM = 0.5 * kMoveRad * radiusM_;
-        const auto x = static_cast<std::int64_t>(std::floor((node.state.tractor.position.x - to_.position.x) / cellM)) & 0xFFFFFF;
-        const auto y = static_cast<std::int64_t>(std::floor((node.state.tractor.position.y - to_.position.y) / cellM)) & 0xFFFFFF;
+        const auto x =
+            static_cast<std::int64_t>(std::floor((node.state.tractor.position.x - to_.position.x) / cellM)) &
+            0xFFFFFF;
+        const auto y =
+            static_cast<std::int64_t>(std::floor((node.state.tractor.position.y - to_.position.y) / cellM)) &
+            0xFFFFFF;
         const double turns = node.state.tractor.heading.si() / (2.0 * kPi);
         const auto heading = static_cast<Key>((turns - std::floor(turns)) * kHeadings) % kHeadings;
         return static_cast<Key>(x) << 40U | static_cast<Key>(y) << 16U | heading << 1U |
@@ -348,7 +353,10 @@ private:
                 return;
             }
             // The way in along the edge has already been checked.
-            const Curve open{.type = rest.type, .start = rest.start, .pieces = {rest.pieces.begin(), rest.pieces.begin() + static_cast<std::ptrdiff_t>(checked)}};
+            const Curve open{
+                .type = rest.type,
+                .start = rest.start,
+                .pieces = {rest.pieces.begin(), rest.pieces.begin() + static_cast<std::ptrdiff_t>(checked)}};
             if (rig_.driven(node.state, open, room_)) {
                 bestS_ = timeS;
                 bestPlainS_ = plainS;
@@ -374,7 +382,8 @@ private:
         // Successive moves with equal gear and curvature become one.
         std::vector<CurvePiece> merged;
         for (const CurvePiece& piece : turn.pieces) {
-            if (!merged.empty() && merged.back().gear == piece.gear && merged.back().curvature == piece.curvature &&
+            if (!merged.empty() && merged.back().gear == piece.gear &&
+                merged.back().curvature == piece.curvature &&
                 merged.back().endCurvature == piece.endCurvature && piece.curvature == piece.endCurvature) {
                 merged.back().length = merged.back().length + piece.length;
             } else {
@@ -403,7 +412,9 @@ private:
     std::vector<Node> nodes_;
     FootprintRoom room_;  ///< at the current node
     std::unordered_map<Key, double> reached_;
-    std::priority_queue<std::pair<double, std::size_t>, std::vector<std::pair<double, std::size_t>>, std::greater<>> open_;
+    std::priority_queue<std::pair<double, std::size_t>, std::vector<std::pair<double, std::size_t>>,
+                        std::greater<>>
+        open_;
     std::optional<Curve> best_;
     double bestS_ = kInfinite;
     double bestPlainS_ = kInfinite;
@@ -411,8 +422,8 @@ private:
 
 }  // namespace
 
-std::optional<Curve> searchManoeuvre(const Rig& rig, const Pose& from, const Pose& to, const TravelCost& travel,
-                                    const JobContext& job, SearchEffort effort) {
+std::optional<Curve> searchManoeuvre(const Rig& rig, const Pose& from, const Pose& to,
+                                     const TravelCost& travel, const JobContext& job, SearchEffort effort) {
     auto way = Search{rig, from, to, travel, job, kNear}.run(effort);
     // The way may be long: round a bay of a large field, or round a neck too narrow for the implement.
     for (const Scope& scope : {kAfar, kAllRound}) {

@@ -28,7 +28,8 @@ enum class SearchEffort { Thorough, Quick, None };
 /// @return a turn of type kCombinedTurn, near the shortest. Empty if none was found within some thousand
 /// moves, or if the job was stopped.
 /// Cost: a tenth of a millisecond for each tested move; from milliseconds to half a second.
-std::optional<Curve> searchManoeuvre(const Rig& rig, const Pose& from, const Pose& to, const TravelCost& travel,
-                                    const JobContext& job, SearchEffort effort = SearchEffort::Thorough);
+std::optional<Curve> searchManoeuvre(const Rig& rig, const Pose& from, const Pose& to,
+                                     const TravelCost& travel, const JobContext& job,
+                                     SearchEffort effort = SearchEffort::Thorough);
 
 }  // namespace furrow

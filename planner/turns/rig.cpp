@@ -1,8 +1,8 @@
 #include "planner/turns/rig.h"
 
+#include "planner/geometry/curve_sampling.h"
 #include "planner/geometry/tolerances.h"
 #include "planner/turns/footprint_check.h"
-#include "planner/geometry/curve_sampling.h"
 
 #include <algorithm>
 #include <cmath>
@@ -76,7 +76,8 @@ double Rig::crossedM(const Part& part, const Pose& pose) const {
 
 double Rig::crossedM(const RigState& state) const {
     const double tractor = crossedM(tractor_, state.tractor);
-    return trailer_ ? std::max(tractor, crossedM(trailed_, trailer_->poseOf(state.tractor, state.implement))) : tractor;
+    return trailer_ ? std::max(tractor, crossedM(trailed_, trailer_->poseOf(state.tractor, state.implement)))
+                    : tractor;
 }
 
 double Rig::roomM(const RigState& state) const {
@@ -124,18 +125,23 @@ bool Rig::isClearAhead(const RigState& state, double wayM, double touchingM) con
            isClearAhead(trailed_, trailer_->poseOf(state.tractor, state.implement), wayM, touchingM);
 }
 
-std::optional<RigState> Rig::driven(const RigState& from, const CurvePiece& piece, Length touching, FootprintRoom known) const {
+std::optional<RigState> Rig::driven(const RigState& from, const CurvePiece& piece, Length touching,
+                                    FootprintRoom known) const {
     return drivenOn(from, piece, touching, known);
 }
 
-std::optional<RigState> Rig::drivenOn(const RigState& from, const CurvePiece& piece, Length touching, FootprintRoom& room) const {
+std::optional<RigState> Rig::drivenOn(const RigState& from, const CurvePiece& piece, Length touching,
+                                      FootprintRoom& room) const {
     // No point moves by more than this for each metre of the way.
     const double bent = std::max(std::abs(piece.curvature.si()), std::abs(piece.endCurvature.si()));
-    const double swings = std::max(1.0 + bent * tractor_.radiusM, trailer_ ? 1.0 + trailed_.radiusM / trailer_->trailingM : 0.0);
+    const double swings = std::max(1.0 + bent * tractor_.radiusM,
+                                   trailer_ ? 1.0 + trailed_.radiusM / trailer_->trailingM : 0.0);
     const bool isStraight = bent == 0.0;
     const auto freeWay = [&] {
-        const double alongEdges = std::max(room.edgesM / swings, isStraight ? kLookOnStraightM : kLookInBendM);
-        const double atCorners = std::max(room.cornersM / swings, isStraight ? kLookInBendM : kLookAtCornersM);
+        const double alongEdges =
+            std::max(room.edgesM / swings, isStraight ? kLookOnStraightM : kLookInBendM);
+        const double atCorners =
+            std::max(room.cornersM / swings, isStraight ? kLookInBendM : kLookAtCornersM);
         return std::min(alongEdges, atCorners);
     };
     RigState at = from;
@@ -162,7 +168,8 @@ std::optional<RigState> Rig::drivenOn(const RigState& from, const CurvePiece& pi
             room = roomAt(at);
             // If its own corners lie along an edge and a corner of the field along its side, an edge may come
             // in between.
-            if (room.least() < -touching.si() || (room.least() < kLookAtCornersM && crossedM(at) > touching.si())) {
+            if (room.least() < -touching.si() ||
+                (room.least() < kLookAtCornersM && crossedM(at) > touching.si())) {
                 return std::nullopt;
             }
             free = freeWay();

@@ -1,10 +1,10 @@
 #pragma once
 
 #include "planner/geometry/boundary_distance.h"
+#include "planner/geometry/curve.h"
 #include "planner/machine/machine.h"
 #include "planner/turns/footprint_check.h"
 #include "planner/turns/trailer.h"
-#include "planner/geometry/curve.h"
 
 #include <algorithm>
 #include <functional>
@@ -45,8 +45,8 @@ public:
     /// room; an excess between two samples is at most a millimetre or two.
     /// @param touching  a smaller excess does not count
     /// @param known     the room at `from`, if already computed
-    std::optional<RigState> driven(const RigState& from, const CurvePiece& piece, Length touching = metres(1e-3),
-                                   FootprintRoom known = {}) const;
+    std::optional<RigState> driven(const RigState& from, const CurvePiece& piece,
+                                   Length touching = metres(1e-3), FootprintRoom known = {}) const;
     /// The state after all of a turn.
     std::optional<RigState> driven(const RigState& from, const Curve& turn, FootprintRoom known = {}) const;
 
@@ -74,7 +74,8 @@ private:
     bool isClearAhead(const Part& part, const Pose& pose, double wayM, double touchingM) const;
     bool isClearAhead(const RigState& state, double wayM, double touchingM) const;
     /// @param room  at `from`, then at the end; never more than the real room
-    std::optional<RigState> drivenOn(const RigState& from, const CurvePiece& piece, Length touching, FootprintRoom& room) const;
+    std::optional<RigState> drivenOn(const RigState& from, const CurvePiece& piece, Length touching,
+                                     FootprintRoom& room) const;
     /// The depth of the field's edges in a part, or in both parts.
     double crossedM(const Part& part, const Pose& pose) const;
     double crossedM(const RigState& state) const;

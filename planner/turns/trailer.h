@@ -1,8 +1,8 @@
 #pragma once
 
+#include "planner/geometry/curve.h"
 #include "planner/geometry/polygon.h"
 #include "planner/machine/machine.h"
-#include "planner/geometry/curve.h"
 
 #include <optional>
 

@@ -7,7 +7,8 @@ namespace furrow {
 
 Duration gearChangeDuration(const Machine& machine) {
     const Tractor& tractor = machine.spec().tractor;
-    return seconds((machine.turningSpeed() + tractor.reverseSpeed).si() / (2.0 * tractor.maxAcceleration.si()));
+    return seconds((machine.turningSpeed() + tractor.reverseSpeed).si() /
+                   (2.0 * tractor.maxAcceleration.si()));
 }
 
 Duration roughDuration(const Curve& turn, const Machine& machine) {

@@ -1,7 +1,7 @@
 #pragma once
 
-#include "planner/machine/machine.h"
 #include "planner/geometry/curve.h"
+#include "planner/machine/machine.h"
 
 namespace furrow {
 

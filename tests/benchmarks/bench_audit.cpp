@@ -26,7 +26,8 @@ MultiPolygon roundField(double hectares) {
         point = scale * point;
     }
     Polygon field{.outer = outer, .holes = {}};
-    for (const Point middle : {Point{-0.5, 0.1}, Point{0.25, -0.2}, Point{0.5, 0.25}, Point{-0.1, -0.4}, Point{-0.75, -0.15}}) {
+    for (const Point middle :
+         {Point{-0.5, 0.1}, Point{0.25, -0.2}, Point{0.5, 0.25}, Point{-0.1, -0.4}, Point{-0.75, -0.15}}) {
         Ring pond;
         for (int k = 0; k < 8; ++k) {
             pond.push_back(scale * middle + 15.0 * direction(-2.0 * std::numbers::pi * k / 8.0));
@@ -47,10 +48,13 @@ private slots:
         QTest::addColumn<QString>("machine");
         QTest::addColumn<QStringList>("settings");
         QTest::newRow("1 ha, 2.5 m") << MultiPolygon{rectangle(100, 100)} << "agbot" << QStringList{};
-        QTest::newRow("1 ha, clothoids") << MultiPolygon{rectangle(100, 100)} << "agbot" << QStringList{"path.method=dubins-cc"};
+        QTest::newRow("1 ha, clothoids")
+            << MultiPolygon{rectangle(100, 100)} << "agbot" << QStringList{"path.method=dubins-cc"};
         QTest::newRow("50 ha, 100 corners, 5 ponds, 2.5 m") << roundField(50) << "agbot" << QStringList{};
-        QTest::newRow("50 ha, 100 corners, 5 ponds, 6 m") << roundField(50) << "mounted-drill" << QStringList{};
-        QTest::newRow("50 ha, 100 corners, 5 ponds, trailed") << roundField(50) << "trailed-sprayer" << QStringList{};
+        QTest::newRow("50 ha, 100 corners, 5 ponds, 6 m")
+            << roundField(50) << "mounted-drill" << QStringList{};
+        QTest::newRow("50 ha, 100 corners, 5 ponds, trailed")
+            << roundField(50) << "trailed-sprayer" << QStringList{};
         QTest::newRow("4 ha, every turn outside")
             << MultiPolygon{rectangle(200, 200)} << "agbot" << QStringList{"headland.method=none"};
     }
@@ -61,7 +65,9 @@ private slots:
         Settings chosen;
         applySetting(chosen, "swaths.method", "longest-edge").value();
         for (const QString& setting : settings) {
-            applySetting(chosen, setting.section('=', 0, 0).toStdString(), setting.section('=', 1).toStdString()).value();
+            applySetting(chosen, setting.section('=', 0, 0).toStdString(),
+                         setting.section('=', 1).toStdString())
+                .value();
         }
         const auto plan = makePlan({.field = std::make_shared<const Field>(
                                         Field::create(fieldSourceFromLocal(polygons, {9.2, 51.3})).value()),

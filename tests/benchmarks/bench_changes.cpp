@@ -7,7 +7,8 @@
 
 using namespace furrow;
 
-/// The time to a new plan after one setting of a stage was changed, with the stages of the plan before and without.
+/// The time to a new plan after one setting of a stage was changed, with the stages of the plan before and
+/// without.
 class ChangesBenchmark : public QObject {
     Q_OBJECT
 
@@ -30,10 +31,12 @@ private slots:
         QFETCH(QString, key);
         QFETCH(QString, value);
         QFETCH(bool, cached);
-        const auto sources = readBoundaries(FURROW_SOURCE_DIR "/resources/sample_fields/great_field.geojson").value();
-        const PlanRequest before{.field = std::make_shared<const Field>(Field::create(sources.front()).value()),
-                                 .machine = findMachine("cultivator").value(),
-                                 .settings = {}};
+        const auto sources =
+            readBoundaries(FURROW_SOURCE_DIR "/resources/sample_fields/great_field.geojson").value();
+        const PlanRequest before{
+            .field = std::make_shared<const Field>(Field::create(sources.front()).value()),
+            .machine = findMachine("cultivator").value(),
+            .settings = {}};
         PlanRequest after = before;
         if (!key.isEmpty()) {
             applySetting(after.settings, key.toStdString(), value.toStdString()).value();

@@ -37,12 +37,13 @@ class TestCli : public QObject {
 private slots:
     void summaryHasEveryKey() {
         const QTemporaryDir folder;
-        const Answer answer = furrowCli({"plan", sampleField("home_field"), "--out", folder.filePath("plan"), "--json"});
+        const Answer answer =
+            furrowCli({"plan", sampleField("home_field"), "--out", folder.filePath("plan"), "--json"});
         QCOMPARE(answer.status, 0);
         const QJsonObject top = answer.json();
         QVERIFY(!top.isEmpty());
-        for (const char* key : {"field", "crs", "machine", "machines", "operation", "settings", "headland", "swaths",
-                                "route", "path", "audit", "timing_ms", "version"}) {
+        for (const char* key : {"field", "crs", "machine", "machines", "operation", "settings", "headland",
+                                "swaths", "route", "path", "audit", "timing_ms", "version"}) {
             QVERIFY2(top.contains(QLatin1String(key)), key);
         }
         const auto hasAll = [&](const char* object, const QStringList& keys) {
@@ -52,13 +53,15 @@ private slots:
         };
         hasAll("field", {"id", "area_m2"});
         hasAll("headland", {"width_m", "passes", "mainland_ratio"});
-        hasAll("swaths", {"count", "total_length_m", "heading_deg", "proved", "coverage", "overlap_m2", "shift_m"});
+        hasAll("swaths",
+               {"count", "total_length_m", "heading_deg", "proved", "coverage", "overlap_m2", "shift_m"});
         hasAll("route", {"method", "length_in_place_m", "cost", "non_working_cost", "gap", "gap_total"});
-        hasAll("path", {"length_m", "turn_length_m", "transfer_length_m", "reverse_length_m", "time_s", "turns",
-                        "undrivable_turns"});
-        hasAll("audit", {"covered_m2", "covered", "covered_of_reachable", "missed_m2", "overlap_m2",
-                         "overlap_headland_m2", "outside_m2", "min_clearance_m", "max_curvature_1pm",
-                         "max_curvature_rate_1pm2", "max_position_jump_m", "max_heading_jump_rad", "findings"});
+        hasAll("path", {"length_m", "turn_length_m", "transfer_length_m", "reverse_length_m", "time_s",
+                        "turns", "undrivable_turns"});
+        hasAll("audit",
+               {"covered_m2", "covered", "covered_of_reachable", "missed_m2", "overlap_m2",
+                "overlap_headland_m2", "outside_m2", "min_clearance_m", "max_curvature_1pm",
+                "max_curvature_rate_1pm2", "max_position_jump_m", "max_heading_jump_rad", "findings"});
         // 2.5 m wide with 2.1 m of radius: three passes, the paper's 7.5 m.
         QCOMPARE(top["headland"].toObject()["width_m"].toDouble(), 10.0);
         QCOMPARE(contentsOf(folder.filePath("plan/summary.json")), answer.out);
@@ -67,15 +70,17 @@ private slots:
     // Another machine drives where the plan of the drill has its tramlines.
     void tramlinesBecomeRows() {
         const QTemporaryDir folder;
-        const Answer drill = furrowCli({"plan", sampleField("home_field"), "--set", "swaths.tramline_every=8", "--out",
-                                        folder.filePath("drill"), "--quiet"});
+        const Answer drill = furrowCli({"plan", sampleField("home_field"), "--set", "swaths.tramline_every=8",
+                                        "--out", folder.filePath("drill"), "--quiet"});
         QVERIFY(drill.status == 0 || drill.status == 1);
         const auto swathsOf = [&](const QString& plan, bool tramlinesOnly) {
             QList<QJsonObject> swaths;
-            const QJsonDocument json = QJsonDocument::fromJson(contentsOf(folder.filePath(plan + "/plan.geojson")));
+            const QJsonDocument json =
+                QJsonDocument::fromJson(contentsOf(folder.filePath(plan + "/plan.geojson")));
             for (const QJsonValue& feature : json["features"].toArray()) {
                 const QJsonObject properties = feature["properties"].toObject();
-                if (properties["kind"].toString() == "swath" && (!tramlinesOnly || properties["tramline"].toBool())) {
+                if (properties["kind"].toString() == "swath" &&
+                    (!tramlinesOnly || properties["tramline"].toBool())) {
                     swaths << feature["geometry"].toObject();
                 }
             }
@@ -85,8 +90,8 @@ private slots:
         QVERIFY(tramlines.size() > 2 && tramlines.size() * 6 < swathsOf("drill", false).size());
         const Answer sprayer =
             furrowCli({"plan", sampleField("home_field"), "--set", "swaths.method=rows", "--set",
-                       "swaths.rows=" + folder.filePath("drill/plan.geojson"), "--set", "swaths.ends=centre", "--set",
-                       "headland.passes=2", "--out", folder.filePath("sprayer"), "--quiet"});
+                       "swaths.rows=" + folder.filePath("drill/plan.geojson"), "--set", "swaths.ends=centre",
+                       "--set", "headland.passes=2", "--out", folder.filePath("sprayer"), "--quiet"});
         QVERIFY2(sprayer.status == 0 || sprayer.status == 1, sprayer.error.constData());
         const auto rows = swathsOf("sprayer", false);
         QVERIFY(rows.size() >= tramlines.size());
@@ -110,20 +115,24 @@ private slots:
 
     void rowsThatAreNotThere() {
         const QTemporaryDir folder;
-        const Answer none = furrowCli({"plan", sampleField("home_field"), "--set", "swaths.method=rows", "--set",
-                                       "swaths.rows=" + folder.filePath("none.geojson"), "--out", folder.filePath("plan")});
+        const Answer none =
+            furrowCli({"plan", sampleField("home_field"), "--set", "swaths.method=rows", "--set",
+                       "swaths.rows=" + folder.filePath("none.geojson"), "--out", folder.filePath("plan")});
         QCOMPARE(none.status, 4);
-        const Answer heights = furrowCli({"plan", sampleField("home_field"), "--set", "swaths.method=contour", "--set",
-                                          "swaths.elevation=" + sampleField("home_field"), "--out", folder.filePath("plan")});
+        const Answer heights =
+            furrowCli({"plan", sampleField("home_field"), "--set", "swaths.method=contour", "--set",
+                       "swaths.elevation=" + sampleField("home_field"), "--out", folder.filePath("plan")});
         QCOMPARE(heights.status, 4);
-        const Answer nothing = furrowCli({"plan", sampleField("home_field"), "--set", "swaths.method=rows", "--out", folder.filePath("plan")});
+        const Answer nothing = furrowCli({"plan", sampleField("home_field"), "--set", "swaths.method=rows",
+                                          "--out", folder.filePath("plan")});
         QCOMPARE(nothing.status, 2);
     }
 
     void operationsSetWhatIsNotGiven() {
         const QTemporaryDir folder;
-        const Answer answer = furrowCli({"plan", sampleField("home_field"), "--operation", "sowing", "--set",
-                                         "swaths.overlap_m=0.05", "--out", folder.filePath("plan"), "--json"});
+        const Answer answer =
+            furrowCli({"plan", sampleField("home_field"), "--operation", "sowing", "--set",
+                       "swaths.overlap_m=0.05", "--out", folder.filePath("plan"), "--json"});
         QVERIFY(answer.status == 0 || answer.status == 1);
         const QJsonObject top = answer.json();
         QCOMPARE(top["operation"].toString(), QStringLiteral("sowing"));
@@ -138,7 +147,8 @@ private slots:
         const QTemporaryDir folder;
         QCOMPARE(furrowCli({"plan", sampleField("home_field"), "--out", folder.path(), "--quiet"}).status, 0);
         QMap<QString, int> kinds;
-        const QJsonObject plan = QJsonDocument::fromJson(contentsOf(folder.filePath("plan.geojson"))).object();
+        const QJsonObject plan =
+            QJsonDocument::fromJson(contentsOf(folder.filePath("plan.geojson"))).object();
         QList<QJsonObject> path;
         for (const QJsonValue& feature : plan["features"].toArray()) {
             const QJsonObject properties = feature["properties"].toObject();
@@ -169,8 +179,9 @@ private slots:
         QCOMPARE(ways, worked - 1);
         QVERIFY(path.last()["implement_down"].toBool());
         const QList<QByteArray> rows = contentsOf(folder.filePath("path.csv")).trimmed().split('\n');
-        QCOMPARE(rows.front(), QByteArray("s_m,t_s,x_m,y_m,lon_deg,lat_deg,heading_rad,curvature_1pm,speed_mps,gear,"
-                                          "implement_down,segment,order,machine,level"));
+        QCOMPARE(rows.front(),
+                 QByteArray("s_m,t_s,x_m,y_m,lon_deg,lat_deg,heading_rad,curvature_1pm,speed_mps,gear,"
+                            "implement_down,segment,order,machine,level"));
         double before = -1.0;
         for (const QByteArray& row : rows.mid(1)) {
             const QList<QByteArray> cells = row.split(',');
@@ -185,12 +196,14 @@ private slots:
     void sameFilesOnAnyNumberOfThreads() {
         const QTemporaryDir folder;
         for (const char* threads : {"1", "2", "8"}) {
-            QCOMPARE(furrowCli({"plan", sampleField("slanted_field"), "--threads", threads, "--out", folder.filePath(threads)})
+            QCOMPARE(furrowCli({"plan", sampleField("slanted_field"), "--threads", threads, "--out",
+                                folder.filePath(threads)})
                              .status < 2,
                      true);
         }
         for (const char* file : {"plan.geojson", "path.csv", "TASKDATA/TASKDATA.XML"}) {
-            const QByteArray one = contentsOf(folder.filePath(QStringLiteral("1/%1").arg(QLatin1String(file))));
+            const QByteArray one =
+                contentsOf(folder.filePath(QStringLiteral("1/%1").arg(QLatin1String(file))));
             QVERIFY(!one.isEmpty());
             QCOMPARE(contentsOf(folder.filePath(QStringLiteral("2/%1").arg(QLatin1String(file)))), one);
             QCOMPARE(contentsOf(folder.filePath(QStringLiteral("8/%1").arg(QLatin1String(file)))), one);
@@ -210,30 +223,40 @@ private slots:
             return QStringList{"plan", input, "--out", out} + more;
         };
         const auto ring = [&](const QString& name, const QByteArray& points) {
-            return writeFile(folder_.filePath(name), R"({"type":"Polygon","coordinates":[[)" + points + "]]}");
+            return writeFile(folder_.filePath(name),
+                             R"({"type":"Polygon","coordinates":[[)" + points + "]]}");
         };
         const auto machine = [&](const QString& name, const QByteArray& keys) {
             return QStringList{"--machine", writeFile(folder_.filePath(name), "{" + keys + "}")};
         };
         QTest::newRow("a plan") << plan(field, {}) << 0 << "Drivable  yes";
-        QTest::newRow("turns outside") << plan(field, {"--set", "headland.method=none"}) << 1 << "leaves the field";
+        QTest::newRow("turns outside")
+            << plan(field, {"--set", "headland.method=none"}) << 1 << "leaves the field";
         QTest::newRow("no command") << QStringList{} << 2 << "subcommand";
-        QTest::newRow("a command that is not there") << QStringList{"harvest", "fields.geojson"} << 2 << "furrow-cli";
+        QTest::newRow("a command that is not there")
+            << QStringList{"harvest", "fields.geojson"} << 2 << "furrow-cli";
         const auto batch = [&](const QString& input, const QString& folder, const QStringList& more) {
             return QStringList{"batch", input, "--out", folder_.filePath(folder)} + more;
         };
         QTest::newRow("a batch") << batch(two, "batch", {}) << 0 << "planned 2 (100.0 %)";
-        QTest::newRow("a batch with totals for programs") << batch(two, "batch-json", {"--json"}) << 0 << "\"fields\": 2";
-        QTest::newRow("a batch with a field that is refused") << batch(bowTie, "refused", {}) << 1 << "planned 0 (0.0 %)";
-        QTest::newRow("half of a batch") << batch(two, "half", {"--shard", "2/2"}) << 0 << "batch-2-of-2.jsonl";
+        QTest::newRow("a batch with totals for programs")
+            << batch(two, "batch-json", {"--json"}) << 0 << "\"fields\": 2";
+        QTest::newRow("a batch with a field that is refused")
+            << batch(bowTie, "refused", {}) << 1 << "planned 0 (0.0 %)";
+        QTest::newRow("half of a batch")
+            << batch(two, "half", {"--shard", "2/2"}) << 0 << "batch-2-of-2.jsonl";
         for (const char* shard : {"3/2", "0/2", "2", "1/0", "1/2/3", "a/b", "-1/2"}) {
             QTest::addRow("no shard: %s", shard) << batch(two, "batch", {"--shard", shard}) << 2 << "--shard";
         }
-        QTest::newRow("a batch of no file") << batch(folder_.filePath("none.shp"), "batch", {}) << 4 << "none.shp";
-        QTest::newRow("a batch into a file") << QStringList{"batch", two, "--out", file + "/batch"} << 4 << "could not";
+        QTest::newRow("a batch of no file")
+            << batch(folder_.filePath("none.shp"), "batch", {}) << 4 << "none.shp";
+        QTest::newRow("a batch into a file")
+            << QStringList{"batch", two, "--out", file + "/batch"} << 4 << "could not";
         QTest::newRow("an option that is not there") << plan(field, {"--fast"}) << 2 << "--fast";
-        QTest::newRow("no such method") << plan(field, {"--set", "swaths.method=zigzag"}) << 2 << "brute-force";
-        QTest::newRow("no such setting") << plan(field, {"--set", "headland.witdh_m=3"}) << 2 << "headland.width_m";
+        QTest::newRow("no such method")
+            << plan(field, {"--set", "swaths.method=zigzag"}) << 2 << "brute-force";
+        QTest::newRow("no such setting")
+            << plan(field, {"--set", "headland.witdh_m=3"}) << 2 << "headland.width_m";
         QTest::newRow("no such machine") << plan(field, {"--machine", "agbott"}) << 2 << "agbot";
         QTest::newRow("no such format") << plan(field, {"--format", "dwg"}) << 2 << "geojson";
         QTest::newRow("several fields") << plan(two, {}) << 2 << "South";
@@ -241,31 +264,38 @@ private slots:
         QTest::newRow("by name") << plan(two, {"--field-id", "North"}) << 0 << "North";
         QTest::newRow("by number") << plan(two, {"--field-id", "2"}) << 0 << "South";
         QTest::newRow("no such field") << plan(two, {"--field-id", "9"}) << 2 << "9";
-        QTest::newRow("value out of range") << plan(field, {"--set", "headland.width_m=-1"}) << 3 << "headland.width_m";
+        QTest::newRow("value out of range")
+            << plan(field, {"--set", "headland.width_m=-1"}) << 3 << "headland.width_m";
         QTest::newRow("bow-tie") << plan(bowTie, {}) << 3 << "crosses itself at 5.001";
         // What else bad input gets; tst_bad_input has all of it.
-        QTest::newRow("repaired") << plan(ring("open.geojson", "[5,52],[5,52.002],[5.004,52.002],[5.004,52]"), {}) << 0
-                                  << "Repaired in the boundary: 1 ring did not end where it began";
-        QTest::newRow("one point") << plan(ring("point.geojson", "[5,52]"), {}) << 3 << "fewer than 3 different points";
+        QTest::newRow("repaired") << plan(ring("open.geojson", "[5,52],[5,52.002],[5.004,52.002],[5.004,52]"),
+                                          {})
+                                  << 0 << "Repaired in the boundary: 1 ring did not end where it began";
+        QTest::newRow("one point") << plan(ring("point.geojson", "[5,52]"), {}) << 3
+                                   << "fewer than 3 different points";
         QTest::newRow("NaN") << plan(ring("nan.geojson", "[5,52],[5.002,NaN],[5.002,52.001],[5,52]"), {}) << 3
                              << "nan.geojson, part 1, point 2: a coordinate is not a number";
-        QTest::newRow("longitude 200") << plan(ring("far.geojson", "[5,52],[200,52],[5.002,52.001],[5,52]"), {}) << 3
-                                       << "far.geojson, part 1, point 2: 200, 52 is outside longitude";
-        QTest::newRow("100 km") << plan(ring("wide.geojson", "[5,52],[5.002,52],[5.002,52.001],[5,53],[5,52]"), {}) << 3
-                                << "wide.geojson, part 1, point 4: the field is more than 100 km across";
+        QTest::newRow("longitude 200")
+            << plan(ring("far.geojson", "[5,52],[200,52],[5.002,52.001],[5,52]"), {}) << 3
+            << "far.geojson, part 1, point 2: 200, 52 is outside longitude";
+        QTest::newRow("100 km") << plan(
+                                       ring("wide.geojson", "[5,52],[5.002,52],[5.002,52.001],[5,53],[5,52]"),
+                                       {})
+                                << 3 << "wide.geojson, part 1, point 4: the field is more than 100 km across";
         QTest::newRow("machine fits nowhere")
-            << plan(ring("tiny.geojson", "[5,52],[5.00005,52],[5.00005,52.00003],[5,52.00003],[5,52]"), {}) << 3
-            << "fits nowhere into the field";
+            << plan(ring("tiny.geojson", "[5,52],[5.00005,52],[5.00005,52.00003],[5,52.00003],[5,52]"), {})
+            << 3 << "fits nowhere into the field";
         QTest::newRow("operating width below zero")
-            << plan(field, machine("width.json", R"("operating_width_m": -3, "min_turning_radius_m": 5)")) << 3
-            << "operating_width_m: -3 cannot be worked with";
+            << plan(field, machine("width.json", R"("operating_width_m": -3, "min_turning_radius_m": 5)"))
+            << 3 << "operating_width_m: -3 cannot be worked with";
         QTest::newRow("radius of zero")
-            << plan(field, machine("radius.json", R"("operating_width_m": 3, "min_turning_radius_m": 0)")) << 3
-            << "min_turning_radius_m: 0 cannot be worked with";
-        QTest::newRow("machine too wide") << plan(sampleField("long_strip"), {"--set", "field.margin_m=40"}) << 3
-                                          << "nowhere as wide";
+            << plan(field, machine("radius.json", R"("operating_width_m": 3, "min_turning_radius_m": 0)"))
+            << 3 << "min_turning_radius_m: 0 cannot be worked with";
+        QTest::newRow("machine too wide")
+            << plan(sampleField("long_strip"), {"--set", "field.margin_m=40"}) << 3 << "nowhere as wide";
         QTest::newRow("no such file") << plan(folder_.filePath("none.shp"), {}) << 4 << "none.shp";
-        QTest::newRow("out is below a file") << QStringList{"plan", field, "--out", file + "/plan"} << 4 << "could not be written";
+        QTest::newRow("out is below a file")
+            << QStringList{"plan", field, "--out", file + "/plan"} << 4 << "could not be written";
         QTest::newRow("list methods") << QStringList{"list", "methods"} << 0 << "reeds-shepp-cc";
         QTest::newRow("list machines") << QStringList{"list", "machines"} << 0 << "AgBot";
         QTest::newRow("list formats") << QStringList{"list", "formats"} << 0 << "GeoPackage";
@@ -286,13 +316,15 @@ private slots:
         }
     }
 
-    // As the README runs it: the shards that GNU parallel starts are together what one run does, and going on from them
-    // has nothing left to plan.
+    // As the README runs it: the shards that GNU parallel starts are together what one run does, and going on
+    // from them has nothing left to plan.
     void shardsInParallel() {
         const QString two = writeFile(folder_.filePath("two.geojson"), kTwoFields);
         const QString out = folder_.filePath("shards");
         QProcess parallel;
-        parallel.start("parallel", QStringList{furrow::test::kFurrowCli, "batch", two, "--out", out, "--shard", "{}/2", "--threads", "1", "--quiet", ":::", "1", "2"});
+        parallel.start("parallel",
+                       QStringList{furrow::test::kFurrowCli, "batch", two, "--out", out, "--shard", "{}/2",
+                                   "--threads", "1", "--quiet", ":::", "1", "2"});
         if (!parallel.waitForStarted()) {
             QSKIP("GNU parallel is not installed");
         }

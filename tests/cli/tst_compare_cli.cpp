@@ -43,11 +43,9 @@ class TestCompareCli : public QObject {
 
 private slots:
     void initTestCase() {
-        QCOMPARE(
-            furrowCli({"plan", furrow::test::sampleField("home_field"),
-                    "--out", at("plan"), "--quiet"})
-                .status,
-            0);
+        QCOMPARE(furrowCli({"plan", furrow::test::sampleField("home_field"), "--out", at("plan"), "--quiet"})
+                     .status,
+                 0);
         writeFile(at("shifted.csv"), shiftedPath(contentsOf(at("plan/path.csv")), 0.10));
     }
 
@@ -57,7 +55,9 @@ private slots:
         QVERIFY2(answer.status == 0, answer.error);
         QVERIFY(answer.error.isEmpty());
         const QJsonObject all = answer.json();
-        const auto near = [](double value, double expected) { return std::abs(value - expected) < 1e-3; };  // chords stand for arcs
+        const auto near = [](double value, double expected) {
+            return std::abs(value - expected) < 1e-3;
+        };  // chords stand for arcs
         QCOMPARE(all["matched_share"].toDouble(), 1.0);
         QCOMPARE(all["tracks"].toArray().first().toObject()["places"].toString(), QString{"local"});
         for (const char* kind : {"swath", "turn"}) {

@@ -22,9 +22,11 @@ private slots:
         QTest::newRow("shapefile") << "mine.shp" << QStringList{} << "mine.dbf";
         QTest::newRow("task data by its folder") << "TASKDATA" << QStringList{} << "TASKDATA/TASKDATA.XML";
         QTest::newRow("task data by its file") << "deep/TASKDATA.XML" << QStringList{} << "deep/TASKDATA.XML";
-        QTest::newRow("older task data in a zip") << "t.zip" << QStringList{"--format", "isoxml-v3"} << "t.zip";
+        QTest::newRow("older task data in a zip")
+            << "t.zip" << QStringList{"--format", "isoxml-v3"} << "t.zip";
         QTest::newRow("zipped boundary") << "b.zip" << QStringList{} << "b.zip";
-        QTest::newRow("AgOpenGPS") << "fields" << QStringList{"--format", "agopengps"} << "fields/Three Ponds/Boundary.txt";
+        QTest::newRow("AgOpenGPS") << "fields" << QStringList{"--format", "agopengps"}
+                                   << "fields/Three Ponds/Boundary.txt";
         QTest::newRow("drawing") << "f.dxf" << QStringList{} << "f_EPSG32632.dxf";
     }
     void convertsByName() {
@@ -32,7 +34,8 @@ private slots:
         QFETCH(QStringList, options);
         QFETCH(QString, file);
         const QTemporaryDir folder;
-        const Answer answer = furrowCli(QStringList{"convert", sampleField("three_ponds"), folder.filePath(out), "--json"} + options);
+        const Answer answer = furrowCli(
+            QStringList{"convert", sampleField("three_ponds"), folder.filePath(out), "--json"} + options);
         QVERIFY2(answer.status == 0, answer.all().constData());
         QVERIFY2(QFile::exists(folder.filePath(file)), answer.out.constData());
         const QJsonObject told = answer.json();
@@ -43,17 +46,21 @@ private slots:
         QVERIFY2(back.status == 0, back.all().constData());
         const double area = told["fields"][0]["area_m2"].toDouble();
         const double again = back.json()["fields"][0]["area_m2"].toDouble();
-        QVERIFY2(std::abs(again - area) < 1e-4 * area, qPrintable(QStringLiteral("%1 and %2").arg(area).arg(again)));
+        QVERIFY2(std::abs(again - area) < 1e-4 * area,
+                 qPrintable(QStringLiteral("%1 and %2").arg(area).arg(again)));
     }
 
     void refuses_data() {
         QTest::addColumn<QStringList>("arguments");
         QTest::addColumn<int>("status");
         QTest::addColumn<QString>("why");
-        QTest::newRow("no ending") << QStringList{sampleField("bend"), "somewhere"} << 2 << "does not say which format";
-        QTest::newRow("a format of plans") << QStringList{sampleField("bend"), "x", "--format", "rosbag2"} << 2 << "cannot be written as 'rosbag2'";
+        QTest::newRow("no ending") << QStringList{sampleField("bend"), "somewhere"} << 2
+                                   << "does not say which format";
+        QTest::newRow("a format of plans") << QStringList{sampleField("bend"), "x", "--format", "rosbag2"}
+                                           << 2 << "cannot be written as 'rosbag2'";
         QTest::newRow("no such file") << QStringList{"/no/such.kml", "x.kml"} << 4 << "there is no such file";
-        QTest::newRow("no such field") << QStringList{sampleField("bend"), "x.kml", "--field-id", "nobody"} << 2 << "no field 'nobody'";
+        QTest::newRow("no such field")
+            << QStringList{sampleField("bend"), "x.kml", "--field-id", "nobody"} << 2 << "no field 'nobody'";
     }
     void refuses() {
         QFETCH(QStringList, arguments);
@@ -68,9 +75,11 @@ private slots:
     void headlandPassesAsLines() {
         const QTemporaryDir folder;
         const auto linesWith = [&folder](const QStringList& options) {
-            const Answer answer = furrowCli(
-                QStringList{"plan", sampleField("bend"), "--out", folder.path(), "--format", "isoxml", "--quiet"} + options);
-            return answer.status > 1 ? -1 : contentsOf(folder.filePath("TASKDATA/TASKDATA.XML")).count("<GPN ");
+            const Answer answer = furrowCli(QStringList{"plan", sampleField("bend"), "--out", folder.path(),
+                                                        "--format", "isoxml", "--quiet"} +
+                                            options);
+            return answer.status > 1 ? -1
+                                     : contentsOf(folder.filePath("TASKDATA/TASKDATA.XML")).count("<GPN ");
         };
         const auto plain = linesWith({});
         QVERIFY(plain >= 1);
@@ -91,12 +100,13 @@ private slots:
         }
         QCOMPARE(ids.size(), formats.size());
         const QTemporaryDir folder;
-        const Answer answer =
-            furrowCli({"plan", sampleField("bend"), "--out", folder.path(), "--format", written.join(','), "--quiet"});
+        const Answer answer = furrowCli(
+            {"plan", sampleField("bend"), "--out", folder.path(), "--format", written.join(','), "--quiet"});
         QVERIFY2(answer.status == 0 || answer.status == 1, answer.all().constData());
-        for (const char* file : {"plan.geojson", "path.csv", "TASKDATA/TASKDATA.XML", "isoxml-v3/TASKDATA/TASKDATA.XML", "plan.kml",
-                                 "plan.kmz", "plan.gpkg", "path.gpx", "boundary.zip", "plan.waypoints", "plan.plan", "path.pb",
-                                 "ros/nav_msgs_path.yaml", "shapefile/boundary.shp"}) {
+        for (const char* file :
+             {"plan.geojson", "path.csv", "TASKDATA/TASKDATA.XML", "isoxml-v3/TASKDATA/TASKDATA.XML",
+              "plan.kml", "plan.kmz", "plan.gpkg", "path.gpx", "boundary.zip", "plan.waypoints", "plan.plan",
+              "path.pb", "ros/nav_msgs_path.yaml", "shapefile/boundary.shp"}) {
             QVERIFY2(QFile::exists(folder.filePath(file)), file);
         }
     }
@@ -105,15 +115,18 @@ private slots:
         const QJsonArray terminals = furrowCli({"list", "terminals", "--json"}).json()["terminals"].toArray();
         QVERIFY(terminals.size() > 20);
         const QTemporaryDir folder;
-        const Answer answer = furrowCli({"plan", sampleField("bend"), "--out", folder.path(), "--terminal", "trimble"});
+        const Answer answer =
+            furrowCli({"plan", sampleField("bend"), "--out", folder.path(), "--terminal", "trimble"});
         QVERIFY2(answer.status == 0 || answer.status == 1, answer.all().constData());
         QVERIFY(answer.out.contains("Shows the boundary and the guidance lines"));
         QVERIFY(QFile::exists(folder.filePath("AgGPS/Data/Furrow/Farm/The Bend/Swaths.shp")));
         QVERIFY(!QFile::exists(folder.filePath("path.csv")));
-        const Answer unknown = furrowCli({"plan", sampleField("bend"), "--out", folder.path(), "--terminal", "trimbel"});
+        const Answer unknown =
+            furrowCli({"plan", sampleField("bend"), "--out", folder.path(), "--terminal", "trimbel"});
         QCOMPARE(unknown.status, 2);
         QVERIFY(unknown.error.contains("did you mean 'trimble'"));
-        const Answer both = furrowCli({"plan", sampleField("bend"), "--out", folder.path(), "--terminal", "fendt", "--format", "csv"});
+        const Answer both = furrowCli(
+            {"plan", sampleField("bend"), "--out", folder.path(), "--terminal", "fendt", "--format", "csv"});
         QCOMPARE(both.status, 2);
     }
 };

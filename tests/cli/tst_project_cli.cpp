@@ -22,7 +22,12 @@ namespace {
 
 FieldPlan planCalled(const std::string& id, const std::string& name, const char* machine,
                      std::initializer_list<std::pair<const char*, const char*>> settings) {
-    FieldPlan plan{.id = id, .name = name, .season = "2026", .machine = findMachine(machine).value(), .settings = {}, .others = {}};
+    FieldPlan plan{.id = id,
+                   .name = name,
+                   .season = "2026",
+                   .machine = findMachine(machine).value(),
+                   .settings = {},
+                   .others = {}};
     for (const auto& [key, value] : settings) {
         if (!applySetting(plan.settings, key, value)) {
             qFatal("%s is no setting", key);
@@ -37,12 +42,13 @@ std::shared_ptr<const ProjectField> fieldCalled(const std::string& id, const std
     FieldSource source = fieldSourceFromLocal({centredRectangle(200.0, 120.0)}, {lonDeg, 52.0});
     source.id = source.name = name;
     source.edgeHeadlands = {{.part = 0, .ring = 0, .edge = 0, .width = metres(20.0)}};
-    return std::make_shared<const ProjectField>(ProjectField{.id = id,
-                                                             .source = std::make_shared<const FieldSource>(std::move(source)),
-                                                             .plans = std::move(plans),
-                                                             .others = {},
-                                                             .obstacleOthers = {},
-                                                             .gateOthers = {}});
+    return std::make_shared<const ProjectField>(
+        ProjectField{.id = id,
+                     .source = std::make_shared<const FieldSource>(std::move(source)),
+                     .plans = std::move(plans),
+                     .others = {},
+                     .obstacleOthers = {},
+                     .gateOthers = {}});
 }
 
 Project farm() {
@@ -50,7 +56,8 @@ Project farm() {
     project.name = "Farm";
     project.fields = {
         fieldCalled("field-1", "North", 5.0,
-                    {planCalled("plan-1", "Spring", "agbot", {{"swaths.method", "fixed"}, {"swaths.angle_deg", "90"}}),
+                    {planCalled("plan-1", "Spring", "agbot",
+                                {{"swaths.method", "fixed"}, {"swaths.angle_deg", "90"}}),
                      planCalled("plan-2", "Autumn", "power-harrow-drill", {{"headland.passes", "2"}})}),
         fieldCalled("field-2", "South", 5.01, {planCalled("plan-3", "Spring", "cultivator", {})})};
     project.currentField = 0;
@@ -70,7 +77,8 @@ class ProjectCliTest : public QObject {
     QString at(const QString& name) const { return folder_.filePath(name); }
 
     /// What the window plans, written as path.csv.
-    QByteArray expectedPath(const FieldSource& source, const Machine& machine, const Settings& settings) const {
+    QByteArray expectedPath(const FieldSource& source, const Machine& machine,
+                            const Settings& settings) const {
         const auto field = std::make_shared<const Field>(Field::create(source).value());
         const auto plan = makePlan(planRequest(field, machine, settings, {}).value()).value();
         const QTemporaryDir own;
@@ -79,7 +87,9 @@ class ProjectCliTest : public QObject {
         return contentsOf(own.filePath("path.csv"));
     }
     QByteArray pathBy(const QStringList& more) const {
-        const Answer answer = furrowCli(QStringList{"plan", farm_, "--field-id", "1", "--format", "csv", "--quiet", "--out", at("plan")} + more);
+        const Answer answer = furrowCli(
+            QStringList{"plan", farm_, "--field-id", "1", "--format", "csv", "--quiet", "--out", at("plan")} +
+            more);
         return answer.status == 0 || answer.status == 1 ? contentsOf(at("plan/path.csv")) : answer.all();
     }
 
@@ -117,9 +127,11 @@ private slots:
 
     // Of a field that is not worked on the first plan.
     void anotherField() {
-        const Answer answer = furrowCli({"plan", farm_, "--field-id", "South", "--json", "--out", at("south")});
-        QCOMPARE(answer.json()["machine"].toString().isEmpty() ? answer.json()["machine"].toObject()["name"].toString()
-                                                               : answer.json()["machine"].toString(),
+        const Answer answer =
+            furrowCli({"plan", farm_, "--field-id", "South", "--json", "--out", at("south")});
+        QCOMPARE(answer.json()["machine"].toString().isEmpty()
+                     ? answer.json()["machine"].toObject()["name"].toString()
+                     : answer.json()["machine"].toString(),
                  QString::fromStdString(findMachine("cultivator").value().name()));
     }
 
@@ -151,14 +163,18 @@ private slots:
                 machines[record["id"].toString()] = record["machine"].toString();
             }
         }
-        const auto nameOf = [](const char* id) { return QString::fromStdString(findMachine(id).value().name()); };
-        QCOMPARE(machines, (QMap<QString, QString>{{"North", nameOf("power-harrow-drill")}, {"South", nameOf("cultivator")}}));
+        const auto nameOf = [](const char* id) {
+            return QString::fromStdString(findMachine(id).value().name());
+        };
+        QCOMPARE(machines, (QMap<QString, QString>{{"North", nameOf("power-harrow-drill")},
+                                                   {"South", nameOf("cultivator")}}));
     }
 
     // Whatever a plan is written with, it can be read as a field again.
     void aPlanIsAField() {
-        const Answer plan = furrowCli({"plan", sampleField("slanted_field"), "--quiet", "--set", "field.margin_m=0.5", "--set",
-                                       "swaths.last_pass=gap", "--format", "geojson", "--out", at("margin")});
+        const Answer plan =
+            furrowCli({"plan", sampleField("slanted_field"), "--quiet", "--set", "field.margin_m=0.5",
+                       "--set", "swaths.last_pass=gap", "--format", "geojson", "--out", at("margin")});
         QVERIFY2(plan.status == 0 || plan.status == 1, plan.error.constData());
         const Answer fields = furrowCli({"list", "fields", at("margin/plan.geojson"), "--json"});
         QVERIFY2(fields.status == 0, fields.error.constData());
@@ -168,11 +184,15 @@ private slots:
     // A second plan in a folder replaces the first as a whole; files of others stay.
     void aFolderHoldsOnePlan() {
         const auto plan = [&](const QString& formats, const QStringList& more) {
-            return furrowCli(QStringList{"plan", sampleField("slanted_field"), "--quiet", "--out", at("one"), "--format", formats} + more).status;
+            return furrowCli(QStringList{"plan", sampleField("slanted_field"), "--quiet", "--out", at("one"),
+                                         "--format", formats} +
+                             more)
+                .status;
         };
         const auto files = [&] {
             QStringList names;
-            for (const char* name : {"summary.json", "plan.geojson", "path.csv", "TASKDATA/TASKDATA.XML", "TASKDATA/LINKLIST.XML", "note.txt"}) {
+            for (const char* name : {"summary.json", "plan.geojson", "path.csv", "TASKDATA/TASKDATA.XML",
+                                     "TASKDATA/LINKLIST.XML", "note.txt"}) {
                 if (QFile::exists(at("one/") + name)) {
                     names << name;
                 }
@@ -181,7 +201,8 @@ private slots:
         };
         QCOMPARE(plan("geojson,isoxml", {}), 0);
         writeFile(at("one/note.txt"), "my own");
-        QCOMPARE(files(), (QStringList{"summary.json", "plan.geojson", "TASKDATA/TASKDATA.XML", "TASKDATA/LINKLIST.XML", "note.txt"}));
+        QCOMPARE(files(), (QStringList{"summary.json", "plan.geojson", "TASKDATA/TASKDATA.XML",
+                                       "TASKDATA/LINKLIST.XML", "note.txt"}));
         QCOMPARE(plan("csv", {"--machine", "agbot"}), 0);
         QCOMPARE(files(), (QStringList{"summary.json", "path.csv", "note.txt"}));
         QVERIFY(!QDir{at("one/TASKDATA")}.exists());

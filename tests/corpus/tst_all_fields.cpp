@@ -88,10 +88,10 @@ void TestAllFields::everyFieldIsPlannedOrRefusedForAReason() {
     const auto quantile = [&](double share) {
         return milliseconds[static_cast<std::size_t>(share * static_cast<double>(milliseconds.size() - 1))];
     };
-    qInfo("planned %d of %zu, %d of %d over 0.3 ha, fully drivable %d, turns that stay inside %.1f %%", planned,
-          sources.size(), largePlanned, large, drivable, 100.0 * (1.0 - undrivableTurns / turns));
-    qInfo("planning time: median %.1f ms, 95 %% %.1f ms, largest %.0f ms (%s)", quantile(0.5), quantile(0.95), slowest,
-          slowestId.c_str());
+    qInfo("planned %d of %zu, %d of %d over 0.3 ha, fully drivable %d, turns that stay inside %.1f %%",
+          planned, sources.size(), largePlanned, large, drivable, 100.0 * (1.0 - undrivableTurns / turns));
+    qInfo("planning time: median %.1f ms, 95 %% %.1f ms, largest %.0f ms (%s)", quantile(0.5), quantile(0.95),
+          slowest, slowestId.c_str());
     for (const auto& [reason, count] : refusals) {
         qInfo("refused %d: %s ...", count, reason.c_str());
     }

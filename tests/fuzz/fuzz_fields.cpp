@@ -12,8 +12,9 @@
 
 using namespace furrow;
 
-/// Whatever the bytes are: no crash, no bad address, no memory without bounds. Files that GDAL opens, with what is our
-/// own behind it: rows of tables, well-known text, polygons without a driver, drawings, zips, traced rasters.
+/// Whatever the bytes are: no crash, no bad address, no memory without bounds. Files that GDAL opens, with
+/// what is our own behind it: rows of tables, well-known text, polygons without a driver, drawings, zips,
+/// traced rasters.
 extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {
     std::string_view text{reinterpret_cast<const char*>(data), size};
     namespace fs = std::filesystem;

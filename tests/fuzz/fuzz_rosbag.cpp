@@ -15,7 +15,8 @@ using namespace furrow;
 extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {
     std::string_view text{reinterpret_cast<const char*>(data), size};
     // It reads from files; this one is in memory where the system has such a place.
-    static const std::filesystem::path path = std::filesystem::temp_directory_path() / std::format("fuzz_{}.mcap", ::getpid());
+    static const std::filesystem::path path =
+        std::filesystem::temp_directory_path() / std::format("fuzz_{}.mcap", ::getpid());
     std::ofstream{path, std::ios::binary} << text;
     (void)rosbagTracks({path}, "fuzz", {});
     return 0;

@@ -28,7 +28,8 @@ class LayersTest : public QObject {
         const QRegularExpression use{QStringLiteral("^(?:#include \"ui/(\\w+)/|import Furrow\\.(\\w+))"),
                                      QRegularExpression::MultilineOption};
         QSet<QString> used;
-        QDirIterator files{QStringLiteral(FURROW_SOURCE_DIR "/ui/") + room, {"*.h", "*.cpp", "*.qml"}, QDir::Files};
+        QDirIterator files{
+            QStringLiteral(FURROW_SOURCE_DIR "/ui/") + room, {"*.h", "*.cpp", "*.qml"}, QDir::Files};
         while (files.hasNext()) {
             for (auto each = use.globalMatch(textOf(files.next())); each.hasNext();) {
                 const auto match = each.next();
@@ -47,14 +48,16 @@ class LayersTest : public QObject {
         QString text = file.open(QIODevice::ReadOnly) ? QString::fromUtf8(file.readAll()) : QString{};
         text.remove(QRegularExpression{QStringLiteral("#[^\n]*")});
         const QRegularExpression list{QStringLiteral("set\\(%1\\s+([^)]*)\\)").arg(QLatin1StringView{name})};
-        return list.match(text).captured(1).split(QRegularExpression{QStringLiteral("\\s+")}, Qt::SkipEmptyParts);
+        return list.match(text).captured(1).split(QRegularExpression{QStringLiteral("\\s+")},
+                                                  Qt::SkipEmptyParts);
     }
 
     /// "formats/csv" of "planner/io/formats/csv/csv.h"; empty for what is in no room.
     static QString roomOf(const QString& path) {
         const QString below = path.section('/', 2, -2);
-        return path.startsWith(QStringLiteral("planner/io/")) ? below.section('/', 0, below.startsWith(QStringLiteral("formats/")) ? 1 : 0)
-                                                              : QString{};
+        return path.startsWith(QStringLiteral("planner/io/"))
+                   ? below.section('/', 0, below.startsWith(QStringLiteral("formats/")) ? 1 : 0)
+                   : QString{};
     }
 
 private slots:
@@ -63,14 +66,15 @@ private slots:
                           QStringLiteral("set\\(FURROW_PLANNER_LAYERS\\s+([^)]*)\\)"));
         QVERIFY(layers_.size() >= 15);
         uiRooms_ = namesIn(textOf(QStringLiteral(FURROW_SOURCE_DIR "/ui/CMakeLists.txt")),
-                         QStringLiteral("set\\(FURROW_UI_ROOMS\\s+([^)]*)\\)"));
+                           QStringLiteral("set\\(FURROW_UI_ROOMS\\s+([^)]*)\\)"));
         QVERIFY(uiRooms_.size() >= 10);
         ioRooms_ = listIn("planner/io/CMakeLists.txt", "FURROW_IO_ROOMS");
         QVERIFY(ioRooms_.size() >= 10);
     }
 
     void everyFolderIsALayer() {
-        const auto folders = QDir{QStringLiteral(FURROW_SOURCE_DIR "/planner")}.entryList(QDir::Dirs | QDir::NoDotAndDotDot);
+        const auto folders =
+            QDir{QStringLiteral(FURROW_SOURCE_DIR "/planner")}.entryList(QDir::Dirs | QDir::NoDotAndDotDot);
         for (const QString& folder : folders) {
             QVERIFY2(layers_.contains(folder), qPrintable(folder));
         }
@@ -82,7 +86,9 @@ private slots:
                                          QRegularExpression::MultilineOption};
         QStringList wrong;
         int seen = 0;
-        QDirIterator files{QStringLiteral(FURROW_SOURCE_DIR "/planner"), {"*.h", "*.cpp"}, QDir::Files,
+        QDirIterator files{QStringLiteral(FURROW_SOURCE_DIR "/planner"),
+                           {"*.h", "*.cpp"},
+                           QDir::Files,
                            QDirIterator::Subdirectories};
         while (files.hasNext()) {
             QFile file{files.next()};
@@ -96,12 +102,13 @@ private slots:
                 if (target.startsWith("planner/")) {
                     const QString layer = target.section('/', 1, 1);
                     // planner/version.h belongs to no layer.
-                    const bool allowed = layer == "version.h" || (layers_.contains(layer) && layers_.indexOf(layer) <= own);
+                    const bool allowed =
+                        layer == "version.h" || (layers_.contains(layer) && layers_.indexOf(layer) <= own);
                     if (!allowed) {
                         wrong << path + " includes " + target;
                     }
-                } else if (target.startsWith("ui/") || target.startsWith("app/") || target.startsWith("tests/") ||
-                           target.startsWith("Qt") ||
+                } else if (target.startsWith("ui/") || target.startsWith("app/") ||
+                           target.startsWith("tests/") || target.startsWith("Qt") ||
                            QRegularExpression{QStringLiteral("^Q[A-Z]")}.match(target).hasMatch()) {
                     wrong << path + " includes " + target;
                 }
@@ -113,7 +120,9 @@ private slots:
 
     void everyFolderOfIoIsARoom() {
         QStringList found;
-        QDirIterator files{QStringLiteral(FURROW_SOURCE_DIR "/planner/io"), {"*.h", "*.cpp"}, QDir::Files,
+        QDirIterator files{QStringLiteral(FURROW_SOURCE_DIR "/planner/io"),
+                           {"*.h", "*.cpp"},
+                           QDir::Files,
                            QDirIterator::Subdirectories};
         while (files.hasNext()) {
             const QString room = roomOf(files.next().mid(QStringLiteral(FURROW_SOURCE_DIR "/").size()));
@@ -128,7 +137,9 @@ private slots:
     void roomsOfIoIncludeUpwards() {
         const QRegularExpression include{QStringLiteral("#include \"(planner/io/[^\"]+)\"")};
         QStringList wrong;
-        QDirIterator files{QStringLiteral(FURROW_SOURCE_DIR "/planner/io"), {"*.h", "*.cpp"}, QDir::Files,
+        QDirIterator files{QStringLiteral(FURROW_SOURCE_DIR "/planner/io"),
+                           {"*.h", "*.cpp"},
+                           QDir::Files,
                            QDirIterator::Subdirectories};
         while (files.hasNext()) {
             QFile file{files.next()};
@@ -145,9 +156,11 @@ private slots:
         QVERIFY2(wrong.isEmpty(), qPrintable(wrong.join('\n')));
     }
 
-    // The rooms of the window are the order of FURROW_UI_ROOMS: a room may use those before it, so there is no circle.
+    // The rooms of the window are the order of FURROW_UI_ROOMS: a room may use those before it, so there is
+    // no circle.
     void everyFolderOfTheWindowIsARoom() {
-        QStringList folders = QDir{QStringLiteral(FURROW_SOURCE_DIR "/ui")}.entryList(QDir::Dirs | QDir::NoDotAndDotDot);
+        QStringList folders =
+            QDir{QStringLiteral(FURROW_SOURCE_DIR "/ui")}.entryList(QDir::Dirs | QDir::NoDotAndDotDot);
         QStringList rooms = uiRooms_;
         folders.sort();
         rooms.sort();
@@ -172,16 +185,18 @@ private slots:
     }
     void roomsNameWhatTheyUse() {
         QFETCH(QString, room);
-        QStringList named = namesIn(textOf(QStringLiteral(FURROW_SOURCE_DIR "/ui/%1/CMakeLists.txt").arg(room)),
-                                    QStringLiteral("\\bUSES ([^\\n]*)"));
+        QStringList named =
+            namesIn(textOf(QStringLiteral(FURROW_SOURCE_DIR "/ui/%1/CMakeLists.txt").arg(room)),
+                    QStringLiteral("\\bUSES ([^\\n]*)"));
         named.sort();
         QCOMPARE(named, usedBy(room));
     }
 
     // The audit shares no code with the stages it checks.
     void auditStandsAlone() {
-        const QStringList allowed{"planner/core/", "planner/units/", "planner/jobs/", "planner/geometry/", "planner/audit/",
-                                  "planner/machine/machine.h", "planner/path/path.h", "planner/path/finding.h"};
+        const QStringList allowed{"planner/core/",       "planner/units/",        "planner/jobs/",
+                                  "planner/geometry/",   "planner/audit/",        "planner/machine/machine.h",
+                                  "planner/path/path.h", "planner/path/finding.h"};
         const QRegularExpression include{QStringLiteral("#include \"(planner/[^\"]+)\"")};
         QStringList wrong;
         QDirIterator files{QStringLiteral(FURROW_SOURCE_DIR "/planner/audit"), {"*.h", "*.cpp"}, QDir::Files};
@@ -191,7 +206,8 @@ private slots:
             auto matches = include.globalMatch(QString::fromUtf8(file.readAll()));
             while (matches.hasNext()) {
                 const QString target = matches.next().captured(1);
-                if (std::ranges::none_of(allowed, [&](const QString& prefix) { return target.startsWith(prefix); })) {
+                if (std::ranges::none_of(allowed,
+                                         [&](const QString& prefix) { return target.startsWith(prefix); })) {
                     wrong << file.fileName() + " includes " + target;
                 }
             }
@@ -213,7 +229,9 @@ private slots:
         QFETCH(QString, header);
         QFETCH(QStringList, allowed);
         QStringList wrong;
-        QDirIterator files{QStringLiteral(FURROW_SOURCE_DIR "/planner"), {"*.h", "*.cpp"}, QDir::Files,
+        QDirIterator files{QStringLiteral(FURROW_SOURCE_DIR "/planner"),
+                           {"*.h", "*.cpp"},
+                           QDir::Files,
                            QDirIterator::Subdirectories};
         while (files.hasNext()) {
             QFile file{files.next()};

@@ -130,7 +130,8 @@ MultiPolygon moved(const MultiPolygon& polygons, Angle turn, Point by) {
 
 FieldSource fieldSourceFromLocal(const MultiPolygon& polygons, GeoPoint centre) {
     const LocalFrame frame = LocalFrame::centredOn(centre).value();
-    FieldSource source{.id = "generated", .name = "Generated", .origin = {}, .parts = {}, .obstacles = {}, .gates = {}};
+    FieldSource source{
+        .id = "generated", .name = "Generated", .origin = {}, .parts = {}, .obstacles = {}, .gates = {}};
     for (const Polygon& polygon : polygons) {
         source.parts.push_back(frame.toGeo(polygon));
     }

@@ -9,8 +9,9 @@ namespace furrow::test {
 
 inline double metresBetween(GeoPoint a, GeoPoint b) {
     constexpr double kMetresPerDegree = 111'195.0;
-    return kMetresPerDegree * std::hypot(std::remainder(a.lonDeg - b.lonDeg, 360.0) * std::cos(a.latDeg * M_PI / 180.0),
-                                         a.latDeg - b.latDeg);
+    return kMetresPerDegree *
+           std::hypot(std::remainder(a.lonDeg - b.lonDeg, 360.0) * std::cos(a.latDeg * M_PI / 180.0),
+                      a.latDeg - b.latDeg);
 }
 
 /// The same corners one after the other, wherever the ring begins and whichever way it runs.
@@ -23,9 +24,8 @@ inline bool sameRing(GeoRing actual, const GeoRing& expected, double toleranceM)
     });
     std::rotate(actual.begin(), begin, actual.end());
     const auto equal = [&] {
-        return std::equal(actual.begin(), actual.end(), expected.begin(), [toleranceM](GeoPoint a, GeoPoint b) {
-            return metresBetween(a, b) <= toleranceM;
-        });
+        return std::equal(actual.begin(), actual.end(), expected.begin(),
+                          [toleranceM](GeoPoint a, GeoPoint b) { return metresBetween(a, b) <= toleranceM; });
     };
     if (equal()) {
         return true;
@@ -35,7 +35,8 @@ inline bool sameRing(GeoRing actual, const GeoRing& expected, double toleranceM)
 }
 
 inline bool samePolygon(const GeoPolygon& actual, const GeoPolygon& expected, double toleranceM) {
-    return sameRing(actual.outer, expected.outer, toleranceM) && actual.holes.size() == expected.holes.size() &&
+    return sameRing(actual.outer, expected.outer, toleranceM) &&
+           actual.holes.size() == expected.holes.size() &&
            std::all_of(expected.holes.begin(), expected.holes.end(), [&](const GeoRing& hole) {
                return std::any_of(actual.holes.begin(), actual.holes.end(),
                                   [&](const GeoRing& other) { return sameRing(other, hole, toleranceM); });

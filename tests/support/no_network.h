@@ -28,9 +28,9 @@ inline void refuseSocket(int /*signal*/, siginfo_t* /*what*/, void* context) {
 #endif
 }
 
-/// From now on this process, and every process that it starts, gets no socket but local ones. In this one each
-/// attempt is counted and fails; the others end by SIGSYS. Cannot be taken back. False where the kernel does not
-/// allow it.
+/// From now on this process, and every process that it starts, gets no socket but local ones. In this one
+/// each attempt is counted and fails; the others end by SIGSYS. Cannot be taken back. False where the kernel
+/// does not allow it.
 inline bool watchSockets() {
     struct sigaction action{};
     action.sa_sigaction = refuseSocket;
@@ -47,7 +47,8 @@ inline bool watchSockets() {
         BPF_STMT(BPF_RET | BPF_K, SECCOMP_RET_TRAP),
     };
     const sock_fprog program{.len = sizeof(filter) / sizeof(filter[0]), .filter = filter};
-    return prctl(PR_SET_NO_NEW_PRIVS, 1, 0, 0, 0) == 0 && prctl(PR_SET_SECCOMP, SECCOMP_MODE_FILTER, &program) == 0;
+    return prctl(PR_SET_NO_NEW_PRIVS, 1, 0, 0, 0) == 0 &&
+           prctl(PR_SET_SECCOMP, SECCOMP_MODE_FILTER, &program) == 0;
 }
 
 }  // namespace furrow::test

@@ -9,8 +9,9 @@
 namespace furrow::test {
 
 /// The field of tests/data/imports/README.md, by hand.
-inline const GeoPolygon kNorthField{.outer = {{9.0, 52.0}, {9.003, 52.0}, {9.003, 52.002}, {9.0, 52.002}},
-                                    .holes = {{{9.001, 52.0005}, {9.001, 52.0015}, {9.002, 52.0015}, {9.002, 52.0005}}}};
+inline const GeoPolygon kNorthField{
+    .outer = {{9.0, 52.0}, {9.003, 52.0}, {9.003, 52.002}, {9.0, 52.002}},
+    .holes = {{{9.001, 52.0005}, {9.001, 52.0015}, {9.002, 52.0015}, {9.002, 52.0005}}}};
 
 inline constexpr double kToleranceM = 0.001;
 

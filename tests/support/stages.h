@@ -18,7 +18,8 @@ namespace furrow::test {
 /// Any field: for methods that only look at the mainland.
 inline const Field& anyField() {
     static const Field field =
-        Field::create({.parts = {{.outer = {{5.0, 52.0}, {5.01, 52.0}, {5.01, 52.01}, {5.0, 52.01}}, .holes = {}}}})
+        Field::create(
+            {.parts = {{.outer = {{5.0, 52.0}, {5.01, 52.0}, {5.01, 52.01}, {5.0, 52.01}}, .holes = {}}}})
             .value();
     return field;
 }
@@ -35,14 +36,16 @@ inline SwathSet swathsOf(const MultiPolygon& mainland, double widthM, double hea
 }
 
 inline Result<SwathSet> swathsBy(const Method<SwathGenerator>& method, const MultiPolygon& mainland,
-                                 const Machine& machine, const Settings& settings, const JobContext& job = {}) {
-    return method.run({.field = anyField(), .mainland = mainland, .machine = machine, .settings = settings}, job);
+                                 const Machine& machine, const Settings& settings,
+                                 const JobContext& job = {}) {
+    return method.run({.field = anyField(), .mainland = mainland, .machine = machine, .settings = settings},
+                      job);
 }
 
 /// With turns that leave swaths which are drawn out, as the defaults have it.
-inline Result<Headland> headlandBy(const Method<HeadlandGenerator>& method, const Field& field, const Machine& machine,
-                                   const Settings& settings, Length margin = {}, bool drawsOutEnds = true,
-                                   const JobContext& job = {}) {
+inline Result<Headland> headlandBy(const Method<HeadlandGenerator>& method, const Field& field,
+                                   const Machine& machine, const Settings& settings, Length margin = {},
+                                   bool drawsOutEnds = true, const JobContext& job = {}) {
     return drivableArea(field, margin, {}).and_then([&](const MultiPolygon& drivable) {
         return method.run({.field = field,
                            .drivable = drivable,
@@ -55,10 +58,10 @@ inline Result<Headland> headlandBy(const Method<HeadlandGenerator>& method, cons
     });
 }
 
-inline Result<Route> routeBy(const Method<RoutePlanner>& method, const SwathSet& swaths, const Machine& machine,
-                             const Settings& settings, const JobContext& job = {}) {
-    return method.run(
-        {.swaths = swaths, .machine = machine, .turn = kDubinsMethod.run, .settings = settings}, job);
+inline Result<Route> routeBy(const Method<RoutePlanner>& method, const SwathSet& swaths,
+                             const Machine& machine, const Settings& settings, const JobContext& job = {}) {
+    return method.run({.swaths = swaths, .machine = machine, .turn = kDubinsMethod.run, .settings = settings},
+                      job);
 }
 
 /// "0 1- 2": indices in their order, reversed ones with a minus.
@@ -70,8 +73,8 @@ inline QString told(const Route& route) {
     return steps.join(' ');
 }
 
-inline Result<Path> pathOf(const SwathSet& swaths, const Route& route, const Machine& machine, TurnPlanner* turn,
-                           const JobContext& job = {}) {
+inline Result<Path> pathOf(const SwathSet& swaths, const Route& route, const Machine& machine,
+                           TurnPlanner* turn, const JobContext& job = {}) {
     return buildPath(swathLegs(swaths, route, machine), machine, waysBy(turn, machine), job);
 }
 

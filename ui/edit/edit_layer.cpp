@@ -27,7 +27,22 @@ constexpr double kLevelsPerNotch = 0.5;
 /// Lines and discs in pixels of the item, so nothing has to follow the camera.
 struct EditRoot : QSGNode {
     std::array<LineNode*, 14> nodes{};
-    enum Slot { GuideCasing, Guide, SplitCasing, Split, Obstacles, Casing, Line, Rubber, Snap, HandleEdge, HandleFace, MiddleFace, ActiveEdge, ActiveFace };
+    enum Slot {
+        GuideCasing,
+        Guide,
+        SplitCasing,
+        Split,
+        Obstacles,
+        Casing,
+        Line,
+        Rubber,
+        Snap,
+        HandleEdge,
+        HandleFace,
+        MiddleFace,
+        ActiveEdge,
+        ActiveFace
+    };
 
     EditRoot() {
         for (LineNode*& node : nodes) {
@@ -90,7 +105,8 @@ void EditLayer::convert() {
     for (const Outline& outline : editor_->shape()->outlines) {
         std::vector<WorldPoint>& points = world_.emplace_back();
         points.reserve(outline.places.size());
-        std::ranges::transform(outline.places, std::back_inserter(points), [](GeoPoint place) { return worldPoint(place); });
+        std::ranges::transform(outline.places, std::back_inserter(points),
+                               [](GeoPoint place) { return worldPoint(place); });
     }
 }
 
@@ -110,11 +126,11 @@ QPointF EditLayer::pixelOf(const Outline& outline, std::size_t vertex) const {
 
 void EditLayer::showCursor() {
     const auto& hovered = editor_->hovered();
-    setCursor(editor_->isDrawing()                              ? Qt::CrossCursor
-              : !hovered                                        ? Qt::ArrowCursor
-              : hovered->kind == ShapeHit::Kind::Inside         ? Qt::PointingHandCursor
-              : hovered->kind == ShapeHit::Kind::Edge           ? Qt::OpenHandCursor
-                                                                : Qt::SizeAllCursor);
+    setCursor(editor_->isDrawing()                      ? Qt::CrossCursor
+              : !hovered                                ? Qt::ArrowCursor
+              : hovered->kind == ShapeHit::Kind::Inside ? Qt::PointingHandCursor
+              : hovered->kind == ShapeHit::Kind::Edge   ? Qt::OpenHandCursor
+                                                        : Qt::SizeAllCursor);
 }
 
 void EditLayer::mousePressEvent(QMouseEvent* event) {
@@ -233,7 +249,8 @@ void EditLayer::addVertices(Marks& marks, const OutlineId& id, const std::vector
     for (std::size_t k = 0; k < pixels.size(); ++k) {
         const QPointF pixel{double{pixels[k].x}, double{pixels[k].y}};
         const bool isChosen = chosen.isOf(Selection::Kind::Vertex, id, k);
-        const bool isHovered = hovered && hovered->kind == ShapeHit::Kind::Vertex && hovered->outline == id && hovered->index == k;
+        const bool isHovered = hovered && hovered->kind == ShapeHit::Kind::Vertex && hovered->outline == id &&
+                               hovered->index == k;
         if (isChosen || isHovered) {
             addDisc(marks.active, pixel);
             continue;
@@ -255,26 +272,32 @@ void EditLayer::addSelection(Marks& marks) const {
     for (std::size_t i = 0; i < outlines.size(); ++i) {
         const Outline& outline = outlines[i];
         std::vector<MapPoint> pixels;
-        std::ranges::transform(world_[i], std::back_inserter(pixels), [this](WorldPoint p) { return pixelPoint(camera()->toItem(p)); });
+        std::ranges::transform(world_[i], std::back_inserter(pixels),
+                               [this](WorldPoint p) { return pixelPoint(camera()->toItem(p)); });
         if (outline.id.kind == OutlineKind::Guide) {
             marks.guide.add(pixels);
         } else if (outline.id.kind == OutlineKind::Split) {
             marks.split.add(pixels);
         }
-        if (chosen.outline == outline.id && (chosen.kind == Selection::Kind::Guide || chosen.kind == Selection::Kind::Split)) {
+        if (chosen.outline == outline.id &&
+            (chosen.kind == Selection::Kind::Guide || chosen.kind == Selection::Kind::Split)) {
             marks.snap.add(pixels);
         }
-        const bool whole = chosen.outline == outline.id && (chosen.kind == Selection::Kind::Hole || chosen.kind == Selection::Kind::Obstacle);
+        const bool whole = chosen.outline == outline.id &&
+                           (chosen.kind == Selection::Kind::Hole || chosen.kind == Selection::Kind::Obstacle);
         if (whole || (editor_->isAhead() && outline.closed)) {
-            LineMesh& mesh = !whole && outline.id.kind == OutlineKind::Obstacle ? marks.obstacles : marks.line;
+            LineMesh& mesh =
+                !whole && outline.id.kind == OutlineKind::Obstacle ? marks.obstacles : marks.line;
             mesh.add(pixels, outline.closed);
         }
         const auto edgeOf = [&](std::size_t edge) {
             return std::array{pixels[edge], pixels[edge + 1 == pixels.size() ? 0 : edge + 1]};
         };
-        if (chosen.outline == outline.id && chosen.kind == Selection::Kind::Edge && chosen.index < outline.edgeCount()) {
+        if (chosen.outline == outline.id && chosen.kind == Selection::Kind::Edge &&
+            chosen.index < outline.edgeCount()) {
             marks.snap.add(edgeOf(chosen.index));
-        } else if (hovered && hovered->outline == outline.id && hovered->kind == ShapeHit::Kind::Edge && !editor_->isDragging()) {
+        } else if (hovered && hovered->outline == outline.id && hovered->kind == ShapeHit::Kind::Edge &&
+                   !editor_->isDragging()) {
             marks.snap.add(edgeOf(hovered->index));
         }
         addVertices(marks, outline.id, pixels);
@@ -292,7 +315,8 @@ void EditLayer::addSelection(Marks& marks) const {
     }
     if (editor_->snap() && editor_->isDragging()) {
         for (const Point from : editor_->snap()->from) {
-            marks.rubber.add(std::array{pixelPoint(pixelOf(from)), pixelPoint(pixelOf(editor_->snap()->place))});
+            marks.rubber.add(
+                std::array{pixelPoint(pixelOf(from)), pixelPoint(pixelOf(editor_->snap()->place))});
         }
     }
 }
@@ -317,12 +341,15 @@ QSGNode* EditLayer::updatePaintNode(QSGNode* old, UpdatePaintNodeData*) {
     root->set(EditRoot::GuideCasing, shown.guide, {.color = casingColor_, .widthPx = 4.4}, ratio);
     root->set(EditRoot::Guide, shown.guide, {.color = guideColor_, .widthPx = 2.4}, ratio);
     root->set(EditRoot::SplitCasing, shown.split, {.color = handleColor_, .widthPx = 4.4}, ratio);
-    root->set(EditRoot::Split, shown.split, {.color = splitColor_, .widthPx = 2.2, .dashPx = 9.0, .periodPx = 14.0}, ratio);
+    root->set(EditRoot::Split, shown.split,
+              {.color = splitColor_, .widthPx = 2.2, .dashPx = 9.0, .periodPx = 14.0}, ratio);
     // As the plan's layer draws them, so that nothing jumps when it takes over.
-    root->set(EditRoot::Obstacles, shown.obstacles, {.color = obstacleColor_, .widthPx = 1.6 * lineFactor_}, ratio);
+    root->set(EditRoot::Obstacles, shown.obstacles, {.color = obstacleColor_, .widthPx = 1.6 * lineFactor_},
+              ratio);
     root->set(EditRoot::Casing, shown.line, {.color = casingColor_, .widthPx = 4.6 * lineFactor_}, ratio);
     root->set(EditRoot::Line, shown.line, {.color = lineColor_, .widthPx = 2.4 * lineFactor_}, ratio);
-    root->set(EditRoot::Rubber, shown.rubber, {.color = accentColor_, .widthPx = 1.6, .dashPx = 6.0, .periodPx = 10.0}, ratio);
+    root->set(EditRoot::Rubber, shown.rubber,
+              {.color = accentColor_, .widthPx = 1.6, .dashPx = 6.0, .periodPx = 10.0}, ratio);
     root->set(EditRoot::Snap, shown.snap, {.color = accentColor_, .widthPx = 4.0}, ratio);
     root->set(EditRoot::HandleEdge, shown.handles, {.color = casingColor_, .widthPx = 9.0}, ratio);
     root->set(EditRoot::HandleFace, shown.handles, {.color = handleColor_, .widthPx = 6.4}, ratio);

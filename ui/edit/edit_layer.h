@@ -9,8 +9,8 @@
 
 namespace furrow {
 
-/// Takes the mouse on the map: moves and zooms it, and hands places to the editor. Draws what is being edited; the
-/// plan follows in its own layer.
+/// Takes the mouse on the map: moves and zooms it, and hands places to the editor. Draws what is being
+/// edited; the plan follows in its own layer.
 class EditLayer : public MapLayer {
     Q_OBJECT
     QML_ELEMENT

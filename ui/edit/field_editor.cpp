@@ -80,7 +80,8 @@ void FieldEditor::follow() {
     const bool ofShape = selection_.kind < Selection::Kind::Segment;
     const Outline* outline = selectedOutline();
     const bool isOutline = selection_.kind != Selection::Kind::Gate;
-    const bool gone = !same || !shape_ || (isOutline ? outline == nullptr : selection_.index >= shape_->gates.size()) ||
+    const bool gone = !same || !shape_ ||
+                      (isOutline ? outline == nullptr : selection_.index >= shape_->gates.size()) ||
                       (outline != nullptr && selection_.index >= outline->points.size());
     if (ofShape && gone && !selection_.isNone()) {
         select({});
@@ -91,7 +92,8 @@ void FieldEditor::follow() {
 }
 
 const Outline* FieldEditor::selectedOutline() const {
-    const bool isOutline = selection_.kind >= Selection::Kind::Vertex && selection_.kind <= Selection::Kind::Split &&
+    const bool isOutline = selection_.kind >= Selection::Kind::Vertex &&
+                           selection_.kind <= Selection::Kind::Split &&
                            selection_.kind != Selection::Kind::Gate;
     return isOutline && shape_ ? shape_->find(selection_.outline) : nullptr;
 }
@@ -107,7 +109,8 @@ std::optional<Point> FieldEditor::midpointHandle() const {
     }
     const Outline* outline = shape_->find(overEdge ? hovered_->outline : selection_.outline);
     const std::size_t edge = overEdge ? hovered_->index : selection_.index;
-    return outline != nullptr && edge < outline->edgeCount() ? std::optional{middleOf(*outline, edge)} : std::nullopt;
+    return outline != nullptr && edge < outline->edgeCount() ? std::optional{middleOf(*outline, edge)}
+                                                             : std::nullopt;
 }
 
 std::optional<Point> FieldEditor::bufferHandle() const {
@@ -137,7 +140,8 @@ void FieldEditor::hover(const Pointer& pointer) {
     auto hit = hitAt(*shape_, place, pointer.reach);
     if (hit && hit->kind == ShapeHit::Kind::Edge) {
         const Outline& outline = *shape_->find(hit->outline);
-        if (distance(outline.from(hit->index), outline.to(hit->index)) < kLeastEdgeReaches * pointer.reach.si()) {
+        if (distance(outline.from(hit->index), outline.to(hit->index)) <
+            kLeastEdgeReaches * pointer.reach.si()) {
             hit.reset();
         }
     }
@@ -182,13 +186,16 @@ bool FieldEditor::press(const Pointer& pointer) {
         return false;
     } else if (hovered_->kind == ShapeHit::Kind::Edge && within(middle)) {
         const ShapeHit edge = *hovered_;
-        setOutline(QT_TR_NOOP("Add a point"), edge.outline, withVertexOn(*shape_->find(edge.outline), *frame_, edge.index, place),
+        setOutline(QT_TR_NOOP("Add a point"), edge.outline,
+                   withVertexOn(*shape_->find(edge.outline), *frame_, edge.index, place),
                    Document::Follows::More);
         select({.kind = Selection::Kind::Vertex, .outline = edge.outline, .index = edge.index + 1});
         before_ = shape_;
         grip_ = Grip::Vertex;
     } else {
-        const Selection hit{.kind = kindOf(hovered_->kind, hovered_->outline.kind), .outline = hovered_->outline, .index = hovered_->index};
+        const Selection hit{.kind = kindOf(hovered_->kind, hovered_->outline.kind),
+                            .outline = hovered_->outline,
+                            .index = hovered_->index};
         const bool was = hit == selection_;
         // A large obstacle must not keep the map from being moved: it is moved once it is selected.
         if (hovered_->kind == ShapeHit::Kind::Inside && !was) {
@@ -257,7 +264,9 @@ void FieldEditor::click(const Pointer& pointer) {
         return;
     }
     if (hovered_) {
-        select({.kind = kindOf(hovered_->kind, hovered_->outline.kind), .outline = hovered_->outline, .index = hovered_->index});
+        select({.kind = kindOf(hovered_->kind, hovered_->outline.kind),
+                .outline = hovered_->outline,
+                .index = hovered_->index});
         return;
     }
     pickFromPlan(pointer);
@@ -288,7 +297,8 @@ std::vector<SnapLine> FieldEditor::linesAt(const Outline& outline, std::size_t v
             if (!outline.closed && (index < 0 || index >= static_cast<int>(count))) {
                 return std::nullopt;
             }
-            return outline.points[static_cast<std::size_t>((index + 2 * static_cast<int>(count)) % static_cast<int>(count))];
+            return outline.points[static_cast<std::size_t>((index + 2 * static_cast<int>(count)) %
+                                                           static_cast<int>(count))];
         };
         if (const auto anchor = at(1), beyond = at(2); anchor && beyond && count > 3) {
             std::ranges::move(angleLines(*anchor, *beyond), std::back_inserter(lines));
@@ -321,21 +331,25 @@ void FieldEditor::moveGrip(const Pointer& pointer, Document::Follows follows) {
     switch (grip_) {
         case Grip::Vertex:
             if (outline != nullptr && selection_.index < outline->points.size()) {
-                const Point to = snappedTo(pointer, linesAt(*outline, selection_.index), std::pair{outline->id, selection_.index});
-                setOutline(QT_TR_NOOP("Move a point"), outline->id, withVertexAt(*outline, *frame_, selection_.index, to), follows);
+                const Point to = snappedTo(pointer, linesAt(*outline, selection_.index),
+                                           std::pair{outline->id, selection_.index});
+                setOutline(QT_TR_NOOP("Move a point"), outline->id,
+                           withVertexAt(*outline, *frame_, selection_.index, to), follows);
             }
             break;
         case Grip::Edge:
             if (outline != nullptr && selection_.index < outline->edgeCount()) {
                 const Point along = outline->to(selection_.index) - outline->from(selection_.index);
                 const double sideways = cross(along, way) / std::max(norm(along), 1e-9);
-                setOutline(QT_TR_NOOP("Move an edge"), outline->id, withEdgeMoved(*outline, *frame_, selection_.index, metres(sideways)), follows);
+                setOutline(QT_TR_NOOP("Move an edge"), outline->id,
+                           withEdgeMoved(*outline, *frame_, selection_.index, metres(sideways)), follows);
             }
             break;
         case Grip::Inside:
             if (outline != nullptr) {
-                setOutline(outline->id.kind == OutlineKind::Hole ? QT_TR_NOOP("Move a hole") : QT_TR_NOOP("Move an obstacle"), outline->id,
-                           withAllMoved(*outline, *frame_, way), follows);
+                setOutline(outline->id.kind == OutlineKind::Hole ? QT_TR_NOOP("Move a hole")
+                                                                 : QT_TR_NOOP("Move an obstacle"),
+                           outline->id, withAllMoved(*outline, *frame_, way), follows);
             }
             break;
         case Grip::Gate: {
@@ -357,7 +371,8 @@ void FieldEditor::moveGrip(const Pointer& pointer, Document::Follows follows) {
     }
 }
 
-void FieldEditor::setOutline(const char* text, const OutlineId& id, GeoRing places, Document::Follows follows) {
+void FieldEditor::setOutline(const char* text, const OutlineId& id, GeoRing places,
+                             Document::Follows follows) {
     if (id.kind == OutlineKind::Guide) {
         change(text, withGuide(project(), places), follows);
     } else if (id.kind == OutlineKind::Split) {
@@ -374,7 +389,9 @@ void FieldEditor::changeSource(const char* text, FieldSource source, Document::F
 }
 
 void FieldEditor::change(const char* text, Project after, Document::Follows follows) {
-    document_->change([text] { return tr(text); }, std::move(after), isDragging() || follows == Document::Follows::More ? QStringLiteral("grip") : QString{}, follows);
+    document_->change([text] { return tr(text); }, std::move(after),
+                      isDragging() || follows == Document::Follows::More ? QStringLiteral("grip") : QString{},
+                      follows);
 }
 
 void FieldEditor::select(const Selection& selection) {

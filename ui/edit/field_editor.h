@@ -8,19 +8,21 @@
 #include "ui/map/shown_plan.h"
 #include "ui/project/document.h"
 
+#include <QtQml/qqmlregistration.h>
 #include <QGeoCoordinate>
 #include <QList>
 #include <QObject>
-#include <QtQml/qqmlregistration.h>
 
 namespace furrow {
 
-/// What the tools on the map do to the field: picks, drags, draws, deletes. It knows places on the earth and how far
-/// a pointer reaches there; pixels are the layer's. Geometry is the planner's, changes are the document's.
+/// What the tools on the map do to the field: picks, drags, draws, deletes. It knows places on the earth and
+/// how far a pointer reaches there; pixels are the layer's. Geometry is the planner's, changes are the
+/// document's.
 class FieldEditor : public QObject {
     Q_OBJECT
     QML_ELEMENT
-    Q_PROPERTY(furrow::Document* document READ document WRITE setDocument NOTIFY documentChanged REQUIRED FINAL)
+    Q_PROPERTY(
+        furrow::Document* document READ document WRITE setDocument NOTIFY documentChanged REQUIRED FINAL)
     Q_PROPERTY(furrow::ShownPlan* shown READ shown WRITE setShown NOTIFY shownChanged REQUIRED FINAL)
     Q_PROPERTY(Tool tool READ tool WRITE setTool NOTIFY toolChanged FINAL)
     Q_PROPERTY(bool drawing READ isDrawing NOTIFY toolChanged FINAL)
@@ -66,7 +68,8 @@ public:
     double draftLengthM() const;
     double draftBearingDeg() const;
     bool isDragging() const { return grip_ != Grip::None; }
-    /// The outlines are to be drawn from here: the plan's drawing is of what they were before, or will be in a moment.
+    /// The outlines are to be drawn from here: the plan's drawing is of what they were before, or will be in
+    /// a moment.
     bool isAhead() const;
     bool hasSelection() const { return !selection_.isNone(); }
     bool canDelete() const;
@@ -101,7 +104,8 @@ public:
     void select(const Selection& selection);
     Q_INVOKABLE void selectFinding(int index);
     Q_INVOKABLE void clearSelection() { select({}); }
-    /// Around the outline of what is selected, or the first one: `step` vertices further, or edges where one is selected.
+    /// Around the outline of what is selected, or the first one: `step` vertices further, or edges where one
+    /// is selected.
     Q_INVOKABLE void selectNext(int step);
     /// The edge after the vertex that is selected, or after the edge.
     Q_INVOKABLE void selectEdge();

@@ -165,30 +165,36 @@ void FieldEditor::finishTool(GeoRing points) {
         const std::size_t part = partAt(*shape_, first).value_or(0);
         const std::size_t hole = field->source->parts[part].holes.size();
         made = {.kind = Selection::Kind::Hole, .outline = {OutlineKind::Hole, part, hole}, .index = 0};
-        change(QT_TR_NOOP("Draw a hole"), withHole(project(), part, turnedRing(std::move(points), shape_->frame, false)));
+        change(QT_TR_NOOP("Draw a hole"),
+               withHole(project(), part, turnedRing(std::move(points), shape_->frame, false)));
     } else if (tool == Tool::Obstacle) {
         const std::size_t number = field->source->obstacles.size();
         made = {.kind = Selection::Kind::Obstacle, .outline = {OutlineKind::Obstacle, number, 0}, .index = 0};
         change(QT_TR_NOOP("Draw an obstacle"),
-               withObstacle(project(), {.name = tr("Obstacle %1").arg(number + 1).toStdString(),
-                                        .outline = {.outer = turnedRing(std::move(points), shape_->frame, true), .holes = {}},
-                                        .passable = false,
-                                        .buffer = {}}));
+               withObstacle(
+                   project(),
+                   {.name = tr("Obstacle %1").arg(number + 1).toStdString(),
+                    .outline = {.outer = turnedRing(std::move(points), shape_->frame, true), .holes = {}},
+                    .passable = false,
+                    .buffer = {}}));
     } else if (tool == Tool::Gate) {
         const std::size_t number = field->source->gates.size();
         const Point at = nearestOnBoundary(*shape_, first).value_or(first);
         made = {.kind = Selection::Kind::Gate, .outline = {}, .index = number};
-        change(QT_TR_NOOP("Add a gate"), withGate(project(), {.name = tr("Gate %1").arg(number + 1).toStdString(),
-                                                      .position = shape_->frame.toGeo(at),
-                                                      .width = kGateWidth}));
+        change(QT_TR_NOOP("Add a gate"),
+               withGate(project(), {.name = tr("Gate %1").arg(number + 1).toStdString(),
+                                    .position = shape_->frame.toGeo(at),
+                                    .width = kGateWidth}));
     } else if (tool == Tool::Split) {
         std::vector<GeoRing> splits = linesOf(project()).splits;
-        made = {.kind = Selection::Kind::Split, .outline = {OutlineKind::Split, splits.size(), 0}, .index = 0};
+        made = {
+            .kind = Selection::Kind::Split, .outline = {OutlineKind::Split, splits.size(), 0}, .index = 0};
         splits.push_back(std::move(points));
         change(QT_TR_NOOP("Draw a split line"), withSplits(project(), splits));
     } else {
         made = {.kind = Selection::Kind::Guide, .outline = {OutlineKind::Guide, 0, 0}, .index = 0};
-        change(points.size() > 2 ? QT_TR_NOOP("Draw a guidance curve") : QT_TR_NOOP("Draw an AB line"), withGuide(project(), points));
+        change(points.size() > 2 ? QT_TR_NOOP("Draw a guidance curve") : QT_TR_NOOP("Draw an AB line"),
+               withGuide(project(), points));
     }
     setTool(Tool::Select);
     select(made);
@@ -200,7 +206,8 @@ bool FieldEditor::canDelete() const {
     switch (selection_.kind) {
         case Selection::Kind::Vertex: {
             const Outline* outline = selectedOutline();
-            return outline != nullptr && (isDrawnLine(outline->id) || withoutVertex(*outline, selection_.index).has_value());
+            return outline != nullptr &&
+                   (isDrawnLine(outline->id) || withoutVertex(*outline, selection_.index).has_value());
         }
         case Selection::Kind::Hole:
         case Selection::Kind::Obstacle:
@@ -223,7 +230,8 @@ void FieldEditor::deleteSelection() {
     const Selection chosen = selection_;
     if (chosen.kind == Selection::Kind::Vertex) {
         if (auto places = withoutVertex(*selectedOutline(), chosen.index)) {
-            setOutline(QT_TR_NOOP("Delete a point"), chosen.outline, std::move(*places), Document::Follows::Nothing);
+            setOutline(QT_TR_NOOP("Delete a point"), chosen.outline, std::move(*places),
+                       Document::Follows::Nothing);
             return;
         }
         // A line without one of its two ends is none.
@@ -256,14 +264,17 @@ void FieldEditor::nudge(double eastM, double northM) {
         return;
     } else if (selection_.kind == Selection::Kind::Vertex) {
         setOutline(QT_TR_NOOP("Move a point"), outline->id,
-                   withVertexAt(*outline, *frame_, selection_.index, outline->points[selection_.index] + way), Document::Follows::Nothing);
+                   withVertexAt(*outline, *frame_, selection_.index, outline->points[selection_.index] + way),
+                   Document::Follows::Nothing);
     } else if (selection_.kind == Selection::Kind::Edge) {
         const Point along = outline->to(selection_.index) - outline->from(selection_.index);
         setOutline(QT_TR_NOOP("Move an edge"), outline->id,
-                   withEdgeMoved(*outline, *frame_, selection_.index, metres(cross(along, way) / std::max(norm(along), 1e-9))),
+                   withEdgeMoved(*outline, *frame_, selection_.index,
+                                 metres(cross(along, way) / std::max(norm(along), 1e-9))),
                    Document::Follows::Nothing);
     } else {
-        setOutline(QT_TR_NOOP("Move"), outline->id, withAllMoved(*outline, *frame_, way), Document::Follows::Nothing);
+        setOutline(QT_TR_NOOP("Move"), outline->id, withAllMoved(*outline, *frame_, way),
+                   Document::Follows::Nothing);
     }
 }
 
@@ -279,8 +290,11 @@ void FieldEditor::selectNext(int step) {
     const bool isEdge = selection_.kind == Selection::Kind::Edge;
     const bool goesOn = isEdge || selection_.kind == Selection::Kind::Vertex;
     const auto count = static_cast<int>(isEdge ? outline->edgeCount() : outline->points.size());
-    const int next = goesOn ? (static_cast<int>(selection_.index) + step % count + count) % count : static_cast<int>(selection_.index);
-    select({.kind = isEdge ? Selection::Kind::Edge : Selection::Kind::Vertex, .outline = outline->id, .index = static_cast<std::size_t>(next)});
+    const int next = goesOn ? (static_cast<int>(selection_.index) + step % count + count) % count
+                            : static_cast<int>(selection_.index);
+    select({.kind = isEdge ? Selection::Kind::Edge : Selection::Kind::Vertex,
+            .outline = outline->id,
+            .index = static_cast<std::size_t>(next)});
 }
 
 void FieldEditor::selectEdge() {
@@ -296,7 +310,9 @@ void FieldEditor::selectEdge() {
         return;
     }
     const std::size_t after = selection_.kind == Selection::Kind::Vertex ? selection_.index : 0;
-    select({.kind = Selection::Kind::Edge, .outline = outline->id, .index = std::min(after, outline->edgeCount() - 1)});
+    select({.kind = Selection::Kind::Edge,
+            .outline = outline->id,
+            .index = std::min(after, outline->edgeCount() - 1)});
 }
 
 void FieldEditor::selectNextShape(int step) {
@@ -309,10 +325,10 @@ void FieldEditor::selectNextShape(int step) {
         return;
     }
     const Outline* outline = selectedOutline();
-    const int now = outline != nullptr                           ? static_cast<int>(outline - shape_->outlines.data())
+    const int now = outline != nullptr ? static_cast<int>(outline - shape_->outlines.data())
                     : selection_.kind == Selection::Kind::Gate ? outlines + static_cast<int>(selection_.index)
-                    : step > 0                                   ? -1
-                                                                 : 0;
+                    : step > 0                                 ? -1
+                                                               : 0;
     const auto next = static_cast<std::size_t>((now + step % count + count) % count);
     if (next >= shape_->outlines.size()) {
         select({.kind = Selection::Kind::Gate, .outline = {}, .index = next - shape_->outlines.size()});
@@ -323,7 +339,8 @@ void FieldEditor::selectNextShape(int step) {
 }
 
 void FieldEditor::setVertex(GeoPoint place) {
-    if (const Outline* outline = selectedOutline(); outline != nullptr && selection_.kind == Selection::Kind::Vertex) {
+    if (const Outline* outline = selectedOutline();
+        outline != nullptr && selection_.kind == Selection::Kind::Vertex) {
         GeoRing places = outline->places;
         places[selection_.index] = place;
         setOutline(QT_TR_NOOP("Move a point"), outline->id, std::move(places), Document::Follows::Nothing);
@@ -332,32 +349,39 @@ void FieldEditor::setVertex(GeoPoint place) {
 
 void FieldEditor::setEdgeLength(Length length) {
     if (const Outline* outline = selectedOutline(); outline != nullptr && length > metres(0.0)) {
-        setOutline(QT_TR_NOOP("Change a length"), outline->id, withEdgeLength(*outline, *frame_, selection_.index, length), Document::Follows::Nothing);
+        setOutline(QT_TR_NOOP("Change a length"), outline->id,
+                   withEdgeLength(*outline, *frame_, selection_.index, length), Document::Follows::Nothing);
     }
 }
 
 void FieldEditor::setEdgeHeading(Angle heading) {
     if (const Outline* outline = selectedOutline()) {
-        setOutline(QT_TR_NOOP("Change a direction"), outline->id, withEdgeHeading(*outline, *frame_, selection_.index, heading), Document::Follows::Nothing);
+        setOutline(QT_TR_NOOP("Change a direction"), outline->id,
+                   withEdgeHeading(*outline, *frame_, selection_.index, heading), Document::Follows::Nothing);
     }
 }
 
 void FieldEditor::setEdgeHeadland(Length width) {
-    if (const ProjectField* field = project().field(); field != nullptr && selection_.kind == Selection::Kind::Edge) {
-        changeSource(QT_TR_NOOP("Change the headland of an edge"), withEdgeHeadland(*field->source, selection_.outline, selection_.index, width),
+    if (const ProjectField* field = project().field();
+        field != nullptr && selection_.kind == Selection::Kind::Edge) {
+        changeSource(QT_TR_NOOP("Change the headland of an edge"),
+                     withEdgeHeadland(*field->source, selection_.outline, selection_.index, width),
                      Document::Follows::Nothing);
     }
 }
 
 void FieldEditor::clearEdgeHeadland() {
-    if (const ProjectField* field = project().field(); field != nullptr && selection_.kind == Selection::Kind::Edge) {
-        changeSource(QT_TR_NOOP("Headland of an edge as elsewhere"), withEdgeHeadland(*field->source, selection_.outline, selection_.index, std::nullopt),
+    if (const ProjectField* field = project().field();
+        field != nullptr && selection_.kind == Selection::Kind::Edge) {
+        changeSource(QT_TR_NOOP("Headland of an edge as elsewhere"),
+                     withEdgeHeadland(*field->source, selection_.outline, selection_.index, std::nullopt),
                      Document::Follows::Nothing);
     }
 }
 
 void FieldEditor::setBuffer(Length buffer) {
-    if (const ProjectField* field = project().field(); field != nullptr && selection_.kind == Selection::Kind::Obstacle) {
+    if (const ProjectField* field = project().field();
+        field != nullptr && selection_.kind == Selection::Kind::Obstacle) {
         FieldSource source = *field->source;
         source.obstacles[selection_.outline.item].buffer = buffer;
         changeSource(QT_TR_NOOP("Change the buffer"), std::move(source), Document::Follows::Nothing);
@@ -365,15 +389,19 @@ void FieldEditor::setBuffer(Length buffer) {
 }
 
 void FieldEditor::setPassable(bool passable) {
-    if (const ProjectField* field = project().field(); field != nullptr && selection_.kind == Selection::Kind::Obstacle) {
+    if (const ProjectField* field = project().field();
+        field != nullptr && selection_.kind == Selection::Kind::Obstacle) {
         FieldSource source = *field->source;
         source.obstacles[selection_.outline.item].passable = passable;
-        changeSource(passable ? QT_TR_NOOP("Let the obstacle be driven on") : QT_TR_NOOP("Keep off the obstacle"), std::move(source), Document::Follows::Nothing);
+        changeSource(
+            passable ? QT_TR_NOOP("Let the obstacle be driven on") : QT_TR_NOOP("Keep off the obstacle"),
+            std::move(source), Document::Follows::Nothing);
     }
 }
 
 void FieldEditor::setGateWidth(Length width) {
-    if (const ProjectField* field = project().field(); field != nullptr && selection_.kind == Selection::Kind::Gate) {
+    if (const ProjectField* field = project().field();
+        field != nullptr && selection_.kind == Selection::Kind::Gate) {
         FieldSource source = *field->source;
         source.gates[selection_.index].width = width;
         changeSource(QT_TR_NOOP("Change the gate"), std::move(source), Document::Follows::Nothing);
@@ -400,7 +428,8 @@ void FieldEditor::guideAlongEdge() {
     const Outline* outline = selectedOutline();
     if (outline != nullptr && selection_.kind == Selection::Kind::Edge) {
         const std::size_t next = selection_.index + 1 == outline->places.size() ? 0 : selection_.index + 1;
-        change(QT_TR_NOOP("AB line along an edge"), withGuide(project(), {outline->places[selection_.index], outline->places[next]}));
+        change(QT_TR_NOOP("AB line along an edge"),
+               withGuide(project(), {outline->places[selection_.index], outline->places[next]}));
     }
 }
 

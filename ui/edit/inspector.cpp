@@ -19,16 +19,18 @@ void Inspector::follow() {
     std::optional<InspectorText> text;
     if (editor_->document() != nullptr && editor_->shown() != nullptr) {
         const ProjectField* field = editor_->document()->project()->field();
-        text = inspectorText(editor_->selection(), editor_->shape() ? &*editor_->shape() : nullptr,
-                             field == nullptr ? nullptr : field->source.get(), editor_->shown()->plan().get());
+        text =
+            inspectorText(editor_->selection(), editor_->shape() ? &*editor_->shape() : nullptr,
+                          field == nullptr ? nullptr : field->source.get(), editor_->shown()->plan().get());
     }
     if (text == text_) {
         return;
     }
     // The same lines with other figures, as while something is dragged, keep what has the keyboard.
-    const bool sameRows = text && text_ && std::ranges::equal(text->rows, text_->rows, [](const auto& a, const auto& b) {
-        return a.label == b.label && a.field == b.field;
-    });
+    const bool sameRows =
+        text && text_ && std::ranges::equal(text->rows, text_->rows, [](const auto& a, const auto& b) {
+            return a.label == b.label && a.field == b.field;
+        });
     if (!sameRows) {
         beginResetModel();
     }
@@ -68,8 +70,9 @@ QVariant Inspector::data(const QModelIndex& index, int role) const {
 }
 
 QHash<int, QByteArray> Inspector::roleNames() const {
-    return {{LabelRole, "label"}, {TextRole, "text"}, {KindRole, "kind"}, {NumberRole, "number"},
-            {QuantityRole, "quantity"}, {DecimalsRole, "decimals"}, {FromRole, "from"}, {ToRole, "to"}};
+    return {
+        {LabelRole, "label"},       {TextRole, "text"},         {KindRole, "kind"}, {NumberRole, "number"},
+        {QuantityRole, "quantity"}, {DecimalsRole, "decimals"}, {FromRole, "from"}, {ToRole, "to"}};
 }
 
 void Inspector::setNumber(int row, double number) {

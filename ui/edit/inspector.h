@@ -3,8 +3,8 @@
 #include "ui/edit/field_editor.h"
 #include "ui/edit/inspector_text.h"
 
-#include <QAbstractListModel>
 #include <QtQml/qqmlregistration.h>
+#include <QAbstractListModel>
 
 namespace furrow {
 
@@ -25,7 +25,16 @@ class Inspector : public QAbstractListModel {
 public:
     enum class Kind { Figure, Number, Text };
     Q_ENUM(Kind)
-    enum Role { LabelRole = Qt::UserRole + 1, TextRole, KindRole, NumberRole, QuantityRole, DecimalsRole, FromRole, ToRole };
+    enum Role {
+        LabelRole = Qt::UserRole + 1,
+        TextRole,
+        KindRole,
+        NumberRole,
+        QuantityRole,
+        DecimalsRole,
+        FromRole,
+        ToRole
+    };
 
     explicit Inspector(QObject* parent = nullptr) : QAbstractListModel{parent} {}
 

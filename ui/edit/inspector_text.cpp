@@ -26,9 +26,16 @@ InspectorRow figure(const QString& label, const QString& text) {
     return {.label = label, .text = text};
 }
 
-InspectorRow numberRow(const QString& label, InspectorField field, double number, QuantityText::Kind quantity, int decimals,
-                       double from, double to) {
-    return {.label = label, .text = {}, .field = field, .number = number, .quantity = quantity, .decimals = decimals, .from = from, .to = to};
+InspectorRow numberRow(const QString& label, InspectorField field, double number, QuantityText::Kind quantity,
+                       int decimals, double from, double to) {
+    return {.label = label,
+            .text = {},
+            .field = field,
+            .number = number,
+            .quantity = quantity,
+            .decimals = decimals,
+            .from = from,
+            .to = to};
 }
 
 InspectorRow nameRow(const std::string& name) {
@@ -71,20 +78,25 @@ InspectorText vertexText(const Outline& outline, std::size_t vertex) {
     text.title = Words::tr("Point %1 of the %2").arg(vertex + 1).arg(nameOf(outline.id));
     const bool end = !outline.closed && (vertex == 0 || vertex + 1 == outline.points.size());
     text.sentence = Words::tr("Drag it on the map, move it by arrow keys, or type where it is.");
-    text.rows = {numberRow(Words::tr("Latitude"), InspectorField::Latitude, outline.places[vertex].latDeg, QuantityText::Angle, 8, -90.0, 90.0),
-                 numberRow(Words::tr("Longitude"), InspectorField::Longitude, outline.places[vertex].lonDeg, QuantityText::Angle, 8, -180.0, 180.0)};
+    text.rows = {numberRow(Words::tr("Latitude"), InspectorField::Latitude, outline.places[vertex].latDeg,
+                           QuantityText::Angle, 8, -90.0, 90.0),
+                 numberRow(Words::tr("Longitude"), InspectorField::Longitude, outline.places[vertex].lonDeg,
+                           QuantityText::Angle, 8, -180.0, 180.0)};
     if (!end) {
-        text.rows.push_back(figure(Words::tr("Angle"), Words::tr("%1°").arg(numberText(inDegrees(cornerAngle(outline, vertex)), 1))));
+        text.rows.push_back(figure(Words::tr("Angle"), Words::tr("%1°").arg(numberText(
+                                                           inDegrees(cornerAngle(outline, vertex)), 1))));
     }
     return text;
 }
 
 QString splitSentence() {
-    return Words::tr("The mainland is cut along it, where it runs right through. Drag it or its points, or delete it.");
+    return Words::tr(
+        "The mainland is cut along it, where it runs right through. Drag it or its points, or delete it.");
 }
 
 /// How wide the headland along an edge of the field is: as said for it, or as wide as the plan has it.
-std::optional<Length> headlandAlong(const Outline& outline, std::size_t edge, const FieldSource* source, const Plan* plan) {
+std::optional<Length> headlandAlong(const Outline& outline, std::size_t edge, const FieldSource* source,
+                                    const Plan* plan) {
     const OutlineId& id = outline.id;
     if (source == nullptr || (id.kind != OutlineKind::Boundary && id.kind != OutlineKind::Hole)) {
         return std::nullopt;
@@ -101,12 +113,14 @@ std::optional<Length> headlandAlong(const Outline& outline, std::size_t edge, co
     return widthBeside(plan->headland, 0.5 * (from + to));
 }
 
-InspectorText edgeText(const Outline& outline, std::size_t edge, const FieldSource* source, const Plan* plan) {
+InspectorText edgeText(const Outline& outline, std::size_t edge, const FieldSource* source,
+                       const Plan* plan) {
     InspectorText text;
     const Point way = outline.to(edge) - outline.from(edge);
     if (outline.id.kind == OutlineKind::Guide && outline.points.size() == 2) {
         text.title = Words::tr("AB line");
-        text.sentence = Words::tr("One swath lies on it, the others beside it. Drag it or its ends, or type its direction.");
+        text.sentence = Words::tr(
+            "One swath lies on it, the others beside it. Drag it or its ends, or type its direction.");
     } else if (outline.id.kind == OutlineKind::Split && outline.points.size() == 2) {
         text.title = Words::tr("Split line %1").arg(outline.id.item + 1);
         text.sentence = splitSentence();
@@ -115,10 +129,13 @@ InspectorText edgeText(const Outline& outline, std::size_t edge, const FieldSour
         text.sentence = Words::tr("Drag it to move it sideways; the dot in its middle makes another point.");
     }
     text.isEdge = outline.id.kind != OutlineKind::Guide;
-    text.rows = {numberRow(Words::tr("Length"), InspectorField::EdgeLength, norm(way), QuantityText::Length, 2, 0.01, kLongestEdgeM),
-                 numberRow(Words::tr("Direction"), InspectorField::EdgeBearing, bearingDegOf(way), QuantityText::Angle, 2, 0.0, 360.0)};
+    text.rows = {numberRow(Words::tr("Length"), InspectorField::EdgeLength, norm(way), QuantityText::Length,
+                           2, 0.01, kLongestEdgeM),
+                 numberRow(Words::tr("Direction"), InspectorField::EdgeBearing, bearingDegOf(way),
+                           QuantityText::Angle, 2, 0.0, 360.0)};
     if (const auto headland = headlandAlong(outline, edge, source, plan)) {
-        text.rows.push_back(numberRow(Words::tr("Headland"), InspectorField::EdgeHeadland, headland->si(), QuantityText::Length, 2, 0.0, 500.0));
+        text.rows.push_back(numberRow(Words::tr("Headland"), InspectorField::EdgeHeadland, headland->si(),
+                                      QuantityText::Length, 2, 0.0, 500.0));
         text.hasOwnHeadland = findEdgeHeadland(*source, outline.id, edge) != nullptr;
     }
     return text;
@@ -127,10 +144,12 @@ InspectorText edgeText(const Outline& outline, std::size_t edge, const FieldSour
 InspectorText obstacleText(const Outline& outline, const Obstacle& obstacle) {
     InspectorText text;
     text.title = obstacle.name.empty() ? Words::tr("Obstacle") : fromStd(obstacle.name);
-    text.sentence = obstacle.passable ? Words::tr("It is not worked, but may be driven on.")
-                                      : Words::tr("It is not worked, and nothing drives nearer than its buffer.");
+    text.sentence = obstacle.passable
+                        ? Words::tr("It is not worked, but may be driven on.")
+                        : Words::tr("It is not worked, and nothing drives nearer than its buffer.");
     text.rows = {nameRow(obstacle.name),
-                 numberRow(Words::tr("Buffer"), InspectorField::Buffer, obstacle.buffer.si(), QuantityText::Length, 2, 0.0, 1000.0),
+                 numberRow(Words::tr("Buffer"), InspectorField::Buffer, obstacle.buffer.si(),
+                           QuantityText::Length, 2, 0.0, 1000.0),
                  figure(Words::tr("Area"), areaText(areaOf(outline)))};
     text.passable = obstacle.passable;
     return text;
@@ -141,9 +160,9 @@ InspectorText segmentText(const Plan& plan, std::size_t index) {
     const PathSegment* before = plan.path.workBefore(index);
     const PathSegment* after = plan.path.workAfter(index);
     const auto called = [](const PathSegment* work) {
-        return work == nullptr                          ? Words::tr("the end")
+        return work == nullptr                    ? Words::tr("the end")
                : work->kind == SegmentKind::Swath ? Words::tr("swath %1").arg(work->number)
-                                                        : Words::tr("pass %1").arg(work->number);
+                                                  : Words::tr("pass %1").arg(work->number);
     };
     const QString length = metresText(segment.length(), 1);
     const QString time = durationText(segment.duration());
@@ -152,23 +171,31 @@ InspectorText segmentText(const Plan& plan, std::size_t index) {
     switch (segment.kind) {
         case SegmentKind::Swath: {
             text.title = Words::tr("Swath %1").arg(segment.number);
-            const auto order = std::ranges::count_if(plan.path.segments.begin(), plan.path.segments.begin() + static_cast<std::ptrdiff_t>(index) + 1,
-                                                     [](const PathSegment& each) { return each.kind == SegmentKind::Swath; });
+            const auto order = std::ranges::count_if(
+                plan.path.segments.begin(),
+                plan.path.segments.begin() + static_cast<std::ptrdiff_t>(index) + 1,
+                [](const PathSegment& each) { return each.kind == SegmentKind::Swath; });
             text.sentence = Words::tr("It is worked as number %1 of %2, %3 long, in %4.")
-                                .arg(order).arg(plan.route.steps.size()).arg(length, time);
+                                .arg(order)
+                                .arg(plan.route.steps.size())
+                                .arg(length, time);
             const Point way = segment.samples.back().position - segment.samples.front().position;
-            text.rows.push_back(figure(Words::tr("Direction"), Words::tr("%1°").arg(numberText(bearingDegOf(way), 1))));
-            text.rows.push_back(figure(Words::tr("Width"), metresText(plan.request.machine.operatingWidth(), 2)));
+            text.rows.push_back(
+                figure(Words::tr("Direction"), Words::tr("%1°").arg(numberText(bearingDegOf(way), 1))));
+            text.rows.push_back(
+                figure(Words::tr("Width"), metresText(plan.request.machine.operatingWidth(), 2)));
             break;
         }
         case SegmentKind::HeadlandPass:
             text.title = Words::tr("Headland pass %1").arg(segment.number);
-            text.sentence = Words::tr("Counted from the outside; %1 are worked here in %2.").arg(length, time);
+            text.sentence =
+                Words::tr("Counted from the outside; %1 are worked here in %2.").arg(length, time);
             break;
         case SegmentKind::Turn:
             text.title = Words::tr("Turn from %1 to %2").arg(called(before), called(after));
-            text.sentence = segment.gear == Gear::Reverse ? Words::tr("%1 in reverse, in %2.").arg(length, time)
-                                                          : Words::tr("%1 with the implement up, in %2.").arg(length, time);
+            text.sentence = segment.gear == Gear::Reverse
+                                ? Words::tr("%1 in reverse, in %2.").arg(length, time)
+                                : Words::tr("%1 with the implement up, in %2.").arg(length, time);
             text.rows.push_back(figure(Words::tr("Kind"), nameOfTurn(segment.turnType)));
             break;
         case SegmentKind::Transfer:
@@ -188,7 +215,8 @@ InspectorText cellText(const Plan& plan, std::size_t index) {
     const Cell& cell = plan.cells.cells[index];
     InspectorText text;
     text.title = Words::tr("Cell %1").arg(index + 1);
-    text.sentence = Words::tr("A piece of the mainland whose %n swath(s) are driven together.", nullptr, static_cast<int>(cell.swaths.size()));
+    text.sentence = Words::tr("A piece of the mainland whose %n swath(s) are driven together.", nullptr,
+                              static_cast<int>(cell.swaths.size()));
     text.rows = {figure(Words::tr("Area"), areaText(area(cell.outline))),
                  figure(Words::tr("Swaths"), QString::number(cell.swaths.size()))};
     return text;
@@ -198,8 +226,8 @@ InspectorText gateText(const Gate& gate) {
     InspectorText text;
     text.title = gate.name.empty() ? Words::tr("Gate") : fromStd(gate.name);
     text.sentence = Words::tr("Here the machine may enter and leave the field. Drag it along the boundary.");
-    text.rows = {nameRow(gate.name),
-                 numberRow(Words::tr("Width"), InspectorField::GateWidth, gate.width.si(), QuantityText::Length, 2, 0.0, 100.0)};
+    text.rows = {nameRow(gate.name), numberRow(Words::tr("Width"), InspectorField::GateWidth, gate.width.si(),
+                                               QuantityText::Length, 2, 0.0, 100.0)};
     return text;
 }
 
@@ -210,7 +238,8 @@ InspectorText lineText(const Outline& outline) {
     const bool split = outline.id.kind == OutlineKind::Split;
     InspectorText text;
     text.title = split ? Words::tr("Split line %1").arg(outline.id.item + 1) : Words::tr("Guidance curve");
-    text.sentence = split ? splitSentence() : Words::tr("The swaths lie beside it. Drag its points, or delete it.");
+    text.sentence =
+        split ? splitSentence() : Words::tr("The swaths lie beside it. Drag its points, or delete it.");
     text.rows = {figure(Words::tr("Length"), lengthText(metres(lengthM(outline.points)))),
                  figure(Words::tr("Points"), QString::number(outline.points.size()))};
     return text;
@@ -218,16 +247,20 @@ InspectorText lineText(const Outline& outline) {
 
 }  // namespace
 
-std::optional<InspectorText> inspectorText(const Selection& selection, const FieldShape* shape, const FieldSource* source,
-                                           const Plan* plan) {
+std::optional<InspectorText> inspectorText(const Selection& selection, const FieldShape* shape,
+                                           const FieldSource* source, const Plan* plan) {
     const Outline* outline = shape == nullptr ? nullptr : shape->find(selection.outline);
     const std::size_t index = selection.index;
     switch (selection.kind) {
         case Selection::Kind::None: break;
         case Selection::Kind::Vertex:
-            return outline != nullptr && index < outline->points.size() ? std::optional{vertexText(*outline, index)} : std::nullopt;
+            return outline != nullptr && index < outline->points.size()
+                       ? std::optional{vertexText(*outline, index)}
+                       : std::nullopt;
         case Selection::Kind::Edge:
-            return outline != nullptr && index < outline->edgeCount() ? std::optional{edgeText(*outline, index, source, plan)} : std::nullopt;
+            return outline != nullptr && index < outline->edgeCount()
+                       ? std::optional{edgeText(*outline, index, source, plan)}
+                       : std::nullopt;
         case Selection::Kind::Hole:
             if (outline != nullptr) {
                 InspectorText text;
@@ -242,13 +275,19 @@ std::optional<InspectorText> inspectorText(const Selection& selection, const Fie
                        ? std::optional{obstacleText(*outline, source->obstacles[outline->id.item])}
                        : std::nullopt;
         case Selection::Kind::Gate:
-            return source != nullptr && index < source->gates.size() ? std::optional{gateText(source->gates[index])} : std::nullopt;
+            return source != nullptr && index < source->gates.size()
+                       ? std::optional{gateText(source->gates[index])}
+                       : std::nullopt;
         case Selection::Kind::Guide:
-        case Selection::Kind::Split: return outline != nullptr ? std::optional{lineText(*outline)} : std::nullopt;
+        case Selection::Kind::Split:
+            return outline != nullptr ? std::optional{lineText(*outline)} : std::nullopt;
         case Selection::Kind::Segment:
-            return plan != nullptr && index < plan->path.segments.size() ? std::optional{segmentText(*plan, index)} : std::nullopt;
+            return plan != nullptr && index < plan->path.segments.size()
+                       ? std::optional{segmentText(*plan, index)}
+                       : std::nullopt;
         case Selection::Kind::Cell:
-            return plan != nullptr && index < plan->cells.cells.size() ? std::optional{cellText(*plan, index)} : std::nullopt;
+            return plan != nullptr && index < plan->cells.cells.size() ? std::optional{cellText(*plan, index)}
+                                                                       : std::nullopt;
         case Selection::Kind::Finding:
             if (plan != nullptr && index < plan->findings.size()) {
                 InspectorText text;

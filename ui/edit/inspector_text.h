@@ -13,7 +13,17 @@
 namespace furrow {
 
 /// What of a selection can be typed.
-enum class InspectorField { None, Name, Latitude, Longitude, EdgeLength, EdgeBearing, EdgeHeadland, Buffer, GateWidth };
+enum class InspectorField {
+    None,
+    Name,
+    Latitude,
+    Longitude,
+    EdgeLength,
+    EdgeBearing,
+    EdgeHeadland,
+    Buffer,
+    GateWidth
+};
 
 /// One line of the inspector: a figure, or something to type.
 struct InspectorRow {
@@ -36,14 +46,14 @@ struct InspectorText {
     std::vector<InspectorRow> rows;
     std::optional<bool> passable;  ///< of obstacles
     bool isEdge = false;           ///< of the boundary: the swaths may follow it
-    bool hasOwnHeadland = false;  ///< an edge with a width of its own
+    bool hasOwnHeadland = false;   ///< an edge with a width of its own
 
     friend bool operator==(const InspectorText&, const InspectorText&) = default;
 };
 
-/// Nothing where the selection is of something that is gone. `source` belongs to `shape`; both may be null for a
-/// selection in a plan, and the plan for one in the field.
-std::optional<InspectorText> inspectorText(const Selection& selection, const FieldShape* shape, const FieldSource* source,
-                                           const Plan* plan);
+/// Nothing where the selection is of something that is gone. `source` belongs to `shape`; both may be null
+/// for a selection in a plan, and the plan for one in the field.
+std::optional<InspectorText> inspectorText(const Selection& selection, const FieldShape* shape,
+                                           const FieldSource* source, const Plan* plan);
 
 }  // namespace furrow

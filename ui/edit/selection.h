@@ -2,8 +2,8 @@
 
 #include "planner/editing/field_shape.h"
 
-#include <QObject>
 #include <QtQml/qqmlregistration.h>
+#include <QObject>
 
 namespace furrow {
 
@@ -21,7 +21,9 @@ public:
     std::size_t index = 0;  ///< vertex, edge, gate, segment of the path, cell, finding
 
     bool isNone() const { return kind == Kind::None; }
-    bool isOf(Kind of, const OutlineId& id, std::size_t at) const { return kind == of && outline == id && index == at; }
+    bool isOf(Kind of, const OutlineId& id, std::size_t at) const {
+        return kind == of && outline == id && index == at;
+    }
     friend bool operator==(const Selection&, const Selection&) = default;
 };
 

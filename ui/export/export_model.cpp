@@ -61,10 +61,13 @@ QString ExportModel::refusal() const {
         case PlanState::Problems: return {};
         case PlanState::Empty: return tr("There is no field yet, and no plan to export.");
         case PlanState::Reading:
-        case PlanState::Choosing: return tr("A field is being opened. Its plan can be exported when it is finished.");
-        case PlanState::Planning: return tr("The plan is still being made. It can be exported when it is finished.");
+        case PlanState::Choosing:
+            return tr("A field is being opened. Its plan can be exported when it is finished.");
+        case PlanState::Planning:
+            return tr("The plan is still being made. It can be exported when it is finished.");
         case PlanState::OutOfDate:
-            return tr("The plan is out of date: the field, the machine or a setting was changed after it was made.");
+            return tr(
+                "The plan is out of date: the field, the machine or a setting was changed after it was made.");
         case PlanState::Failed: return tr("There is no plan to export. The message on the map says why.");
     }
     return {};
@@ -132,9 +135,11 @@ void ExportModel::writeTo(const QString& folder) {
                 });
             } else {
                 const Error& error = written.error();
-                const Message what = error.where.empty() ? error.what : furrow::message("{} ({})", error.what, error.where);
+                const Message what =
+                    error.where.empty() ? error.what : furrow::message("{} ({})", error.what, error.where);
                 setState(
-                    State::Failed, [what] { return sentence(what); }, [remedy = error.remedy] { return sentence(remedy); });
+                    State::Failed, [what] { return sentence(what); },
+                    [remedy = error.remedy] { return sentence(remedy); });
             }
         };
     });

@@ -7,9 +7,9 @@
 #include "ui/plan/plan_state.h"
 #include "ui/text/message_text.h"
 
+#include <QtQml/qqmlregistration.h>
 #include <QAbstractListModel>
 #include <QUrl>
-#include <QtQml/qqmlregistration.h>
 
 namespace furrow {
 
@@ -43,8 +43,8 @@ public:
 
     explicit ExportModel(QObject* parent = nullptr);
 
-    /// What is to be written; null for nothing, and the state says why. What was being written of another plan is
-    /// stopped.
+    /// What is to be written; null for nothing, and the state says why. What was being written of another
+    /// plan is stopped.
     void setPlan(const PlanTitle& title, PlanState state);
 
     QString heading() const { return title_.heading(); }
@@ -67,7 +67,8 @@ public:
     /// A folder that suits the plan, in the user's documents.
     Q_INVOKABLE QString suggestedFolder() const;
     Q_INVOKABLE QString pathOf(const QUrl& url) const { return url.toLocalFile(); }
-    /// Writes in the background; the folder is made where it does not exist. Nothing where `refusal` says why.
+    /// Writes in the background; the folder is made where it does not exist. Nothing where `refusal` says
+    /// why.
     Q_INVOKABLE void writeTo(const QString& folder);
     /// Forgets the last result.
     Q_INVOKABLE void clear();

@@ -40,8 +40,8 @@ const std::vector<const Terminal*>& stickTerminals() {
 
 /// Where desktops mount what is plugged in; folders of the system's own disk that are mounted there are none.
 bool isStick(const QStorageInfo& volume) {
-    static const QStringList places{QStringLiteral("/media/"), QStringLiteral("/run/media/"), QStringLiteral("/mnt/"),
-                                    QStringLiteral("/Volumes/")};
+    static const QStringList places{QStringLiteral("/media/"), QStringLiteral("/run/media/"),
+                                    QStringLiteral("/mnt/"), QStringLiteral("/Volumes/")};
     const bool ready = volume.isValid() && volume.isReady() && !volume.isRoot();
     const bool disk = volume.device().startsWith("/dev/") && volume.device() != QStorageInfo::root().device();
     return ready && disk && std::ranges::any_of(places, [&volume](const QString& place) {
@@ -62,8 +62,9 @@ QString fileSystemName(const QByteArray& type) {
 QString detailOf(const QString& place, const QStorageInfo& volume) {
     const QLocale locale;
     const QString room =
-        StickExport::tr("%1 free of %2").arg(locale.formattedDataSize(volume.bytesAvailable(), 1, QLocale::DataSizeSIFormat),
-                                             locale.formattedDataSize(volume.bytesTotal(), 1, QLocale::DataSizeSIFormat));
+        StickExport::tr("%1 free of %2")
+            .arg(locale.formattedDataSize(volume.bytesAvailable(), 1, QLocale::DataSizeSIFormat),
+                 locale.formattedDataSize(volume.bytesTotal(), 1, QLocale::DataSizeSIFormat));
     return inOneLine({place, fileSystemName(volume.fileSystemType()), room});
 }
 
@@ -113,7 +114,8 @@ StickExport::StickExport(QObject* parent) : QAbstractListModel{parent}, lister_{
     // The terminal of last time, or the one that most stand for.
     const QString last = QSettings{}.value(kTerminalKey, QStringLiteral("isobus")).toString();
     const auto& all = stickTerminals();
-    const auto known = std::ranges::find(all, last.toStdString(), [](const Terminal* terminal) { return std::string{terminal->id}; });
+    const auto known = std::ranges::find(all, last.toStdString(),
+                                         [](const Terminal* terminal) { return std::string{terminal->id}; });
     terminal_ = known == all.end() ? 0 : static_cast<int>(known - all.begin());
 }
 
@@ -247,7 +249,9 @@ void StickExport::refresh() {
     beginResetModel();
     sticks_ = std::move(now);
     const auto again = std::ranges::find(sticks_, before, &Stick::root);
-    current_ = again != sticks_.end() ? static_cast<int>(again - sticks_.begin()) : sticks_.size() == 1 ? 0 : -1;
+    current_ = again != sticks_.end() ? static_cast<int>(again - sticks_.begin())
+               : sticks_.size() == 1  ? 0
+                                      : -1;
     endResetModel();
     emit countChanged();
     emit currentChanged();
@@ -282,20 +286,21 @@ void StickExport::examine() {
     const Terminal* terminal = stickTerminals()[static_cast<std::size_t>(terminal_)];
     // A folder is not what the terminal will read.
     const bool isFolder = chosen().isFolder;
-    runner_.submit([this, plan = title_.plan, root, terminal, isFolder](const JobContext& job) -> JobRunner::Delivery {
-        const auto stick = openStick(root);
-        std::vector<Message> warnings;
-        if (const auto info = stick->info(); info && !isFolder) {
-            warnings = stickWarnings(*info);
-        }
-        const auto files = terminalFiles(*terminal, *plan, job);
-        const QString replaces = files ? joined(stickConflicts(*stick, *files)) : QString{};
-        return [this, warnings, replaces] {
-            warnings_ = warnings;
-            replaces_ = replaces;
-            emit examined();
-        };
-    });
+    runner_.submit(
+        [this, plan = title_.plan, root, terminal, isFolder](const JobContext& job) -> JobRunner::Delivery {
+            const auto stick = openStick(root);
+            std::vector<Message> warnings;
+            if (const auto info = stick->info(); info && !isFolder) {
+                warnings = stickWarnings(*info);
+            }
+            const auto files = terminalFiles(*terminal, *plan, job);
+            const QString replaces = files ? joined(stickConflicts(*stick, *files)) : QString{};
+            return [this, warnings, replaces] {
+                warnings_ = warnings;
+                replaces_ = replaces;
+                emit examined();
+            };
+        });
 }
 
 void StickExport::write(bool replace) {
@@ -307,7 +312,8 @@ void StickExport::write(bool replace) {
     Terminal terminal = *stickTerminals()[static_cast<std::size_t>(terminal_)];
     terminal.options.task = task_;
     setState(State::Writing, [] { return tr("Writing …"); });
-    runner_.submit([this, title = title_, root, terminal, isFolder, replace](const JobContext& job) -> JobRunner::Delivery {
+    runner_.submit([this, title = title_, root, terminal, isFolder,
+                    replace](const JobContext& job) -> JobRunner::Delivery {
         const Plan* const plan = title.plan.get();
         const std::vector<FieldContent> meant{contentOf(*plan, terminal.options)};
         const auto stick = openStick(root);
@@ -319,7 +325,8 @@ void StickExport::write(bool replace) {
                 const Error& error = report.error();
                 setState(
                     error.code == ErrorCode::Cancelled ? State::Idle : State::Failed,
-                    [what = error.what] { return sentence(what); }, [remedy = error.remedy] { return sentence(remedy); });
+                    [what = error.what] { return sentence(what); },
+                    [remedy = error.remedy] { return sentence(remedy); });
                 examine();
                 return;
             }
@@ -332,8 +339,9 @@ void StickExport::write(bool replace) {
             checks_ = report->checks;
             backups_ = joined(report->backups);
             setState(State::Done, [isFolder, compared = report->contentCompared] {
-                const QString checked = compared ? tr("every byte was read back, and the plan read from there is this plan.")
-                                                 : tr("every byte was read back and is as written.");
+                const QString checked =
+                    compared ? tr("every byte was read back, and the plan read from there is this plan.")
+                             : tr("every byte was read back and is as written.");
                 return (isFolder ? tr("Written: %1") : tr("Safe to unplug: %1")).arg(checked);
             });
         };

@@ -5,11 +5,11 @@
 #include "ui/jobs/job_runner.h"
 #include "ui/text/message_text.h"
 
+#include <QtQml/qqmlregistration.h>
 #include <QAbstractListModel>
 #include <QStringList>
 #include <QTimer>
 #include <QUrl>
-#include <QtQml/qqmlregistration.h>
 
 #include <functional>
 #include <vector>
@@ -20,8 +20,8 @@ namespace furrow {
 QString stoppedText();
 QString stoppedRemedy();
 
-/// Writes a plan for a terminal to a USB stick: the sticks that there are, what stands in the way on the chosen one,
-/// and what became of it. The sticks are looked for while `looking` is set.
+/// Writes a plan for a terminal to a USB stick: the sticks that there are, what stands in the way on the
+/// chosen one, and what became of it. The sticks are looked for while `looking` is set.
 class StickExport : public QAbstractListModel {
     Q_OBJECT
     QML_ELEMENT
@@ -60,7 +60,7 @@ public:
     struct Stick {
         QString root;
         QString name;
-        QString detail;          ///< place, file system, room
+        QString detail;         ///< place, file system, room
         bool isFolder = false;  ///< chosen in the place of a stick
 
         friend bool operator==(const Stick&, const Stick&) = default;

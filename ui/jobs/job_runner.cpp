@@ -74,7 +74,8 @@ void JobRunner::run(const std::stop_token& stop) {
         {
             std::unique_lock lock{mutex_};
             const auto isWaiting = [this] { return waiting_.has_value(); };
-            if (std::exchange(worked, false) && !wake_.wait_for(lock, stop, kIdleBeforeReturning, isWaiting)) {
+            if (std::exchange(worked, false) &&
+                !wake_.wait_for(lock, stop, kIdleBeforeReturning, isWaiting)) {
                 lock.unlock();
                 returnFreeMemory();
                 lock.lock();
@@ -92,9 +93,10 @@ void JobRunner::run(const std::stop_token& stop) {
         progress_.store(0.0, std::memory_order_relaxed);
         // One core stays free for the window.
         const int threads = std::max(1, static_cast<int>(std::thread::hardware_concurrency()) - 1);
-        Delivery delivery = work({.stop = jobStop,
-                                  .progress = [this](double share) { progress_.store(share, std::memory_order_relaxed); },
-                                  .threads = threads});
+        Delivery delivery =
+            work({.stop = jobStop,
+                  .progress = [this](double share) { progress_.store(share, std::memory_order_relaxed); },
+                  .threads = threads});
         {
             const std::scoped_lock lock{mutex_};
             running_ = false;

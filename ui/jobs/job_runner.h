@@ -17,10 +17,11 @@
 
 namespace furrow {
 
-/// The calling thread, and those that it makes, give way to the window's: where the cores are few, frames go on.
+/// The calling thread, and those that it makes, give way to the window's: where the cores are few, frames go
+/// on.
 void giveWayToTheWindow();
-/// Gives memory that is free by now back to the system: what a plan or a picture took for a moment would stay with
-/// the threads that made it. Takes some milliseconds; for threads of work, when they have nothing to do.
+/// Gives memory that is free by now back to the system: what a plan or a picture took for a moment would stay
+/// with the threads that made it. Takes some milliseconds; for threads of work, when they have nothing to do.
 void returnFreeMemory();
 /// How long a thread of work is idle before it does so.
 inline constexpr std::chrono::seconds kIdleBeforeReturning{2};

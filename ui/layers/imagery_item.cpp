@@ -71,13 +71,15 @@ Stand standFor(const TileStore& store, const TileKey& key, int coarsest, TileNod
         }
         const double share = 1.0 / (1 << up);
         const int within = (1 << up) - 1;
-        return {other, {(key.id.column & within) * share, (key.id.row & within) * share, share, share}, image};
+        return {
+            other, {(key.id.column & within) * share, (key.id.row & within) * share, share, share}, image};
     }
     return {};
 }
 
 /// Of a range. Looking for a tile also keeps it: what was not looked for longest is forgotten first.
-void addMissing(std::vector<TileKey>& missing, const TileStore& store, const ImagerySheet& sheet, const TileRange& range) {
+void addMissing(std::vector<TileKey>& missing, const TileStore& store, const ImagerySheet& sheet,
+                const TileRange& range) {
     for (int row = range.north; row <= range.south; ++row) {
         for (int column = range.west; column <= range.east; ++column) {
             const TileKey key{sheet.number, range.wrapped(column, row)};
@@ -124,7 +126,8 @@ QSGNode* ImageryItem::updatePaintNode(QSGNode* old, UpdatePaintNodeData*) {
             continue;
         }
         const ImageryFacts& facts = imagery->facts();
-        const int fitting = static_cast<int>(std::ceil(shown.zoomLevel() + std::log2(devicePixelRatio()) - kSharper));
+        const int fitting =
+            static_cast<int>(std::ceil(shown.zoomLevel() + std::log2(devicePixelRatio()) - kSharper));
         const TileRange range =
             rangeOf(shown, size(), facts, std::clamp(fitting, facts.coarsestZoom, facts.finestZoom));
         if (range.count() == 0 || range.count() > kMostTiles) {
@@ -143,12 +146,14 @@ QSGNode* ImageryItem::updatePaintNode(QSGNode* old, UpdatePaintNodeData*) {
                     const double side = tileWorld * shown.scale();
                     nodes->add({stand.key,
                                 {width() / 2.0 + (column * tileWorld - shown.worldCenter().x) * shown.scale(),
-                                 height() / 2.0 + (row * tileWorld - shown.worldCenter().y) * shown.scale(), side, side},
+                                 height() / 2.0 + (row * tileWorld - shown.worldCenter().y) * shown.scale(),
+                                 side, side},
                                 stand.source});
                 }
             }
         }
-        const TileRange coarse = rangeOf(shown, size(), facts, std::max(range.zoom - kCoarser, facts.coarsestZoom));
+        const TileRange coarse =
+            rangeOf(shown, size(), facts, std::max(range.zoom - kCoarser, facts.coarsestZoom));
         if (coarse.zoom < range.zoom) {
             addMissing(first, store, sheet, coarse);
         }

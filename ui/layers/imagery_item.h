@@ -5,12 +5,13 @@
 
 namespace furrow {
 
-/// Draws the project's imagery under the map. While a tile is read, the part of a coarser one that lies there is
-/// shown in its place.
+/// Draws the project's imagery under the map. While a tile is read, the part of a coarser one that lies there
+/// is shown in its place.
 class ImageryItem : public MapLayer {
     Q_OBJECT
     QML_ELEMENT
-    Q_PROPERTY(furrow::ImageryModel* imagery READ imagery WRITE setImagery NOTIFY imageryChanged REQUIRED FINAL)
+    Q_PROPERTY(
+        furrow::ImageryModel* imagery READ imagery WRITE setImagery NOTIFY imageryChanged REQUIRED FINAL)
 
 public:
     explicit ImageryItem(QQuickItem* parent = nullptr) : MapLayer{parent} {}

@@ -37,7 +37,8 @@ QGeoRectangle areaOf(const ImageryFacts& facts) {
 
 }  // namespace
 
-ImageryModel::ImageryModel(Document& document, QObject* parent) : QAbstractListModel{parent}, document_{document} {
+ImageryModel::ImageryModel(Document& document, QObject* parent)
+    : QAbstractListModel{parent}, document_{document} {
     watch_.setInterval(kWatchMs);
     connect(&watch_, &QTimer::timeout, this, [this] {
         if (!watcher_.isBusy()) {
@@ -82,9 +83,11 @@ QVariant ImageryModel::data(const QModelIndex& index, int role) const {
 }
 
 QHash<int, QByteArray> ImageryModel::roleNames() const {
-    return {{NameRole, "name"},       {PathRole, "path"},         {ShownRole, "shown"},     {OpacityRole, "strength"},
-            {StateRole, "state"},     {ProblemRole, "problem"},   {RemedyRole, "remedy"},   {HeightsRole, "heights"},
-            {TilesRole, "tiles"},     {RowsFromSouthRole, "rowsFromSouth"}};
+    return {{NameRole, "name"},     {PathRole, "path"},
+            {ShownRole, "shown"},   {OpacityRole, "strength"},
+            {StateRole, "state"},   {ProblemRole, "problem"},
+            {RemedyRole, "remedy"}, {HeightsRole, "heights"},
+            {TilesRole, "tiles"},   {RowsFromSouthRole, "rowsFromSouth"}};
 }
 
 std::vector<ImagerySheet> ImageryModel::sheets() const {
@@ -122,8 +125,10 @@ void ImageryModel::add(const QStringList& paths) {
             }
             const QString whole = QFileInfo{path}.absoluteFilePath();
             if (const auto opened = openImagery(whole.toStdU16String())) {
-                good.push_back({.path = whole.toStdString(), .name = QFileInfo{whole}.completeBaseName().toStdString(),
-                                .rowsFromSouth = {}, .others = {}});
+                good.push_back({.path = whole.toStdString(),
+                                .name = QFileInfo{whole}.completeBaseName().toStdString(),
+                                .rowsFromSouth = {},
+                                .others = {}});
             } else if (!bad) {
                 bad = opened.error();
             }
@@ -132,13 +137,18 @@ void ImageryModel::add(const QStringList& paths) {
             adding_.clear();
             tell({}, {});
             if (bad) {
-                tell([what = bad->what, name = QFileInfo{fromStd(bad->where.text())}.fileName()] { return tr("%1: %2").arg(name, sentence(what)); },
-                     [remedy = bad->remedy] { return sentence(remedy); });
+                tell(
+                    [what = bad->what, name = QFileInfo{fromStd(bad->where.text())}.fileName()] {
+                        return tr("%1: %2").arg(name, sentence(what));
+                    },
+                    [remedy = bad->remedy] { return sentence(remedy); });
             }
             if (!good.empty()) {
-                document_.change([name = fromStd(good.front().name), one = good.size() == 1] {
-                    return one ? tr("Add %1").arg(name) : tr("Add imagery");
-                }, withImagery(*document_.project(), good));
+                document_.change(
+                    [name = fromStd(good.front().name), one = good.size() == 1] {
+                        return one ? tr("Add %1").arg(name) : tr("Add imagery");
+                    },
+                    withImagery(*document_.project(), good));
                 // They lie above the others.
                 for (std::size_t i = rows_.size() - good.size(); i < rows_.size(); ++i) {
                     rows_[i].announce = true;
@@ -155,14 +165,16 @@ void ImageryModel::change(int row, const char* text, const std::function<void(Im
     }
     ImageryLayer layer = rows_[indexOf(row)].layer;
     edit(layer);
-    document_.change([text] { return tr(text); }, withImageryLayer(*document_.project(), indexOf(row), std::move(layer)), key,
+    document_.change([text] { return tr(text); },
+                     withImageryLayer(*document_.project(), indexOf(row), std::move(layer)), key,
                      live ? Document::Follows::More : Document::Follows::Nothing);
 }
 
 void ImageryModel::remove(int row) {
     if (has(row)) {
-        document_.change([name = fromStd(rows_[indexOf(row)].layer.name)] { return tr("Remove %1").arg(name); },
-                         withoutImageryLayer(*document_.project(), indexOf(row)));
+        document_.change(
+            [name = fromStd(rows_[indexOf(row)].layer.name)] { return tr("Remove %1").arg(name); },
+            withoutImageryLayer(*document_.project(), indexOf(row)));
     }
 }
 
@@ -175,25 +187,29 @@ void ImageryModel::move(int row, int steps) {
 
 void ImageryModel::rename(int row, const QString& name) {
     if (!name.trimmed().isEmpty()) {
-        change(row, QT_TR_NOOP("Rename a layer"), [&](ImageryLayer& layer) { layer.name = name.trimmed().toStdString(); });
+        change(row, QT_TR_NOOP("Rename a layer"),
+               [&](ImageryLayer& layer) { layer.name = name.trimmed().toStdString(); });
     }
 }
 
 void ImageryModel::show(int row, bool shown) {
-    change(row, shown ? QT_TR_NOOP("Show a layer") : QT_TR_NOOP("Hide a layer"), [&](ImageryLayer& layer) { layer.visible = shown; });
+    change(row, shown ? QT_TR_NOOP("Show a layer") : QT_TR_NOOP("Hide a layer"),
+           [&](ImageryLayer& layer) { layer.visible = shown; });
 }
 
 void ImageryModel::setOpacity(int row, double opacity, bool live) {
-    change(row, QT_TR_NOOP("Change how strong a layer is"),
-           [&](ImageryLayer& layer) { layer.opacity = std::clamp(opacity, 0.0, 1.0); },
-           QStringLiteral("imagery.opacity.%1").arg(row), live);
+    change(
+        row, QT_TR_NOOP("Change how strong a layer is"),
+        [&](ImageryLayer& layer) { layer.opacity = std::clamp(opacity, 0.0, 1.0); },
+        QStringLiteral("imagery.opacity.%1").arg(row), live);
     if (!live) {
         document_.endDrag();
     }
 }
 
 void ImageryModel::setRowsFromSouth(int row, bool fromSouth) {
-    change(row, QT_TR_NOOP("Turn the rows of tiles round"), [&](ImageryLayer& layer) { layer.rowsFromSouth = fromSouth; });
+    change(row, QT_TR_NOOP("Turn the rows of tiles round"),
+           [&](ImageryLayer& layer) { layer.rowsFromSouth = fromSouth; });
 }
 
 void ImageryModel::tryAgain(int row) {
@@ -211,7 +227,8 @@ QGeoRectangle ImageryModel::areaOf(int row) const {
 double ImageryModel::contourStep(int row, double zoom) const {
     const Imagery* imagery = has(row) ? store_.imagery(rows_[indexOf(row)].sheet) : nullptr;
     return imagery == nullptr ? 0.0
-                              : imagery->contourStepM(std::min(static_cast<int>(std::ceil(zoom - 0.25)), imagery->facts().finestZoom));
+                              : imagery->contourStepM(std::min(static_cast<int>(std::ceil(zoom - 0.25)),
+                                                               imagery->facts().finestZoom));
 }
 
 void ImageryModel::open(Row& row) {
@@ -229,7 +246,8 @@ void ImageryModel::follow() {
     const std::vector<ImageryLayer>& layers = document_.project()->imagery;
     const int before = count();
     for (std::size_t i = rows_.size(); i-- > 0;) {
-        if (std::ranges::none_of(layers, [&](const ImageryLayer& layer) { return isSameSource(layer, rows_[i].layer); })) {
+        if (std::ranges::none_of(
+                layers, [&](const ImageryLayer& layer) { return isSameSource(layer, rows_[i].layer); })) {
             beginRemoveRows({}, rowOf(i), rowOf(i));
             store_.close(rows_[i].sheet);
             rows_.erase(rows_.begin() + static_cast<std::ptrdiff_t>(i));
@@ -237,8 +255,9 @@ void ImageryModel::follow() {
         }
     }
     for (std::size_t i = 0; i < layers.size(); ++i) {
-        const auto from = std::ranges::find_if(rows_.begin() + static_cast<std::ptrdiff_t>(i), rows_.end(),
-                                               [&](const Row& row) { return isSameSource(row.layer, layers[i]); });
+        const auto from =
+            std::ranges::find_if(rows_.begin() + static_cast<std::ptrdiff_t>(i), rows_.end(),
+                                 [&](const Row& row) { return isSameSource(row.layer, layers[i]); });
         if (from == rows_.end()) {
             // Above it in the list are those behind it here.
             const int place = static_cast<int>(rows_.size() - i);
@@ -303,13 +322,15 @@ void ImageryModel::takeFailure(int sheet, const Error& error) {
 void ImageryModel::watch() {
     std::vector<std::string> paths;
     std::ranges::transform(rows_, std::back_inserter(paths), [](const Row& row) { return row.layer.path; });
-    watcher_.submit([this, paths = std::move(paths)](const JobContext&) -> JobRunner::Delivery {
-        std::map<std::string, qint64> stamps;
-        for (const std::string& path : paths) {
-            stamps[path] = stampOf(path);
-        }
-        return [this, stamps = std::move(stamps)] { takeStamps(stamps); };
-    }, JobRunner::Replace::WhenDone);
+    watcher_.submit(
+        [this, paths = std::move(paths)](const JobContext&) -> JobRunner::Delivery {
+            std::map<std::string, qint64> stamps;
+            for (const std::string& path : paths) {
+                stamps[path] = stampOf(path);
+            }
+            return [this, stamps = std::move(stamps)] { takeStamps(stamps); };
+        },
+        JobRunner::Replace::WhenDone);
 }
 
 void ImageryModel::takeStamps(const std::map<std::string, qint64>& stamps) {

@@ -5,11 +5,11 @@
 #include "ui/project/document.h"
 #include "ui/text/message_text.h"
 
+#include <QtQml/qqmlregistration.h>
 #include <QAbstractListModel>
 #include <QGeoRectangle>
 #include <QTimer>
 #include <QUrl>
-#include <QtQml/qqmlregistration.h>
 
 #include <map>
 #include <optional>
@@ -24,8 +24,8 @@ struct ImagerySheet {
     double opacity = 1.0;
 };
 
-/// The imagery of the project, topmost first: what is there, whether its file can be read, and what can be done to
-/// it. Everything is a change of the document.
+/// The imagery of the project, topmost first: what is there, whether its file can be read, and what can be
+/// done to it. Everything is a change of the document.
 class ImageryModel : public QAbstractListModel {
     Q_OBJECT
     QML_ELEMENT
@@ -38,8 +38,18 @@ class ImageryModel : public QAbstractListModel {
 public:
     enum class State { Opening, Ready, Failed };
     Q_ENUM(State)
-    enum Role { NameRole = Qt::UserRole + 1, PathRole, ShownRole, OpacityRole, StateRole, ProblemRole, RemedyRole,
-                HeightsRole, TilesRole, RowsFromSouthRole };
+    enum Role {
+        NameRole = Qt::UserRole + 1,
+        PathRole,
+        ShownRole,
+        OpacityRole,
+        StateRole,
+        ProblemRole,
+        RemedyRole,
+        HeightsRole,
+        TilesRole,
+        RowsFromSouthRole
+    };
 
     explicit ImageryModel(Document& document, QObject* parent = nullptr);
 
@@ -97,8 +107,8 @@ private:
     void follow();
     void open(Row& row);
     /// `text` is marked for translation.
-    void change(int row, const char* text, const std::function<void(ImageryLayer&)>& edit, const QString& key = {},
-                bool live = false);
+    void change(int row, const char* text, const std::function<void(ImageryLayer&)>& edit,
+                const QString& key = {}, bool live = false);
     void take(int sheet, const Result<void>& result);
     void takeFailure(int sheet, const Error& error);
     void changed(std::size_t index);

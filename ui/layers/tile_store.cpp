@@ -19,7 +19,8 @@ int costKiB(const QImage& image) {
 
 /// A picture of its own memory; one without transparency says so and is drawn in less time.
 QImage imageOf(const TilePicture& tile) {
-    const QImage image{tile.rgba.data(), tile.side, tile.side, tile.side * 4, QImage::Format_RGBA8888_Premultiplied};
+    const QImage image{tile.rgba.data(), tile.side, tile.side, tile.side * 4,
+                       QImage::Format_RGBA8888_Premultiplied};
     bool opaque = true;
     for (std::size_t i = 3; i < tile.rgba.size() && opaque; i += 4) {
         opaque = tile.rgba[i] == 255;
@@ -59,19 +60,22 @@ int TileStore::open(const std::filesystem::path& path, std::optional<bool> rowsF
         sheets_[sheet];
         openings_.emplace_back([this, sheet, path, rowsFromSouth] {
             auto made = openImagery(path, rowsFromSouth);
-            QMetaObject::invokeMethod(this, [this, sheet, made = std::move(made)] {
-                {
-                    const std::scoped_lock own{mutex_};
-                    const auto place = sheets_.find(sheet);
-                    if (place == sheets_.end()) {
-                        return;
+            QMetaObject::invokeMethod(
+                this,
+                [this, sheet, made = std::move(made)] {
+                    {
+                        const std::scoped_lock own{mutex_};
+                        const auto place = sheets_.find(sheet);
+                        if (place == sheets_.end()) {
+                            return;
+                        }
+                        if (made) {
+                            place->second.imagery = *made;
+                        }
                     }
-                    if (made) {
-                        place->second.imagery = *made;
-                    }
-                }
-                emit opened(sheet, made ? Result<void>{} : std::unexpected(made.error()));
-            }, Qt::QueuedConnection);
+                    emit opened(sheet, made ? Result<void>{} : std::unexpected(made.error()));
+                },
+                Qt::QueuedConnection);
         });
     }
     wake_.notify_one();
@@ -105,7 +109,8 @@ void TileStore::want(std::vector<TileKey> keys, std::size_t room) {
     tiles_.setMaxCost(std::max(kKeptKiB, kTileKiB * static_cast<qsizetype>(room + room / 2)));
     {
         const std::scoped_lock lock{mutex_};
-        std::erase_if(keys, [this](const TileKey& key) { return running_.contains(key) || tiles_.contains(key); });
+        std::erase_if(keys,
+                      [this](const TileKey& key) { return running_.contains(key) || tiles_.contains(key); });
         wanted_.assign(keys.begin(), keys.end());
     }
     wake_.notify_all();
@@ -143,9 +148,8 @@ void TileStore::serve(const std::stop_token& stop) {
                 const auto place = sheets_.find(key.sheet);
                 if (place != sheets_.end() && place->second.imagery) {
                     running_.insert(key);
-                    work = [this, key, imagery = place->second.imagery, stopped = place->second.stop.get_token()] {
-                        readTile(key, imagery, stopped);
-                    };
+                    work = [this, key, imagery = place->second.imagery,
+                            stopped = place->second.stop.get_token()] { readTile(key, imagery, stopped); };
                 }
             }
         }
@@ -162,24 +166,27 @@ void TileStore::readTile(const TileKey& key, const std::shared_ptr<const Imagery
     auto tile = imagery->tile(key.id, {.stop = stop, .progress = {}, .threads = 1});
     const QImage image = tile && *tile ? imageOf(**tile) : QImage{};
     std::optional<Error> error = tile ? std::optional<Error>{} : tile.error();
-    QMetaObject::invokeMethod(this, [this, key, image, error = std::move(error)] {
-        {
-            const std::scoped_lock lock{mutex_};
-            running_.remove(key);
-            if (!sheets_.contains(key.sheet)) {
+    QMetaObject::invokeMethod(
+        this,
+        [this, key, image, error = std::move(error)] {
+            {
+                const std::scoped_lock lock{mutex_};
+                running_.remove(key);
+                if (!sheets_.contains(key.sheet)) {
+                    return;
+                }
+            }
+            if (error && error->code == ErrorCode::Cancelled) {
                 return;
             }
-        }
-        if (error && error->code == ErrorCode::Cancelled) {
-            return;
-        }
-        // What cannot be read is shown as nothing, so that it is not tried with every frame.
-        tiles_.insert(key, new QImage{image}, costKiB(image));
-        if (error) {
-            emit failed(key.sheet, *error);
-        }
-        emit tilesChanged();
-    }, Qt::QueuedConnection);
+            // What cannot be read is shown as nothing, so that it is not tried with every frame.
+            tiles_.insert(key, new QImage{image}, costKiB(image));
+            if (error) {
+                emit failed(key.sheet, *error);
+            }
+            emit tilesChanged();
+        },
+        Qt::QueuedConnection);
 }
 
 }  // namespace furrow

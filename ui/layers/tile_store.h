@@ -11,11 +11,11 @@
 #include <condition_variable>
 #include <deque>
 #include <functional>
-#include <optional>
-#include <stop_token>
 #include <map>
 #include <memory>
 #include <mutex>
+#include <optional>
+#include <stop_token>
 #include <thread>
 #include <vector>
 
@@ -31,8 +31,9 @@ struct TileKey {
 
 size_t qHash(const TileKey& key, size_t seed = 0);
 
-/// Reads tiles of imagery away from the GUI thread and keeps those that were shown last, in bounded memory. What is
-/// wanted last is read first. All but the reading happens in the GUI thread, or while it waits for a frame.
+/// Reads tiles of imagery away from the GUI thread and keeps those that were shown last, in bounded memory.
+/// What is wanted last is read first. All but the reading happens in the GUI thread, or while it waits for a
+/// frame.
 class TileStore : public QObject {
     Q_OBJECT
 
@@ -48,10 +49,11 @@ public:
     /// Null while it is not open.
     const Imagery* imagery(int sheet) const;
 
-    /// A tile that was read: a null picture where there is nothing. Null where it was not read, or is not kept.
+    /// A tile that was read: a null picture where there is nothing. Null where it was not read, or is not
+    /// kept.
     const QImage* find(const TileKey& key) const { return tiles_.object(key); }
-    /// What is to be read, the most urgent first; what was wanted before and is not begun is given up. Room is made
-    /// for so many tiles at least.
+    /// What is to be read, the most urgent first; what was wanted before and is not begun is given up. Room
+    /// is made for so many tiles at least.
     void want(std::vector<TileKey> keys, std::size_t room);
     /// Nothing is read and nothing waits.
     bool isIdle() const;
@@ -70,7 +72,8 @@ private:
         std::stop_source stop;
     };
     void serve(const std::stop_token& stop);
-    void readTile(const TileKey& key, const std::shared_ptr<const Imagery>& imagery, const std::stop_token& stop);
+    void readTile(const TileKey& key, const std::shared_ptr<const Imagery>& imagery,
+                  const std::stop_token& stop);
 
     QCache<TileKey, QImage> tiles_;
     int last_ = 0;

@@ -25,7 +25,8 @@ void add(FillMesh& fill, LineMesh& edges, const MapFrame& frame, const std::vect
 
 }  // namespace
 
-CellGeometry cellGeometry(const LocalFrame& local, const std::vector<MultiPolygon>& cells, const std::vector<MultiPolygon>& joined) {
+CellGeometry cellGeometry(const LocalFrame& local, const std::vector<MultiPolygon>& cells,
+                          const std::vector<MultiPolygon>& joined) {
     const MapFrame frame{local};
     CellGeometry geometry;
     geometry.origin = frame.origin();

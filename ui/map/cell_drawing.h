@@ -4,14 +4,15 @@
 #include "planner/geometry/polygon.h"
 #include "ui/map/mesh.h"
 
-#include <QObject>
 #include <QtQml/qqmlregistration.h>
+#include <QObject>
 
 #include <memory>
 
 namespace furrow {
 
-/// Cells of the mainland at one step of a decomposition, triangulated; lengths in units around `origin`. Immutable.
+/// Cells of the mainland at one step of a decomposition, triangulated; lengths in units around `origin`.
+/// Immutable.
 struct CellGeometry {
     WorldPoint origin;
     FillMesh cells;
@@ -20,7 +21,8 @@ struct CellGeometry {
     LineMesh joinedEdges;
 };
 
-CellGeometry cellGeometry(const LocalFrame& frame, const std::vector<MultiPolygon>& cells, const std::vector<MultiPolygon>& joined);
+CellGeometry cellGeometry(const LocalFrame& frame, const std::vector<MultiPolygon>& cells,
+                          const std::vector<MultiPolygon>& joined);
 
 /// The geometry as QML passes it on.
 class CellDrawing {
@@ -29,7 +31,8 @@ class CellDrawing {
 
 public:
     CellDrawing() = default;
-    explicit CellDrawing(CellGeometry geometry) : geometry_{std::make_shared<const CellGeometry>(std::move(geometry))} {}
+    explicit CellDrawing(CellGeometry geometry)
+        : geometry_{std::make_shared<const CellGeometry>(std::move(geometry))} {}
 
     const std::shared_ptr<const CellGeometry>& geometry() const { return geometry_; }
 

@@ -29,7 +29,8 @@ public:
         edges_->setMesh(shown.edges);
         joinedEdges_->setMesh(shown.joinedEdges);
     }
-    void setStyle(const QColor& color, QColor fill, const QColor& casing, const QColor& joined, double factor) {
+    void setStyle(const QColor& color, QColor fill, const QColor& casing, const QColor& joined,
+                  double factor) {
         casing_->setStyle({.color = casing, .widthPx = 4.4 * factor});
         edges_->setStyle({.color = color, .widthPx = 2.0 * factor});
         joinedEdges_->setStyle({.color = joined, .widthPx = 3.0 * factor, .dashPx = 8.0, .periodPx = 13.0});

@@ -53,9 +53,10 @@ std::vector<float> heightsOf(const std::vector<Edge>& edges) {
     return heights;
 }
 
-/// Sorts the active edges by where they are at a height; `places` are these, and room for them. Nearly sorted from
-/// the band above, so insertion is the fastest way.
-void sortAt(double height, const std::vector<Edge>& edges, std::vector<std::uint32_t>& active, std::vector<double>& places) {
+/// Sorts the active edges by where they are at a height; `places` are these, and room for them. Nearly sorted
+/// from the band above, so insertion is the fastest way.
+void sortAt(double height, const std::vector<Edge>& edges, std::vector<std::uint32_t>& active,
+            std::vector<double>& places) {
     places.resize(active.size());
     for (std::size_t k = 0; k < active.size(); ++k) {
         const std::uint32_t edge = active[k];
@@ -105,8 +106,9 @@ FillMesh evenOddTriangles(const std::vector<std::vector<MapPoint>>& rings) {
         for (std::size_t k = 0; k + 1 < active.size(); k += 2) {
             const std::uint32_t left = active[k];
             const std::uint32_t right = active[k + 1];
-            const auto same = std::find_if(open.begin() + static_cast<std::ptrdiff_t>(from), open.end(),
-                                           [&](const Strip& s) { return s.left == left && s.right == right; });
+            const auto same =
+                std::find_if(open.begin() + static_cast<std::ptrdiff_t>(from), open.end(),
+                             [&](const Strip& s) { return s.left == left && s.right == right; });
             if (same == open.end()) {
                 next.push_back({left, right, top});
                 continue;

@@ -6,7 +6,8 @@
 
 namespace furrow {
 
-MapCamera::MapCamera(QObject* parent) : QObject{parent}, center_{worldPoint(GeoPoint{.lonDeg = 12.0, .latDeg = 48.0})} {
+MapCamera::MapCamera(QObject* parent)
+    : QObject{parent}, center_{worldPoint(GeoPoint{.lonDeg = 12.0, .latDeg = 48.0})} {
     animation_.setStartValue(0.0);
     animation_.setEndValue(1.0);
     animation_.setEasingCurve(QEasingCurve::OutCubic);
@@ -101,7 +102,8 @@ void MapCamera::centreOn(const QGeoCoordinate& place, double leastZoom, bool ani
     }
 }
 
-void MapCamera::fit(const QGeoRectangle& area, double left, double top, double right, double bottom, bool animated) {
+void MapCamera::fit(const QGeoRectangle& area, double left, double top, double right, double bottom,
+                    bool animated) {
     if (!area.isValid()) {
         return;
     }
@@ -114,7 +116,8 @@ void MapCamera::fit(const QGeoRectangle& area, double left, double top, double r
     const double height = std::max(viewport_.height() - top - bottom, 64.0);
     const double widest = std::max(opposite.x - corner.x, 1e-9);
     const double highest = std::max(opposite.y - corner.y, 1e-9);
-    const double zoom = std::clamp(std::log2(std::min(width / widest, height / highest) / 256.0), leastZoom(), kMaxZoom);
+    const double zoom =
+        std::clamp(std::log2(std::min(width / widest, height / highest) / 256.0), leastZoom(), kMaxZoom);
     const double pixels = 256.0 * std::exp2(zoom);
     moveTo({(corner.x + opposite.x) / 2.0 - (left - right) / 2.0 / pixels,
             (corner.y + opposite.y) / 2.0 - (top - bottom) / 2.0 / pixels},

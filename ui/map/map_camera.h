@@ -2,13 +2,13 @@
 
 #include "ui/map/map_frame.h"
 
+#include <QtQml/qqmlregistration.h>
 #include <QGeoRectangle>
 #include <QMarginsF>
 #include <QObject>
 #include <QPointF>
 #include <QSizeF>
 #include <QVariantAnimation>
-#include <QtQml/qqmlregistration.h>
 
 namespace furrow {
 

@@ -32,10 +32,22 @@ QMatrix4x4 MapLayer::matrixFor(WorldPoint origin, int turns) const {
     WorldPoint way = origin - camera_->worldCenter();
     way.x += turns - std::round(way.x);
     const double unit = pixelsPerUnit();
-    return QMatrix4x4{static_cast<float>(unit), 0.0F, 0.0F, static_cast<float>(width() / 2.0 + way.x * scale),
-                      0.0F, static_cast<float>(unit), 0.0F, static_cast<float>(height() / 2.0 + way.y * scale),
-                      0.0F, 0.0F, 1.0F, 0.0F,
-                      0.0F, 0.0F, 0.0F, 1.0F};
+    return QMatrix4x4{static_cast<float>(unit),
+                      0.0F,
+                      0.0F,
+                      static_cast<float>(width() / 2.0 + way.x * scale),
+                      0.0F,
+                      static_cast<float>(unit),
+                      0.0F,
+                      static_cast<float>(height() / 2.0 + way.y * scale),
+                      0.0F,
+                      0.0F,
+                      1.0F,
+                      0.0F,
+                      0.0F,
+                      0.0F,
+                      0.0F,
+                      1.0F};
 }
 
 QRectF MapLayer::viewIn(WorldPoint origin, double margin) const {
@@ -44,7 +56,8 @@ QRectF MapLayer::viewIn(WorldPoint origin, double margin) const {
     const double unit = pixelsPerUnit();
     const double halfWidth = (width() / 2.0 + margin) / unit;
     const double halfHeight = (height() / 2.0 + margin) / unit;
-    return {way.x * kUnitsPerWorld - halfWidth, way.y * kUnitsPerWorld - halfHeight, 2.0 * halfWidth, 2.0 * halfHeight};
+    return {way.x * kUnitsPerWorld - halfWidth, way.y * kUnitsPerWorld - halfHeight, 2.0 * halfWidth,
+            2.0 * halfHeight};
 }
 
 double MapLayer::devicePixelRatio() const {

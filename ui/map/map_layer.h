@@ -2,9 +2,9 @@
 
 #include "ui/map/map_camera.h"
 
+#include <QtQml/qqmlregistration.h>
 #include <QMatrix4x4>
 #include <QQuickItem>
-#include <QtQml/qqmlregistration.h>
 
 namespace furrow {
 

@@ -82,9 +82,12 @@ public:
     }
 };
 
-MeshShader::MeshShader(const char* vertex, const char* fragment, std::size_t extraBytes) : extraBytes_{extraBytes} {
-    setShaderFileName(VertexStage, QStringLiteral(":/furrow/map/shaders/%1.vert.qsb").arg(QLatin1String{vertex}));
-    setShaderFileName(FragmentStage, QStringLiteral(":/furrow/map/shaders/%1.frag.qsb").arg(QLatin1String{fragment}));
+MeshShader::MeshShader(const char* vertex, const char* fragment, std::size_t extraBytes)
+    : extraBytes_{extraBytes} {
+    setShaderFileName(VertexStage,
+                      QStringLiteral(":/furrow/map/shaders/%1.vert.qsb").arg(QLatin1String{vertex}));
+    setShaderFileName(FragmentStage,
+                      QStringLiteral(":/furrow/map/shaders/%1.frag.qsb").arg(QLatin1String{fragment}));
 }
 
 /// Gives a node another material with the same uniforms, where it has another one.
@@ -116,10 +119,12 @@ std::array<float, 4> premultiplied(const QColor& color) {
 }
 
 const QSGGeometry::AttributeSet& lineAttributes() {
-    static const std::array attributes{
-        QSGGeometry::Attribute::createWithAttributeType(0, 2, QSGGeometry::FloatType, QSGGeometry::PositionAttribute),
-        QSGGeometry::Attribute::createWithAttributeType(1, 2, QSGGeometry::FloatType, QSGGeometry::UnknownAttribute),
-        QSGGeometry::Attribute::createWithAttributeType(2, 3, QSGGeometry::FloatType, QSGGeometry::UnknownAttribute)};
+    static const std::array attributes{QSGGeometry::Attribute::createWithAttributeType(
+                                           0, 2, QSGGeometry::FloatType, QSGGeometry::PositionAttribute),
+                                       QSGGeometry::Attribute::createWithAttributeType(
+                                           1, 2, QSGGeometry::FloatType, QSGGeometry::UnknownAttribute),
+                                       QSGGeometry::Attribute::createWithAttributeType(
+                                           2, 3, QSGGeometry::FloatType, QSGGeometry::UnknownAttribute)};
     static const QSGGeometry::AttributeSet set{static_cast<int>(attributes.size()), sizeof(LineVertex),
                                                attributes.data()};
     return set;

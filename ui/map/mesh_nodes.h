@@ -11,7 +11,7 @@ namespace furrow {
 struct LineStyle {
     QColor color;
     double widthPx = 1.0;
-    double dashPx = 0.0;  ///< drawn part of a dash
+    double dashPx = 0.0;    ///< drawn part of a dash
     double periodPx = 0.0;  ///< dash and gap; 0 for a full line
 
     friend bool operator==(const LineStyle&, const LineStyle&) = default;

@@ -123,8 +123,8 @@ MapPoint between(MapPoint a, MapPoint b, float share) {
 
 void addPath(PlanGeometry& geometry, const MapFrame& frame, const Path& path) {
     std::vector<ChunkBuilder> builders;
-    for (const PathKind kind : {PathKind::Work, PathKind::HeadlandPass, PathKind::Turn, PathKind::Transfer,
-                                PathKind::Undrivable}) {
+    for (const PathKind kind :
+         {PathKind::Work, PathKind::HeadlandPass, PathKind::Turn, PathKind::Transfer, PathKind::Undrivable}) {
         builders.emplace_back(geometry, kind);
     }
     int number = 0;
@@ -140,7 +140,8 @@ void addPath(PlanGeometry& geometry, const MapFrame& frame, const Path& path) {
             ++number;
             geometry.directions.push_back({line.front(), line.back(), true, number});
             const bool westFirst = line.front().x <= line.back().x;
-            geometry.numbers.push_back({number, between(line.front(), line.back(), westFirst ? 0.16F : 0.84F)});
+            geometry.numbers.push_back(
+                {number, between(line.front(), line.back(), westFirst ? 0.16F : 0.84F)});
         } else if (line.size() >= 2) {
             const std::size_t middle = line.size() / 2;
             geometry.directions.push_back({line[middle - 1], line[middle], false, number});
@@ -210,9 +211,12 @@ PlanGeometry outlineGeometry(const FieldSource& source, const std::optional<GeoP
     PlanGeometry geometry;
     geometry.rings = editableRings(source);
     std::erase_if(geometry.rings, [](const EditableRing& ring) {
-        return ring.points.size() < 2 || !std::ranges::all_of(ring.points, [](WorldPoint point) {
-            return std::isfinite(point.x) && std::isfinite(point.y) && point.x >= 0.0 && point.x <= 1.0;
-        });
+        return ring.points.size() < 2 || !std::ranges::all_of(
+                                             ring.points,
+                                             [](WorldPoint point) {
+                                                 return std::isfinite(point.x) && std::isfinite(point.y) &&
+                                                        point.x >= 0.0 && point.x <= 1.0;
+                                             });
     });
     if (geometry.rings.empty()) {
         return geometry;

@@ -1,11 +1,11 @@
 #pragma once
 
-#include "ui/map/mesh.h"
 #include "planner/plan/plan.h"
+#include "ui/map/mesh.h"
 
+#include <QtQml/qqmlregistration.h>
 #include <QGeoRectangle>
 #include <QObject>
-#include <QtQml/qqmlregistration.h>
 
 #include <array>
 #include <memory>

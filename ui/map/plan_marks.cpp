@@ -56,7 +56,8 @@ QImage diamondImage(const QString& text, const MarkStyle& style, bool selected, 
     diamond.lineTo(0.0, half);
     diamond.lineTo(-half, 0.0);
     diamond.closeSubpath();
-    painter.setPen(QPen{style.findingText, selected ? 2.2 : 1.4, Qt::SolidLine, Qt::SquareCap, Qt::MiterJoin});
+    painter.setPen(
+        QPen{style.findingText, selected ? 2.2 : 1.4, Qt::SolidLine, Qt::SquareCap, Qt::MiterJoin});
     painter.setBrush(style.finding);
     painter.drawPath(diamond);
     painter.setFont(markFont(text.size() > 2 ? 8 : selected ? 12 : 10));
@@ -93,16 +94,20 @@ void MarkNode::begin(QQuickWindow* window, const MarkStyle& style, double device
 
 void MarkNode::addPill(int number, QPointF middle) {
     const QString key = QStringLiteral("p%1").arg(number);
-    add(key, pictures_.contains(key) ? QImage{} : pillImage(QString::number(number), style_, devicePixelRatio_), middle);
+    add(key,
+        pictures_.contains(key) ? QImage{} : pillImage(QString::number(number), style_, devicePixelRatio_),
+        middle);
 }
 
 void MarkNode::addSquare(QPointF middle) {
     const QString key = QStringLiteral("end");
-    add(key, pictures_.contains(key) ? QImage{} : squareImage(style_.end, style_.pill, devicePixelRatio_), middle);
+    add(key, pictures_.contains(key) ? QImage{} : squareImage(style_.end, style_.pill, devicePixelRatio_),
+        middle);
 }
 
 void MarkNode::addDiamond(int number, QPointF middle, bool selected) {
-    const QString key = QStringLiteral("%1%2").arg(selected ? QLatin1Char('s') : QLatin1Char('d')).arg(number);
+    const QString key =
+        QStringLiteral("%1%2").arg(selected ? QLatin1Char('s') : QLatin1Char('d')).arg(number);
     add(key,
         pictures_.contains(key) ? QImage{}
                                 : diamondImage(QString::number(number), style_, selected, devicePixelRatio_),
@@ -111,9 +116,11 @@ void MarkNode::addDiamond(int number, QPointF middle, bool selected) {
 
 void MarkNode::add(const QString& key, const QImage& image, QPointF middle) {
     if (!image.isNull()) {
-        pictures_.insert(key, {std::shared_ptr<QSGTexture>{window_->createTextureFromImage(
-                                   image, QQuickWindow::CreateTextureOptions{QQuickWindow::TextureHasAlphaChannel, QQuickWindow::TextureCanUseAtlas})},
-                               QSizeF{image.size()} / devicePixelRatio_});
+        pictures_.insert(key,
+                         {std::shared_ptr<QSGTexture>{window_->createTextureFromImage(
+                              image, QQuickWindow::CreateTextureOptions{QQuickWindow::TextureHasAlphaChannel,
+                                                                        QQuickWindow::TextureCanUseAtlas})},
+                          QSizeF{image.size()} / devicePixelRatio_});
     }
     const Picture& picture = pictures_[key];
     if (used_ == nodes_.size()) {
@@ -130,9 +137,10 @@ void MarkNode::add(const QString& key, const QImage& image, QPointF middle) {
     }
     // On whole device pixels, so that the figures stay sharp.
     const QPointF corner = middle - QPointF{picture.size.width(), picture.size.height()} / 2.0;
-    const QRectF box{QPointF{std::round(corner.x() * devicePixelRatio_), std::round(corner.y() * devicePixelRatio_)} /
-                         devicePixelRatio_,
-                     picture.size};
+    const QRectF box{
+        QPointF{std::round(corner.x() * devicePixelRatio_), std::round(corner.y() * devicePixelRatio_)} /
+            devicePixelRatio_,
+        picture.size};
     if (node->rect() != box) {
         node->setRect(box);
     }

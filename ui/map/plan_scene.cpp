@@ -57,7 +57,8 @@ std::vector<int> shownFindings(const std::vector<MapPoint>& findings, const Plan
         const MapPoint place = findings[static_cast<std::size_t>(i)];
         const QPointF pixel = view.toItem(place);
         if (i == selected || !view.visible.contains(QPointF{double{place.x}, double{place.y}}) ||
-            std::ranges::any_of(taken, [&](QPointF other) { return QLineF{other, pixel}.length() < kRoomPx; })) {
+            std::ranges::any_of(taken,
+                                [&](QPointF other) { return QLineF{other, pixel}.length() < kRoomPx; })) {
             continue;
         }
         taken.push_back(pixel);
@@ -72,14 +73,17 @@ void addArrow(LineMesh& mesh, QPointF tip, QPointF along) {
     constexpr double kHalfWidth = 3.6;
     const QPointF back = tip - along * kLength;
     const QPointF across{-along.y(), along.x()};
-    const auto point = [](QPointF p) { return MapPoint{static_cast<float>(p.x()), static_cast<float>(p.y())}; };
+    const auto point = [](QPointF p) {
+        return MapPoint{static_cast<float>(p.x()), static_cast<float>(p.y())};
+    };
     mesh.add(std::array{point(back + across * kHalfWidth), point(tip), point(back - across * kHalfWidth)});
 }
 
 }  // namespace
 
 QPointF PlanView::toItem(MapPoint place) const {
-    return {double{matrix(0, 3)} + double{place.x} * pixelsPerUnit, double{matrix(1, 3)} + double{place.y} * pixelsPerUnit};
+    return {double{matrix(0, 3)} + double{place.x} * pixelsPerUnit,
+            double{matrix(1, 3)} + double{place.y} * pixelsPerUnit};
 }
 
 int numberStep(const std::vector<NumberMark>& numbers, double pixelsPerUnit) {
@@ -88,8 +92,10 @@ int numberStep(const std::vector<NumberMark>& numbers, double pixelsPerUnit) {
         std::unordered_set<std::int64_t> taken;
         bool clear = true;
         for (std::size_t i = 0; i < numbers.size() && clear; i += static_cast<std::size_t>(step)) {
-            const auto column = static_cast<std::int64_t>(std::floor(double{numbers[i].place.x} * pixelsPerUnit / kCellPx));
-            const auto row = static_cast<std::int64_t>(std::floor(double{numbers[i].place.y} * pixelsPerUnit / kCellPx));
+            const auto column =
+                static_cast<std::int64_t>(std::floor(double{numbers[i].place.x} * pixelsPerUnit / kCellPx));
+            const auto row =
+                static_cast<std::int64_t>(std::floor(double{numbers[i].place.y} * pixelsPerUnit / kCellPx));
             // Neighbouring cells too, but for the corners: two numbers are then a cell apart.
             for (const auto& [dx, dy] : {std::pair{0, 0}, {1, 0}, {-1, 0}, {0, 1}, {0, -1}}) {
                 clear = clear && !taken.contains((column + dx) * 4000037 + row + dy);
@@ -194,7 +200,8 @@ void PlanScene::setStyle(const PlanStyle& style) {
     missed_->setShown(style.showMissed);
     wheels_->setShown(style.showWheels);
     obstacles_->setStyle(style.obstacle, 7.0);
-    mainlandEdge_->setStyle({.color = style.headland, .widthPx = 1.1 * factor, .dashPx = 6.0, .periodPx = 10.0});
+    mainlandEdge_->setStyle(
+        {.color = style.headland, .widthPx = 1.1 * factor, .dashPx = 6.0, .periodPx = 10.0});
     casing_->setStyle({.color = style.casing, .widthPx = 4.6 * factor});
     boundary_->setStyle({.color = style.boundary, .widthPx = 2.4 * factor});
     obstacleEdges_->setStyle({.color = style.obstacle, .widthPx = 1.6 * factor});
@@ -272,8 +279,9 @@ void PlanScene::showDirections(const PlanView& view) {
         std::size_t count = 0;
         for (const DirectionMark& mark : geometry_->directions) {
             const double lengthPx = double{lengthOf(mark)} * view.pixelsPerUnit;
-            const bool wanted = mark.onSwath ? lengthPx > 70.0 && (mark.order - 1) % every == 0
-                                             : view.pixelsPerUnit * geometry_->unitsPerMetre > kTurnArrowPxPerM;
+            const bool wanted = mark.onSwath
+                                    ? lengthPx > 70.0 && (mark.order - 1) % every == 0
+                                    : view.pixelsPerUnit * geometry_->unitsPerMetre > kTurnArrowPxPerM;
             const bool layerShown = mark.onSwath ? style_.showSwaths : style_.showTurns;
             if (!wanted || !layerShown || lengthPx <= 0.0) {
                 continue;
@@ -308,7 +316,8 @@ void PlanScene::showMarks(const PlanView& view, QQuickWindow* window) {
     if (geometry_ && style_.showNumbers) {
         const int step = numberStep(geometry_->numbers, view.pixelsPerUnit);
         std::size_t count = 0;
-        for (std::size_t i = 0; i < geometry_->numbers.size() && count < kMostPills; i += static_cast<std::size_t>(step)) {
+        for (std::size_t i = 0; i < geometry_->numbers.size() && count < kMostPills;
+             i += static_cast<std::size_t>(step)) {
             const NumberMark& mark = geometry_->numbers[i];
             if (view.visible.contains(QPointF{double{mark.place.x}, double{mark.place.y}})) {
                 marks_->addPill(mark.number, view.toItem(mark.place));
@@ -321,7 +330,9 @@ void PlanScene::showMarks(const PlanView& view, QQuickWindow* window) {
     }
     if (geometry_ && style_.showFindings) {
         const int count = static_cast<int>(geometry_->findings.size());
-        const auto placeOf = [&](int i) { return view.toItem(geometry_->findings[static_cast<std::size_t>(i)]); };
+        const auto placeOf = [&](int i) {
+            return view.toItem(geometry_->findings[static_cast<std::size_t>(i)]);
+        };
         for (const int i : shownFindings(geometry_->findings, view, style_.selectedFinding)) {
             marks_->addDiamond(i + 1, placeOf(i), false);
         }

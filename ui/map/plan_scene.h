@@ -4,8 +4,8 @@
 #include "ui/map/plan_drawing.h"
 #include "ui/map/plan_marks.h"
 
-#include <QSGNode>
 #include <QtQml/qqmlregistration.h>
+#include <QSGNode>
 
 namespace furrow {
 

@@ -3,9 +3,9 @@
 #include "planner/plan/plan.h"
 #include "ui/map/plan_drawing.h"
 
+#include <QtQml/qqmlregistration.h>
 #include <QDateTime>
 #include <QObject>
-#include <QtQml/qqmlregistration.h>
 
 #include <memory>
 

@@ -12,7 +12,8 @@ float distanceToSegment(MapPoint point, MapPoint from, MapPoint to) {
     const float dy = to.y - from.y;
     const float squared = dx * dx + dy * dy;
     const float along =
-        squared > 0.0F ? std::clamp(((point.x - from.x) * dx + (point.y - from.y) * dy) / squared, 0.0F, 1.0F) : 0.0F;
+        squared > 0.0F ? std::clamp(((point.x - from.x) * dx + (point.y - from.y) * dy) / squared, 0.0F, 1.0F)
+                       : 0.0F;
     return std::hypot(point.x - from.x - along * dx, point.y - from.y - along * dy);
 }
 

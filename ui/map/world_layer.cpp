@@ -18,9 +18,9 @@ constexpr double kFadeZoom = 9.0;
 constexpr double kGoneZoom = 11.0;
 
 /// Distances of the grid, degrees.
-constexpr std::array kGridSteps{30.0,       15.0,       10.0,        5.0,         2.0,         1.0,
-                                0.5,        1.0 / 6,    1.0 / 12,    1.0 / 30,    1.0 / 60,    1.0 / 120,
-                                1.0 / 360,  1.0 / 720,  1.0 / 1800,  1.0 / 3600,  1.0 / 7200,  1.0 / 36000};
+constexpr std::array kGridSteps{30.0,      15.0,      10.0,       5.0,        2.0,        1.0,
+                                0.5,       1.0 / 6,   1.0 / 12,   1.0 / 30,   1.0 / 60,   1.0 / 120,
+                                1.0 / 360, 1.0 / 720, 1.0 / 1800, 1.0 / 3600, 1.0 / 7200, 1.0 / 36000};
 
 /// One copy of the world, made of pieces that are shown where they are in view.
 class WorldNode : public QSGTransformNode {
@@ -86,7 +86,8 @@ struct WorldRoot : QSGNode {
 /// Lines of longitude and latitude in pixels of the item, some 90 to 200 pixels apart.
 LineMesh gridMesh(const MapCamera& camera, double width, double height) {
     const double pixelsPerDegree = camera.scale() / 360.0;
-    const auto step = std::ranges::find_if(kGridSteps, [&](double degrees) { return degrees * pixelsPerDegree < 200.0; });
+    const auto step =
+        std::ranges::find_if(kGridSteps, [&](double degrees) { return degrees * pixelsPerDegree < 200.0; });
     const double stepDeg = step == kGridSteps.end() ? kGridSteps.back() : *step;
     LineMesh mesh;
     const auto line = [&mesh](double x1, double y1, double x2, double y2) {
@@ -101,7 +102,8 @@ LineMesh gridMesh(const MapCamera& camera, double width, double height) {
     }
     const double south = geoPoint(camera.toWorld({0.0, height})).latDeg;
     for (double lat = std::ceil(south / stepDeg) * stepDeg; lat < 85.0; lat += stepDeg) {
-        const double y = std::round(camera.toItem(worldPoint(GeoPoint{.lonDeg = 0.0, .latDeg = lat})).y()) + 0.5;
+        const double y =
+            std::round(camera.toItem(worldPoint(GeoPoint{.lonDeg = 0.0, .latDeg = lat})).y()) + 0.5;
         if (y < 0.0) {
             break;
         }
@@ -155,7 +157,8 @@ QSGNode* WorldLayer::updatePaintNode(QSGNode* old, UpdatePaintNodeData*) {
             WorldNode* node = root->copies[static_cast<std::size_t>(copy)];
             const int turns = copy - 1;
             node->setMatrix(matrixFor(middle, turns));
-            node->show(viewIn(middle, 4.0).translated(-turns * kUnitsPerWorld, 0.0), pixelsPerUnit(), devicePixelRatio());
+            node->show(viewIn(middle, 4.0).translated(-turns * kUnitsPerWorld, 0.0), pixelsPerUnit(),
+                       devicePixelRatio());
         }
     }
     root->grid->setMesh(gridMesh(*camera(), width(), height()));

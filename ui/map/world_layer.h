@@ -7,8 +7,8 @@
 
 namespace furrow {
 
-/// The ground under the plan: land, sea, borders and a grid of longitude and latitude. Close to the ground the
-/// outline is left out, because it is a kilometre off there.
+/// The ground under the plan: land, sea, borders and a grid of longitude and latitude. Close to the ground
+/// the outline is left out, because it is a kilometre off there.
 class WorldLayer : public MapLayer {
     Q_OBJECT
     QML_ELEMENT

@@ -43,8 +43,9 @@ public:
             for (qint64 left = number(); left > 0; --left) {
                 lon += number();
                 lat += number();
-                const WorldPoint place = worldPoint(GeoPoint{.lonDeg = static_cast<double>(lon) * kDegreesPerStep,
-                                                             .latDeg = static_cast<double>(lat) * kDegreesPerStep});
+                const WorldPoint place =
+                    worldPoint(GeoPoint{.lonDeg = static_cast<double>(lon) * kDegreesPerStep,
+                                        .latDeg = static_cast<double>(lat) * kDegreesPerStep});
                 // Not the short way around: the outline runs from edge to edge of the square.
                 line.push_back({static_cast<float>((place.x - 0.5) * kUnitsPerWorld),
                                 static_cast<float>((place.y - 0.5) * kUnitsPerWorld)});
@@ -94,7 +95,8 @@ std::vector<WorldLevel::Land> landPieces(const Lines& rings) {
     const FillMesh triangles = evenOddTriangles(rings);
     std::vector<WorldLevel::Land> pieces;
     for (std::size_t from = 0; from < triangles.size(); from += 6 * kPiecePoints) {
-        const auto part = std::span{triangles}.subspan(from, std::min(6 * kPiecePoints, triangles.size() - from));
+        const auto part =
+            std::span{triangles}.subspan(from, std::min(6 * kPiecePoints, triangles.size() - from));
         pieces.push_back({boxOf(part), FillMesh{part.begin(), part.end()}});
     }
     return pieces;

@@ -7,7 +7,8 @@
 
 namespace furrow {
 
-/// Coasts and borders of one level of detail, cut into pieces that can be left out where they are not in view.
+/// Coasts and borders of one level of detail, cut into pieces that can be left out where they are not in
+/// view.
 struct WorldLevel {
     struct Lines {
         QRectF box;

@@ -14,7 +14,8 @@ namespace {
 
 /// "4 cells, 11 min"
 QString figures(const DecompositionStep& step) {
-    return CellSteps::tr("%n cell(s), %1", nullptr, static_cast<int>(step.cells)).arg(durationText(step.cost));
+    return CellSteps::tr("%n cell(s), %1", nullptr, static_cast<int>(step.cells))
+        .arg(durationText(step.cost));
 }
 
 bool joinsCells(const Plan& plan) {
@@ -48,12 +49,14 @@ QString CellSteps::summary() const {
     if (steps().empty()) {
         return {};
     }
-    return steps().size() == 1 ? tr("Cut: %1").arg(figures(steps().front()))
-                               : tr("Cut: %1 → joined: %2").arg(figures(steps().front()), figures(steps().back()));
+    return steps().size() == 1
+               ? tr("Cut: %1").arg(figures(steps().front()))
+               : tr("Cut: %1 → joined: %2").arg(figures(steps().front()), figures(steps().back()));
 }
 
 QString CellSteps::remark() const {
-    return steps().size() == 1 && joinsCells(*plan_) ? tr("Joining any two of them would save nothing.") : QString{};
+    return steps().size() == 1 && joinsCells(*plan_) ? tr("Joining any two of them would save nothing.")
+                                                     : QString{};
 }
 
 void CellSteps::setCurrent(int step) {
@@ -79,7 +82,10 @@ QString CellSteps::currentText() const {
     if (current_ < 0) {
         return {};
     }
-    return tr("Step %1 of %2: %3").arg(current_ + 1).arg(count()).arg(figures(steps()[static_cast<std::size_t>(current_)]));
+    return tr("Step %1 of %2: %3")
+        .arg(current_ + 1)
+        .arg(count())
+        .arg(figures(steps()[static_cast<std::size_t>(current_)]));
 }
 
 QString CellSteps::joinText() const {

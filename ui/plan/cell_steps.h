@@ -1,10 +1,10 @@
 #pragma once
 
-#include "ui/map/cell_drawing.h"
 #include "planner/plan/plan.h"
+#include "ui/map/cell_drawing.h"
 
-#include <QObject>
 #include <QtQml/qqmlregistration.h>
+#include <QObject>
 
 #include <memory>
 

@@ -16,12 +16,14 @@ namespace furrow {
 namespace {
 
 /// What decides a plan and what people know of their machine.
-constexpr std::array<std::string_view, 7> kShownKeys{"operating_width_m", "vehicle_width_m",   "min_turning_radius_m",
-                                                     "raised_width_m",    "transport_width_m", "working_speed_mps",
-                                                     "turning_speed_mps"};
+constexpr std::array<std::string_view, 7> kShownKeys{
+    "operating_width_m", "vehicle_width_m",   "min_turning_radius_m", "raised_width_m",
+    "transport_width_m", "working_speed_mps", "turning_speed_mps"};
 
 QuantityText::Kind quantityOf(const MachineKey& key) {
-    return key.unit == "m/s" ? QuantityText::Speed : key.unit == "m" ? QuantityText::Length : QuantityText::Number;
+    return key.unit == "m/s" ? QuantityText::Speed
+           : key.unit == "m" ? QuantityText::Length
+                             : QuantityText::Number;
 }
 
 /// Half a km/h, a decimetre.
@@ -112,7 +114,9 @@ QVariant MachineModel::data(const QModelIndex& index, int role) const {
         case NameRole: return shown(key.name);
         case DescriptionRole: return shown(key.description);
         case ValueRole: return held;
-        case AutoTextRole: return number != nullptr ? QString{} : tr("auto · %1").arg(QuantityText{}.text(held, quantityOf(key), 1));
+        case AutoTextRole:
+            return number != nullptr ? QString{}
+                                     : tr("auto · %1").arg(QuantityText{}.text(held, quantityOf(key), 1));
         case QuantityRole: return quantityOf(key);
         case FromRole: return key.min;
         case ToRole: return key.max;
@@ -123,9 +127,16 @@ QVariant MachineModel::data(const QModelIndex& index, int role) const {
 }
 
 QHash<int, QByteArray> MachineModel::roleNames() const {
-    return {{KeyRole, "key"},   {NameRole, "name"}, {DescriptionRole, "description"}, {ValueRole, "value"},
-            {AutoTextRole, "autoText"}, {QuantityRole, "quantity"}, {FromRole, "from"}, {ToRole, "to"},
-            {StepRole, "step"}, {DecimalsRole, "decimals"}};
+    return {{KeyRole, "key"},
+            {NameRole, "name"},
+            {DescriptionRole, "description"},
+            {ValueRole, "value"},
+            {AutoTextRole, "autoText"},
+            {QuantityRole, "quantity"},
+            {FromRole, "from"},
+            {ToRole, "to"},
+            {StepRole, "step"},
+            {DecimalsRole, "decimals"}};
 }
 
 void MachineModel::setNumber(int row, double value) {

@@ -3,9 +3,9 @@
 #include "planner/machine/machine.h"
 #include "ui/text/message_text.h"
 
+#include <QtQml/qqmlregistration.h>
 #include <QAbstractListModel>
 #include <QStringList>
-#include <QtQml/qqmlregistration.h>
 
 #include <vector>
 

@@ -96,7 +96,8 @@ ParameterModel::ParameterModel(QObject* parent) : QAbstractListModel{parent} {
     connect(&Display::instance(), &Display::changed, this, &ParameterModel::refresh);
 }
 
-void ParameterModel::show(const std::vector<const Parameter*>& parameters, const Settings& settings, const Plan* plan) {
+void ParameterModel::show(const std::vector<const Parameter*>& parameters, const Settings& settings,
+                          const Plan* plan) {
     const bool same = parameters == parameters_;
     auto used = usedNumbers(plan);
     const double widthM = plan != nullptr ? plan->request.machine.operatingWidth().si() : widthM_;
@@ -148,14 +149,18 @@ QVariant ParameterModel::value(const Parameter& parameter, int role) const {
             if (!isNumber) {
                 return 0.0;
             }
-            const double number = automatic ? (used == used_.end() ? 0.0 : used->second) : std::get<double>(set);
+            const double number =
+                automatic ? (used == used_.end() ? 0.0 : used->second) : std::get<double>(set);
             return isDirection(parameter) ? turnedDeg(number) : number;
         }
         case AutoTextRole:
             if (!automatic) {
                 return QString{};
             }
-            return used == used_.end() ? tr("auto") : tr("auto · %1").arg(QuantityText{}.text(used->second, quantityOf(parameter), decimalsOf(parameter)));
+            return used == used_.end() ? tr("auto")
+                                       : tr("auto · %1")
+                                             .arg(QuantityText{}.text(used->second, quantityOf(parameter),
+                                                                      decimalsOf(parameter)));
         case CanBeAutoRole: return parameter.canBeAuto;
         case QuantityRole: return quantityOf(parameter);
         case FromRole: return isDirection(parameter) ? 0.0 : parameter.min;
@@ -174,7 +179,8 @@ QVariant ParameterModel::value(const Parameter& parameter, int role) const {
             return names;
         }
         case ChoiceIndexRole:
-            return kindOf(parameter) == Kind::Choice ? static_cast<int>(choiceIndex(parameter, settings_)) : -1;
+            return kindOf(parameter) == Kind::Choice ? static_cast<int>(choiceIndex(parameter, settings_))
+                                                     : -1;
         case ChoiceHintRole:
             return kindOf(parameter) == Kind::Choice
                        ? shown(parameter.choices[choiceIndex(parameter, settings_)].description)
@@ -186,15 +192,24 @@ QVariant ParameterModel::value(const Parameter& parameter, int role) const {
 }
 
 QHash<int, QByteArray> ParameterModel::roleNames() const {
-    return {{KeyRole, "key"},           {NameRole, "name"},
-            {DescriptionRole, "description"}, {KindRole, "kind"},
-            {ValueRole, "value"},       {AutoTextRole, "autoText"},
-            {CanBeAutoRole, "canBeAuto"}, {QuantityRole, "quantity"},
-            {FromRole, "from"},         {ToRole, "to"},
-            {StepRole, "step"},         {DecimalsRole, "decimals"},
-            {SliderToRole, "sliderTo"}, {ChoicesRole, "choices"},
-            {ChoiceIndexRole, "choiceIndex"}, {ChoiceHintRole, "choiceHint"},
-            {CheckedRole, "checked"},   {TextRole, "text"}};
+    return {{KeyRole, "key"},
+            {NameRole, "name"},
+            {DescriptionRole, "description"},
+            {KindRole, "kind"},
+            {ValueRole, "value"},
+            {AutoTextRole, "autoText"},
+            {CanBeAutoRole, "canBeAuto"},
+            {QuantityRole, "quantity"},
+            {FromRole, "from"},
+            {ToRole, "to"},
+            {StepRole, "step"},
+            {DecimalsRole, "decimals"},
+            {SliderToRole, "sliderTo"},
+            {ChoicesRole, "choices"},
+            {ChoiceIndexRole, "choiceIndex"},
+            {ChoiceHintRole, "choiceHint"},
+            {CheckedRole, "checked"},
+            {TextRole, "text"}};
 }
 
 void ParameterModel::setNumber(int row, double value, bool live) {
@@ -205,13 +220,15 @@ void ParameterModel::setNumber(int row, double value, bool live) {
 
 void ParameterModel::setAuto(int row) {
     if (row >= 0 && row < rowCount()) {
-        emit changeRequested(&at(row), at(row).canBeAuto ? SettingValue{Auto{}} : at(row).defaultValue(), false);
+        emit changeRequested(&at(row), at(row).canBeAuto ? SettingValue{Auto{}} : at(row).defaultValue(),
+                             false);
     }
 }
 
 void ParameterModel::setChoice(int row, int choice) {
     if (row >= 0 && row < rowCount() && choice >= 0 && choice < static_cast<int>(at(row).choices.size())) {
-        emit changeRequested(&at(row), SettingValue{std::string{at(row).choices[static_cast<std::size_t>(choice)].id}}, false);
+        emit changeRequested(
+            &at(row), SettingValue{std::string{at(row).choices[static_cast<std::size_t>(choice)].id}}, false);
     }
 }
 

@@ -3,8 +3,8 @@
 #include "planner/plan/plan.h"
 #include "planner/settings/settings.h"
 
-#include <QAbstractListModel>
 #include <QtQml/qqmlregistration.h>
+#include <QAbstractListModel>
 
 #include <vector>
 
@@ -26,15 +26,15 @@ public:
         DescriptionRole,
         KindRole,
         ValueRole,
-        AutoTextRole,   ///< what is shown while the planner chooses; empty where a value is set
+        AutoTextRole,  ///< what is shown while the planner chooses; empty where a value is set
         CanBeAutoRole,
         QuantityRole,
         FromRole,
         ToRole,
         StepRole,
         DecimalsRole,
-        SliderToRole,   ///< end of the slider; 0 for none
-        ChoicesRole,    ///< names
+        SliderToRole,  ///< end of the slider; 0 for none
+        ChoicesRole,   ///< names
         ChoiceIndexRole,
         ChoiceHintRole,  ///< description of what is chosen
         CheckedRole,

@@ -1,10 +1,10 @@
 #pragma once
 
-#include <QObject>
 #include <QtQml/qqmlregistration.h>
+#include <QObject>
 
-/// How the plan stands to what the panels show. The one state that the chip, the steps, the figures and every way out
-/// of the window go by.
+/// How the plan stands to what the panels show. The one state that the chip, the steps, the figures and every
+/// way out of the window go by.
 namespace furrow::plan_state {
 
 Q_NAMESPACE

@@ -36,11 +36,13 @@ void clearOthers(Settings& settings, const Parameter& changed, const SettingValu
 
 }  // namespace
 
-Planning::Planning(Document& document, FieldOpener& opener, ShownPlan& shown, Problem& problem, QObject* parent)
+Planning::Planning(Document& document, FieldOpener& opener, ShownPlan& shown, Problem& problem,
+                   QObject* parent)
     : QObject{parent}, document_{document}, opener_{opener}, shown_{shown}, problem_{problem} {
     connect(&steps_, &StepsModel::changeRequested, this, &Planning::changeSetting);
     connect(&machine_, &MachineModel::changeRequested, this, [this](const Machine& machine) {
-        document_.change([] { return tr("Change the machine"); }, withPlan(*document_.project(), machine, settings()));
+        document_.change([] { return tr("Change the machine"); },
+                         withPlan(*document_.project(), machine, settings()));
     });
     connect(&document_, &Document::projectChanged, this, &Planning::followDocument);
     connect(&document_, &Document::dragEnded, this, [this] {
@@ -76,13 +78,15 @@ QString Planning::statusText() const {
                                     : tr("Stopped · there is no plan");
         case PlanState::Failed: return tr("No plan");
         case PlanState::Problems:
-            return tr("%1 · %2").arg(tr("%n problem(s)", nullptr, problemCount()), durationText(plan->path.duration()));
+            return tr("%1 · %2").arg(tr("%n problem(s)", nullptr, problemCount()),
+                                     durationText(plan->path.duration()));
         case PlanState::Ready: break;
     }
     const double milliseconds = plan->timings.total.si() * 1e3;
-    const QString ready = milliseconds < 1e3
-                              ? tr("Plan ready · %1 ms").arg(numberText(milliseconds, milliseconds < 10.0 ? 1 : 0))
-                              : tr("Plan ready · %1 s").arg(numberText(1e-3 * milliseconds, 1));
+    const QString ready =
+        milliseconds < 1e3
+            ? tr("Plan ready · %1 ms").arg(numberText(milliseconds, milliseconds < 10.0 ? 1 : 0))
+            : tr("Plan ready · %1 s").arg(numberText(1e-3 * milliseconds, 1));
     return tr("%1 · %2").arg(ready, durationText(plan->path.duration()));
 }
 
@@ -109,7 +113,8 @@ void Planning::followDocument() {
     const bool otherField = fieldId != plannedField_ || (source == nullptr) != (shown_.source() == nullptr);
     const bool otherPlan = otherField || plan.id != plannedPlan_;
     const bool otherSource = source != shown_.source();
-    const bool stale = otherPlan || otherSource || plan.machine != plannedMachine_ || plan.settings != plannedSettings_;
+    const bool stale =
+        otherPlan || otherSource || plan.machine != plannedMachine_ || plan.settings != plannedSettings_;
     if (otherSource) {
         field_.reset();
     }
@@ -180,7 +185,8 @@ void Planning::requestPlan(JobRunner::Replace replace) {
     draftAsked_ = replace == JobRunner::Replace::WhenDone;
     planner_.submit(
         [this, source = shown_.source(), field = field_, machine = machine_.machine(), settings = settings(),
-         draft = draftAsked_, before = wholePlan_, cache = cache_](const JobContext& job) -> JobRunner::Delivery {
+         draft = draftAsked_, before = wholePlan_,
+         cache = cache_](const JobContext& job) -> JobRunner::Delivery {
             PlanOutcome outcome = planned(source, field, machine, settings, draft, before.get(), *cache, job);
             return [this, outcome = std::move(outcome)]() mutable { take(std::move(outcome)); };
         },
@@ -222,7 +228,9 @@ void Planning::showSteps() {
     // While a point is dragged the field before it stands for the one that is being checked.
     const Plan* const plan = shown_.plan().get();
     const bool before = plan != nullptr && state_ == PlanState::Planning;
-    steps_.show({.field = field_ ? field_.get() : before ? &plan->field() : nullptr,
+    steps_.show({.field = field_   ? field_.get()
+                          : before ? &plan->field()
+                                   : nullptr,
                  .source = shown_.source().get(),
                  .machine = machine_.machine(),
                  .settings = settings(),
@@ -232,8 +240,8 @@ void Planning::showSteps() {
 
 bool Planning::isOfWhatIsShown() const {
     const auto& plan = shown_.plan();
-    return plan != nullptr && !shown_.isDraft() && !shown_.isBehind() && plan->request.machine == machine_.machine() &&
-           plan->request.settings == settings();
+    return plan != nullptr && !shown_.isDraft() && !shown_.isBehind() &&
+           plan->request.machine == machine_.machine() && plan->request.settings == settings();
 }
 
 PlanState Planning::derivedState() const {

@@ -11,14 +11,15 @@
 #include "ui/project/field_opener.h"
 #include "ui/project/problem.h"
 
-#include <QObject>
 #include <QtQml/qqmlregistration.h>
+#include <QObject>
 
 #include <optional>
 
 namespace furrow {
 
-/// Plans the current field of the document in the background: anew after every change, the latest request wins.
+/// Plans the current field of the document in the background: anew after every change, the latest request
+/// wins.
 class Planning : public QObject {
     Q_OBJECT
     QML_ELEMENT
@@ -34,7 +35,8 @@ class Planning : public QObject {
     Q_PROPERTY(furrow::CellSteps* cells READ cells CONSTANT FINAL)
 
 public:
-    Planning(Document& document, FieldOpener& opener, ShownPlan& shown, Problem& problem, QObject* parent = nullptr);
+    Planning(Document& document, FieldOpener& opener, ShownPlan& shown, Problem& problem,
+             QObject* parent = nullptr);
 
     PlanState state() const { return state_; }
     QString statusText() const;
@@ -54,7 +56,8 @@ public:
 signals:
     void stateChanged();
     void progressChanged();
-    /// A field that was not on the map before: the camera should go there; again when its first plan is there.
+    /// A field that was not on the map before: the camera should go there; again when its first plan is
+    /// there.
     void fieldOpened();
 
 private:

@@ -57,8 +57,9 @@ std::string_view stepOf(const Finding& finding) {
 }
 
 int problemsOf(std::string_view step, const Plan& plan) {
-    return static_cast<int>(std::ranges::count_if(
-        plan.findings, [step](const Finding& finding) { return isBlocking(finding) && stepOf(finding) == step; }));
+    return static_cast<int>(std::ranges::count_if(plan.findings, [step](const Finding& finding) {
+        return isBlocking(finding) && stepOf(finding) == step;
+    }));
 }
 
 /// What came of a stage, in one line; empty for stages that are not known here.
@@ -102,14 +103,16 @@ QString withProblems(const QString& result, int problems) {
 }  // namespace
 
 StepsModel::StepsModel(QObject* parent) : QAbstractListModel{parent} {
-    const auto add = [this](QString id, std::string_view name, const std::vector<const Parameter*>& parameters) {
+    const auto add = [this](QString id, std::string_view name,
+                            const std::vector<const Parameter*>& parameters) {
         auto* model = new ParameterModel{this};
         model->show(parameters, {}, nullptr);
         connect(model, &ParameterModel::changeRequested, this, &StepsModel::changeRequested);
         steps_.push_back({std::move(id), name, {}, {}, Status::None, model});
     };
     // Names of the steps follow the language by themselves, what is in them when it is shown again.
-    connect(&Display::instance(), &Display::changed, this, [this] { emit dataChanged(index(0), index(rowCount() - 1)); });
+    connect(&Display::instance(), &Display::changed, this,
+            [this] { emit dataChanged(index(0), index(rowCount() - 1)); });
     const auto general = generalParameters();
     add(QStringLiteral("field"), "Field", {general.begin(), general.end()});
     add(QStringLiteral("machine"), "Machine", {});
@@ -201,14 +204,16 @@ void StepsModel::show(const StepsContent& content) {
         step.parameters->show(parametersOf(stage, content.settings), content.settings, filledIn);
     }
     for (Step& step : steps_) {
-        if (const int problems = finished ? problemsOf(step.id.toStdString(), *content.plan) : 0; problems > 0) {
+        if (const int problems = finished ? problemsOf(step.id.toStdString(), *content.plan) : 0;
+            problems > 0) {
             step.result = withProblems(step.result, problems);
             step.status = Status::Warning;
         }
     }
     showCheck(steps_.back(), content);
     for (int row = 0; row < rowCount(); ++row) {
-        if (const Step& step = steps_[static_cast<std::size_t>(row)]; step != before[static_cast<std::size_t>(row)]) {
+        if (const Step& step = steps_[static_cast<std::size_t>(row)];
+            step != before[static_cast<std::size_t>(row)]) {
             emit dataChanged(index(row), index(row));
         }
     }
@@ -242,8 +247,8 @@ QVariant StepsModel::data(const QModelIndex& index, int role) const {
 }
 
 QHash<int, QByteArray> StepsModel::roleNames() const {
-    return {{StepIdRole, "stepId"}, {NumberRole, "number"}, {NameRole, "name"},
-            {ChoiceRole, "choice"}, {ResultRole, "result"}, {StatusRole, "status"},
+    return {{StepIdRole, "stepId"},        {NumberRole, "number"}, {NameRole, "name"},
+            {ChoiceRole, "choice"},        {ResultRole, "result"}, {StatusRole, "status"},
             {ParametersRole, "parameters"}};
 }
 

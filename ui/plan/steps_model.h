@@ -18,8 +18,8 @@ struct StepsContent {
     PlanState state = PlanState::Empty;
 };
 
-/// The steps of a plan from field to turns and the check of it: built from the planner's registry, so that a new
-/// method or stage needs nothing here.
+/// The steps of a plan from field to turns and the check of it: built from the planner's registry, so that a
+/// new method or stage needs nothing here.
 class StepsModel : public QAbstractListModel {
     Q_OBJECT
     QML_ELEMENT

@@ -81,8 +81,12 @@ void Document::begin(const History& history) {
     }
     for (std::size_t i = 0; i < history.steps.size(); ++i) {
         const HistoryStep& step = history.steps[i];
-        stack_.push(new ChangeCommand{*this, [text = QString::fromStdString(step.text)] { return text; }, project_,
-                                      step.after, {}, Follows::Nothing});
+        stack_.push(new ChangeCommand{*this,
+                                      [text = QString::fromStdString(step.text)] { return text; },
+                                      project_,
+                                      step.after,
+                                      {},
+                                      Follows::Nothing});
         if (history.saved == i + 1) {
             stack_.setClean();
         }

@@ -3,9 +3,9 @@
 #include "planner/project/history.h"
 #include "ui/text/message_text.h"
 
+#include <QtQml/qqmlregistration.h>
 #include <QObject>
 #include <QUndoStack>
-#include <QtQml/qqmlregistration.h>
 
 #include <optional>
 
@@ -13,8 +13,8 @@ namespace furrow {
 
 class ChangeCommand;
 
-/// The farm that is worked on. Every change of it is a command that can be undone; there is no other way to change
-/// it but for what is merely looked at.
+/// The farm that is worked on. Every change of it is a command that can be undone; there is no other way to
+/// change it but for what is merely looked at.
 class Document : public QObject {
     Q_OBJECT
     QML_ELEMENT

@@ -68,7 +68,8 @@ int FarmModel::currentPlan() const {
 
 void FarmModel::setCurrentPlan(int index) {
     if (index >= 0 && index != currentPlan()) {
-        document_.look(showing(*document_.project(), document_.project()->currentField, static_cast<std::size_t>(index)));
+        document_.look(showing(*document_.project(), document_.project()->currentField,
+                               static_cast<std::size_t>(index)));
     }
 }
 
@@ -87,21 +88,25 @@ QString FarmModel::ownName() const {
 
 void FarmModel::renameField(const QString& name) {
     if (!name.trimmed().isEmpty()) {
-        document_.change([] { return tr("Rename the field"); }, withFieldName(*document_.project(), name.trimmed().toStdString()));
+        document_.change([] { return tr("Rename the field"); },
+                         withFieldName(*document_.project(), name.trimmed().toStdString()));
     }
 }
 
 void FarmModel::removeField() {
-    document_.change([name = fieldName()] { return tr("Remove field %1").arg(name); }, withoutField(*document_.project()));
+    document_.change([name = fieldName()] { return tr("Remove field %1").arg(name); },
+                     withoutField(*document_.project()));
 }
 
 void FarmModel::addPlan(const QString& name) {
-    document_.change([] { return tr("Add a plan"); }, withPlanCopy(*document_.project(), name.trimmed().toStdString()));
+    document_.change([] { return tr("Add a plan"); },
+                     withPlanCopy(*document_.project(), name.trimmed().toStdString()));
 }
 
 void FarmModel::renamePlan(const QString& name, const QString& season) {
-    document_.change([] { return tr("Rename the plan"); },
-                     withPlanName(*document_.project(), name.trimmed().toStdString(), season.trimmed().toStdString()));
+    document_.change(
+        [] { return tr("Rename the plan"); },
+        withPlanName(*document_.project(), name.trimmed().toStdString(), season.trimmed().toStdString()));
 }
 
 void FarmModel::removePlan() {

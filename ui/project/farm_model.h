@@ -2,14 +2,14 @@
 
 #include "ui/project/document.h"
 
+#include <QtQml/qqmlregistration.h>
 #include <QObject>
 #include <QStringList>
-#include <QtQml/qqmlregistration.h>
 
 namespace furrow {
 
-/// The fields of the project and the plans of the current one: which are there, which is worked on, and what can be
-/// done to them as a whole.
+/// The fields of the project and the plans of the current one: which are there, which is worked on, and what
+/// can be done to them as a whole.
 class FarmModel : public QObject {
     Q_OBJECT
     QML_ELEMENT

@@ -2,10 +2,10 @@
 
 #include "planner/field/field.h"
 
+#include <QtQml/qqmlregistration.h>
 #include <QAbstractListModel>
 #include <QList>
 #include <QPointF>
-#include <QtQml/qqmlregistration.h>
 
 namespace furrow {
 

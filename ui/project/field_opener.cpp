@@ -14,8 +14,14 @@
 
 namespace furrow {
 
-FieldOpener::FieldOpener(Document& document, ProjectFiles& files, RecentFiles& recent, Problem& problem, QObject* parent)
-    : QObject{parent}, document_{document}, files_{files}, recent_{recent}, problem_{problem}, samples_{sampleFields()} {
+FieldOpener::FieldOpener(Document& document, ProjectFiles& files, RecentFiles& recent, Problem& problem,
+                         QObject* parent)
+    : QObject{parent},
+      document_{document},
+      files_{files},
+      recent_{recent},
+      problem_{problem},
+      samples_{sampleFields()} {
     connect(&files_, &ProjectFiles::saved, this,
             [this](const QString& path) { recent_.add(path, *document_.project()); });
     connect(&reader_, &JobRunner::busyChanged, this, &FieldOpener::stateChanged);
@@ -34,7 +40,8 @@ QStringList FieldOpener::sampleNames() const {
 }
 
 void FieldOpener::read(const QStringList& paths, const QString& fieldId) {
-    readingName_ = paths.size() == 1 ? QFileInfo{paths.front()}.fileName() : tr("%n file(s)", nullptr, static_cast<int>(paths.size()));
+    readingName_ = paths.size() == 1 ? QFileInfo{paths.front()}.fileName()
+                                     : tr("%n file(s)", nullptr, static_cast<int>(paths.size()));
     reader_.submit([this, paths, fieldId](const JobContext& job) -> JobRunner::Delivery {
         Reading reading = readFiles(paths, fieldId, job);
         return [this, reading = std::move(reading), choose = paths.size() == 1]() mutable {
@@ -124,14 +131,15 @@ void FieldOpener::dropChoices() {
 
 void FieldOpener::addDrawn(const QList<QGeoCoordinate>& boundary) {
     GeoRing ring;
-    std::ranges::transform(boundary, std::back_inserter(ring), [](const QGeoCoordinate& p) { return geoPoint(p); });
+    std::ranges::transform(boundary, std::back_inserter(ring),
+                           [](const QGeoCoordinate& p) { return geoPoint(p); });
     addFields({{.id = "drawn",
-               .name = tr("Field %1").arg(document_.project()->fields.size() + 1).toStdString(),
-               .origin = tr("drawn on the map").toStdString(),
-               .parts = {GeoPolygon{.outer = std::move(ring), .holes = {}}},
-               .obstacles = {},
-               .gates = {},
-               .boundaryAccuracy = {}}});
+                .name = tr("Field %1").arg(document_.project()->fields.size() + 1).toStdString(),
+                .origin = tr("drawn on the map").toStdString(),
+                .parts = {GeoPolygon{.outer = std::move(ring), .holes = {}}},
+                .obstacles = {},
+                .gates = {},
+                .boundaryAccuracy = {}}});
 }
 
 void FieldOpener::startNew() {

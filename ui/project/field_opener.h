@@ -9,15 +9,15 @@
 #include "ui/project/recent_files.h"
 #include "ui/project/sample_fields.h"
 
+#include <QtQml/qqmlregistration.h>
 #include <QGeoCoordinate>
 #include <QObject>
 #include <QUrl>
-#include <QtQml/qqmlregistration.h>
 
 namespace furrow {
 
-/// Where fields come from: files, samples and what is drawn. A project takes the place of the one that is open; a
-/// boundary becomes another field of it.
+/// Where fields come from: files, samples and what is drawn. A project takes the place of the one that is
+/// open; a boundary becomes another field of it.
 class FieldOpener : public QObject {
     Q_OBJECT
     QML_ELEMENT
@@ -27,7 +27,8 @@ class FieldOpener : public QObject {
     Q_PROPERTY(QStringList sampleNames READ sampleNames NOTIFY textsChanged FINAL)
 
 public:
-    FieldOpener(Document& document, ProjectFiles& files, RecentFiles& recent, Problem& problem, QObject* parent = nullptr);
+    FieldOpener(Document& document, ProjectFiles& files, RecentFiles& recent, Problem& problem,
+                QObject* parent = nullptr);
 
     FieldChoiceModel* choices() { return &choices_; }
     QStringList sampleNames() const;

@@ -18,7 +18,8 @@ Error noSuchField(const QString& path) {
             .remedy = "open a file of your own"};
 }
 
-/// As repaired, so that what is edited is what is planned with; as it is where that fails and the map shows why.
+/// As repaired, so that what is edited is what is planned with; as it is where that fails and the map shows
+/// why.
 FieldSource repaired(FieldSource source, const JobContext& job) {
     const auto field = Field::create(source, job);
     if (!field) {
@@ -36,7 +37,8 @@ Result<std::vector<FieldSource>> boundariesIn(const QString& path, const JobCont
     // The library that reads boundaries knows nothing of resources.
     const QTemporaryDir folder;
     const QString copy = folder.filePath(QFileInfo{path}.fileName());
-    return QFile::copy(path, copy) ? readBoundaries(copy.toStdU16String(), job) : std::unexpected(noSuchField(path));
+    return QFile::copy(path, copy) ? readBoundaries(copy.toStdU16String(), job)
+                                   : std::unexpected(noSuchField(path));
 }
 
 }  // namespace

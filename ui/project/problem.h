@@ -2,9 +2,9 @@
 
 #include "planner/core/error.h"
 
+#include <QtQml/qqmlregistration.h>
 #include <QGeoCoordinate>
 #include <QObject>
-#include <QtQml/qqmlregistration.h>
 
 #include <optional>
 

@@ -78,8 +78,9 @@ std::optional<HistoryJournal> ProjectFiles::journalOf(const QString& path) {
         return std::nullopt;
     }
     const QString name =
-        path.isEmpty() ? kUntitled + QUuid::createUuid().toString(QUuid::WithoutBraces)
-                       : QString::fromStdString(fingerprint(QFileInfo{path}.absoluteFilePath().toStdString()));
+        path.isEmpty()
+            ? kUntitled + QUuid::createUuid().toString(QUuid::WithoutBraces)
+            : QString::fromStdString(fingerprint(QFileInfo{path}.absoluteFilePath().toStdString()));
     auto journal = HistoryJournal::open(toPath(QDir{folder_}.filePath(name + QStringLiteral(".history"))));
     if (!journal) {
         tell(Trouble::NotKept, journal.error());
@@ -109,7 +110,8 @@ bool ProjectFiles::recover() {
                 recogniseSaved(*history, file->project, file->fingerprint);
             }
         }
-        if (!history || !history->isUnsaved() || (history->file.empty() && history->current()->fields.empty())) {
+        if (!history || !history->isUnsaved() ||
+            (history->file.empty() && history->current()->fields.empty())) {
             if (!history || history->file.empty()) {
                 journal->remove();
             }
@@ -147,8 +149,9 @@ bool ProjectFiles::open(const QString& path, OpenedProject opened) {
         kept->file = toPath(whole);
         document_.begin(*kept);
         if (kept->isUnsaved()) {
-            tell(Trouble::Restored,
-                 [name = name()] { return tr("Changes of “%1” were not saved. Here they are again.").arg(name); });
+            tell(Trouble::Restored, [name = name()] {
+                return tr("Changes of “%1” were not saved. Here they are again.").arg(name);
+            });
         }
         return true;
     }
@@ -166,7 +169,8 @@ bool ProjectFiles::open(const QString& path, OpenedProject opened) {
         document_.change([] { return tr("Restore changes that were not saved"); }, Project{*kept->current()});
         tell(Trouble::Restored, [name = name()] {
             return tr("Another program changed “%1” while changes of yours were not saved. Yours are "
-                      "shown; undo shows the file.").arg(name);
+                      "shown; undo shows the file.")
+                .arg(name);
         });
     }
     return true;
@@ -200,18 +204,22 @@ void ProjectFiles::write(const QString& path, bool overwrite) {
     }
     document_.endDrag();
     saver_.submit(
-        [this, path, overwrite, project = document_.project(), known = fingerprint_](const JobContext&) -> JobRunner::Delivery {
+        [this, path, overwrite, project = document_.project(),
+         known = fingerprint_](const JobContext&) -> JobRunner::Delivery {
             const auto there = fileFingerprint(toPath(path));
             const bool changed = !overwrite && there && *there != known;
-            Result<std::string> written = changed ? Result<std::string>{*there} : writeProject(*project, toPath(path));
-            return [this, path, project, written = std::move(written), changed] { take(path, project, written, changed); };
+            Result<std::string> written =
+                changed ? Result<std::string>{*there} : writeProject(*project, toPath(path));
+            return [this, path, project, written = std::move(written), changed] {
+                take(path, project, written, changed);
+            };
         },
         JobRunner::Replace::WhenDone);
     emit savingChanged();
 }
 
-void ProjectFiles::take(const QString& path, const std::shared_ptr<const Project>& project, Result<std::string> written,
-                        bool changedOnDisk) {
+void ProjectFiles::take(const QString& path, const std::shared_ptr<const Project>& project,
+                        Result<std::string> written, bool changedOnDisk) {
     if (!written) {
         tell(Trouble::NotSaved, written.error());
         return;
@@ -219,7 +227,9 @@ void ProjectFiles::take(const QString& path, const std::shared_ptr<const Project
     if (changedOnDisk) {
         tell(
             Trouble::ChangedOnDisk,
-            [name = nameOf(path)] { return tr("Another program has changed “%1” since it was opened here.").arg(name); },
+            [name = nameOf(path)] {
+                return tr("Another program has changed “%1” since it was opened here.").arg(name);
+            },
             [] { return tr("Save over it, or save yours under another name."); });
         return;
     }
@@ -233,7 +243,8 @@ void ProjectFiles::take(const QString& path, const std::shared_ptr<const Project
         tell(Trouble::None);
     }
     if (moved) {
-        // What was done since is in the new journal before the old one goes; flush() says what cannot be written.
+        // What was done since is in the new journal before the old one goes; flush() says what cannot be
+        // written.
         if (journal) {
             static_cast<void>(journal->write(history()));
         }
@@ -283,8 +294,11 @@ QUrl ProjectFiles::suggestedFile() const {
     name.replace(unsafe, QStringLiteral("_"));
     const QString documents = QStandardPaths::writableLocation(QStandardPaths::DocumentsLocation);
     // A dialog that begins in a folder that is not there proposes nothing.
-    const QDir folder{!path_.isEmpty() ? QFileInfo{path_}.path() : QDir{documents}.exists() ? documents : QDir::homePath()};
-    return QUrl::fromLocalFile(folder.filePath((name.isEmpty() ? tr("Farm") : name) + QStringLiteral(".furrow")));
+    const QDir folder{!path_.isEmpty()           ? QFileInfo{path_}.path()
+                      : QDir{documents}.exists() ? documents
+                                                 : QDir::homePath()};
+    return QUrl::fromLocalFile(
+        folder.filePath((name.isEmpty() ? tr("Farm") : name) + QStringLiteral(".furrow")));
 }
 
 History ProjectFiles::history() const {
@@ -348,7 +362,8 @@ void ProjectFiles::tell(Trouble trouble, const Error& error) {
         trouble,
         [error] {
             const QString where = shown(error.where);
-            return where.isEmpty() ? sentence(error.what) : tr("%1: %2").arg(QFileInfo{where}.fileName(), sentence(error.what));
+            return where.isEmpty() ? sentence(error.what)
+                                   : tr("%1: %2").arg(QFileInfo{where}.fileName(), sentence(error.what));
         },
         [remedy = error.remedy] { return sentence(remedy); });
 }

@@ -6,10 +6,10 @@
 #include "ui/project/document.h"
 #include "ui/text/message_text.h"
 
+#include <QtQml/qqmlregistration.h>
 #include <QObject>
 #include <QTimer>
 #include <QUrl>
-#include <QtQml/qqmlregistration.h>
 
 #include <memory>
 #include <mutex>
@@ -17,8 +17,8 @@
 
 namespace furrow {
 
-/// Where the project lies: opens and saves it, and keeps every change in a journal so that a crash loses nothing
-/// and undo goes on after reopening. Files are written away from the GUI thread.
+/// Where the project lies: opens and saves it, and keeps every change in a journal so that a crash loses
+/// nothing and undo goes on after reopening. Files are written away from the GUI thread.
 class ProjectFiles : public QObject {
     Q_OBJECT
     QML_ELEMENT
@@ -60,8 +60,8 @@ public:
     /// Shows again what a crash left behind, the latest first. False where there is nothing.
     bool recover();
 
-    /// Begins with a project that was read from this file. With its journal undo goes on where it was, and what was
-    /// not saved is there again. False, with the message, where another window has it open.
+    /// Begins with a project that was read from this file. With its journal undo goes on where it was, and
+    /// what was not saved is there again. False, with the message, where another window has it open.
     bool open(const QString& path, OpenedProject opened);
     /// An empty project.
     Q_INVOKABLE void begin();

@@ -35,9 +35,12 @@ void RecentFiles::keepIn(const QString& file) {
     if (kept.open(QIODevice::ReadOnly)) {
         for (const QJsonValue& value : QJsonDocument::fromJson(kept.readAll()).array()) {
             const QJsonObject object = value.toObject();
-            Entry entry{.path = object.value(u"path").toString(), .fields = object.value(u"fields").toInt(), .outline = {}};
+            Entry entry{.path = object.value(u"path").toString(),
+                        .fields = object.value(u"fields").toInt(),
+                        .outline = {}};
             for (const QJsonValue& point : object.value(u"outline").toArray()) {
-                entry.outline.emplace_back(point.toArray().at(0).toDouble(), point.toArray().at(1).toDouble());
+                entry.outline.emplace_back(point.toArray().at(0).toDouble(),
+                                           point.toArray().at(1).toDouble());
             }
             if (QFileInfo::exists(entry.path)) {
                 entries_.push_back(std::move(entry));
@@ -102,7 +105,11 @@ QVariant RecentFiles::data(const QModelIndex& index, int role) const {
 }
 
 QHash<int, QByteArray> RecentFiles::roleNames() const {
-    return {{PathRole, "path"}, {NameRole, "name"}, {FolderRole, "folder"}, {FieldsRole, "fields"}, {OutlineRole, "outline"}};
+    return {{PathRole, "path"},
+            {NameRole, "name"},
+            {FolderRole, "folder"},
+            {FieldsRole, "fields"},
+            {OutlineRole, "outline"}};
 }
 
 void RecentFiles::save() const {
@@ -115,13 +122,15 @@ void RecentFiles::save() const {
         for (const QPointF point : entry.outline) {
             outline.append(QJsonArray{point.x(), point.y()});
         }
-        list.append(QJsonObject{{QStringLiteral("path"), entry.path}, {QStringLiteral("fields"), entry.fields},
+        list.append(QJsonObject{{QStringLiteral("path"), entry.path},
+                                {QStringLiteral("fields"), entry.fields},
                                 {QStringLiteral("outline"), outline}});
     }
     QDir{}.mkpath(QFileInfo{file_}.path());
     QSaveFile kept{file_};
     // A list that cannot be kept is no reason to disturb anybody.
-    if (kept.open(QIODevice::WriteOnly) && kept.write(QJsonDocument{list}.toJson(QJsonDocument::Compact)) > 0) {
+    if (kept.open(QIODevice::WriteOnly) &&
+        kept.write(QJsonDocument{list}.toJson(QJsonDocument::Compact)) > 0) {
         kept.commit();
     }
 }

@@ -2,15 +2,15 @@
 
 #include "planner/project/project.h"
 
+#include <QtQml/qqmlregistration.h>
 #include <QAbstractListModel>
 #include <QList>
 #include <QPointF>
-#include <QtQml/qqmlregistration.h>
 
 namespace furrow {
 
-/// The projects that were opened or saved last, the latest first, each with the outline of its field. Kept in a
-/// file; those that are gone are not shown.
+/// The projects that were opened or saved last, the latest first, each with the outline of its field. Kept in
+/// a file; those that are gone are not shown.
 class RecentFiles : public QAbstractListModel {
     Q_OBJECT
     QML_ELEMENT

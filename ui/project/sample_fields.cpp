@@ -31,7 +31,8 @@ QString nameIn(const QString& resource, const QString& fallback) {
 QList<SampleField> sampleFields() {
     QList<SampleField> fields;
     const QDir folder{QStringLiteral(":/furrow/samples")};
-    for (const QFileInfo& info : folder.entryInfoList({QStringLiteral("*.geojson")}, QDir::Files, QDir::Name)) {
+    for (const QFileInfo& info :
+         folder.entryInfoList({QStringLiteral("*.geojson")}, QDir::Files, QDir::Name)) {
         QString plain = info.completeBaseName();
         plain.replace(QLatin1Char('_'), QLatin1Char(' '));
         fields.push_back({nameIn(info.filePath(), plain), info.filePath()});

@@ -25,9 +25,11 @@ void FiguresModel::show(const Plan* plan) {
             {tr("Working"), inOneLine({lengthText(working), percentText(share(working))}), {}},
             {tr("Turning"), inOneLine({lengthText(turning), percentText(share(turning))}), {}},
             {tr("Time"), durationText(plan->path.duration()), {}},
-            {tr("Covered"), plan->audit.coveredShare ? percentText(*plan->audit.coveredShare, 1) : notMeasured,
+            {tr("Covered"),
+             plan->audit.coveredShare ? percentText(*plan->audit.coveredShare, 1) : notMeasured,
              tr("Share of the field that is worked, measured on the finished path")},
-            {tr("Overlap"), plan->audit.overlap ? percentText(shareOfField(plan->audit.overlap), 1) : notMeasured,
+            {tr("Overlap"),
+             plan->audit.overlap ? percentText(shareOfField(plan->audit.overlap), 1) : notMeasured,
              tr("Share of the field that is worked twice")},
         };
     }

@@ -2,8 +2,8 @@
 
 #include "planner/plan/plan.h"
 
-#include <QAbstractListModel>
 #include <QtQml/qqmlregistration.h>
+#include <QAbstractListModel>
 
 namespace furrow {
 

@@ -2,9 +2,9 @@
 
 #include "planner/plan/plan.h"
 
+#include <QtQml/qqmlregistration.h>
 #include <QAbstractListModel>
 #include <QGeoCoordinate>
-#include <QtQml/qqmlregistration.h>
 
 #include <vector>
 

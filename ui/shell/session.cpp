@@ -29,15 +29,18 @@ void Session::showResults() {
         return;
     }
     const auto& geometry = shown_.drawing().geometry();
-    findings_.show(plan != nullptr ? plan->findings : std::vector<Finding>{},
-                   plan != nullptr && geometry != nullptr ? geometry->findingPlaces : std::vector<QGeoCoordinate>{});
+    findings_.show(
+        plan != nullptr ? plan->findings : std::vector<Finding>{},
+        plan != nullptr && geometry != nullptr ? geometry->findingPlaces : std::vector<QGeoCoordinate>{});
 }
 
 void Session::offerExport() {
     const PlanState state = planning_.state();
-    exporter_.setPlan(isFinished(state) ? PlanTitle{.plan = shown_.plan(), .name = farm_.ownName(), .finished = shown_.finished()}
-                                        : PlanTitle{},
-                      state);
+    exporter_.setPlan(
+        isFinished(state)
+            ? PlanTitle{.plan = shown_.plan(), .name = farm_.ownName(), .finished = shown_.finished()}
+            : PlanTitle{},
+        state);
 }
 
 }  // namespace furrow

@@ -13,13 +13,13 @@
 #include "ui/results/figures_model.h"
 #include "ui/results/findings_model.h"
 
-#include <QObject>
 #include <QtQml/qqmlregistration.h>
+#include <QObject>
 
 namespace furrow {
 
-/// What one window works with. It makes the objects that the panels show and tells each of them what it has to know
-/// of the others.
+/// What one window works with. It makes the objects that the panels show and tells each of them what it has
+/// to know of the others.
 class Session : public QObject {
     Q_OBJECT
     QML_ELEMENT

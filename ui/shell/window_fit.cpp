@@ -31,7 +31,8 @@ QRect fitted(const QRect& wanted, const QRect& available, const QMargins& frame)
     const QRect room = available.marginsRemoved(frame);
     const QSize size = wanted.size().boundedTo(room.size());
     return {std::clamp(wanted.x(), room.x(), room.x() + room.width() - size.width()),
-            std::clamp(wanted.y(), room.y(), room.y() + room.height() - size.height()), size.width(), size.height()};
+            std::clamp(wanted.y(), room.y(), room.y() + room.height() - size.height()), size.width(),
+            size.height()};
 }
 
 void WindowFit::setWindow(QWindow* window) {
@@ -43,7 +44,8 @@ void WindowFit::setWindow(QWindow* window) {
 
 QSize WindowFit::room() const {
     const QScreen* screen = window_ ? window_->screen() : nullptr;
-    return screen == nullptr ? QSize{0, 0} : screen->availableGeometry().marginsRemoved(window_->frameMargins()).size();
+    return screen == nullptr ? QSize{0, 0}
+                             : screen->availableGeometry().marginsRemoved(window_->frameMargins()).size();
 }
 
 void WindowFit::begin() {

@@ -1,20 +1,20 @@
 #pragma once
 
+#include <QtQml/qqmlregistration.h>
 #include <QMargins>
 #include <QObject>
 #include <QPointer>
 #include <QRect>
 #include <QWindow>
-#include <QtQml/qqmlregistration.h>
 
 namespace furrow {
 
-/// A window's contents where they are wanted if the window then lies on the screen with its frame, otherwise smaller
-/// and moved as far as needed.
+/// A window's contents where they are wanted if the window then lies on the screen with its frame, otherwise
+/// smaller and moved as far as needed.
 QRect fitted(const QRect& wanted, const QRect& available, const QMargins& frame);
 
-/// Keeps a window on the screen that it starts on, whatever it was on before: a larger one, one that is gone, or the
-/// same one when everything was drawn smaller.
+/// Keeps a window on the screen that it starts on, whatever it was on before: a larger one, one that is gone,
+/// or the same one when everything was drawn smaller.
 class WindowFit : public QObject {
     Q_OBJECT
     QML_ELEMENT

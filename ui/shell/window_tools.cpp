@@ -12,7 +12,9 @@
 namespace furrow {
 
 void applyScale() {
-    const int percent = QSettings{QStringLiteral("Furrow"), QStringLiteral("Furrow")}.value(QStringLiteral("window/scale"), 100).toInt();
+    const int percent = QSettings{QStringLiteral("Furrow"), QStringLiteral("Furrow")}
+                            .value(QStringLiteral("window/scale"), 100)
+                            .toInt();
     if (qEnvironmentVariableIsEmpty("QT_SCALE_FACTOR") && percent > 100 && percent <= 300) {
         qputenv("QT_SCALE_FACTOR", QByteArray::number(percent / 100.0));
     }
@@ -23,7 +25,8 @@ void prepareWindow() {
     QCoreApplication::setApplicationName(QStringLiteral("Furrow"));
     QGuiApplication::setApplicationDisplayName(QStringLiteral("Furrow"));
     QCoreApplication::setApplicationVersion(QStringLiteral(FURROW_VERSION));
-    // Glyphs from a picture: as sharp as in other programs, and cheaper than outlines where there is no graphics card.
+    // Glyphs from a picture: as sharp as in other programs, and cheaper than outlines where there is no
+    // graphics card.
     QQuickWindow::setTextRenderType(QQuickWindow::NativeTextRendering);
     QQuickStyle::setStyle(QStringLiteral("Fusion"));
     const QDir fonts{QStringLiteral(":/furrow/fonts")};

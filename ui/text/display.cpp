@@ -24,13 +24,17 @@ struct Language {
 };
 
 // By the names that their speakers give them; whoever looks for his own finds it in any language.
-constexpr std::array kLanguages{Language{"en", "English"},     Language{"de", "Deutsch"},
-                                Language{"nl", "Nederlands"},  Language{"fr", "Français"},
-                                Language{"es", "Español"},     Language{"pt_BR", "Português (Brasil)"},
+constexpr std::array kLanguages{Language{"en", "English"},
+                                Language{"de", "Deutsch"},
+                                Language{"nl", "Nederlands"},
+                                Language{"fr", "Français"},
+                                Language{"es", "Español"},
+                                Language{"pt_BR", "Português (Brasil)"},
                                 Language{"pt_PT", "Português (Portugal)"}};
 
 bool isKnown(const QString& code) {
-    return std::ranges::any_of(kLanguages, [&code](const Language& each) { return code == QLatin1String{each.code}; });
+    return std::ranges::any_of(kLanguages,
+                               [&code](const Language& each) { return code == QLatin1String{each.code}; });
 }
 
 /// The language of the system, or English.
@@ -43,7 +47,8 @@ QString systemLanguage() {
             return whole;
         }
         if (language == QLatin1String{"pt"}) {
-            return locale.territory() == QLocale::Portugal ? QStringLiteral("pt_PT") : QStringLiteral("pt_BR");
+            return locale.territory() == QLocale::Portugal ? QStringLiteral("pt_PT")
+                                                           : QStringLiteral("pt_BR");
         }
         if (isKnown(language)) {
             return language;
@@ -132,8 +137,8 @@ QStringList Display::languages() const {
 }
 
 QString Display::nameOf(const QString& language) const {
-    const auto found =
-        std::ranges::find_if(kLanguages, [&language](const Language& each) { return language == QLatin1String{each.code}; });
+    const auto found = std::ranges::find_if(
+        kLanguages, [&language](const Language& each) { return language == QLatin1String{each.code}; });
     return found == kLanguages.end() ? QString{} : QString::fromUtf8(found->name);
 }
 
@@ -153,10 +158,14 @@ void Display::use(const QString& language) {
     }
     translators_.clear();
     QLocale::setDefault(localeFor(shown_));
-    // The texts of Qt's own dialogs first: what is installed last is asked first. A variant lies over its language.
+    // The texts of Qt's own dialogs first: what is installed last is asked first. A variant lies over its
+    // language.
     QStringList names;
-    for (const QString& variant : shown_ == QLatin1String{"pt_PT"} ? QStringList{QStringLiteral("pt_BR"), shown_} : QStringList{shown_}) {
-        names << QStringLiteral("qtbase_") + variant << QStringLiteral("qtdeclarative_") + variant << QStringLiteral("furrow_") + variant;
+    for (const QString& variant : shown_ == QLatin1String{"pt_PT"}
+                                      ? QStringList{QStringLiteral("pt_BR"), shown_}
+                                      : QStringList{shown_}) {
+        names << QStringLiteral("qtbase_") + variant << QStringLiteral("qtdeclarative_") + variant
+              << QStringLiteral("furrow_") + variant;
     }
     for (const QString& name : std::as_const(names)) {
         auto translator = std::make_unique<QTranslator>();

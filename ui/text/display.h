@@ -1,10 +1,10 @@
 #pragma once
 
+#include <QtQml/qqmlregistration.h>
 #include <QHash>
 #include <QObject>
 #include <QPointer>
 #include <QStringList>
-#include <QtQml/qqmlregistration.h>
 
 #include <memory>
 #include <vector>
@@ -21,11 +21,11 @@ class QuantityText;
 
 enum class UnitSystem { Metric, Imperial };
 
-/// In which language and units this user reads and types; remembered. Documents and the planner stay in SI units
-/// and English whatever it says.
+/// In which language and units this user reads and types; remembered. Documents and the planner stay in SI
+/// units and English whatever it says.
 ///
-/// Texts of QML follow a change by themselves, since the engine is told; whoever keeps a text that was made in C++
-/// makes it again at changed().
+/// Texts of QML follow a change by themselves, since the engine is told; whoever keeps a text that was made
+/// in C++ makes it again at changed().
 class Display : public QObject {
     Q_OBJECT
     QML_ELEMENT
@@ -37,8 +37,9 @@ class Display : public QObject {
     Q_PROPERTY(QStringList languages READ languages CONSTANT FINAL)
     Q_PROPERTY(Units units READ units WRITE setUnits NOTIFY changed FINAL)
     Q_PROPERTY(bool imperial READ isImperial NOTIFY changed FINAL)
-    /// Quantities as this user reads and types them. What calls its functions through here is evaluated again at every
-    /// change; a mere mention of another property beside the call is not enough: the compiler leaves it out.
+    /// Quantities as this user reads and types them. What calls its functions through here is evaluated again
+    /// at every change; a mere mention of another property beside the call is not enough: the compiler leaves
+    /// it out.
     Q_PROPERTY(furrow::QuantityText* quantities READ quantities NOTIFY changed FINAL)
 
 public:

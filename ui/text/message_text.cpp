@@ -34,13 +34,17 @@ QString quantity(const MessageArgument& argument) {
         case MessageUnit::Metres:
             return argument.decimals < 0 ? shortLengthText(metres(argument.number))
                                          : metresText(metres(argument.number), argument.decimals);
-        case MessageUnit::SquareMetres: return squareMetresText(squareMetres(argument.number), argument.decimals);
-        case MessageUnit::Hectares: return hectaresText(squareMetres(argument.number * 1e4), argument.decimals);
+        case MessageUnit::SquareMetres:
+            return squareMetresText(squareMetres(argument.number), argument.decimals);
+        case MessageUnit::Hectares:
+            return hectaresText(squareMetres(argument.number * 1e4), argument.decimals);
         case MessageUnit::MetresPerSecond: return speedText(metresPerSecond(argument.number));
         case MessageUnit::MetresPerSecondSquared:
             return accelerationText(Acceleration::fromSi(argument.number), argument.decimals);
-        case MessageUnit::Degrees: return plainNumber(argument.number, argument.decimals) + QStringLiteral("°");
-        case MessageUnit::Percent: return percentText(argument.number / 100.0, std::max(argument.decimals, 0));
+        case MessageUnit::Degrees:
+            return plainNumber(argument.number, argument.decimals) + QStringLiteral("°");
+        case MessageUnit::Percent:
+            return percentText(argument.number / 100.0, std::max(argument.decimals, 0));
         case MessageUnit::None: break;
     }
     return argument.isWhole ? QLocale{}.toString(static_cast<qlonglong>(argument.number))
@@ -61,8 +65,10 @@ QString argumentText(const MessageArgument& argument) {
 QString filled(const QString& pattern, const std::vector<MessageArgument>& arguments, std::size_t first) {
     QString text;
     for (qsizetype i = 0; i < pattern.size(); ++i) {
-        const bool place = pattern[i] == QLatin1Char('%') && i + 1 < pattern.size() && pattern[i + 1].isDigit();
-        const std::size_t index = place ? first + static_cast<std::size_t>(pattern[i + 1].digitValue()) - 1 : arguments.size();
+        const bool place =
+            pattern[i] == QLatin1Char('%') && i + 1 < pattern.size() && pattern[i + 1].isDigit();
+        const std::size_t index =
+            place ? first + static_cast<std::size_t>(pattern[i + 1].digitValue()) - 1 : arguments.size();
         if (index < arguments.size()) {
             text += argumentText(arguments[index]);
             ++i;
@@ -83,7 +89,8 @@ QString shown(const Message& message) {
     QString text;
     if (message.count()) {
         const QString source = fromStd(key);
-        const QString counted = QCoreApplication::translate(kContext, key.c_str(), nullptr, static_cast<int>(*message.count()));
+        const QString counted =
+            QCoreApplication::translate(kContext, key.c_str(), nullptr, static_cast<int>(*message.count()));
         const QString number = QLocale{}.toString(static_cast<qlonglong>(*message.count()));
         // English needs no translation: the planner has put one or many already.
         const bool translated = counted != QString{source}.replace(QLatin1String{"%n"}, number);

@@ -11,7 +11,8 @@
 
 namespace furrow {
 
-/// What the planner says, in the user's language and units. The one way from the planner's texts to the window.
+/// What the planner says, in the user's language and units. The one way from the planner's texts to the
+/// window.
 QString shown(const Message& message);
 /// The same as a sentence of its own: with a capital.
 QString sentence(const Message& message);

@@ -45,7 +45,7 @@ constexpr std::array kTypedUnits{
     TypedUnit{"ac", QuantityText::Area, kAcreM2},
     TypedUnit{"acre", QuantityText::Area, kAcreM2},
     TypedUnit{"acres", QuantityText::Area, kAcreM2},
-    TypedUnit{"ft2", QuantityText::Area, kFootM * kFootM},
+    TypedUnit{"ft2", QuantityText::Area, kFootM* kFootM},
     TypedUnit{"km/h", QuantityText::Speed, kKilometrePerHourMps},
     TypedUnit{"kmh", QuantityText::Speed, kKilometrePerHourMps},
     TypedUnit{"kph", QuantityText::Speed, kKilometrePerHourMps},
@@ -56,8 +56,9 @@ constexpr std::array kTypedUnits{
 };
 
 std::optional<double> unitNamed(const QString& text, QuantityText::Kind kind) {
-    const auto found = std::ranges::find_if(
-        kTypedUnits, [&](const TypedUnit& unit) { return unit.kind == kind && text == QString::fromUtf8(unit.text); });
+    const auto found = std::ranges::find_if(kTypedUnits, [&](const TypedUnit& unit) {
+        return unit.kind == kind && text == QString::fromUtf8(unit.text);
+    });
     return found == kTypedUnits.end() ? std::nullopt : std::optional{found->si};
 }
 
@@ -120,7 +121,8 @@ std::optional<double> QuantityText::parsed(const QString& text, Kind kind) {
     if (inches >= 12.0) {
         return std::nullopt;
     }
-    return std::copysign(std::abs(feet) * kFootM + inches * kInchM, match.captured(1).startsWith(QLatin1Char('-')) ? -1.0 : 1.0);
+    return std::copysign(std::abs(feet) * kFootM + inches * kInchM,
+                         match.captured(1).startsWith(QLatin1Char('-')) ? -1.0 : 1.0);
 }
 
 QString QuantityText::text(double value, Kind kind, int decimals) const {
@@ -167,7 +169,9 @@ QString QuantityText::complaint(const QString& text, Kind kind, double from, dou
         const QString unitText = unit(kind);
         const auto named = [&](double end) {
             const QString number = shortNumberText(end / siOf(kind), decimals);
-            return unitText.isEmpty() ? number : kind == Angle ? number + unitText : tr("%1 %2").arg(number, unitText);
+            return unitText.isEmpty() ? number
+                   : kind == Angle    ? number + unitText
+                                      : tr("%1 %2").arg(number, unitText);
         };
         return tr("Type something from %1 to %2.").arg(named(from), named(to));
     }

@@ -57,8 +57,9 @@ QString areaText(Area area) {
 }
 
 QString squareMetresText(Area area, int decimals) {
-    return imperial() ? Text::tr("%1 ft²").arg(numberText(area.si() / (kFootM * kFootM), std::max(decimals - 1, 0)))
-                      : Text::tr("%1 m²").arg(numberText(area.si(), std::max(decimals, 0)));
+    return imperial()
+               ? Text::tr("%1 ft²").arg(numberText(area.si() / (kFootM * kFootM), std::max(decimals - 1, 0)))
+               : Text::tr("%1 m²").arg(numberText(area.si(), std::max(decimals, 0)));
 }
 
 QString hectaresText(Area area, int decimals) {
@@ -80,7 +81,8 @@ QString lengthText(Length length) {
 }
 
 QString metresText(Length length, int decimals) {
-    return imperial() ? feetText(length.si() / kFootM, decimals) : Text::tr("%1 m").arg(numberText(length.si(), decimals));
+    return imperial() ? feetText(length.si() / kFootM, decimals)
+                      : Text::tr("%1 m").arg(numberText(length.si(), decimals));
 }
 
 QString metresText(Length least, Length most) {

@@ -9,8 +9,8 @@
 
 namespace furrow {
 
-/// Quantities as people read them, in the user's locale and units: hectares or acres, metres or feet, kilometres or
-/// miles, km/h or mph, hours.
+/// Quantities as people read them, in the user's locale and units: hectares or acres, metres or feet,
+/// kilometres or miles, km/h or mph, hours.
 QString areaText(Area area);
 QString lengthText(Length length);
 /// With this many decimals, always in metres or feet.

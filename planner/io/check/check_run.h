@@ -13,8 +13,8 @@ namespace furrow {
 
 struct Format;
 
-/// The checks of one export: what they look at, and where they report. One report for each kind of mistake and file is
-/// enough.
+/// The checks of one export: what they look at, and where they report. One report for each kind of mistake
+/// and file is enough.
 struct CheckRun {
     const ExportJob& job;
     const Format& format;

@@ -25,8 +25,8 @@ bool isAscii(std::string_view text) {
 }
 
 std::size_t characters(std::string_view text) {
-    return static_cast<std::size_t>(
-        std::ranges::count_if(text, [](char byte) { return (static_cast<unsigned char>(byte) & 0xC0) != 0x80; }));
+    return static_cast<std::size_t>(std::ranges::count_if(
+        text, [](char byte) { return (static_cast<unsigned char>(byte) & 0xC0) != 0x80; }));
 }
 
 /// Things that are counted, as they are meant and as they are found.
@@ -43,7 +43,8 @@ ContentCount meantCount(const ExportJob& job, bool obstaclesAsHoles) {
         for (const GeoPolygon& part : content.field.parts) {
             meant.holes += part.holes.size();
             for (const Obstacle& obstacle : content.field.obstacles) {
-                meant.holes += obstaclesAsHoles && contains(part.outer, obstacle.outline.outer.front()) ? 1 : 0;
+                meant.holes +=
+                    obstaclesAsHoles && contains(part.outer, obstacle.outline.outer.front()) ? 1 : 0;
             }
         }
         meant.lines += static_cast<std::size_t>(std::ranges::count_if(
@@ -88,7 +89,8 @@ void contentCounted(CheckRun& run) {
     };
     const bool isPlan = run.job.plan != nullptr;
     if (carried.fields && !(isPlan && carried.pathAlone)) {
-        compare("{} boundaries are in it, not {}", received.parts, meant.parts + (carried.holesAsFields ? meant.holes : 0));
+        compare("{} boundaries are in it, not {}", received.parts,
+                meant.parts + (carried.holesAsFields ? meant.holes : 0));
         if (carried.holes) {
             const bool apart = run.job.options.holesAsObstacles && carried.holesApart;
             compare("{} holes are in it, not {}", received.holes, apart ? 0 : meant.holes);
@@ -142,7 +144,8 @@ void widthsMeant(CheckRun& run) {
             const bool known = std::ranges::any_of(
                 meant, [&line](double width) { return std::abs(width - *line.widthM) < kWidthSlackM; });
             if (!known) {
-                run.report(content.file, message("'{}' is said to be {:.3f} m wide", line.name, *line.widthM));
+                run.report(content.file,
+                           message("'{}' is said to be {:.3f} m wide", line.name, *line.widthM));
                 break;
             }
         }
@@ -181,13 +184,15 @@ void namesUsable(CheckRun& run) {
                 run.applied = true;
                 const bool twice = list.mustDiffer && !name.empty() && !used.insert(name).second;
                 if (list.longest > 0 && characters(name) > list.longest) {
-                    run.report(content.file, message("the name '{}' is longer than {} characters", name, list.longest));
+                    run.report(content.file,
+                               message("the name '{}' is longer than {} characters", name, list.longest));
                 } else if (twice) {
                     run.report(content.file, message("the name '{}' is there twice", name));
                 } else if (list.ascii && !isAscii(name)) {
                     run.report(content.file, message("the name '{}' has letters beyond A to Z", name));
                 } else if (cutText(name, name.size()) != name) {
-                    run.report(content.file, message("the name '{}' has characters that are no letters", name));
+                    run.report(content.file,
+                               message("the name '{}' has characters that are no letters", name));
                 } else {
                     continue;
                 }

@@ -40,7 +40,8 @@ void pathIsThere(CheckRun& run) {
     }
     run.applied = true;
     const bool there = std::ranges::any_of(run.contents, [](const ReceivedContent& content) {
-        return std::ranges::any_of(content.paths, [](const ReceivedPath& path) { return !path.samples.empty(); });
+        return std::ranges::any_of(content.paths,
+                                   [](const ReceivedPath& path) { return !path.samples.empty(); });
     });
     if (!there && !run.contents.empty()) {
         run.report(run.contents.front().file, "the path is not in it");

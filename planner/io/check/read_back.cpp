@@ -38,7 +38,8 @@ bool sameOutline(const GeoRing& meant, const GeoRing& read) {
 bool isThere(const GeoRing& hole, const std::vector<const FieldContent*>& fields) {
     return std::ranges::any_of(fields, [&hole](const FieldContent* content) {
         const bool asHole = std::ranges::any_of(content->field.parts, [&hole](const GeoPolygon& part) {
-            return std::ranges::any_of(part.holes, [&hole](const GeoRing& other) { return sameOutline(hole, other); });
+            return std::ranges::any_of(part.holes,
+                                       [&hole](const GeoRing& other) { return sameOutline(hole, other); });
         });
         return asHole || std::ranges::any_of(content->field.obstacles, [&hole](const Obstacle& obstacle) {
                    return sameOutline(hole, obstacle.outline.outer);
@@ -59,7 +60,8 @@ std::vector<Message> contentDifferences(std::span<const FieldContent> meant, con
                 });
             });
             if (same == read.fields.end()) {
-                differences.push_back(message("a part of the boundary of '{}' is missing or another", content.field.name));
+                differences.push_back(
+                    message("a part of the boundary of '{}' is missing or another", content.field.name));
             } else if (!std::ranges::contains(found, &*same)) {
                 found.push_back(&*same);
             }
@@ -67,18 +69,20 @@ std::vector<Message> contentDifferences(std::span<const FieldContent> meant, con
         for (const GeoPolygon& part : content.field.parts) {
             for (const GeoRing& hole : part.holes) {
                 if (!isThere(hole, found)) {
-                    differences.push_back(message("a hole of '{}' is missing or another", content.field.name));
+                    differences.push_back(
+                        message("a hole of '{}' is missing or another", content.field.name));
                 }
             }
         }
         std::size_t most = 0;
         for (const FieldContent* other : found) {
-            most = std::max(most, static_cast<std::size_t>(std::ranges::count_if(
-                                      other->lines, [](const GuidanceLine& line) { return !line.name.empty(); })));
+            most = std::max(most,
+                            static_cast<std::size_t>(std::ranges::count_if(
+                                other->lines, [](const GuidanceLine& line) { return !line.name.empty(); })));
         }
         if (!found.empty() && most < content.lines.size()) {
-            differences.push_back(message("{} of {} guidance lines of '{}' are there", most, content.lines.size(),
-                                              content.field.name));
+            differences.push_back(message("{} of {} guidance lines of '{}' are there", most,
+                                          content.lines.size(), content.field.name));
         }
     }
     return differences;

@@ -51,7 +51,8 @@ void coordinatesOnEarth(CheckRun& run) {
             }
         });
         if (wrong) {
-            run.report(content.file, message("{}, {} is no longitude and latitude", wrong->lonDeg, wrong->latDeg));
+            run.report(content.file,
+                       message("{}, {} is no longitude and latitude", wrong->lonDeg, wrong->latDeg));
         }
     }
 }
@@ -66,7 +67,8 @@ void nearTheFields(CheckRun& run) {
                 double eastM = 0.0;
                 double northM = 0.0;
                 for (const GeoPoint& corner : part.outer) {
-                    eastM = std::max(eastM, kDegreeM * std::abs(lonNear(corner.lonDeg, first.lonDeg) - first.lonDeg));
+                    eastM = std::max(
+                        eastM, kDegreeM * std::abs(lonNear(corner.lonDeg, first.lonDeg) - first.lonDeg));
                     northM = std::max(northM, kDegreeM * std::abs(corner.latDeg - first.latDeg));
                 }
                 return roughDistanceM(point, first) < kFarM + eastM + northM;
@@ -89,7 +91,8 @@ void nearTheFields(CheckRun& run) {
             }
         });
         if (far) {
-            run.report(content.file, message("{:.6f}, {:.6f} is far from the field", far->lonDeg, far->latDeg));
+            run.report(content.file,
+                       message("{:.6f}, {:.6f} is far from the field", far->lonDeg, far->latDeg));
         }
     }
 }
@@ -109,9 +112,10 @@ void ringsClosed(CheckRun& run) {
         if (small != nullptr) {
             run.report(content.file, message("a ring of '{}' has fewer than three corners", small->name));
         } else if (wrong != nullptr) {
-            run.report(content.file, content.repeatsFirst
-                                           ? message("a ring of '{}' does not end where it begins", wrong->name)
-                                           : message("a ring of '{}' ends with its first point again", wrong->name));
+            run.report(content.file,
+                       content.repeatsFirst
+                           ? message("a ring of '{}' does not end where it begins", wrong->name)
+                           : message("a ring of '{}' ends with its first point again", wrong->name));
         }
     }
 }
@@ -131,7 +135,8 @@ void ringsSimple(CheckRun& run) {
             run.applied = true;
             const auto invalid = findInvalidPlace({frame->toLocal(rings)}, {});
             if (!invalid || *invalid) {
-                run.report(content.file, message("'{}' crosses itself, or a hole lies outside of it", area.name));
+                run.report(content.file,
+                           message("'{}' crosses itself, or a hole lies outside of it", area.name));
                 break;
             }
         }
@@ -173,8 +178,8 @@ void areasAsStated(CheckRun& run) {
             const double least = area.kind == ReceivedArea::Kind::Field ? std::min(own, 0.2 * most) : own;
             if (*area.statedM2 > own + kAreaShare * most + kAreaSlackM2 ||
                 *area.statedM2 < least - kAreaShare * most - kAreaSlackM2) {
-                run.report(content.file,
-                             message("'{}' is said to have {:.0f} m², and has {:.0f} m²", area.name, *area.statedM2, own));
+                run.report(content.file, message("'{}' is said to have {:.0f} m², and has {:.0f} m²",
+                                                 area.name, *area.statedM2, own));
                 break;
             }
         }

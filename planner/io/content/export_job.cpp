@@ -25,7 +25,8 @@ FormatFiles asFormatFiles(std::vector<FileInMemory> files) {
 }
 
 Error needsPlan(std::string_view format) {
-    return inputRefused(std::string{format}, "this format holds the path of a plan, and there is only a field",
+    return inputRefused(std::string{format},
+                        "this format holds the path of a plan, and there is only a field",
                         "plan the field first: furrow-cli plan FIELD --out plan");
 }
 

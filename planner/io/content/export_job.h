@@ -19,8 +19,8 @@ struct ExportOptions {
     bool holesAsObstacles = false;  ///< holes as areas of their own, for readers that overlook inner rings
     bool asciiNames = false;        ///< letters A to Z, digits, blank, - and _ only
     bool headlandLines = false;     ///< headland passes as curves of their own
-    bool task = false;              ///< a planned task for each field, for terminals that show lines in tasks only
-    int longestName = 32;           ///< characters, counting from 8
+    bool task = false;     ///< a planned task for each field, for terminals that show lines in tasks only
+    int longestName = 32;  ///< characters, counting from 8
 
     friend bool operator==(const ExportOptions&, const ExportOptions&) = default;
 };
@@ -35,8 +35,9 @@ struct ExportJob {
 
 /// What was looked at in written files, and what was found; see checkExport in io/check.
 struct ExportChecks {
-    std::vector<std::string_view> made;  ///< ids of the checks that had something to look at: "rings-closed" ...
-    std::vector<Message> problems;       ///< empty for good files
+    std::vector<std::string_view>
+        made;                       ///< ids of the checks that had something to look at: "rings-closed" ...
+    std::vector<Message> problems;  ///< empty for good files
 
     /// Those of other files of the same export.
     void add(const ExportChecks& more);

@@ -44,7 +44,8 @@ Message listed(std::span<const FieldSource> fields) {
 
 }  // namespace
 
-Result<std::size_t> pickFieldIndex(std::span<const FieldSource> fields, std::optional<std::string_view> fieldId) {
+Result<std::size_t> pickFieldIndex(std::span<const FieldSource> fields,
+                                   std::optional<std::string_view> fieldId) {
     if (!fieldId) {
         if (fields.size() == 1) {
             return 0;

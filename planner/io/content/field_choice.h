@@ -15,7 +15,8 @@ namespace furrow {
 /// @param fieldId  may be left out where there is only one field
 /// @return Usage, listing fields or naming near ones: several fields and no id, no such field, an id that
 ///         several fields share.
-Result<std::size_t> pickFieldIndex(std::span<const FieldSource> fields, std::optional<std::string_view> fieldId);
+Result<std::size_t> pickFieldIndex(std::span<const FieldSource> fields,
+                                   std::optional<std::string_view> fieldId);
 /// The field itself.
 Result<FieldSource> pickField(std::span<const FieldSource> fields, std::optional<std::string_view> fieldId);
 

@@ -45,8 +45,8 @@ struct FieldContent {
     Area statedArea() const;
 };
 
-/// The line as points: itself for AB and curves, `reach` along the bearing for A+, a circle or arc with chords
-/// within a centimetre for a pivot.
+/// The line as points: itself for AB and curves, `reach` along the bearing for A+, a circle or arc with
+/// chords within a centimetre for a pivot.
 GeoRing drawn(const GuidanceLine& line, Length reach);
 
 }  // namespace furrow

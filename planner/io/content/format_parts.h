@@ -16,7 +16,8 @@ namespace furrow {
 
 // What a format is made of: the common signatures behind the rows of the registry (io/formats/registry.cpp).
 
-/// How sure a format is that what was chosen is its own. The surest reads it, of equals the first of the registry.
+/// How sure a format is that what was chosen is its own. The surest reads it, of equals the first of the
+/// registry.
 enum class Recognition {
     No,
     Perhaps,  ///< nothing speaks against it: reading it will tell
@@ -37,8 +38,8 @@ using TrackReader = Result<TrackFile>(const ChosenFile& chosen, const JobContext
 ///         refused. Cancelled.
 using FormatWriter = Result<FormatFiles>(const ExportJob& job);
 
-/// What a receiver finds in written files: taken apart by code that shares nothing with the writer and judges nothing.
-/// Whatever the bytes are: what cannot be read is a fault.
+/// What a receiver finds in written files: taken apart by code that shares nothing with the writer and judges
+/// nothing. Whatever the bytes are: what cannot be read is a fault.
 using ContentFinder = std::vector<ReceivedContent>(std::span<const FileInMemory> files, const ExportJob& job);
 
 }  // namespace furrow

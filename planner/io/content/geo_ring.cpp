@@ -10,10 +10,12 @@ namespace {
 
 bool edgesMeet(GeoPoint p, GeoPoint q, GeoPoint r, GeoPoint s) {
     const auto apart = [&](double GeoPoint::* axis) {
-        return std::max(p.*axis, q.*axis) < std::min(r.*axis, s.*axis) || std::min(p.*axis, q.*axis) > std::max(r.*axis, s.*axis);
+        return std::max(p.*axis, q.*axis) < std::min(r.*axis, s.*axis) ||
+               std::min(p.*axis, q.*axis) > std::max(r.*axis, s.*axis);
     };
     const auto side = [](GeoPoint from, GeoPoint to, GeoPoint point) {
-        return (to.lonDeg - from.lonDeg) * (point.latDeg - from.latDeg) - (to.latDeg - from.latDeg) * (point.lonDeg - from.lonDeg);
+        return (to.lonDeg - from.lonDeg) * (point.latDeg - from.latDeg) -
+               (to.latDeg - from.latDeg) * (point.lonDeg - from.lonDeg);
     };
     return !apart(&GeoPoint::latDeg) && !apart(&GeoPoint::lonDeg) && side(p, q, r) * side(p, q, s) <= 0.0 &&
            side(r, s, p) * side(r, s, q) <= 0.0;
@@ -72,7 +74,8 @@ bool meet(std::span<const GeoPoint> a, std::span<const GeoPoint> b) {
     const GeoRing other = unrolled(b);
     const auto [south, north] = std::ranges::minmax(other, {}, &GeoPoint::latDeg);
     for (std::size_t i = 0, j = one.size() - 1; i < one.size(); j = i++) {
-        if (std::max(one[i].latDeg, one[j].latDeg) < south.latDeg || std::min(one[i].latDeg, one[j].latDeg) > north.latDeg) {
+        if (std::max(one[i].latDeg, one[j].latDeg) < south.latDeg ||
+            std::min(one[i].latDeg, one[j].latDeg) > north.latDeg) {
             continue;
         }
         for (std::size_t k = 0, l = other.size() - 1; k < other.size(); l = k++) {
@@ -86,7 +89,8 @@ bool meet(std::span<const GeoPoint> a, std::span<const GeoPoint> b) {
 
 double roughDistanceM(GeoPoint a, GeoPoint b) {
     constexpr double kMetresPerDegree = 111'195.0;  // of a sphere of the earth's mean radius
-    const double east = std::remainder(b.lonDeg - a.lonDeg, 360.0) * std::cos(a.latDeg * std::numbers::pi / 180.0);
+    const double east =
+        std::remainder(b.lonDeg - a.lonDeg, 360.0) * std::cos(a.latDeg * std::numbers::pi / 180.0);
     return kMetresPerDegree * std::hypot(east, b.latDeg - a.latDeg);
 }
 

@@ -1,8 +1,8 @@
 #include "planner/io/content/guidance_lines.h"
 
+#include "planner/geometry/curve_parts.h"
 #include "planner/geometry/segment.h"
 #include "planner/plan/plan.h"
-#include "planner/geometry/curve_parts.h"
 #include "planner/units/angle.h"
 
 #include <algorithm>
@@ -93,7 +93,8 @@ bool isBeside(const Polyline& line, const Polyline& guide) {
     return distances.empty() || distances[distances.size() - 1 - rounded] - distances.front() < kBesideM;
 }
 
-/// Of lines of their own that lie beside each other the one that was given, or the longest; rings are one pivot, which the outermost stands for.
+/// Of lines of their own that lie beside each other the one that was given, or the longest; rings are one
+/// pivot, which the outermost stands for.
 std::vector<const Swath*> curvedGuides(const SwathSet& set) {
     std::vector<const Swath*> longest;
     for (const Swath& swath : set.swaths) {
@@ -104,7 +105,9 @@ std::vector<const Swath*> curvedGuides(const SwathSet& set) {
     }
     // The line that was given before its parallels, which may have lost a bend that it has.
     std::ranges::stable_sort(longest, [](const Swath* a, const Swath* b) {
-        const auto stepsOf = [](const Swath& swath) { return swath.lane ? std::abs(*swath.lane) : std::numeric_limits<int>::max(); };
+        const auto stepsOf = [](const Swath& swath) {
+            return swath.lane ? std::abs(*swath.lane) : std::numeric_limits<int>::max();
+        };
         // A straight end of a curve's parallel is no guide of its own.
         if (isBent(*a) != isBent(*b)) {
             return isBent(*a);
@@ -118,14 +121,17 @@ std::vector<const Swath*> curvedGuides(const SwathSet& set) {
         if (std::ranges::none_of(lines, [&](const Polyline& guide) { return isBeside(line, guide); })) {
             chosen.push_back(swath);
             // Terminals draw curves out at both ends.
-            lines.push_back(swath->isClosed() ? line
-                                              : middleLine({.curve = extended(swath->curve, kDrawnOut, kDrawnOut)}, kGuideChord));
+            lines.push_back(
+                swath->isClosed()
+                    ? line
+                    : middleLine({.curve = extended(swath->curve, kDrawnOut, kDrawnOut)}, kGuideChord));
         }
     }
     return chosen;
 }
 
-/// A and B of a line; of a short swath drawn out both ways, so that places to the centimetre still give its bearing.
+/// A and B of a line; of a short swath drawn out both ways, so that places to the centimetre still give its
+/// bearing.
 std::pair<Point, Point> endsOf(const Swath& swath) {
     const Point along = swath.end - swath.start;
     const double lengthM = norm(along);
@@ -163,10 +169,11 @@ GuidanceLine lineFor(const Swath& swath, const Plan& plan, std::size_t number) {
         return abLine(swath, plan);
     }
     const bool isPivot = swath.isClosed() && !swath.goesRound;
-    GuidanceLine line = isPivot ? pivot(swath, plan)
-                                : GuidanceLine{.kind = GuidanceKind::Curve,
-                                               .points = plan.field().frame().toGeo(middleLine(swath, kGuideChord)),
-                                               .width = plan.request.machine.operatingWidth()};
+    GuidanceLine line =
+        isPivot ? pivot(swath, plan)
+                : GuidanceLine{.kind = GuidanceKind::Curve,
+                               .points = plan.field().frame().toGeo(middleLine(swath, kGuideChord)),
+                               .width = plan.request.machine.operatingWidth()};
     line.name = std::format("{} {}", isPivot ? "Pivot" : "Curve", number);
     return line;
 }

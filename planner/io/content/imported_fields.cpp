@@ -10,11 +10,11 @@ namespace furrow {
 
 Result<std::vector<FieldSource>> boundariesOf(ImportedFields imported, const std::string& name) {
     if (imported.fields.empty()) {
-        return std::unexpected(inputRefused(
-            name,
-            message("there is no field boundary in it, only {}",
-                    counted("{} open line", "{} open lines", imported.looseLines.size())),
-            "export the field with its boundary"));
+        return std::unexpected(
+            inputRefused(name,
+                         message("there is no field boundary in it, only {}",
+                                 counted("{} open line", "{} open lines", imported.looseLines.size())),
+                         "export the field with its boundary"));
     }
     std::vector<FieldSource> fields;
     for (FieldContent& content : imported.fields) {

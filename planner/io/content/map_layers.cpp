@@ -16,23 +16,27 @@ const VectorLayer::Column kKind{"kind", Kind::Text, 16};
 const VectorLayer::Column kName{"name", Kind::Text, 64};
 
 VectorLayer boundaryLayer(const ExportJob& job) {
-    VectorLayer layer{"boundary", Shape::Polygons, {kKind, {"id", Kind::Text, 64}, kName, {"area_m2", Kind::Real}}, {}};
+    VectorLayer layer{
+        "boundary", Shape::Polygons, {kKind, {"id", Kind::Text, 64}, kName, {"area_m2", Kind::Real}}, {}};
     for (const FieldContent& content : job.fields) {
-        layer.features.push_back({.polygons = content.field.parts,
-                                  .values = {"field", content.field.id, content.field.name,
-                                             content.statedArea().si()}});
+        layer.features.push_back(
+            {.polygons = content.field.parts,
+             .values = {"field", content.field.id, content.field.name, content.statedArea().si()}});
     }
     return layer;
 }
 
 VectorLayer obstacleLayer(const ExportJob& job) {
-    VectorLayer layer{
-        "obstacles", Shape::Polygons, {kKind, kName, {"passable", Kind::Whole, 1}, {"buffer_m", Kind::Real}}, {}};
+    VectorLayer layer{"obstacles",
+                      Shape::Polygons,
+                      {kKind, kName, {"passable", Kind::Whole, 1}, {"buffer_m", Kind::Real}},
+                      {}};
     for (const FieldContent& content : job.fields) {
         for (const Obstacle& obstacle : content.field.obstacles) {
-            layer.features.push_back({.polygons = {obstacle.outline},
-                                      .values = {"obstacle", obstacle.name,
-                                                 std::int64_t{obstacle.passable ? 1 : 0}, obstacle.buffer.si()}});
+            layer.features.push_back(
+                {.polygons = {obstacle.outline},
+                 .values = {"obstacle", obstacle.name, std::int64_t{obstacle.passable ? 1 : 0},
+                            obstacle.buffer.si()}});
         }
     }
     return layer;
@@ -42,7 +46,8 @@ VectorLayer gateLayer(const ExportJob& job) {
     VectorLayer layer{"gates", Shape::Point, {kKind, kName, {"width_m", Kind::Real}}, {}};
     for (const FieldContent& content : job.fields) {
         for (const Gate& gate : content.field.gates) {
-            layer.features.push_back({.line = {gate.position}, .values = {"gate", gate.name, gate.width.si()}});
+            layer.features.push_back(
+                {.line = {gate.position}, .values = {"gate", gate.name, gate.width.si()}});
         }
     }
     return layer;
@@ -59,18 +64,20 @@ VectorLayer mainlandLayer(const ExportJob& job) {
 }
 
 VectorLayer guidanceLayer(const ExportJob& job) {
-    VectorLayer layer{"guidance",
-                      Shape::Line,
-                      {kKind, kName, {"guidance", Kind::Text, 12}, {"width_m", Kind::Real}, {"bearing", Kind::Real}},
-                      {}};
+    VectorLayer layer{
+        "guidance",
+        Shape::Line,
+        {kKind, kName, {"guidance", Kind::Text, 12}, {"width_m", Kind::Real}, {"bearing", Kind::Real}},
+        {}};
     for (const FieldContent& content : job.fields) {
         for (const GuidanceLine& line : content.lines) {
             GeoRing points = drawn(line, metres(100.0));
             if (points.size() >= 2) {
-                layer.features.push_back({.line = std::move(points),
-                                          .values = {"guidance", line.name, std::string{guidanceKindId(line.kind)},
-                                                     line.width.value_or(Length{}).si(),
-                                                     line.bearing ? inDegrees(*line.bearing) : 0.0}});
+                layer.features.push_back(
+                    {.line = std::move(points),
+                     .values = {"guidance", line.name, std::string{guidanceKindId(line.kind)},
+                                line.width.value_or(Length{}).si(),
+                                line.bearing ? inDegrees(*line.bearing) : 0.0}});
             }
         }
     }
@@ -104,12 +111,12 @@ VectorLayer pathLayer(const Plan& plan) {
                       {}};
     for (std::size_t i = 0; i < plan.path.segments.size(); ++i) {
         const PathSegment& segment = plan.path.segments[i];
-        layer.features.push_back({.line = pathLine(plan, i),
-                                  .values = {"path", static_cast<std::int64_t>(i),
-                                             std::string{segmentKindId(segment.kind)},
-                                             std::int64_t{static_cast<int>(segment.gear)},
-                                             std::int64_t{segment.implementDown ? 1 : 0},
-                                             std::int64_t{segment.drivable ? 1 : 0}}});
+        layer.features.push_back(
+            {.line = pathLine(plan, i),
+             .values = {"path", static_cast<std::int64_t>(i), std::string{segmentKindId(segment.kind)},
+                        std::int64_t{static_cast<int>(segment.gear)},
+                        std::int64_t{segment.implementDown ? 1 : 0},
+                        std::int64_t{segment.drivable ? 1 : 0}}});
     }
     return layer;
 }
@@ -129,7 +136,8 @@ GeoRing pathLine(const Plan& plan, std::size_t segment) {
 }
 
 std::vector<VectorLayer> mapLayers(const ExportJob& job) {
-    std::vector<VectorLayer> layers{boundaryLayer(job), obstacleLayer(job), gateLayer(job), mainlandLayer(job)};
+    std::vector<VectorLayer> layers{boundaryLayer(job), obstacleLayer(job), gateLayer(job),
+                                    mainlandLayer(job)};
     if (job.plan != nullptr) {
         layers.push_back(swathLayer(*job.plan));
         layers.push_back(pathLayer(*job.plan));

@@ -17,7 +17,8 @@ namespace {
 constexpr Length kTolerance = metres(0.01);
 
 Error withoutSize(const Message& where, Message what, GeoPoint place) {
-    Error error = inputRefused(where, std::move(what), "say how far to keep from it (buffer_m), or draw its outline");
+    Error error =
+        inputRefused(where, std::move(what), "say how far to keep from it (buffer_m), or draw its outline");
     error.place = place;
     return error;
 }
@@ -37,18 +38,21 @@ Polygon discAround(Point centre, double radiusM) {
 
 }  // namespace
 
-Result<std::vector<GeoPolygon>> outlinesAround(std::span<const GeoPoint> points, std::span<const GeoRing> lines,
-                                               Length buffer, const Message& where, const JobContext& job) {
+Result<std::vector<GeoPolygon>> outlinesAround(std::span<const GeoPoint> points,
+                                               std::span<const GeoRing> lines, Length buffer,
+                                               const Message& where, const JobContext& job) {
     const auto first = points.empty() ? lines.empty() ? std::nullopt : std::optional{lines.front().front()}
                                       : std::optional{points.front()};
     if (!first) {
         return std::vector<GeoPolygon>{};
     }
     if (!(buffer > metres(0.0))) {
-        return std::unexpected(withoutSize(where,
-                                           points.empty() ? message("it is a line at {:.7f}, {:.7f} without a width", first->lonDeg, first->latDeg)
-                                                          : message("it is a point at {:.7f}, {:.7f} without a size", first->lonDeg, first->latDeg),
-                                           *first));
+        return std::unexpected(withoutSize(
+            where,
+            points.empty()
+                ? message("it is a line at {:.7f}, {:.7f} without a width", first->lonDeg, first->latDeg)
+                : message("it is a point at {:.7f}, {:.7f} without a size", first->lonDeg, first->latDeg),
+            *first));
     }
     const auto frame = LocalFrame::centredOn(*first);
     if (!frame) {

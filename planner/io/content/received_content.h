@@ -44,8 +44,8 @@ struct ReceivedSample {
 
 struct ReceivedPath {
     std::vector<ReceivedSample> samples;
-    bool isWhole = true;       ///< from the plan's start to its end; else a stretch of it
-    bool knowsGear = false;    ///< `reverse` is stated
+    bool isWhole = true;     ///< from the plan's start to its end; else a stretch of it
+    bool knowsGear = false;  ///< `reverse` is stated
 };
 
 /// Names that must be unequal and fit.
@@ -67,7 +67,8 @@ struct ReceivedContent {
     std::string file;
     bool repeatsFirst = true;  ///< rings end with their first point; else without it
     enum class Winding { Any, OuterLeft, OuterRight } winding = Winding::Any;  ///< left: counter-clockwise
-    std::optional<bool> namesCrs;  ///< where the format has a place for its coordinate system: whether it is WGS84
+    std::optional<bool>
+        namesCrs;  ///< where the format has a place for its coordinate system: whether it is WGS84
     std::vector<ReceivedArea> areas;
     std::vector<ReceivedLine> lines;
     std::vector<GeoPoint> points;
@@ -78,7 +79,6 @@ struct ReceivedContent {
 };
 
 // What several finders say.
-
 
 /// "line 12 is not as this format has it"
 Message badLine(std::size_t number);

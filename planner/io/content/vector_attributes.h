@@ -18,7 +18,8 @@ const std::string& attribute(const VectorFeature& feature, std::string_view name
 /// The names that files use for these, in order of preference; capitals do not matter.
 inline constexpr std::string_view kLongitudeNames[] = {"lon", "lng", "long", "longitude", "lon_deg", "x"};
 inline constexpr std::string_view kLatitudeNames[] = {"lat", "latitude", "lat_deg", "y"};
-inline constexpr std::string_view kWktNames[] = {"wkt", "geom", "geometry", "the_geom", "polygon", "boundary"};
+inline constexpr std::string_view kWktNames[] = {"wkt",      "geom",    "geometry",
+                                                 "the_geom", "polygon", "boundary"};
 
 /// The first of these attributes that is there; empty where none is.
 std::string firstAttribute(const VectorFeature& feature, std::span<const std::string_view> names);

@@ -7,7 +7,8 @@ namespace furrow {
 
 struct Format;
 
-/// What a format makes of a job, checked (see checkExport). The files hold their bytes. Errors as FormatWriter.
+/// What a format makes of a job, checked (see checkExport). The files hold their bytes. Errors as
+/// FormatWriter.
 Result<FormatFiles> checkedFiles(const Format& format, const ExportJob& job);
 
 }  // namespace furrow

@@ -1,10 +1,10 @@
 #include "planner/io/delivery/field_files.h"
 
+#include "planner/core/text.h"
+#include "planner/gdal/zip.h"
 #include "planner/io/delivery/checked_files.h"
 #include "planner/io/files/file_folder.h"
 #include "planner/io/formats/registry.h"
-#include "planner/gdal/zip.h"
-#include "planner/core/text.h"
 
 #include <algorithm>
 #include <ranges>
@@ -58,7 +58,8 @@ Result<const Format*> formatFor(const fs::path& out, std::optional<std::string_v
             }
         }
     }
-    return std::unexpected(noFormat(message("'{}' does not say which format is wanted", out.filename().string())));
+    return std::unexpected(
+        noFormat(message("'{}' does not say which format is wanted", out.filename().string())));
 }
 
 /// Where the files of a format go for the name that was given.
@@ -71,12 +72,16 @@ fs::path placeOf(const fs::path& made, const fs::path& out, bool single) {
     if (single) {
         const std::string stem = made.stem().string();
         const std::size_t code = stem.find("_EPSG");
-        const bool addsCode = code != std::string::npos && !name.ends_with(inSmallLetters(made.filename().string()).substr(code));
-        return addsCode ? out.parent_path() / (out.stem().string() + stem.substr(code) + out.extension().string()) : out;
+        const bool addsCode = code != std::string::npos &&
+                              !name.ends_with(inSmallLetters(made.filename().string()).substr(code));
+        return addsCode
+                   ? out.parent_path() / (out.stem().string() + stem.substr(code) + out.extension().string())
+                   : out;
     }
     if (extensionInSmallLetters(out) == ".shp") {
         const std::string layer = made.stem().string();
-        return out.parent_path() / (out.stem().string() + (layer == "boundary" ? "" : "_" + layer) + made.extension().string());
+        return out.parent_path() /
+               (out.stem().string() + (layer == "boundary" ? "" : "_" + layer) + made.extension().string());
     }
     return out / made;
 }

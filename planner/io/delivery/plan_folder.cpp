@@ -31,7 +31,8 @@ std::vector<fs::path> filesOfPlanIn(const fs::path& folder) {
     if (!fs::is_regular_file(folder / kSummary, failed)) {
         return {};
     }
-    const nlohmann::json summary = nlohmann::json::parse(fileBytes(folder / kSummary).value_or(""), nullptr, false);
+    const nlohmann::json summary =
+        nlohmann::json::parse(fileBytes(folder / kSummary).value_or(""), nullptr, false);
     const auto listed = summary.is_object() ? summary.find("files") : summary.end();
     std::vector<fs::path> files;
     if (listed != summary.end() && listed->is_array()) {
@@ -45,7 +46,8 @@ std::vector<fs::path> filesOfPlanIn(const fs::path& folder) {
 }
 
 /// With the folders that are empty then.
-void removeOld(const fs::path& folder, const std::vector<fs::path>& old, const std::vector<FileToWrite>& written) {
+void removeOld(const fs::path& folder, const std::vector<fs::path>& old,
+               const std::vector<FileToWrite>& written) {
     for (const fs::path& file : old) {
         std::error_code ignored;
         if (std::ranges::contains(written, file, &FileToWrite::path) ||
@@ -100,7 +102,8 @@ Result<WrittenFiles> writePlanFolder(const Plan& plan, const fs::path& folder,
     std::vector<Message> notes;
     ExportChecks checks;
     for (const Format* format : wanted) {
-        auto made = checkedFiles(*format, {.fields = {&content, 1}, .plan = &plan, .options = options, .job = job});
+        auto made =
+            checkedFiles(*format, {.fields = {&content, 1}, .plan = &plan, .options = options, .job = job});
         if (!made) {
             return std::unexpected(made.error());
         }
@@ -127,7 +130,8 @@ Result<WrittenFiles> writeForTerminal(const Plan& plan, const fs::path& folder, 
     if (!made) {
         return std::unexpected(made.error());
     }
-    return written(plan, folder, std::move(made->files), std::move(made->notes), std::move(made->checks), job);
+    return written(plan, folder, std::move(made->files), std::move(made->notes), std::move(made->checks),
+                   job);
 }
 
 }  // namespace furrow

@@ -28,7 +28,8 @@ Error failed(ErrorCode code, const fs::path& path, int reason) {
                 .remedy = "was it pulled out? Plug it in again and write once more"};
     }
     return {.code = code,
-            .what = message(code == ErrorCode::WriteFailed ? "could not be written: {}" : "could not be read: {}", why),
+            .what = message(
+                code == ErrorCode::WriteFailed ? "could not be written: {}" : "could not be read: {}", why),
             .where = path.string(),
             .remedy = reason == ENOSPC  ? "free some space on the stick"
                       : reason == EROFS ? "take off the write protection of the stick"
@@ -61,7 +62,8 @@ std::string unescaped(const std::string& text) {
                                         text.begin() + static_cast<std::ptrdiff_t>(i) + 4,
                                         [](char c) { return c >= '0' && c <= '7'; });
         if (escape) {
-            plain += static_cast<char>(((text[i + 1] - '0') << 6) | ((text[i + 2] - '0') << 3) | (text[i + 3] - '0'));
+            plain += static_cast<char>(((text[i + 1] - '0') << 6) | ((text[i + 2] - '0') << 3) |
+                                       (text[i + 3] - '0'));
             i += 3;
         } else {
             plain += text[i];

@@ -14,15 +14,15 @@ namespace furrow {
 /// What is known of a stick before anything is written.
 struct VolumeInfo {
     std::filesystem::path root;
-    std::string fileSystem;          ///< "vfat", "exfat", "ntfs" ...; empty where it is not known
+    std::string fileSystem;  ///< "vfat", "exfat", "ntfs" ...; empty where it is not known
     std::uintmax_t freeBytes = 0;
     std::uintmax_t totalBytes = 0;
     bool readOnly = false;
     int partitions = 1;  ///< of the whole stick
 };
 
-/// A stick, or a folder that stands for one. Paths are below its root. Everything that fails says WriteFailed or
-/// ReadFailed with the system's reason.
+/// A stick, or a folder that stands for one. Paths are below its root. Everything that fails says WriteFailed
+/// or ReadFailed with the system's reason.
 class StickVolume {
 public:
     virtual ~StickVolume() = default;

@@ -68,9 +68,10 @@ Result<void> compare(const StickVolume& stick, const std::vector<Content>& conte
             return std::unexpected(read.error());
         }
         if (*read != content.bytes) {
-            return std::unexpected(refused(ErrorCode::WriteFailed,
-                                           message("{} reads back other bytes than were written", content.path.string()),
-                                           "the stick is damaged: use another one"));
+            return std::unexpected(
+                refused(ErrorCode::WriteFailed,
+                        message("{} reads back other bytes than were written", content.path.string()),
+                        "the stick is damaged: use another one"));
         }
     }
     return {};
@@ -78,8 +79,8 @@ Result<void> compare(const StickVolume& stick, const std::vector<Content>& conte
 
 fs::path freeBackupName(const StickVolume& stick, const fs::path& unit) {
     for (int number = 1;; ++number) {
-        const fs::path name =
-            unit.parent_path() / std::format("{}_backup_{}{}", unit.stem().string(), number, unit.extension().string());
+        const fs::path name = unit.parent_path() / std::format("{}_backup_{}{}", unit.stem().string(), number,
+                                                               unit.extension().string());
         if (!stick.exists(name)) {
             return name;
         }
@@ -134,11 +135,11 @@ Result<void> checkRoom(const StickVolume& stick, const std::vector<Content>& con
     constexpr std::uintmax_t kLargestBlock = 32 * 1024;
     const std::uintmax_t needed = bytes + kSpareBytes + kLargestBlock * contents.size();
     if (info->freeBytes < needed) {
-        return std::unexpected(refused(ErrorCode::WriteFailed,
-                                       message("the stick has {:.1f} MB free, and {:.1f} MB are needed",
-                                                   static_cast<double>(info->freeBytes) / 1e6,
-                                                   static_cast<double>(needed) / 1e6),
-                                       "free some space on it, or use another one"));
+        return std::unexpected(
+            refused(ErrorCode::WriteFailed,
+                    message("the stick has {:.1f} MB free, and {:.1f} MB are needed",
+                            static_cast<double>(info->freeBytes) / 1e6, static_cast<double>(needed) / 1e6),
+                    "free some space on it, or use another one"));
     }
     return {};
 }
@@ -164,9 +165,9 @@ Result<bool> compareContent(const StickVolume& stick, const std::vector<fs::path
     }
     const std::vector<Message> differences = contentDifferences(meant, all);
     if (!differences.empty()) {
-        return std::unexpected(refused(ErrorCode::WriteFailed,
-                                       message("what is on the stick is not the plan: {}", differences.front()),
-                                       "use another terminal's format, and report this"));
+        return std::unexpected(refused(
+            ErrorCode::WriteFailed, message("what is on the stick is not the plan: {}", differences.front()),
+            "use another terminal's format, and report this"));
     }
     return true;
 }
@@ -175,15 +176,16 @@ Result<bool> compareContent(const StickVolume& stick, const std::vector<fs::path
 
 std::vector<Message> stickWarnings(const VolumeInfo& info) {
     std::vector<Message> warnings;
-    constexpr std::string_view kUnknownToTerminals[] = {"exfat", "ntfs", "ntfs3", "fuseblk", "ext2",
-                                                        "ext3",  "ext4", "btrfs", "xfs",     "hfsplus", "apfs"};
+    constexpr std::string_view kUnknownToTerminals[] = {"exfat", "ntfs",  "ntfs3", "fuseblk", "ext2", "ext3",
+                                                        "ext4",  "btrfs", "xfs",   "hfsplus", "apfs"};
     if (std::ranges::contains(kUnknownToTerminals, info.fileSystem)) {
         warnings.push_back(message(
             "Most terminals read FAT32 only; this stick has {}. Format it as FAT32.",
             info.fileSystem == "fuseblk" || info.fileSystem.starts_with("ntfs") ? "NTFS" : info.fileSystem));
     }
     if (info.partitions > 1) {
-        warnings.push_back(message("This stick has {} partitions; terminals see the first one only, if any.", info.partitions));
+        warnings.push_back(message("This stick has {} partitions; terminals see the first one only, if any.",
+                                   info.partitions));
     }
     return warnings;
 }
@@ -194,10 +196,11 @@ std::vector<fs::path> stickConflicts(const StickVolume& stick, const FormatFiles
     return there;
 }
 
-Result<StickReport> writeToStick(StickVolume& stick, const FormatFiles& files, std::span<const FieldContent> meant,
-                                 bool replace, const JobContext& job) {
+Result<StickReport> writeToStick(StickVolume& stick, const FormatFiles& files,
+                                 std::span<const FieldContent> meant, bool replace, const JobContext& job) {
     if (const auto there = stickConflicts(stick, files); !there.empty() && !replace) {
-        return std::unexpected(refused(ErrorCode::Usage, message("{} is on the stick already", there.front().string()),
+        return std::unexpected(refused(ErrorCode::Usage,
+                                       message("{} is on the stick already", there.front().string()),
                                        "allow it to be kept as a backup"));
     }
     StickReport report{.notes = files.notes, .checks = files.checks};
@@ -220,7 +223,8 @@ Result<StickReport> writeToStick(StickVolume& stick, const FormatFiles& files, s
             return std::unexpected(done.error());
         }
         written += content.bytes.size();
-        job.report(0.6 * static_cast<double>(written) / static_cast<double>(std::max<std::uintmax_t>(report.bytes, 1)));
+        job.report(0.6 * static_cast<double>(written) /
+                   static_cast<double>(std::max<std::uintmax_t>(report.bytes, 1)));
     }
     auto good = stick.sync().and_then([&] { return compare(stick, contents, kTemporary); });
     job.report(0.8);

@@ -69,8 +69,9 @@ std::string ChosenFile::xmlRoot() const {
 
 bool ChosenFile::isPlainText() const {
     return start_ && !isXml() && std::ranges::none_of(text(), [](char letter) {
-        return static_cast<unsigned char>(letter) < 0x20 && letter != '\t' && letter != '\r' && letter != '\n';
-    });
+               return static_cast<unsigned char>(letter) < 0x20 && letter != '\t' && letter != '\r' &&
+                      letter != '\n';
+           });
 }
 
 const Result<FileFolder>& ChosenFile::inside() const {

@@ -11,8 +11,8 @@
 
 namespace furrow {
 
-/// A file or folder that somebody chose to be read, looked into as far as telling formats apart takes. Not to be
-/// shared between threads: folders are listed when they are asked for.
+/// A file or folder that somebody chose to be read, looked into as far as telling formats apart takes. Not to
+/// be shared between threads: folders are listed when they are asked for.
 class ChosenFile {
 public:
     /// @param startBytes  of a file that are looked at

@@ -40,8 +40,8 @@ Result<void> checkOrdinary(const fs::path& path) {
 }
 
 /// @param packedBytes  of a zip, the size of its file
-Result<std::vector<FileFolder::Entry>> entriesUnder(const std::string& root, const std::string& where, int depth,
-                                                    std::optional<std::uintmax_t> packedBytes) {
+Result<std::vector<FileFolder::Entry>> entriesUnder(const std::string& root, const std::string& where,
+                                                    int depth, std::optional<std::uintmax_t> packedBytes) {
     const auto files = filesBelow(root, depth, kMostListed + 1);
     if (!files) {
         return std::unexpected(readFailed(where, "the folder or zip cannot be read",
@@ -65,7 +65,8 @@ Result<std::vector<FileFolder::Entry>> entriesUnder(const std::string& root, con
                                             "give the folder of one recording"));
     }
     if (packedBytes && bytes > kHarmlessBytes && bytes / kMostExpansion > *packedBytes) {
-        return std::unexpected(inputRefused(where, "it would grow more than a thousandfold when it is unpacked",
+        return std::unexpected(inputRefused(where,
+                                            "it would grow more than a thousandfold when it is unpacked",
                                             "this is no zip of fields or recordings"));
     }
     std::ranges::sort(entries, {},
@@ -99,8 +100,8 @@ Result<FileFolder> FileFolder::open(const fs::path& path, int depth) {
     const std::string root = fs::is_directory(path) ? absolute : systemPathInto(absolute);
     std::error_code failed;
     const std::uintmax_t bytes = fs::file_size(path, failed);
-    auto entries = entriesUnder(root.ends_with('/') ? root.substr(0, root.size() - 1) : root, path.string(), depth,
-                                failed ? std::nullopt : std::optional{bytes});
+    auto entries = entriesUnder(root.ends_with('/') ? root.substr(0, root.size() - 1) : root, path.string(),
+                                depth, failed ? std::nullopt : std::optional{bytes});
     if (!entries) {
         return std::unexpected(entries.error());
     }

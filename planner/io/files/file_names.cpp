@@ -102,7 +102,8 @@ std::string asciiText(std::string_view text) {
     while (!text.empty()) {
         bool valid = false;
         const std::string_view character = takeCharacter(text, valid);
-        const auto known = std::ranges::find(kPlain, character, &std::pair<std::string_view, std::string_view>::first);
+        const auto known =
+            std::ranges::find(kPlain, character, &std::pair<std::string_view, std::string_view>::first);
         if (known != std::end(kPlain)) {
             plain += known->second;
         } else {

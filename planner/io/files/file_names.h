@@ -10,7 +10,8 @@ namespace furrow {
 /// The first `longest` characters of a text, without what XML cannot hold; '?' for what is no UTF-8.
 std::string cutText(std::string_view text, std::size_t longest);
 
-/// In the letters A to Z, digits, blank, '-' and '_': umlauts written out, accents left out, '_' for the rest.
+/// In the letters A to Z, digits, blank, '-' and '_': umlauts written out, accents left out, '_' for the
+/// rest.
 std::string asciiText(std::string_view text);
 
 /// A text as the name of one file or folder on any system, never one that leads elsewhere: no separators, no

@@ -5,7 +5,9 @@
 namespace furrow {
 
 double numberAt(const nlohmann::json& array, std::size_t index) {
-    return array.is_array() && index < array.size() && array[index].is_number() ? array[index].get<double>() : std::numeric_limits<double>::quiet_NaN();
+    return array.is_array() && index < array.size() && array[index].is_number()
+               ? array[index].get<double>()
+               : std::numeric_limits<double>::quiet_NaN();
 }
 
 const nlohmann::json& memberOf(const nlohmann::json& object, const char* name) {

@@ -23,8 +23,9 @@ SqliteDatabase emptyDatabase() {
 SqliteDatabase databaseIn(std::string& bytes) {
     SqliteDatabase database = emptyDatabase();
     const auto size = static_cast<sqlite3_int64>(bytes.size());
-    const bool good = sqlite3_deserialize(database.get(), "main", reinterpret_cast<unsigned char*>(bytes.data()), size, size,
-                                          SQLITE_DESERIALIZE_READONLY) == SQLITE_OK;
+    const bool good =
+        sqlite3_deserialize(database.get(), "main", reinterpret_cast<unsigned char*>(bytes.data()), size,
+                            size, SQLITE_DESERIALIZE_READONLY) == SQLITE_OK;
     return good ? std::move(database) : nullptr;
 }
 

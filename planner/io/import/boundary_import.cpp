@@ -7,7 +7,8 @@ namespace furrow {
 
 Result<std::vector<FieldSource>> readBoundaries(const std::filesystem::path& path, const JobContext& job) {
     auto imported = readFields(path, job);
-    return imported ? boundariesOf(*std::move(imported), path.filename().string()) : std::unexpected(imported.error());
+    return imported ? boundariesOf(*std::move(imported), path.filename().string())
+                    : std::unexpected(imported.error());
 }
 
 }  // namespace furrow

@@ -11,8 +11,8 @@
 namespace furrow {
 
 /// Reads the fields of a file or folder: what readFields reads, without its lines. Of vector files: GeoJSON,
-/// Shapefile, KML, GeoPackage, GML, FlatGeobuf, file geodatabase, WKT, CSV (a WKT column, or longitude and latitude with
-/// one point a row), loose or zipped.
+/// Shapefile, KML, GeoPackage, GML, FlatGeobuf, file geodatabase, WKT, CSV (a WKT column, or longitude and
+/// latitude with one point a row), loose or zipped.
 ///
 /// A feature with polygons is a field; several polygons in it are parts of one field. Where a file has no
 /// polygon, lines that end where they begin are taken. Features that say what they are in an attribute

@@ -16,7 +16,8 @@ constexpr std::size_t kStartBytes = 4096;
 constexpr int kDeepest = 6;
 
 Error noFields(const fs::path& folder) {
-    return readFailed(folder.string(), "this folder holds no TASKDATA.XML, no field of AgOpenGPS and no AgGPS boundary",
+    return readFailed(folder.string(),
+                      "this folder holds no TASKDATA.XML, no field of AgOpenGPS and no AgGPS boundary",
                       "give the folder of one of these, or a file in it");
 }
 
@@ -32,12 +33,14 @@ Result<ImportedFields> readFields(const fs::path& path, const JobContext& job) {
         return std::unexpected(noFields(path));
     }
     auto read = format->fields.read(chosen, job);
-    if (!read && read.error().code == ErrorCode::ReadFailed && how == Recognition::Perhaps && chosen.start()) {
+    if (!read && read.error().code == ErrorCode::ReadFailed && how == Recognition::Perhaps &&
+        chosen.start()) {
         // Logs and recordings are known, too, as something else.
         if (const auto tracks = readTracks(path, job)) {
-            return std::unexpected(inputRefused(path.filename().string(),
-                                                message("this is the recording of a drive ({}), and no boundary", tracks->format),
-                                                "give the field's boundary; furrow-cli compare lays a recording over a plan"));
+            return std::unexpected(inputRefused(
+                path.filename().string(),
+                message("this is the recording of a drive ({}), and no boundary", tracks->format),
+                "give the field's boundary; furrow-cli compare lays a recording over a plan"));
         }
     }
     return read;

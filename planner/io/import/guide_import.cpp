@@ -1,7 +1,7 @@
 #include "planner/io/import/guide_import.h"
 
-#include "planner/io/formats/vector/vector_file.h"
 #include "planner/gdal/elevation.h"
+#include "planner/io/formats/vector/vector_file.h"
 #include "planner/plan/method_registry.h"
 #include "planner/swaths/methods.h"
 
@@ -27,7 +27,8 @@ bool reads(const Settings& settings, const Parameter& parameter) {
 
 }  // namespace
 
-Result<std::vector<Polyline>> readRows(const std::filesystem::path& path, const Field& field, const JobContext& job) {
+Result<std::vector<Polyline>> readRows(const std::filesystem::path& path, const Field& field,
+                                       const JobContext& job) {
     constexpr std::array<std::string_view, 2> kAttributes{"kind", "tramline"};
     const auto file = readVectorFile(path, kAttributes, job);
     if (!file) {
@@ -38,9 +39,10 @@ Result<std::vector<Polyline>> readRows(const std::filesystem::path& path, const 
         return feature.attributes[1] == "1" || feature.attributes[1] == "true";
     };
     const bool isPlan = std::ranges::any_of(file->features, isSwath);
-    const bool hasTramlines = isPlan && std::ranges::any_of(file->features, [&](const VectorFeature& feature) {
-                                  return isSwath(feature) && isTramline(feature);
-                              });
+    const bool hasTramlines =
+        isPlan && std::ranges::any_of(file->features, [&](const VectorFeature& feature) {
+            return isSwath(feature) && isTramline(feature);
+        });
     std::vector<Polyline> rows;
     for (const VectorFeature& feature : file->features) {
         if (isPlan && (!isSwath(feature) || (hasTramlines && !isTramline(feature)))) {
@@ -67,7 +69,8 @@ Result<std::vector<Polyline>> readRows(const std::filesystem::path& path, const 
     return rows;
 }
 
-Result<std::shared_ptr<const GuideData>> readGuides(const Settings& settings, const Field& field, const JobContext& job) {
+Result<std::shared_ptr<const GuideData>> readGuides(const Settings& settings, const Field& field,
+                                                    const JobContext& job) {
     GuideData guides;
     if (const std::string rows = settings.file(kRows); !rows.empty() && reads(settings, kRows)) {
         auto read = readRows(rows, field, job);
@@ -76,7 +79,8 @@ Result<std::shared_ptr<const GuideData>> readGuides(const Settings& settings, co
         }
         guides.rows = std::move(*read);
     }
-    if (const std::string heights = settings.file(kElevation); !heights.empty() && reads(settings, kElevation)) {
+    if (const std::string heights = settings.file(kElevation);
+        !heights.empty() && reads(settings, kElevation)) {
         auto read = readElevation(heights, field.frame(), bounds(field.workable()), job);
         if (!read) {
             return std::unexpected(read.error());

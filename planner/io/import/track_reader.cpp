@@ -21,12 +21,14 @@ constexpr int kDeepest = 2;
 
 Error noTrack(const ChosenFile& chosen) {
     if (!chosen.isXml()) {
-        return trackRefused(chosen.path().string(), "this is no track that can be read", std::string{kRemedy});
+        return trackRefused(chosen.path().string(), "this is no track that can be read",
+                            std::string{kRemedy});
     }
     const std::string root = chosen.xmlRoot();
-    return trackRefused(chosen.path().string(),
-                        root.empty() ? "this XML file is cut off" : std::format("'{}' files hold no recorded track", root),
-                        std::string{kRemedy});
+    return trackRefused(
+        chosen.path().string(),
+        root.empty() ? "this XML file is cut off" : std::format("'{}' files hold no recorded track", root),
+        std::string{kRemedy});
 }
 
 }  // namespace

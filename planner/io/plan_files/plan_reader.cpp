@@ -1,9 +1,9 @@
 #include "planner/io/plan_files/plan_reader.h"
 
 #include "planner/field/field.h"
-#include "planner/io/formats/csv/path_csv.h"
 #include "planner/io/content/field_choice.h"
 #include "planner/io/content/imported_fields.h"
+#include "planner/io/formats/csv/path_csv.h"
 #include "planner/io/import/field_reader.h"
 #include "planner/io/plan_files/plan_json.h"
 #include "planner/machine/machine_file.h"
@@ -141,8 +141,8 @@ private:
         segment.number = properties.value("number", 0);
         segment.gear = properties.value("gear", 1) < 0 ? Gear::Reverse : Gear::Forward;
         segment.implementDown =
-            properties.value("implement_down", segment.kind == SegmentKind::Swath ||
-                                                   segment.kind == SegmentKind::HeadlandPass);
+            properties.value("implement_down",
+                             segment.kind == SegmentKind::Swath || segment.kind == SegmentKind::HeadlandPass);
         segment.drivable = properties.value("drivable", true);
         segment.reason = properties.value("reason", "");
         for (const Point& point : frame_.toLocal(pointsOf(geometry.at("coordinates")))) {
@@ -157,11 +157,11 @@ private:
     void addPass(const std::string& kind, const Json& properties, const Json& geometry) {
         const bool swath = kind == "swath";
         SwathFeature feature{.order = properties.value("order", swaths.size()), .pass = {}};
-        feature.pass = {.line = frame_.toLocal(pointsOf(geometry.at("coordinates"))),
-                        .width = metres(properties.at("width_m").get<double>()),
-                        .number = swath ? properties.at("number").get<int>()
-                                        : properties.value("ring", 0) + 1,
-                        .kind = swath ? SegmentKind::Swath : SegmentKind::HeadlandPass};
+        feature.pass = {
+            .line = frame_.toLocal(pointsOf(geometry.at("coordinates"))),
+            .width = metres(properties.at("width_m").get<double>()),
+            .number = swath ? properties.at("number").get<int>() : properties.value("ring", 0) + 1,
+            .kind = swath ? SegmentKind::Swath : SegmentKind::HeadlandPass};
         if (feature.pass.line.size() > 1) {
             swaths.push_back(std::move(feature));
         }
@@ -172,8 +172,8 @@ private:
     std::string origin_;
 };
 
-/// Plans of before segments had numbers: swaths and headland passes have them in plan.geojson, each kind in the order it
-/// is driven.
+/// Plans of before segments had numbers: swaths and headland passes have them in plan.geojson, each kind in
+/// the order it is driven.
 void numberSegments(std::vector<PathSegment>& segments, const FeatureReader& features) {
     if (std::ranges::any_of(segments, [](const PathSegment& segment) { return segment.number > 0; })) {
         return;
@@ -223,7 +223,8 @@ Result<void> readSummary(const fs::path& path, WrittenPlan& plan) {
         return {};
     }
     const auto stayInside = settings->find("path.stay_inside");
-    plan.mayLeaveField = stayInside != settings->end() && stayInside->is_boolean() && !stayInside->get<bool>();
+    plan.mayLeaveField =
+        stayInside != settings->end() && stayInside->is_boolean() && !stayInside->get<bool>();
     const auto margin = settings->find(kMargin.key);
     if (margin != settings->end() && margin->is_number()) {
         plan.margin = metres(margin->get<double>());
@@ -241,8 +242,9 @@ Result<void> readPath(const fs::path& folder, const FeatureReader& features, Wri
     }
     plan.segments = std::move(read->segments);
     if (plan.segments.size() != features.segments.size()) {
-        return std::unexpected(damagedPlan(folder.string(), message("path.csv has {} segments and plan.geojson {}",
-                                                                    plan.segments.size(), features.segments.size())));
+        return std::unexpected(
+            damagedPlan(folder.string(), message("path.csv has {} segments and plan.geojson {}",
+                                                 plan.segments.size(), features.segments.size())));
     }
     for (std::size_t i = 0; i < plan.segments.size(); ++i) {
         const PathSegment& drawn = features.segments[i].segment;

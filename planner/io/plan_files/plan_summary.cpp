@@ -62,7 +62,8 @@ Json askedJson(const Plan& plan) {
 Json operationSets(const Settings& settings) {
     Json sets = Json::object();
     for (const OperationDefault& entry : settings.operation().defaults) {
-        if (const Parameter* const parameter = findParameter(entry.key).value(); !settings.isSet(*parameter)) {
+        if (const Parameter* const parameter = findParameter(entry.key).value();
+            !settings.isSet(*parameter)) {
             sets[entry.key] = settingJson(*parameter, settings);
         }
     }
@@ -129,48 +130,47 @@ std::string planSummaryJson(const Plan& plan, std::span<const std::string> files
     const Settings& settings = plan.request.settings;
     const Json machine = Json::parse(machineJson(plan.request.machine.spec()));
     const double workedS = plan.path.workedDuration().si();
-    Json summary{
-        {"field",
-         {{"id", plan.field().id()},
-          {"name", plan.field().name()},
-          {"area_m2", plan.field().area().si()},
-          {"vertices", plan.field().vertexCount()},
-          {"holes", plan.field().holeCount()}}},
-        {"crs", plan.field().frame().projString()},
-        {"machine", machine},
-        {"machines", Json::array({machine})},
-        {"operation", settings.choice(kOperationKind)},
-        {"operation_sets", operationSets(settings)},
-        {"tank", tankUseId(settings.operation().tank)},
-        {"settings", settingsJson(plan)},
-        {"settings_asked", askedJson(plan)},
-        {"headland",
-         {{"width_m", plan.headland.width.si()},
-          {"passes", plan.headland.passes},
-          {"rings", plan.headland.rings.size()},
-          {"uncut_strip_m", plan.headland.uncutStrip.si()},
-          {"uncut_corners_m2", plan.headland.uncutCorners.si()},
-          {"mainland_ratio", plan.headland.mainlandRatio}}},
-        {"decomposition", decompositionJson(plan.cells)},
-        {"swaths", swathsJson(plan)},
-        {"route",
-         {{"method", methodOf("route", settings)},
-          {"length_in_place_m", plan.route.lengthInPlace.si()},
-          {"cost", plan.path.duration().si()},
-          {"non_working_cost", plan.path.duration().si() - workedS},
-          {"gap", nullptr},
-          {"gap_total", nullptr}}},
-        {"path", pathJson(plan)},
-        {"drivable", plan.drivable()},
-        {"audit", Json::parse(auditJson(plan.audit, plan.findings, plan.field().frame()))},
-        {"timing_ms",
-         {{"headland", milliseconds(plan.timings.headland)},
-          {"swaths", milliseconds(plan.timings.swaths)},
-          {"route", milliseconds(plan.timings.route)},
-          {"path", milliseconds(plan.timings.path)},
-          {"audit", milliseconds(plan.timings.audit)},
-          {"total", milliseconds(plan.timings.total)}}},
-        {"version", kVersion}};
+    Json summary{{"field",
+                  {{"id", plan.field().id()},
+                   {"name", plan.field().name()},
+                   {"area_m2", plan.field().area().si()},
+                   {"vertices", plan.field().vertexCount()},
+                   {"holes", plan.field().holeCount()}}},
+                 {"crs", plan.field().frame().projString()},
+                 {"machine", machine},
+                 {"machines", Json::array({machine})},
+                 {"operation", settings.choice(kOperationKind)},
+                 {"operation_sets", operationSets(settings)},
+                 {"tank", tankUseId(settings.operation().tank)},
+                 {"settings", settingsJson(plan)},
+                 {"settings_asked", askedJson(plan)},
+                 {"headland",
+                  {{"width_m", plan.headland.width.si()},
+                   {"passes", plan.headland.passes},
+                   {"rings", plan.headland.rings.size()},
+                   {"uncut_strip_m", plan.headland.uncutStrip.si()},
+                   {"uncut_corners_m2", plan.headland.uncutCorners.si()},
+                   {"mainland_ratio", plan.headland.mainlandRatio}}},
+                 {"decomposition", decompositionJson(plan.cells)},
+                 {"swaths", swathsJson(plan)},
+                 {"route",
+                  {{"method", methodOf("route", settings)},
+                   {"length_in_place_m", plan.route.lengthInPlace.si()},
+                   {"cost", plan.path.duration().si()},
+                   {"non_working_cost", plan.path.duration().si() - workedS},
+                   {"gap", nullptr},
+                   {"gap_total", nullptr}}},
+                 {"path", pathJson(plan)},
+                 {"drivable", plan.drivable()},
+                 {"audit", Json::parse(auditJson(plan.audit, plan.findings, plan.field().frame()))},
+                 {"timing_ms",
+                  {{"headland", milliseconds(plan.timings.headland)},
+                   {"swaths", milliseconds(plan.timings.swaths)},
+                   {"route", milliseconds(plan.timings.route)},
+                   {"path", milliseconds(plan.timings.path)},
+                   {"audit", milliseconds(plan.timings.audit)},
+                   {"total", milliseconds(plan.timings.total)}}},
+                 {"version", kVersion}};
     if (!files.empty()) {
         summary["files"] = std::vector<std::string>{files.begin(), files.end()};
     }

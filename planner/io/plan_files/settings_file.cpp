@@ -39,10 +39,11 @@ Result<void> applyValue(Settings& settings, const std::string& key, const Json& 
     } else if (value.is_array()) {
         applied = settings.set(**parameter, dividedByCommas(value));
     } else {
-        applied = std::unexpected(Error{.code = ErrorCode::InputRefused,
-                                        .what = "a setting is a number, true, false, a name or a list of numbers",
-                                        .where = key,
-                                        .remedy = "correct its value"});
+        applied =
+            std::unexpected(Error{.code = ErrorCode::InputRefused,
+                                  .what = "a setting is a number, true, false, a name or a list of numbers",
+                                  .where = key,
+                                  .remedy = "correct its value"});
     }
     if (!applied) {
         Error error = applied.error();

@@ -21,7 +21,8 @@ void addOutlines(const Json& geoJson, WrittenPath& plan) {
         if (kind == "field") {
             std::ranges::move(polygonsOf(feature.at("geometry"), plan.frame), std::back_inserter(plan.field));
         } else if (kind == "obstacle") {
-            std::ranges::move(polygonsOf(feature.at("geometry"), plan.frame), std::back_inserter(plan.obstacles));
+            std::ranges::move(polygonsOf(feature.at("geometry"), plan.frame),
+                              std::back_inserter(plan.obstacles));
         }
     }
 }
@@ -65,7 +66,8 @@ Result<WrittenPath> readWrittenPath(const fs::path& folder) {
         }
         return plan;
     } catch (const Json::exception&) {
-        return std::unexpected(damagedPlan(place, "a member that every plan has is missing or of another kind"));
+        return std::unexpected(
+            damagedPlan(place, "a member that every plan has is missing or of another kind"));
     }
 }
 

@@ -32,7 +32,8 @@ public:
     }
 
     PathDrawer& begin(SegmentKind kind, bool down, int number = 0, Gear gear = Gear::Forward) {
-        PathSegment segment{.kind = kind, .turnType = {}, .number = number, .gear = gear, .implementDown = down};
+        PathSegment segment{
+            .kind = kind, .turnType = {}, .number = number, .gear = gear, .implementDown = down};
         at_.curvature1pm = 0.0;
         segment.samples.push_back(at_);
         segments.push_back(segment);

@@ -51,7 +51,8 @@ MachineSpec trailing(double widthM, double radiusM, double offsetM) {
     return spec;
 }
 
-AuditReport reportOf(const MultiPolygon& area, const Machine& machine, const std::vector<PathSegment>& segments) {
+AuditReport reportOf(const MultiPolygon& area, const Machine& machine,
+                     const std::vector<PathSegment>& segments) {
     return audit({.workable = area, .drivable = area, .machine = machine, .segments = segments}).value();
 }
 
@@ -80,7 +81,10 @@ private slots:
         QTest::newRow("driven the other way")
             << std::vector<Lane>{{5, 100, 0}, {15, 0, 100}} << Expected{2000, 2000, 0, 0};
         QTest::newRow("a headland pass under a swath")
-            << std::vector<Lane>{{5, 0, 100, SegmentKind::HeadlandPass}, {9, 0, 100}, {19, 0, 50}, {17, 0, 50}}
+            << std::vector<Lane>{{5, 0, 100, SegmentKind::HeadlandPass},
+                                 {9, 0, 100},
+                                 {19, 0, 50},
+                                 {17, 0, 50}}
             << Expected{1900, 2100, 1100, 600};
     }
     void lanes() {
@@ -155,7 +159,8 @@ private slots:
     void turningAboutAPointOfTheImplement() {
         PathDrawer drawer{{0.0, -1.0}};
         drawer.begin(SegmentKind::HeadlandPass, true).arc(2.0 * kPi, 1.0, 60);
-        const AuditReport report = reportOf({centredRectangle(100, 100)}, plainMachine(4.0, 1.0), drawer.segments);
+        const AuditReport report =
+            reportOf({centredRectangle(100, 100)}, plainMachine(4.0, 1.0), drawer.segments);
         COMPARE_WITHIN(report.covered->si(), kPi * 9.0, 0.5);
     }
 
@@ -176,11 +181,13 @@ private slots:
         COMPARE_WITHIN(report.overlapHeadland->si(), 24.0, 1e-6);
         QVERIFY(report.areaError.si() < 1.0);
     }
-    // Turning at right angles about a point of its own, the line comes over one square metre before and after.
+    // Turning at right angles about a point of its own, the line comes over one square metre before and
+    // after.
     void overlapWithinOneSegment() {
         PathDrawer drawer{{-20.0, 0.0}};
         drawer.begin(SegmentKind::HeadlandPass, true).straight(20.0).arc(0.5 * kPi, 1.0, 40).straight(20.0);
-        const AuditReport report = reportOf({centredRectangle(100, 100)}, plainMachine(4.0, 1.0), drawer.segments);
+        const AuditReport report =
+            reportOf({centredRectangle(100, 100)}, plainMachine(4.0, 1.0), drawer.segments);
         COMPARE_WITHIN(report.overlap->si(), 1.0, 1e-6);
         COMPARE_WITHIN(report.overlapHeadland->si(), 0.0, 1e-6);
     }
@@ -195,9 +202,9 @@ private slots:
         COMPARE_WITHIN(report.missed->si(), 0.0, 1e-3);
     }
 
-    // Driving area 30 x 30, disc of 5 m: the opening lacks (4 - pi) 25 m² at the corners. A lane covers 120 m².
-    // What cannot reverse gets round a corner on full lock, its implement's outer end on a circle of 4 + 5 m; pulled 3 m
-    // behind the axle, of sqrt(4² - 3²) + 5 m.
+    // Driving area 30 x 30, disc of 5 m: the opening lacks (4 - pi) 25 m² at the corners. A lane covers 120
+    // m². What cannot reverse gets round a corner on full lock, its implement's outer end on a circle of 4 +
+    // 5 m; pulled 3 m behind the axle, of sqrt(4² - 3²) + 5 m.
     void coveredOfReachableLeavesCornersOut_data() {
         QTest::addColumn<bool>("reverses");
         QTest::addColumn<double>("behindM");
@@ -221,7 +228,8 @@ private slots:
             spec.implement.hitchOffset = metres(0.0);
             spec.implement.offset = metres(-behindM);
         }
-        const AuditReport report = reportOf({rectangle(30, 30)}, Machine::create(spec).value(), drawer.segments);
+        const AuditReport report =
+            reportOf({rectangle(30, 30)}, Machine::create(spec).value(), drawer.segments);
         const double reachable = 900.0 - (4.0 - kPi) * radiusM * radiusM;
         COMPARE_WITHIN(*report.coveredOfReachable, 120.0 / reachable, 5e-4);  // its corners are drawn to 2 cm
         COMPARE_WITHIN(*report.coveredShare, 120.0 / 900.0, 1e-6);
@@ -263,8 +271,8 @@ private slots:
         QVERIFY(report.minClearance->si() < 0.0);
         QCOMPARE(report.findings.front().finding.kind, FindingKind::Obstacle);
     }
-    // A wedge lies in what is swept, from the side to the corner where it ends: no corner of either is within the other.
-    // The circle in it has a radius of (6 + 2 - sqrt 40) / 2 = 0.84 m.
+    // A wedge lies in what is swept, from the side to the corner where it ends: no corner of either is within
+    // the other. The circle in it has a radius of (6 + 2 - sqrt 40) / 2 = 0.84 m.
     void aWedgeFromSideToCorner() {
         MultiPolygon field{rectangle(100, 40)};
         field.front().holes.push_back({{21, 21}, {21, 19}, {15, 19}});
@@ -301,21 +309,27 @@ private slots:
             return reportOf({rectangle(200, 100)}, Machine::create(spec).value(), drawer.segments);
         };
         COMPARE_WITHIN(clearance(Mounting::Mounted).minClearance->si(), 28.0 - std::hypot(7.5, 10.0), 0.02);
-        QVERIFY(clearance(Mounting::Mounted).minClearance->si() < clearance(Mounting::Trailed).minClearance->si());
+        QVERIFY(clearance(Mounting::Mounted).minClearance->si() <
+                clearance(Mounting::Trailed).minClearance->si());
         QVERIFY(clearance(Mounting::Trailed).maxHitchAngle->si() > 0.5);
         QVERIFY(!clearance(Mounting::Mounted).maxHitchAngle);
     }
-    // Out of a bend to the left and 500 m along an edge on the right, 12.02 m from it: the boom of 24 m comes in from the
-    // left. The little that its hitch is bent after 20 m was taken for an arc over all the rest, 2 cm outside.
+    // Out of a bend to the left and 500 m along an edge on the right, 12.02 m from it: the boom of 24 m comes
+    // in from the left. The little that its hitch is bent after 20 m was taken for an arc over all the rest,
+    // 2 cm outside.
     void straightForLongAfterABend() {
         PathDrawer drawer{{10.0, 20.0}};
-        drawer.begin(SegmentKind::HeadlandPass, true).straight(30.0).arc(3.5 * kPi, 1.0 / 7.0, 20).straight(500.0);
-        const AuditReport report = reportOf({rectangle(59.02, 600)}, Machine::create(trailing(24.0, 7.0, -6.2)).value(), drawer.segments);
+        drawer.begin(SegmentKind::HeadlandPass, true)
+            .straight(30.0)
+            .arc(3.5 * kPi, 1.0 / 7.0, 20)
+            .straight(500.0);
+        const AuditReport report = reportOf(
+            {rectangle(59.02, 600)}, Machine::create(trailing(24.0, 7.0, -6.2)).value(), drawer.segments);
         COMPARE_WITHIN(report.minClearance->si(), 0.02, 0.01);
         COMPARE_WITHIN(report.outside->si(), 0.0, 1e-6);
     }
-    // Round a pond on 8 m, 4 m wide: its inner side passes 6 m from the middle, 1 cm from the water. Between two
-    // samples, 0.16 rad apart, the straight hull of that side would be 2 cm nearer.
+    // Round a pond on 8 m, 4 m wide: its inner side passes 6 m from the middle, 1 cm from the water. Between
+    // two samples, 0.16 rad apart, the straight hull of that side would be 2 cm nearer.
     void roundAPondByACentimetre() {
         constexpr int kSides = 720;
         MultiPolygon field{rectangle(100, 60)};
@@ -393,7 +407,8 @@ private slots:
             }};
             const auto report = audit(input, {.stop = source.get_token()});
             if (!report) {
-                slowest = std::max(slowest, std::chrono::duration<double, std::milli>(Clock::now() - asked.load()).count());
+                slowest = std::max(
+                    slowest, std::chrono::duration<double, std::milli>(Clock::now() - asked.load()).count());
             }
         }
         qInfo("answered within %.1f ms", slowest);

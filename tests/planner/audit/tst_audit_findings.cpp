@@ -40,8 +40,8 @@ std::shared_ptr<const Plan> intactPlan() {
 std::string listed(const std::vector<AuditFinding>& findings) {
     std::string all;
     for (const AuditFinding& each : findings) {
-        all += std::string{kindId(each.finding)} + (each.finding.severity == Severity::Blocking ? "!" : "") + ": " +
-               each.finding.text + "\n";
+        all += std::string{kindId(each.finding)} + (each.finding.severity == Severity::Blocking ? "!" : "") +
+               ": " + each.finding.text + "\n";
     }
     return all;
 }
@@ -107,7 +107,8 @@ private slots:
             heading = std::fmod(heading + kPi, 2.0 * kPi);
         });
         row("all headings of a swath flipped", "heading", [](Segments& path) {
-            moveAll(path[6], [](PathSample& at) { at.headingRad = std::fmod(at.headingRad + kPi, 2.0 * kPi); });
+            moveAll(path[6],
+                    [](PathSample& at) { at.headingRad = std::fmod(at.headingRad + kPi, 2.0 * kPi); });
         });
         row("the gear of a turn wrong", "heading", [](Segments& path) { path[5].gear = Gear::Reverse; });
         // Half as large around its start: every curve at half the radius.
@@ -167,7 +168,10 @@ private slots:
         const auto allowed = audit(input);
         VERIFY_RESULT(allowed);
         QVERIFY2(!hasBlocking(*allowed, "obstacle"), listed(allowed->findings).c_str());
-        QVERIFY2(std::ranges::any_of(allowed->findings, [](const AuditFinding& each) { return each.finding.kind == FindingKind::Outside; }), listed(allowed->findings).c_str());
+        QVERIFY2(std::ranges::any_of(
+                     allowed->findings,
+                     [](const AuditFinding& each) { return each.finding.kind == FindingKind::Outside; }),
+                 listed(allowed->findings).c_str());
         QVERIFY(allowed->outside == report->outside && allowed->minClearance == report->minClearance);
     }
 
@@ -196,7 +200,8 @@ private slots:
         VERIFY_RESULT(report);
         QVERIFY2(hasBlocking(*report, "outside"), listed(report->findings).c_str());
         // There and back, about as wide as it is.
-        QVERIFY2(report->outside->si() > 1e9 && report->outside->si() < 1e10, QByteArray::number(report->outside->si()).constData());
+        QVERIFY2(report->outside->si() > 1e9 && report->outside->si() < 1e10,
+                 QByteArray::number(report->outside->si()).constData());
     }
 
     // What the planner has said is not said twice, and what it has not found counts all the same.
@@ -213,7 +218,8 @@ private slots:
         QVERIFY((*plan)->path.undrivableCount() > 0);
         const auto outside = std::ranges::count_if((*plan)->findings, [](const Finding& each) {
             // Swaths that leave it are told, too.
-            return (each.kind == FindingKind::Outside || each.kind == FindingKind::Undrivable) && !each.text.text().starts_with("Swath");
+            return (each.kind == FindingKind::Outside || each.kind == FindingKind::Undrivable) &&
+                   !each.text.text().starts_with("Swath");
         });
         QCOMPARE(outside, (*plan)->path.undrivableCount());
         // The audit itself names every one of them.
@@ -242,7 +248,8 @@ private slots:
         QFETCH(double, to);
         QFETCH(int, gear);
         PathDrawer drawer{{0.0, 0.0}};
-        drawer.begin(SegmentKind::Turn, false, 1, gear > 0 ? Gear::Forward : Gear::Reverse).clothoid(10.0, from, to, 20);
+        drawer.begin(SegmentKind::Turn, false, 1, gear > 0 ? Gear::Forward : Gear::Reverse)
+            .clothoid(10.0, from, to, 20);
         const auto report = audit({.workable = {centredRectangle(100, 100)},
                                    .drivable = {centredRectangle(100, 100)},
                                    .machine = plainMachine(2.0, 4.9),
@@ -256,7 +263,8 @@ private slots:
         COMPARE_WITHIN(report.maxPositionJump->si(), 0.0, 1e-4);
         COMPARE_WITHIN(report.maxHeadingJump->si(), 0.0, 1e-3);
         COMPARE_WITHIN(report.reversed.si(), gear < 0 ? 10.0 : 0.0, 0.01);
-        QVERIFY2(!hasBlocking(report, "curvature") && !hasBlocking(report, "heading"), listed(report.findings).c_str());
+        QVERIFY2(!hasBlocking(report, "curvature") && !hasBlocking(report, "heading"),
+                 listed(report.findings).c_str());
     }
     void reverseForWhatCannot() {
         PathDrawer drawer{{0.0, 0.0}};

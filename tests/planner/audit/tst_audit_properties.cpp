@@ -1,7 +1,7 @@
 #include "planner/geometry/geos_bridge.h"
+#include "planner/machine/machine_library.h"
 #include "planner/plan/method_registry.h"
 #include "planner/plan/plan.h"
-#include "planner/machine/machine_library.h"
 #include "tests/support/field_generator.h"
 #include "tests/support/result_check.h"
 
@@ -58,8 +58,10 @@ private slots:
             const AuditReport& report = plan.audit;
             const QByteArray where = "seed " + QByteArray::number(static_cast<int>(seed));
             const double workable = area(plan.field().workable()).si();
-            VERIFY_TOLD(std::abs(report.covered->si() + report.missed->si() - workable) <= 1e-6 * workable, where);
-            VERIFY_TOLD(std::abs(area(report.missedAreas).si() - report.missed->si()) <= 1e-6 * workable, where);
+            VERIFY_TOLD(std::abs(report.covered->si() + report.missed->si() - workable) <= 1e-6 * workable,
+                        where);
+            VERIFY_TOLD(std::abs(area(report.missedAreas).si() - report.missed->si()) <= 1e-6 * workable,
+                        where);
             VERIFY_TOLD(report.overlap->si() <= report.covered->si() + 1e-6 * workable, where);
             VERIFY_TOLD(report.overlapHeadland->si() <= report.overlap->si() + 1e-6 * workable, where);
             VERIFY_TOLD(*report.coveredOfReachable <= 1.0 && *report.coveredShare <= 1.0, where);
@@ -91,7 +93,8 @@ private slots:
         const auto path = std::ranges::find(stages(), "path", &StageInfo::id);
         for (const MethodInfo& method : path->methods) {
             for (const char* machine : {"agbot", "mounted-drill", "trailed-sprayer"}) {
-                QTest::addRow("%s, %s", std::string{method.id}.c_str(), machine) << QString::fromStdString(std::string{method.id}) << machine;
+                QTest::addRow("%s, %s", std::string{method.id}.c_str(), machine)
+                    << QString::fromStdString(std::string{method.id}) << machine;
             }
         }
     }
@@ -104,14 +107,16 @@ private slots:
         spec.implement.canReverse = true;
         spec.tractor.canTurnInPlace = method == "straight";
         std::mt19937_64 random{11};
-        const std::vector<MultiPolygon> fields{{centredRectangle(260.0, 200.0)}, randomPolygons(random, Shape::Convex, 160.0)};
+        const std::vector<MultiPolygon> fields{{centredRectangle(260.0, 200.0)},
+                                               randomPolygons(random, Shape::Convex, 160.0)};
         for (const MultiPolygon& polygons : fields) {
             Settings settings;
             applySetting(settings, "path.method", method.toStdString()).value();
             applySetting(settings, "headland.driven", "false").value();
             applySetting(settings, "headland.width_m", "30").value();
             applySetting(settings, "swaths.method", "longest-edge").value();
-            const auto plan = makePlan({.field = std::make_shared<const Field>(Field::create(fieldSourceFromLocal(polygons, kCentre)).value()),
+            const auto plan = makePlan({.field = std::make_shared<const Field>(
+                                            Field::create(fieldSourceFromLocal(polygons, kCentre)).value()),
                                         .machine = Machine::create(spec).value(),
                                         .settings = settings});
             VERIFY_RESULT(plan);
@@ -120,12 +125,18 @@ private slots:
             for (const AuditFinding& each : report.findings) {
                 told += (std::string{kindId(each.finding)} + ": " + each.finding.text + "\n").c_str();
             }
-            for (const double figure : {report.covered->si(), report.missed->si(), report.overlap->si(), report.outside->si(), report.minClearance->si(),
-                                        report.maxCurvature->si(), report.maxCurvatureMismatch->si(), report.maxCurvatureRate->si(),
-                                        report.maxPositionJump->si(), report.maxHeadingJump->si(), report.drivenOnWorked.si(), report.areaError.si()}) {
+            for (const double figure :
+                 {report.covered->si(), report.missed->si(), report.overlap->si(), report.outside->si(),
+                  report.minClearance->si(), report.maxCurvature->si(), report.maxCurvatureMismatch->si(),
+                  report.maxCurvatureRate->si(), report.maxPositionJump->si(), report.maxHeadingJump->si(),
+                  report.drivenOnWorked.si(), report.areaError.si()}) {
                 VERIFY_TOLD(std::isfinite(figure), told);
             }
-            VERIFY_TOLD(std::ranges::none_of(report.findings, [](const AuditFinding& each) { return each.finding.severity == Severity::Blocking; }), told);
+            VERIFY_TOLD(std::ranges::none_of(report.findings,
+                                             [](const AuditFinding& each) {
+                                                 return each.finding.severity == Severity::Blocking;
+                                             }),
+                        told);
             const Machine& used = (*plan)->request.machine;
             VERIFY_TOLD(report.maxCurvature->si() <= 1.0 / used.minTurningRadius().si() * 1.002, told);
             COMPARE_WITHIN(report.maxCurvatureMismatch->si(), 0.0, 1e-3);
@@ -134,7 +145,8 @@ private slots:
                 COMPARE_WITHIN(report.maxHeadingJump->si(), 0.0, 1e-3);
             }
             if (method.endsWith("-cc")) {
-                COMPARE_WITHIN(report.maxCurvatureRate->si(), used.maxCurvatureRate().si(), 0.05 * used.maxCurvatureRate().si());
+                COMPARE_WITHIN(report.maxCurvatureRate->si(), used.maxCurvatureRate().si(),
+                               0.05 * used.maxCurvatureRate().si());
             }
             double reversed = 0.0;
             for (const PathSegment& segment : (*plan)->path.segments) {
@@ -161,11 +173,13 @@ private slots:
             for (int i = 0; i < count; ++i) {
                 const Point start = Point{uniform(random, -1e-9, 1e-9), 300.0} + (i * width) * left;
                 PathSegment segment{.kind = SegmentKind::Swath, .turnType = {}, .implementDown = true};
-                segment.samples = {{.position = start, .headingRad = heading},
-                                   {.sM = length, .tS = length, .position = start + length * along, .headingRad = heading}};
+                segment.samples = {
+                    {.position = start, .headingRad = heading},
+                    {.sM = length, .tS = length, .position = start + length * along, .headingRad = heading}};
                 segments.push_back(segment);
             }
-            const MultiPolygon field{{.outer = {{-1e4, -1e4}, {1e4, -1e4}, {1e4, 1e4}, {-1e4, 1e4}}, .holes = {}}};
+            const MultiPolygon field{
+                {.outer = {{-1e4, -1e4}, {1e4, -1e4}, {1e4, 1e4}, {-1e4, 1e4}}, .holes = {}}};
             const auto report = audit({.workable = field,
                                        .drivable = field,
                                        .machine = Machine::create(spec).value(),

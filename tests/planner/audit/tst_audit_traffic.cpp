@@ -17,13 +17,16 @@ std::vector<PathSegment> drawn(const QStringList& order) {
         if (step == "up") {
             drawer.jumpTo({50.0, 40.0}, -0.5 * kPi).begin(SegmentKind::Transfer, false).straight(50.0);
         } else {
-            drawer.jumpTo({0.0, 10.0 * step.toInt() - 5.0}, 0.0).begin(SegmentKind::Swath, true, step.toInt()).straight(100.0);
+            drawer.jumpTo({0.0, 10.0 * step.toInt() - 5.0}, 0.0)
+                .begin(SegmentKind::Swath, true, step.toInt())
+                .straight(100.0);
         }
     }
     return drawer.segments;
 }
 
-AuditReport reportOf(const MultiPolygon& area, const Machine& machine, const std::vector<PathSegment>& segments) {
+AuditReport reportOf(const MultiPolygon& area, const Machine& machine,
+                     const std::vector<PathSegment>& segments) {
     return audit({.workable = area, .drivable = area, .machine = machine, .segments = segments}).value();
 }
 
@@ -43,8 +46,10 @@ private slots:
         QTest::newRow("before all") << QStringList{"up", "1", "2", "3"} << 0.0 << 20.0 << true;
         QTest::newRow("between neighbours") << QStringList{"1", "2", "up", "3"} << 10.0 << 0.0 << false;
         QTest::newRow("worked and unworked") << QStringList{"1", "2", "up", "3", "4"} << 10.0 << 10.0 << true;
-        QTest::newRow("a lane worked twice counts once") << QStringList{"1", "1", "2", "up", "3"} << 10.0 << 0.0 << false;
-        QTest::newRow("worked before and after") << QStringList{"1", "2", "up", "3", "1"} << 10.0 << 0.0 << false;
+        QTest::newRow("a lane worked twice counts once")
+            << QStringList{"1", "1", "2", "up", "3"} << 10.0 << 0.0 << false;
+        QTest::newRow("worked before and after")
+            << QStringList{"1", "2", "up", "3", "1"} << 10.0 << 0.0 << false;
     }
     void crossedLanes() {
         QFETCH(QStringList, order);
@@ -54,7 +59,10 @@ private slots:
         const AuditReport report = reportOf({rectangle(100, 50)}, plainMachine(10.0), drawn(order));
         COMPARE_WITHIN(report.drivenOnWorked.si(), worked, 1e-6);
         COMPARE_WITHIN(report.drivenOnUnworked.si(), unworked, 1e-6);
-        QCOMPARE(std::ranges::any_of(report.findings, [](const AuditFinding& each) { return each.finding.kind == FindingKind::LanesCrossed; }), told);
+        QCOMPARE(std::ranges::any_of(
+                     report.findings,
+                     [](const AuditFinding& each) { return each.finding.kind == FindingKind::LanesCrossed; }),
+                 told);
     }
 
     // Wheels run 25 cm inside the sides of a tractor 2 m wide: along y = 4.25 and 5.75, 100 squares each.
@@ -74,7 +82,9 @@ private slots:
         QFETCH(double, often);
         PathDrawer drawer{{0.0, 0.0}};
         for (int i = 0; i < times; ++i) {
-            drawer.jumpTo({heading == 0.0 ? 0.5 : 99.5, 5.0}, heading).begin(SegmentKind::Swath, true).straight(99.0);
+            drawer.jumpTo({heading == 0.0 ? 0.5 : 99.5, 5.0}, heading)
+                .begin(SegmentKind::Swath, true)
+                .straight(99.0);
         }
         const AuditReport report = reportOf({rectangle(100, 10)}, plainMachine(10.0), drawer.segments);
         QCOMPARE(report.mostWheelPasses, times);

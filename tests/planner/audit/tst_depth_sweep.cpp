@@ -23,8 +23,8 @@ std::uint32_t regionsAt(const Depths& depths) {
            (depths[0] > 0 && depths[1] <= 0 ? 1U << kFirstOnly : 0U);
 }
 
-Result<std::vector<MeasuredRegion>> measured(const MultiPolygon& a, const MultiPolygon& b, Point along = {1.0, 0.0},
-                                             const JobContext& job = {}) {
+Result<std::vector<MeasuredRegion>> measured(const MultiPolygon& a, const MultiPolygon& b,
+                                             Point along = {1.0, 0.0}, const JobContext& job = {}) {
     LayeredPolygons layers;
     layers.add(0, a);
     layers.add(1, b);
@@ -73,21 +73,30 @@ private slots:
         QTest::addColumn<int>("parts");  // of what is only in the first
         QTest::addColumn<int>("holes");
         const char* square = "POLYGON((0 0, 10 0, 10 10, 0 10, 0 0))";
-        QTest::newRow("apart") << square << "POLYGON((20 0, 30 0, 30 10, 20 10, 20 0))" << 200.0 << 0.0 << 100.0 << 1 << 0;
-        QTest::newRow("beside, sharing an edge") << square << "POLYGON((10 0, 20 0, 20 10, 10 10, 10 0))" << 200.0 << 0.0 << 100.0 << 1 << 0;
-        QTest::newRow("on it, sharing an edge") << square << "POLYGON((0 10, 10 10, 10 20, 0 20, 0 10))" << 200.0 << 0.0 << 100.0 << 1 << 0;
+        QTest::newRow("apart") << square << "POLYGON((20 0, 30 0, 30 10, 20 10, 20 0))" << 200.0 << 0.0
+                               << 100.0 << 1 << 0;
+        QTest::newRow("beside, sharing an edge")
+            << square << "POLYGON((10 0, 20 0, 20 10, 10 10, 10 0))" << 200.0 << 0.0 << 100.0 << 1 << 0;
+        QTest::newRow("on it, sharing an edge")
+            << square << "POLYGON((0 10, 10 10, 10 20, 0 20, 0 10))" << 200.0 << 0.0 << 100.0 << 1 << 0;
         QTest::newRow("the same") << square << square << 100.0 << 100.0 << 0.0 << 0 << 0;
-        QTest::newRow("a corner over it") << square << "POLYGON((5 5, 15 5, 15 15, 5 15, 5 5))" << 175.0 << 25.0 << 75.0 << 1 << 0;
-        QTest::newRow("inside it") << square << "POLYGON((4 4, 6 4, 6 6, 4 6, 4 4))" << 100.0 << 4.0 << 96.0 << 1 << 1;
-        QTest::newRow("inside it, touching an edge") << square << "POLYGON((4 0, 6 0, 6 6, 4 6, 4 0))" << 100.0 << 12.0 << 88.0 << 1 << 0;
+        QTest::newRow("a corner over it")
+            << square << "POLYGON((5 5, 15 5, 15 15, 5 15, 5 5))" << 175.0 << 25.0 << 75.0 << 1 << 0;
+        QTest::newRow("inside it") << square << "POLYGON((4 4, 6 4, 6 6, 4 6, 4 4))" << 100.0 << 4.0 << 96.0
+                                   << 1 << 1;
+        QTest::newRow("inside it, touching an edge")
+            << square << "POLYGON((4 0, 6 0, 6 6, 4 6, 4 0))" << 100.0 << 12.0 << 88.0 << 1 << 0;
         QTest::newRow("inside it, touching an edge with a corner")
             << square << "POLYGON((5 0, 7 2, 5 4, 3 2, 5 0))" << 100.0 << 8.0 << 92.0 << 1 << 1;
-        QTest::newRow("cut in two") << square << "POLYGON((-1 4, 11 4, 11 6, -1 6, -1 4))" << 104.0 << 20.0 << 80.0 << 2 << 0;
-        QTest::newRow("a wedge into it") << square << "POLYGON((5 5, 11 3, 11 7, 5 5))" << 112.0 - 25.0 / 3.0 << 25.0 / 3.0 << 100.0 - 25.0 / 3.0 << 1 << 0;
+        QTest::newRow("cut in two") << square << "POLYGON((-1 4, 11 4, 11 6, -1 6, -1 4))" << 104.0 << 20.0
+                                    << 80.0 << 2 << 0;
+        QTest::newRow("a wedge into it") << square << "POLYGON((5 5, 11 3, 11 7, 5 5))" << 112.0 - 25.0 / 3.0
+                                         << 25.0 / 3.0 << 100.0 - 25.0 / 3.0 << 1 << 0;
         QTest::newRow("two squares that touch at a corner")
-            << "MULTIPOLYGON(((0 0, 10 0, 10 10, 0 10, 0 0)), ((10 10, 20 10, 20 20, 10 20, 10 10)))" << "POLYGON((30 0, 31 0, 31 1, 30 1, 30 0))"
-            << 201.0 << 0.0 << 200.0 << 2 << 0;
-        QTest::newRow("a hole") << "POLYGON((0 0, 10 0, 10 10, 0 10, 0 0), (2 2, 2 8, 8 8, 8 2, 2 2))" << square << 100.0 << 64.0 << 0.0 << 0 << 0;
+            << "MULTIPOLYGON(((0 0, 10 0, 10 10, 0 10, 0 0)), ((10 10, 20 10, 20 20, 10 20, 10 10)))"
+            << "POLYGON((30 0, 31 0, 31 1, 30 1, 30 0))" << 201.0 << 0.0 << 200.0 << 2 << 0;
+        QTest::newRow("a hole") << "POLYGON((0 0, 10 0, 10 10, 0 10, 0 0), (2 2, 2 8, 8 8, 8 2, 2 2))"
+                                << square << 100.0 << 64.0 << 0.0 << 0 << 0;
     }
     void byHand() {
         QFETCH(QString, a);
@@ -98,7 +107,8 @@ private slots:
         QFETCH(int, parts);
         QFETCH(int, holes);
         for (const double turn : {0.0, 0.5, 1.3, 2.0, 3.1}) {
-            const auto found = measured(polygonsFromWkt(a.toStdString()), polygonsFromWkt(b.toStdString()), direction(turn));
+            const auto found =
+                measured(polygonsFromWkt(a.toStdString()), polygonsFromWkt(b.toStdString()), direction(turn));
             VERIFY_RESULT(found);
             COMPARE_WITHIN((*found)[kOnce].area.si(), once, 1e-7);
             COMPARE_WITHIN((*found)[kTwice].area.si(), twice, 1e-7);
@@ -124,11 +134,16 @@ private slots:
         QFETCH(int, shape);
         for (std::uint64_t seed = 1; seed <= 100; ++seed) {
             std::mt19937_64 random{seed};
-            const MultiPolygon a = randomPolygons(random, static_cast<Shape>(shape), uniform(random, 20.0, 200.0));
+            const MultiPolygon a =
+                randomPolygons(random, static_cast<Shape>(shape), uniform(random, 20.0, 200.0));
             const Bounds box = bounds(a);
-            const MultiPolygon b = moved(randomPolygons(random, kShapes[seed % kShapes.size()], uniform(random, 20.0, 200.0)), degrees(0.0), {});
+            const MultiPolygon b =
+                moved(randomPolygons(random, kShapes[seed % kShapes.size()], uniform(random, 20.0, 200.0)),
+                      degrees(0.0), {});
             const Bounds other = bounds(b);
-            const MultiPolygon near = moved(b, degrees(0.0), 0.5 * (box.min + box.max) - 0.5 * (other.min + other.max) + Point{uniform(random, -50.0, 50.0), 0.0});
+            const MultiPolygon near = moved(b, degrees(0.0),
+                                            0.5 * (box.min + box.max) - 0.5 * (other.min + other.max) +
+                                                Point{uniform(random, -50.0, 50.0), 0.0});
             const auto found = measured(a, near, direction(uniform(random, 0.0, 6.3)));
             const QByteArray told = "seed " + QByteArray::number(static_cast<int>(seed));
             VERIFY_TOLD(found.has_value(), told);
@@ -137,8 +152,10 @@ private slots:
             const auto compare = [&](Region region, const Result<MultiPolygon>& expected) {
                 const double areaM2 = expected ? area(*expected).si() : -1.0;
                 const MultiPolygon& traced = (*found)[region].polygons;
-                VERIFY_TOLD(std::abs((*found)[region].area.si() - areaM2) < 1e-5, told + QByteArray::number((*found)[region].area.si() - areaM2));
-                VERIFY_TOLD(std::abs(area(traced).si() - areaM2) < 1e-2, told + QByteArray::number(area(traced).si() - areaM2));
+                VERIFY_TOLD(std::abs((*found)[region].area.si() - areaM2) < 1e-5,
+                            told + QByteArray::number((*found)[region].area.si() - areaM2));
+                VERIFY_TOLD(std::abs(area(traced).si() - areaM2) < 1e-2,
+                            told + QByteArray::number(area(traced).si() - areaM2));
                 const auto broken = findInvalidPlace(traced, {});
                 VERIFY_TOLD(broken && !*broken, told + (broken && *broken ? (*broken)->reason.c_str() : ""));
             };
@@ -148,11 +165,20 @@ private slots:
         }
     }
 
-    // A square and an arm round its corner: the arm begins in the middle of a side that goes on, and joins the square
-    // above. What they enclose touches the outside there. 100 m2 and, by the shoelace formula, 47.5 m2.
+    // A square and an arm round its corner: the arm begins in the middle of a side that goes on, and joins
+    // the square above. What they enclose touches the outside there. 100 m2 and, by the shoelace
+    // formula, 47.5 m2.
     void anArmThatBeginsAtASide() {
         const MultiPolygon square{rectangle(10.0, 10.0)};
-        const MultiPolygon arm{{.outer = {{10.0, 5.0}, {15.0, 8.0}, {15.0, 14.0}, {4.0, 14.0}, {4.0, 10.0}, {8.0, 10.0}, {8.0, 12.0}, {12.0, 12.0}, {12.0, 9.0}},
+        const MultiPolygon arm{{.outer = {{10.0, 5.0},
+                                          {15.0, 8.0},
+                                          {15.0, 14.0},
+                                          {4.0, 14.0},
+                                          {4.0, 10.0},
+                                          {8.0, 10.0},
+                                          {8.0, 12.0},
+                                          {12.0, 12.0},
+                                          {12.0, 9.0}},
                                 .holes = {}}};
         for (const Point along : {Point{1.0, 0.0}, Point{-1.0, 0.0}, Point{0.0, 1.0}, Point{0.0, -1.0}}) {
             const auto found = measured(square, arm, along);
@@ -177,10 +203,14 @@ private slots:
             MultiPolygon lanes;
             for (int i = 0; i < 200; ++i) {
                 const Point start = Point{uniform(random, -1e-10, 1e-10), 1000.0} + (i * width) * left;
-                lanes.push_back({.outer = {start, start + length * along, start + length * along + width * left, start + width * left}, .holes = {}});
+                lanes.push_back({.outer = {start, start + length * along,
+                                           start + length * along + width * left, start + width * left},
+                                 .holes = {}});
             }
             for (const double turn : {0.0, 0.7, 1.5707963267948966}) {
-                const auto found = measured(lanes, {}, Point{along.x * std::cos(turn) - along.y * std::sin(turn), along.x * std::sin(turn) + along.y * std::cos(turn)});
+                const auto found = measured(lanes, {},
+                                            Point{along.x * std::cos(turn) - along.y * std::sin(turn),
+                                                  along.x * std::sin(turn) + along.y * std::cos(turn)});
                 VERIFY_RESULT(found);
                 COMPARE_WITHIN((*found)[kOnce].area.si(), 200 * width * length, 1e-3);
                 COMPARE_WITHIN((*found)[kTwice].area.si(), 0.0, 1e-3);

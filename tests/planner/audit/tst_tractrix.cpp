@@ -112,7 +112,8 @@ private slots:
         for (const MotionState& state : motions[1].states) {
             const double way = distance(state.position, from.position);
             const double expected = 2.0 * std::atan(std::tan(0.5 * first) * std::exp(-way / 4.0));
-            COMPARE_WITHIN(std::remainder(state.implementHeadingRad - from.headingRad, 2.0 * kPi), expected, 1e-9);
+            COMPARE_WITHIN(std::remainder(state.implementHeadingRad - from.headingRad, 2.0 * kPi), expected,
+                           1e-9);
         }
     }
 };

@@ -29,7 +29,8 @@ MultiPolygon sieve(int holes) {
     for (int row = 0; row < holes; ++row) {
         for (int column = 0; column < holes; ++column) {
             // Not level with each other: each cuts by itself.
-            Ring hole = test::rectangle(16.0, 16.0, {20.0 + 40.0 * column, 20.0 + 40.0 * row + 3.0 * column}).outer;
+            Ring hole =
+                test::rectangle(16.0, 16.0, {20.0 + 40.0 * column, 20.0 + 40.0 * row + 3.0 * column}).outer;
             std::ranges::reverse(hole);
             mainland.front().holes.push_back(std::move(hole));
         }
@@ -40,7 +41,8 @@ MultiPolygon sieve(int holes) {
 bool holds(const Polygon& polygon, Point point) {
     bool inside = false;
     forEachEdge({polygon}, [&](Point a, Point b) {
-        if ((a.y > point.y) != (b.y > point.y) && point.x < a.x + (point.y - a.y) / (b.y - a.y) * (b.x - a.x)) {
+        if ((a.y > point.y) != (b.y > point.y) &&
+            point.x < a.x + (point.y - a.y) / (b.y - a.y) * (b.x - a.x)) {
             inside = !inside;
         }
     });
@@ -48,7 +50,9 @@ bool holds(const Polygon& polygon, Point point) {
 }
 
 Decomposition merged(const MultiPolygon& mainland, const SwathSet& swaths) {
-    return kMergedCellsMethod.run({.mainland = mainland, .swaths = swaths, .machine = test::agbot(), .settings = {}}, {}).value();
+    return kMergedCellsMethod
+        .run({.mainland = mainland, .swaths = swaths, .machine = test::agbot(), .settings = {}}, {})
+        .value();
 }
 
 }  // namespace
@@ -57,9 +61,9 @@ class CellCostTest : public QObject {
     Q_OBJECT
 
 private slots:
-    // Swaths 24 m apart running east. All turns lead to the neighbour, from an end right beside its own: half a circle in
-    // two arcs, and between these what their middles are apart. The tractor is ahead of the implement, so it turns in from
-    // twice that way farther.
+    // Swaths 24 m apart running east. All turns lead to the neighbour, from an end right beside its own: half
+    // a circle in two arcs, and between these what their middles are apart. The tractor is ahead of the
+    // implement, so it turns in from twice that way farther.
     void byHand_data() {
         QTest::addColumn<QString>("wkt");
         QTest::addColumn<int>("cells");
@@ -67,8 +71,8 @@ private slots:
         QTest::newRow("four swaths of a rectangle") << "POLYGON((0 0, 300 0, 300 96, 0 96, 0 0))" << 1 << 3;
         // Begun at the right: the step between long and short swaths is at the left, where they end together.
         QTest::newRow("an L") << "POLYGON((0 0, 300 0, 300 48, 150 48, 150 96, 0 96, 0 0))" << 1 << 3;
-        // One below, two beside on each side, one above: west along the lowest, up on the left, east along the highest,
-        // down on the right.
+        // One below, two beside on each side, one above: west along the lowest, up on the left, east along
+        // the highest, down on the right.
         QTest::newRow("round a square hole")
             << "POLYGON((0 0, 300 0, 300 96, 0 96, 0 0), (100 24, 100 72, 200 72, 200 24, 100 24))" << 4 << 5;
     }
@@ -86,10 +90,12 @@ private slots:
         const double turnM = std::numbers::pi * radius +
                              std::hypot(24.0 - 2.0 * radius, 2.0 * sprayer().spec().implement.offset.si()) +
                              sprayer().runIn().si();
-        COMPARE_WITHIN(cut->history.steps.front().cost.si(), turns * turnM / sprayer().turningSpeed().si(), 1e-6);
+        COMPARE_WITHIN(cut->history.steps.front().cost.si(), turns * turnM / sprayer().turningSpeed().si(),
+                       1e-6);
     }
 
-    // Nothing is saved by joining what is driven one after the other anyway: the freedom to drive it otherwise is kept.
+    // Nothing is saved by joining what is driven one after the other anyway: the freedom to drive it
+    // otherwise is kept.
     void whatSavesNothingIsNotJoined() {
         const MultiPolygon mainland = test::polygonsFromWkt(
             "POLYGON((0 0, 300 0, 300 96, 0 96, 0 0), (100 24, 100 72, 200 72, 200 24, 100 24))");
@@ -108,13 +114,15 @@ private slots:
         std::mt19937_64 random{kSeed};
         for (int i = 0; i < 12; ++i) {
             QTest::addRow("seed %llu, field %d", static_cast<unsigned long long>(kSeed), i)
-                << test::randomPolygons(random, test::Shape::Holes, 150.0) << test::uniform(random, 0.0, 180.0);
+                << test::randomPolygons(random, test::Shape::Holes, 150.0)
+                << test::uniform(random, 0.0, 180.0);
         }
         QTest::newRow("nine holes") << sieve(3) << 0.0;
         QTest::newRow("sixteen holes, level") << sieve(4) << 0.0;
         QTest::newRow("sixteen holes, slanted") << sieve(4) << 31.0;
     }
-    // Each step is quicker than the one before, its cells tile the mainland, and no further join would be quicker.
+    // Each step is quicker than the one before, its cells tile the mainland, and no further join would be
+    // quicker.
     void joiningPaysOff() {
         QFETCH(MultiPolygon, mainland);
         QFETCH(double, headingDeg);
@@ -165,8 +173,9 @@ private slots:
         for (const Border& border : bordersOf(level)) {
             const std::size_t below = groups[border.below];
             const std::size_t above = groups[border.above];
-            const bool areApart = below != above && !tracks[below].empty() && !tracks[above].empty() &&
-                                  std::ranges::none_of(tracks[below], [&](int track) { return tracks[above].contains(track); });
+            const bool areApart =
+                below != above && !tracks[below].empty() && !tracks[above].empty() &&
+                std::ranges::none_of(tracks[below], [&](int track) { return tracks[above].contains(track); });
             if (areApart) {
                 Groups joined = groups;
                 apply({.kept = std::min(below, above), .gone = std::max(below, above)}, joined);

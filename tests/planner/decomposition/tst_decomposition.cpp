@@ -31,8 +31,8 @@ SwathSet levelSwaths(const MultiPolygon& mainland, double headingDeg) {
     return test::swathsBy(kFixedHeadingMethod, mainland, agbot(), settings).value();
 }
 
-Result<Decomposition> cellsBy(const Method<Decomposer>& method, const MultiPolygon& mainland, const SwathSet& swaths,
-                              const JobContext& job = {}) {
+Result<Decomposition> cellsBy(const Method<Decomposer>& method, const MultiPolygon& mainland,
+                              const SwathSet& swaths, const JobContext& job = {}) {
     return method.run({.mainland = mainland, .swaths = swaths, .machine = agbot(), .settings = {}}, job);
 }
 
@@ -56,7 +56,8 @@ private slots:
         QTest::newRow("a diamond hole")
             << "POLYGON((0 0, 100 0, 100 60, 0 60, 0 0), (50 20, 40 30, 50 40, 60 30, 50 20))" << 6 << 4;
         // A U open to the north: the base and two arms.
-        QTest::newRow("a U") << "POLYGON((0 0, 100 0, 100 60, 70 60, 70 20, 30 20, 30 60, 0 60, 0 0))" << 3 << 3;
+        QTest::newRow("a U") << "POLYGON((0 0, 100 0, 100 60, 70 60, 70 20, 30 20, 30 60, 0 60, 0 0))" << 3
+                             << 3;
         // An L: a line across never meets it twice.
         QTest::newRow("an L") << "POLYGON((0 0, 100 0, 100 30, 40 30, 40 60, 0 60, 0 0))" << 2 << 1;
         // Two holes side by side: below, left, between, right, above.
@@ -69,8 +70,8 @@ private slots:
             << "POLYGON((0 0, 100 0, 100 90, 0 90, 0 0), (40 20, 40 40, 60 40, 60 20, 40 20), "
                "(40 60, 40 80, 60 80, 60 60, 40 60))"
             << 7 << 7;
-        QTest::newRow("two parts") << "MULTIPOLYGON(((0 0, 50 0, 50 60, 0 60, 0 0)), ((60 0, 90 0, 90 60, 60 60, 60 0)))"
-                                   << 2 << 2;
+        QTest::newRow("two parts")
+            << "MULTIPOLYGON(((0 0, 50 0, 50 60, 0 60, 0 0)), ((60 0, 90 0, 90 60, 60 60, 60 0)))" << 2 << 2;
     }
     void byHand() {
         QFETCH(QString, wkt);
@@ -78,15 +79,18 @@ private slots:
         QFETCH(int, cells);
         const MultiPolygon mainland = test::polygonsFromWkt(wkt.toStdString());
         const SwathSet swaths = levelSwaths(mainland, 0.0);
-        QCOMPARE(cellsBy(kTrapezoidalMethod, mainland, swaths)->cells.size(), static_cast<std::size_t>(trapezoids));
-        QCOMPARE(cellsBy(kBoustrophedonCellsMethod, mainland, swaths)->cells.size(), static_cast<std::size_t>(cells));
+        QCOMPARE(cellsBy(kTrapezoidalMethod, mainland, swaths)->cells.size(),
+                 static_cast<std::size_t>(trapezoids));
+        QCOMPARE(cellsBy(kBoustrophedonCellsMethod, mainland, swaths)->cells.size(),
+                 static_cast<std::size_t>(cells));
         // So few are driven in the quickest order either way: no join saves anything.
-        QCOMPARE(cellsBy(kMergedCellsMethod, mainland, swaths)->cells.size(), static_cast<std::size_t>(cells));
+        QCOMPARE(cellsBy(kMergedCellsMethod, mainland, swaths)->cells.size(),
+                 static_cast<std::size_t>(cells));
         QCOMPARE(cellsBy(kOnePieceMethod, mainland, swaths)->cells.size(), std::size_t{1});
     }
 
-    // The headland round a square pond has round corners: along the swaths there is one cell below, one above and one on
-    // either side, as of a sharp one; turned, each of its corners cuts once, as of the diamond.
+    // The headland round a square pond has round corners: along the swaths there is one cell below, one above
+    // and one on either side, as of a sharp one; turned, each of its corners cuts once, as of the diamond.
     void roundedCornersAreOneCornerEach_data() {
         QTest::addColumn<double>("turnDeg");
         QTest::addColumn<double>("roundM");
@@ -101,11 +105,14 @@ private slots:
         QFETCH(double, turnDeg);
         QFETCH(double, roundM);
         QFETCH(int, trapezoids);
-        const MultiPolygon pond = test::moved({test::centredRectangle(40.0, 40.0)}, degrees(turnDeg), {200.0, 125.0});
-        const auto around = roundM > 0.0 ? dilated(pond, metres(roundM), kArcTolerance, {}) : Result<MultiPolygon>{pond};
+        const MultiPolygon pond =
+            test::moved({test::centredRectangle(40.0, 40.0)}, degrees(turnDeg), {200.0, 125.0});
+        const auto around =
+            roundM > 0.0 ? dilated(pond, metres(roundM), kArcTolerance, {}) : Result<MultiPolygon>{pond};
         const MultiPolygon mainland = difference({test::rectangle(400.0, 250.0)}, *around, {}).value();
         const SwathSet swaths = levelSwaths(mainland, 0.0);
-        QCOMPARE(cellsBy(kTrapezoidalMethod, mainland, swaths)->cells.size(), static_cast<std::size_t>(trapezoids));
+        QCOMPARE(cellsBy(kTrapezoidalMethod, mainland, swaths)->cells.size(),
+                 static_cast<std::size_t>(trapezoids));
         QCOMPARE(cellsBy(kBoustrophedonCellsMethod, mainland, swaths)->cells.size(), std::size_t{4});
     }
 
@@ -113,8 +120,10 @@ private slots:
     void aCircleHasNoCorners() {
         const auto pond = dilated({test::centredRectangle(0.1, 0.1)}, metres(40.0), kArcTolerance, {});
         const MultiPolygon mainland = difference({test::centredRectangle(400.0, 250.0)}, *pond, {}).value();
-        QCOMPARE(cellsBy(kTrapezoidalMethod, mainland, levelSwaths(mainland, 12.3))->cells.size(), std::size_t{6});
-        QCOMPARE(cellsBy(kTrapezoidalMethod, mainland, levelSwaths(mainland, 0.0))->cells.size(), std::size_t{4});
+        QCOMPARE(cellsBy(kTrapezoidalMethod, mainland, levelSwaths(mainland, 12.3))->cells.size(),
+                 std::size_t{6});
+        QCOMPARE(cellsBy(kTrapezoidalMethod, mainland, levelSwaths(mainland, 0.0))->cells.size(),
+                 std::size_t{4});
     }
 
     // The square hole: 20 m below, twice 20 m beside, 20 m above.
@@ -138,10 +147,15 @@ private slots:
         constexpr std::uint64_t kSeed = 7300;
         std::mt19937_64 random{kSeed + static_cast<std::uint64_t>(shape)};
         for (int i = 0; i < 25; ++i) {
-            const MultiPolygon mainland = test::randomPolygons(random, static_cast<test::Shape>(shape), 100.0);
+            const MultiPolygon mainland =
+                test::randomPolygons(random, static_cast<test::Shape>(shape), 100.0);
             const SwathSet swaths = levelSwaths(mainland, test::uniform(random, 0.0, 180.0));
             for (const auto* method : kAll) {
-                const QByteArray told = QStringLiteral("seed %1, field %2, %3").arg(kSeed).arg(i).arg(QLatin1String{method->info.id.data()}).toUtf8();
+                const QByteArray told = QStringLiteral("seed %1, field %2, %3")
+                                            .arg(kSeed)
+                                            .arg(i)
+                                            .arg(QLatin1String{method->info.id.data()})
+                                            .toUtf8();
                 const auto found = cellsBy(*method, mainland, swaths);
                 VERIFY_TOLD(found.has_value(), told);
                 double sumM2 = 0.0;
@@ -154,9 +168,11 @@ private slots:
                     VERIFY_TOLD(std::ranges::is_sorted(cell.swaths), told);
                 }
                 const double wholeM2 = area(mainland).si();
-                VERIFY_TOLD(std::abs(sumM2 / wholeM2 - 1.0) < 1e-6, told + QByteArray::number(sumM2 / wholeM2 - 1.0));
+                VERIFY_TOLD(std::abs(sumM2 / wholeM2 - 1.0) < 1e-6,
+                            told + QByteArray::number(sumM2 / wholeM2 - 1.0));
                 // No overlap: together they are no less than one by one.
-                VERIFY_TOLD(std::abs(area(unionOf(all, {}, kSnapGrid).value()).si() / wholeM2 - 1.0) < 1e-6, told);
+                VERIFY_TOLD(std::abs(area(unionOf(all, {}, kSnapGrid).value()).si() / wholeM2 - 1.0) < 1e-6,
+                            told);
                 VERIFY_TOLD(dealt.size() == swaths.swaths.size() &&
                                 std::set<std::size_t>(dealt.begin(), dealt.end()).size() == dealt.size(),
                             told);

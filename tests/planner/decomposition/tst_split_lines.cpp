@@ -39,14 +39,16 @@ private slots:
 
     // Both ends inside, 20 m from the lower edge and 30 m from the upper one: the longer way is told.
     void theFartherEndIsTold() {
-        const SplitLines made = drawnThrough({{{50.0, 20.0}, {50.0, 30.0}}}, {test::rectangle(100.0, 60.0)}, metres(6.0));
+        const SplitLines made =
+            drawnThrough({{{50.0, 20.0}, {50.0, 30.0}}}, {test::rectangle(100.0, 60.0)}, metres(6.0));
         QCOMPARE(made.faults.size(), std::size_t{1});
         COMPARE_WITHIN(made.faults.front().missing->si(), 30.0, 1e-9);
     }
 
     // Slanting, the way is along the line: 3-4-5.
     void theWayIsAlongTheLine() {
-        const SplitLines made = drawnThrough({{{10.0, -4.0}, {25.0, 16.0}}}, {test::rectangle(100.0, 20.0)}, metres(1.0));
+        const SplitLines made =
+            drawnThrough({{{10.0, -4.0}, {25.0, 16.0}}}, {test::rectangle(100.0, 20.0)}, metres(1.0));
         QCOMPARE(made.faults.size(), std::size_t{1});
         COMPARE_WITHIN(made.faults.front().missing->si(), 5.0, 1e-9);
     }
@@ -62,10 +64,12 @@ private slots:
     // The second one ends 3 m before the first, or on it.
     void linesMayEndOnEachOther() {
         const Polyline through{{50.0, -10.0}, {50.0, 70.0}};
-        const SplitLines near = drawnThrough({through, {{-10.0, 30.0}, {47.0, 30.0}}}, {test::rectangle(100.0, 60.0)}, metres(6.0));
+        const SplitLines near = drawnThrough({through, {{-10.0, 30.0}, {47.0, 30.0}}},
+                                             {test::rectangle(100.0, 60.0)}, metres(6.0));
         QVERIFY(near.faults.empty());
         COMPARE_WITHIN(near.lines[1].back().x, 50.0, 0.01);
-        const SplitLines on = drawnThrough({through, {{-10.0, 30.0}, {50.0, 30.0}}}, {test::rectangle(100.0, 60.0)}, metres(6.0));
+        const SplitLines on = drawnThrough({through, {{-10.0, 30.0}, {50.0, 30.0}}},
+                                           {test::rectangle(100.0, 60.0)}, metres(6.0));
         QVERIFY(on.faults.empty());
         QCOMPARE(on.lines[1].size(), std::size_t{2});
     }

@@ -18,18 +18,19 @@ const LocalFrame kFrame = *LocalFrame::centredOn({.lonDeg = 22.5, .latDeg = 58.2
 
 /// A field of 100 by 60 m with a square hole, an obstacle and a gate, and a guidance line across it.
 FieldSource field() {
-    return {.id = "1",
-            .name = "A",
-            .origin = {},
-            .parts = {{.outer = kFrame.toGeo(Ring{{0, 0}, {100, 0}, {100, 60}, {0, 60}}),
-                       .holes = {kFrame.toGeo(Ring{{20, 20}, {20, 30}, {30, 30}, {30, 20}})}}},
-            .obstacles = {{.name = "Pond",
-                           .outline = {.outer = kFrame.toGeo(Ring{{60, 20}, {80, 20}, {70, 40}}), .holes = {}},
-                           .passable = false,
-                           .buffer = {}}},
-            .gates = {{.name = "Gate", .position = kFrame.toGeo(Point{50, 0}), .width = metres(6)}},
-            .boundaryAccuracy = {},
-            .repairs = {}};
+    return {
+        .id = "1",
+        .name = "A",
+        .origin = {},
+        .parts = {{.outer = kFrame.toGeo(Ring{{0, 0}, {100, 0}, {100, 60}, {0, 60}}),
+                   .holes = {kFrame.toGeo(Ring{{20, 20}, {20, 30}, {30, 30}, {30, 20}})}}},
+        .obstacles = {{.name = "Pond",
+                       .outline = {.outer = kFrame.toGeo(Ring{{60, 20}, {80, 20}, {70, 40}}), .holes = {}},
+                       .passable = false,
+                       .buffer = {}}},
+        .gates = {{.name = "Gate", .position = kFrame.toGeo(Point{50, 0}), .width = metres(6)}},
+        .boundaryAccuracy = {},
+        .repairs = {}};
 }
 
 FieldShape shape(const GeoRing& guide = {}) {
@@ -53,8 +54,9 @@ void compare(const GeoRing& places, const Ring& expected) {
     const Ring points = kFrame.toLocal(places);
     QCOMPARE(points.size(), expected.size());
     for (std::size_t i = 0; i < points.size(); ++i) {
-        VERIFY_TOLD(distance(points[i], expected[i]) < 1e-6,
-                    QByteArray::number(i) + ": " + QByteArray::number(points[i].x) + ", " + QByteArray::number(points[i].y));
+        VERIFY_TOLD(distance(points[i], expected[i]) < 1e-6, QByteArray::number(i) + ": " +
+                                                                 QByteArray::number(points[i].x) + ", " +
+                                                                 QByteArray::number(points[i].y));
     }
 }
 
@@ -119,17 +121,22 @@ private slots:
         QTest::addColumn<double>("sideways");
         QTest::addColumn<Ring>("expected");
         const Ring square{{0, 0}, {100, 0}, {100, 60}, {0, 60}};
-        QTest::newRow("inwards") << square << true << 0 << 10.0 << Ring{{0, 10}, {100, 10}, {100, 60}, {0, 60}};
-        QTest::newRow("outwards") << square << true << 0 << -5.0 << Ring{{0, -5}, {100, -5}, {100, 60}, {0, 60}};
-        QTest::newRow("the closing edge") << square << true << 3 << 20.0 << Ring{{20, 0}, {100, 0}, {100, 60}, {20, 60}};
+        QTest::newRow("inwards") << square << true << 0 << 10.0
+                                 << Ring{{0, 10}, {100, 10}, {100, 60}, {0, 60}};
+        QTest::newRow("outwards") << square << true << 0 << -5.0
+                                  << Ring{{0, -5}, {100, -5}, {100, 60}, {0, 60}};
+        QTest::newRow("the closing edge")
+            << square << true << 3 << 20.0 << Ring{{20, 0}, {100, 0}, {100, 60}, {20, 60}};
         // The sides lean by 45 degrees: the edge gets shorter by what it moves at either end.
-        QTest::newRow("along slanting neighbours") << Ring{{0, 0}, {100, 0}, {60, 40}, {40, 40}} << true << 0 << 10.0
-                                                   << Ring{{10, 10}, {90, 10}, {60, 40}, {40, 40}};
-        QTest::newRow("a neighbour straight on moves along") << Ring{{0, 0}, {50, 0}, {100, 0}, {100, 60}, {0, 60}} << true << 0
-                                                             << 10.0 << Ring{{0, 10}, {50, 10}, {100, 0}, {100, 60}, {0, 60}};
-        QTest::newRow("not beyond its neighbours' other ends") << square << true << 0 << 70.0
-                                                               << Ring{{0, 70}, {100, 70}, {100, 60}, {0, 60}};
-        QTest::newRow("the end of a line") << Ring{{0, 0}, {100, 0}} << false << 0 << 3.0 << Ring{{0, 3}, {100, 3}};
+        QTest::newRow("along slanting neighbours") << Ring{{0, 0}, {100, 0}, {60, 40}, {40, 40}} << true << 0
+                                                   << 10.0 << Ring{{10, 10}, {90, 10}, {60, 40}, {40, 40}};
+        QTest::newRow("a neighbour straight on moves along")
+            << Ring{{0, 0}, {50, 0}, {100, 0}, {100, 60}, {0, 60}} << true << 0 << 10.0
+            << Ring{{0, 10}, {50, 10}, {100, 0}, {100, 60}, {0, 60}};
+        QTest::newRow("not beyond its neighbours' other ends")
+            << square << true << 0 << 70.0 << Ring{{0, 70}, {100, 70}, {100, 60}, {0, 60}};
+        QTest::newRow("the end of a line")
+            << Ring{{0, 0}, {100, 0}} << false << 0 << 3.0 << Ring{{0, 3}, {100, 3}};
     }
     void edgesMoveParallel() {
         QFETCH(Ring, points);
@@ -137,7 +144,8 @@ private slots:
         QFETCH(int, edge);
         QFETCH(double, sideways);
         QFETCH(Ring, expected);
-        compare(withEdgeMoved(ring(points, closed), kFrame, static_cast<std::size_t>(edge), metres(sideways)), expected);
+        compare(withEdgeMoved(ring(points, closed), kFrame, static_cast<std::size_t>(edge), metres(sideways)),
+                expected);
     }
     void verticesComeAndGo() {
         const Outline square = ring({{0, 0}, {100, 0}, {100, 60}, {0, 60}});
@@ -146,7 +154,8 @@ private slots:
         compare(*withoutVertex(square, 0), {{100, 0}, {100, 60}, {0, 60}});
         QVERIFY(!withoutVertex(ring({{0, 0}, {100, 0}, {0, 60}}), 1));
         QVERIFY(!withoutVertex(ring({{0, 0}, {100, 0}}, false), 1));
-        QVERIFY2(withVertexAt(square, kFrame, 2, {90, 70})[1] == square.places[1], "what does not move stays to the last bit");
+        QVERIFY2(withVertexAt(square, kFrame, 2, {90, 70})[1] == square.places[1],
+                 "what does not move stays to the last bit");
     }
     void lengthsAndHeadingsAreTyped() {
         const Outline square = ring({{0, 0}, {100, 0}, {100, 60}, {0, 60}});
@@ -176,7 +185,8 @@ private slots:
         QFETCH(Ring, points);
         QFETCH(int, vertex);
         QFETCH(double, angleDeg);
-        COMPARE_WITHIN(inDegrees(cornerAngle(ring(points), static_cast<std::size_t>(vertex))), angleDeg, 1e-9);
+        COMPARE_WITHIN(inDegrees(cornerAngle(ring(points), static_cast<std::size_t>(vertex))), angleDeg,
+                       1e-9);
     }
     void whatAPlaceSnapsTo_data() {
         QTest::addColumn<double>("x");
@@ -217,7 +227,8 @@ private slots:
     }
     void aMovedVertexDoesNotSnapToItself() {
         QVERIFY(snapped(shape(), {100.3, 60.3}, metres(1.0), {}).isSnapped());
-        QVERIFY(!snapped(shape(), {100.3, 60.3}, metres(1.0), {}, std::pair{kOuter, std::size_t{2}}).isSnapped());
+        QVERIFY(
+            !snapped(shape(), {100.3, 60.3}, metres(1.0), {}, std::pair{kOuter, std::size_t{2}}).isSnapped());
     }
     void handDrawnLinesAreThinned() {
         Polyline line;
@@ -234,7 +245,8 @@ private slots:
         const auto before = FieldShape::of(field(), {});
         VERIFY_RESULT(before);
         const Outline* outer = before->find(kOuter);
-        FieldSource moved = withOutline(field(), kOuter, withVertexAt(*outer, before->frame, 1, outer->points[1] + Point{3, 4}));
+        FieldSource moved = withOutline(
+            field(), kOuter, withVertexAt(*outer, before->frame, 1, outer->points[1] + Point{3, 4}));
         const auto after = FieldShape::of(moved, {}, &*before);
         VERIFY_RESULT(after);
         QVERIFY(after->frame == before->frame);
@@ -242,7 +254,8 @@ private slots:
         COMPARE_WITHIN(distance(after->find(kOuter)->points[1], outer->points[1]), 5.0, 1e-6);
     }
 
-    // An edge keeps its own headland whatever happens to the points of other edges, and both halves of it have it.
+    // An edge keeps its own headland whatever happens to the points of other edges, and both halves of it
+    // have it.
     void headlandsStayWithTheirEdges_data() {
         QTest::addColumn<QList<int>>("points");  // of the ring below by number, or new ones (-1)
         QTest::addColumn<QList<int>>("edges");   // that have the headland that edge 1 had
@@ -265,7 +278,8 @@ private slots:
         const GeoRing before = source.parts.front().outer;
         GeoRing after;
         for (const int point : points) {
-            after.push_back(point < 0 ? kFrame.toGeo(Point{111, 222}) : before[static_cast<std::size_t>(point)]);
+            after.push_back(point < 0 ? kFrame.toGeo(Point{111, 222})
+                                      : before[static_cast<std::size_t>(point)]);
         }
         const FieldSource changed = withOutline(source, kOuter, after);
         QList<int> found;
@@ -277,7 +291,8 @@ private slots:
         }
         QCOMPARE(found, edges);
         // That of the hole is where it was.
-        QVERIFY(std::ranges::contains(changed.edgeHeadlands, EdgeHeadland{.part = 0, .ring = 1, .edge = 1, .width = metres(6.0)}));
+        QVERIFY(std::ranges::contains(changed.edgeHeadlands,
+                                      EdgeHeadland{.part = 0, .ring = 1, .edge = 1, .width = metres(6.0)}));
     }
 };
 

@@ -57,7 +57,8 @@ QByteArray fourFields() {
     const QJsonArray bowTie{QJsonArray{5.02, 52.0}, QJsonArray{5.022, 52.001}, QJsonArray{5.022, 52.0},
                             QJsonArray{5.02, 52.001}, QJsonArray{5.02, 52.0}};
     const QJsonArray features{feature("large", rectangleAt({5.0, 52.0}, 100.0, 60.0)),
-                              feature("small", rectangleAt({5.01, 52.0}, 80.0, 50.0)), feature("bow-tie", bowTie),
+                              feature("small", rectangleAt({5.01, 52.0}, 80.0, 50.0)),
+                              feature("bow-tie", bowTie),
                               feature("strip", rectangleAt({5.03, 52.0}, 90.0, 8.0))};
     return QJsonDocument{QJsonObject{{"type", "FeatureCollection"}, {"features", features}}}.toJson();
 }
@@ -140,19 +141,23 @@ private slots:
             QCOMPARE(record["id"].toString(), ids[i]);
             if (ids[i] == "bow-tie") {
                 QCOMPARE(record["outcome"].toString(), QStringLiteral("refused"));
-                QVERIFY2(record["error"].toString().contains("crosses itself"), qPrintable(record["error"].toString()));
+                QVERIFY2(record["error"].toString().contains("crosses itself"),
+                         qPrintable(record["error"].toString()));
                 QVERIFY(record["folder"].toString().isEmpty() && record["covered"].isNull());
                 continue;
             }
             COMPARE_WITHIN(record["area_m2"].toDouble(), areas[i], 0.1);
             COMPARE_WITHIN(record["breadth_m"].toDouble(), breadths[i], 0.01 * breadths[i] + 0.01);
             QCOMPARE(record["vertices"].toInt(), 4);
-            QVERIFY(record["covered"].toDouble() > (ids[i] == "strip" ? 0.5 : 0.95) && record["covered"].toDouble() <= 1.0);
+            QVERIFY(record["covered"].toDouble() > (ids[i] == "strip" ? 0.5 : 0.95) &&
+                    record["covered"].toDouble() <= 1.0);
             QVERIFY(record["swaths"].toInt() > 0 && record["time_ms"].toDouble() > 0.0);
             // The plan's own summary says the same.
-            QVERIFY2(record["folder"].toString().startsWith(QStringLiteral("four-0000%1-").arg(i + 1)), qPrintable(record["folder"].toString()));
+            QVERIFY2(record["folder"].toString().startsWith(QStringLiteral("four-0000%1-").arg(i + 1)),
+                     qPrintable(record["folder"].toString()));
             const QJsonObject summary =
-                QJsonDocument::fromJson(read(at("whole", record["folder"].toString() + "/summary.json"))).object();
+                QJsonDocument::fromJson(read(at("whole", record["folder"].toString() + "/summary.json")))
+                    .object();
             QCOMPARE(record["covered"].toDouble(), summary["audit"]["covered"].toDouble());
             QCOMPARE(record["swaths"].toInt(), summary["swaths"]["count"].toInt());
             QCOMPARE(record["undrivable_turns"].toInt(), summary["path"]["undrivable_turns"].toInt());
@@ -160,7 +165,8 @@ private slots:
             for (const QJsonValue& count : record["blocking"].toObject()) {
                 blocking += count.toInt();
             }
-            QCOMPARE(record["outcome"].toString(), blocking == 0 ? QStringLiteral("drivable") : QStringLiteral("blocked"));
+            QCOMPARE(record["outcome"].toString(),
+                     blocking == 0 ? QStringLiteral("drivable") : QStringLiteral("blocked"));
         }
         QCOMPARE(all[1]["outcome"].toString(), QStringLiteral("drivable"));
     }
@@ -184,7 +190,8 @@ private slots:
         COMPARE_WITHIN(report->narrow.medianCovered, coveredOf(4), 1e-12);
         COMPARE_WITHIN(report->wide.tenthCovered, std::min(coveredOf(1), coveredOf(2)), 1e-12);
         QCOMPARE(report->wide.turns, all[1]["turns"].toInt() + all[2]["turns"].toInt());
-        const QJsonObject json = QJsonDocument::fromJson(QByteArray::fromStdString(batchJson(*report))).object();
+        const QJsonObject json =
+            QJsonDocument::fromJson(QByteArray::fromStdString(batchJson(*report))).object();
         QCOMPARE(json["wide"]["fields"].toInt(), 3);
         QCOMPARE(json["narrow"]["fields"].toInt(), 1);
     }
@@ -215,7 +222,8 @@ private slots:
     void resumePlansWhatIsMissing() {
         QVERIFY(runBatch(taskInto("resumed"), {}).has_value());
         QList<QByteArray> lines = linesOf(at("resumed"));
-        const auto second = std::ranges::find_if(lines, [](const QByteArray& line) { return line.contains("\"number\":2,"); });
+        const auto second = std::ranges::find_if(
+            lines, [](const QByteArray& line) { return line.contains("\"number\":2,"); });
         QVERIFY(second != lines.end());
         lines.erase(second);
         write(at("resumed"), lines.join('\n') + '\n');
@@ -256,7 +264,8 @@ private slots:
         }
     }
 
-    // Two farms, two machines' exports: the same name in two folders, and the same stem with another extension.
+    // Two farms, two machines' exports: the same name in two folders, and the same stem with another
+    // extension.
     void filesOfOneNameDoNotMeet() {
         QVERIFY(QDir{folder_.path()}.mkpath("east") && QDir{folder_.path()}.mkpath("west"));
         BatchTask task = taskInto("namesakes");
@@ -264,7 +273,8 @@ private slots:
         double lon = 5.0;
         for (const char* name : {"east/one.geojson", "west/one.geojson", "west/one.json"}) {
             const QJsonArray features{feature(name, rectangleAt({lon, 52.0}, 80.0, 50.0))};
-            write(folder_.filePath(name), QJsonDocument{QJsonObject{{"type", "FeatureCollection"}, {"features", features}}}.toJson());
+            write(folder_.filePath(name),
+                  QJsonDocument{QJsonObject{{"type", "FeatureCollection"}, {"features", features}}}.toJson());
             task.files.push_back(folder_.filePath(name).toStdString());
             lon += 0.01;
         }
@@ -278,7 +288,10 @@ private slots:
         for (const BatchRecord& record : report->records) {
             const QString folder = QString::fromStdString(record.folder);
             folders << folder;
-            ids << QJsonDocument::fromJson(read(at("namesakes", folder + "/summary.json"))).object()["field"].toObject()["id"].toString();
+            ids << QJsonDocument::fromJson(read(at("namesakes", folder + "/summary.json")))
+                       .object()["field"]
+                       .toObject()["id"]
+                       .toString();
         }
         QCOMPARE(folders.size(), 3);
         QCOMPARE(ids, (QSet<QString>{"east/one.geojson", "west/one.geojson", "west/one.json"}));
@@ -393,7 +406,8 @@ private slots:
         task.files = {folder_.filePath("text.geojson").toStdString()};
         const auto damaged = runBatch(task, {});
         QVERIFY(!damaged);
-        QVERIFY(damaged.error().code == ErrorCode::InputRefused || damaged.error().code == ErrorCode::ReadFailed);
+        QVERIFY(damaged.error().code == ErrorCode::InputRefused ||
+                damaged.error().code == ErrorCode::ReadFailed);
     }
 
     void whatCannotBeWritten() {

@@ -55,12 +55,14 @@ bool sameRings(const Field& field, const MultiPolygon& expected, double toleranc
     const auto samePolygon = [&](const Polygon& ours, const Polygon& wanted) {
         return ours.holes.size() == wanted.holes.size() && same(inRow(ours.outer), wanted.outer) &&
                std::ranges::all_of(wanted.holes, [&](const Ring& hole) {
-                   return std::ranges::any_of(ours.holes, [&](const Ring& own) { return same(inRow(own), hole); });
+                   return std::ranges::any_of(ours.holes,
+                                              [&](const Ring& own) { return same(inRow(own), hole); });
                });
     };
     return field.boundary().size() == expected.size() &&
            std::ranges::all_of(expected, [&](const Polygon& wanted) {
-               return std::ranges::any_of(field.boundary(), [&](const Polygon& own) { return samePolygon(own, wanted); });
+               return std::ranges::any_of(field.boundary(),
+                                          [&](const Polygon& own) { return samePolygon(own, wanted); });
            });
 }
 
@@ -76,7 +78,8 @@ GeoRing circle(std::size_t count, double radiusM) {
     const LocalFrame frame = LocalFrame::centredOn(kCentre).value();
     Ring ring;
     for (std::size_t i = 0; i < count; ++i) {
-        ring.push_back(radiusM * direction(2.0 * std::numbers::pi * static_cast<double>(i) / static_cast<double>(count)));
+        ring.push_back(radiusM * direction(2.0 * std::numbers::pi * static_cast<double>(i) /
+                                           static_cast<double>(count)));
     }
     return frame.toGeo(ring);
 }
@@ -108,42 +111,45 @@ private slots:
         QTest::newRow("points within half a millimetre of each other")
             << "POLYGON((5 6, 5.0002 6, 5.0002 6.0002, 5 6))" << "fewer than 3" << boundary << 5.0 << 6.0;
         // Collinear points are spikes upon spikes; what is left are its two ends.
-        QTest::newRow("all points on one line") << "POLYGON((0 0, 30 30, 90 90, 60 60, 0 0))" << "" << boundary << 0.0 << 0.0;
+        QTest::newRow("all points on one line")
+            << "POLYGON((0 0, 30 30, 90 90, 60 60, 0 0))" << "" << boundary << 0.0 << 0.0;
         QTest::newRow("a triangle thinner than a point")
             << "POLYGON((0 0, 50 0, 100 0.0001, 0 0))" << "" << boundary << 0.0 << 0.0;
-        QTest::newRow("bow-tie") << "POLYGON((0 0, 100 100, 100 0, 0 100, 0 0))" << "crosses itself" << boundary << 50.0
-                                 << 50.0;
-        QTest::newRow("uneven bow-tie") << "POLYGON((0 0, 150 50, 150 0, 0 100, 0 0))" << "crosses itself" << boundary
-                                        << 100.0 << 100.0 / 3.0;
+        QTest::newRow("bow-tie") << "POLYGON((0 0, 100 100, 100 0, 0 100, 0 0))" << "crosses itself"
+                                 << boundary << 50.0 << 50.0;
+        QTest::newRow("uneven bow-tie") << "POLYGON((0 0, 150 50, 150 0, 0 100, 0 0))" << "crosses itself"
+                                        << boundary << 100.0 << 100.0 / 3.0;
         // A loop that runs round a second time: the inner square is enclosed twice.
         QTest::newRow("loop over itself")
-            << "POLYGON((0 0, 100 0, 100 100, 20 100, 20 -30, 60 -30, 60 60, 0 60, 0 0))" << "crosses itself" << boundary
-            << kNan << kNan;
+            << "POLYGON((0 0, 100 0, 100 100, 20 100, 20 -30, 60 -30, 60 60, 0 60, 0 0))" << "crosses itself"
+            << boundary << kNan << kNan;
         QTest::newRow("second part is a bow-tie")
             << "MULTIPOLYGON(((0 0, 100 0, 100 100, 0 100, 0 0)), ((200 0, 300 100, 300 0, 200 100, 200 0)))"
             << "crosses itself" << boundary << 250.0 << 50.0;
         QTest::newRow("second part has two points")
-            << "MULTIPOLYGON(((0 0, 100 0, 100 100, 0 100, 0 0)), ((200 0, 300 100, 200 0)))" << "fewer than 3"
+            << "MULTIPOLYGON(((0 0, 100 0, 100 100, 0 100, 0 0)), ((200 0, 300 100, 200 0)))"
+            << "fewer than 3"
             << "part 2" << 200.0 << 0.0;
         QTest::newRow("hole outside the boundary")
-            << "POLYGON((0 0, 100 0, 100 100, 0 100, 0 0), (200 20, 200 40, 240 40, 240 20, 200 20))" << "hole lies outside"
-            << boundary << kNan << kNan;
+            << "POLYGON((0 0, 100 0, 100 100, 0 100, 0 0), (200 20, 200 40, 240 40, 240 20, 200 20))"
+            << "hole lies outside" << boundary << kNan << kNan;
         QTest::newRow("hole the same as the boundary")
-            << "POLYGON((0 0, 100 0, 100 100, 0 100, 0 0), (0 0, 100 0, 100 100, 0 100, 0 0))" << "leave nothing" << boundary
-            << kNan << kNan;
+            << "POLYGON((0 0, 100 0, 100 100, 0 100, 0 0), (0 0, 100 0, 100 100, 0 100, 0 0))"
+            << "leave nothing" << boundary << kNan << kNan;
         QTest::newRow("hole larger than the boundary")
-            << "POLYGON((0 0, 100 0, 100 100, 0 100, 0 0), (-10 -10, -10 110, 110 110, 110 -10, -10 -10))" << "leave nothing"
-            << boundary << kNan << kNan;
+            << "POLYGON((0 0, 100 0, 100 100, 0 100, 0 0), (-10 -10, -10 110, 110 110, 110 -10, -10 -10))"
+            << "leave nothing" << boundary << kNan << kNan;
         QTest::newRow("hole that crosses itself")
-            << "POLYGON((0 0, 100 0, 100 100, 0 100, 0 0), (20 20, 60 80, 60 20, 20 60, 20 20))" << "crosses itself"
-            << boundary << kNan << kNan;
+            << "POLYGON((0 0, 100 0, 100 100, 0 100, 0 0), (20 20, 60 80, 60 20, 20 60, 20 20))"
+            << "crosses itself" << boundary << kNan << kNan;
         // Its wings cancel out in the signed area.
         QTest::newRow("hole that is an even bow-tie")
-            << "POLYGON((0 0, 100 0, 100 100, 0 100, 0 0), (20 20, 60 60, 60 20, 20 60, 20 20))" << "crosses itself"
-            << boundary << 40.0 << 40.0;
+            << "POLYGON((0 0, 100 0, 100 100, 0 100, 0 0), (20 20, 60 60, 60 20, 20 60, 20 20))"
+            << "crosses itself" << boundary << 40.0 << 40.0;
         // Half a millimetre broad.
         QTest::newRow("nothing but slivers")
-            << "MULTIPOLYGON(((0 0, 10 0, 10 0.0005, 0 0)), ((20 0, 30 0, 30 0.0005, 20 0)))" << "" << "the boundary" << 0.0 << 0.0;
+            << "MULTIPOLYGON(((0 0, 10 0, 10 0.0005, 0 0)), ((20 0, 30 0, 30 0.0005, 20 0)))" << ""
+            << "the boundary" << 0.0 << 0.0;
     }
     void refuses() {
         QFETCH(QString, wkt);
@@ -203,8 +209,8 @@ private slots:
     }
 
     void refusesCoordinatesAnywhere() {
-        FieldSource hole = sourceFromWkt(
-            "POLYGON((0 0, 100 0, 100 100, 0 100, 0 0), (40 40, 40 60, 60 60, 60 40, 40 40))");
+        FieldSource hole =
+            sourceFromWkt("POLYGON((0 0, 100 0, 100 100, 0 100, 0 0), (40 40, 40 60, 60 60, 60 40, 40 40))");
         hole.parts.front().holes.front()[1].latDeg = kNan;
         const auto inHole = Field::create(hole);
         QVERIFY(!inHole);
@@ -241,7 +247,8 @@ private slots:
         const auto buffer = Field::create(source);
         QVERIFY(!buffer && buffer.error().code == ErrorCode::InputRefused);
         source.obstacles.clear();
-        source.gates = {{.name = "north", .position = source.parts.front().outer.front(), .width = metres(lengthM)}};
+        source.gates = {
+            {.name = "north", .position = source.parts.front().outer.front(), .width = metres(lengthM)}};
         const auto gate = Field::create(source);
         QVERIFY(!gate && gate.error().code == ErrorCode::InputRefused);
     }
@@ -249,11 +256,13 @@ private slots:
     void keepsWhatIsInTheWay_data() {
         QTest::addColumn<QString>("wkt");
         QTest::addColumn<double>("m2");
-        QTest::newRow("a pole") << "POLYGON((0 0, 100 0, 100 100, 0 100, 0 0), (50 50, 50 50.08, 50.08 50.08, 50.08 50, 50 50))"
-                                << 0.0064;
+        QTest::newRow("a pole")
+            << "POLYGON((0 0, 100 0, 100 100, 0 100, 0 0), (50 50, 50 50.08, 50.08 50.08, 50.08 50, 50 50))"
+            << 0.0064;
         // Wings of 0.12 and 0.03 m² that meet at 50.4, 50.2: less than what makes land a sliver.
         QTest::newRow("a stone drawn as a bow-tie")
-            << "POLYGON((0 0, 100 0, 100 100, 0 100, 0 0), (50 50, 50.6 50.3, 50.6 50, 50 50.6, 50 50))" << 0.15;
+            << "POLYGON((0 0, 100 0, 100 100, 0 100, 0 0), (50 50, 50.6 50.3, 50.6 50, 50 50.6, 50 50))"
+            << 0.15;
     }
     void keepsWhatIsInTheWay() {
         QFETCH(QString, wkt);
@@ -316,7 +325,8 @@ private slots:
                 QVERIFY(std::ranges::find(source.parts[i].outer, point) != source.parts[i].outer.end());
             }
         }
-        COMPARE_WITHIN(area(field->boundary()).si() / area(test::polygonsFromWkt(wkt.toStdString())).si(), 1.0, 1e-6);
+        COMPARE_WITHIN(area(field->boundary()).si() / area(test::polygonsFromWkt(wkt.toStdString())).si(),
+                       1.0, 1e-6);
         COMPARE_WITHIN(field->area().si() / area(field->boundary()).si(), 1.0, 1e-6);
         QVERIFY(field->workable() == field->boundary());
         QVERIFY(field->drivable() == field->boundary());
@@ -329,30 +339,35 @@ private slots:
         QTest::addColumn<double>("y");
         QTest::addColumn<QString>("repaired");
         const QString square = QStringLiteral("POLYGON((0 0, 100 0, 100 100, 0 100, 0 0))");
-        QTest::newRow("point twice") << "POLYGON((0 0, 100 0, 100 0, 100 100, 0 100, 0 0))" << "1 point was given twice"
-                                     << 100.0 << 0.0 << square;
+        QTest::newRow("point twice") << "POLYGON((0 0, 100 0, 100 0, 100 100, 0 100, 0 0))"
+                                     << "1 point was given twice" << 100.0 << 0.0 << square;
         QTest::newRow("points twice at several places")
-            << "POLYGON((0 0, 100 0, 100 0, 100 0, 100 100, 0 100, 0 100, 0 0))" << "3 points were given twice" << 100.0
-            << 0.0 << square;
-        QTest::newRow("closing point twice") << "POLYGON((0 0, 100 0, 100 100, 0 100, 0 0, 0 0))" << "given twice" << 0.0
-                                             << 0.0 << square;
+            << "POLYGON((0 0, 100 0, 100 0, 100 0, 100 100, 0 100, 0 100, 0 0))"
+            << "3 points were given twice" << 100.0 << 0.0 << square;
+        QTest::newRow("closing point twice")
+            << "POLYGON((0 0, 100 0, 100 100, 0 100, 0 0, 0 0))" << "given twice" << 0.0 << 0.0 << square;
         QTest::newRow("closing point off by half a millimetre")
-            << "POLYGON((0 0, 100 0, 100 100, 0 100, 0.0003 0.0004))" << "given twice" << 0.0 << 0.0 << square;
-        QTest::newRow("spike outwards") << "POLYGON((0 0, 50 0, 50 -30, 50 0, 100 0, 100 100, 0 100, 0 0))" << "spike" << 50.0
-                                        << -30.0 << "POLYGON((0 0, 50 0, 100 0, 100 100, 0 100, 0 0))";
-        QTest::newRow("spike inwards") << "POLYGON((0 0, 50 0, 50 40, 50 0, 100 0, 100 100, 0 100, 0 0))" << "spike" << 50.0
-                                       << 40.0 << "POLYGON((0 0, 50 0, 100 0, 100 100, 0 100, 0 0))";
-        QTest::newRow("spike at a corner") << "POLYGON((0 0, 130 0, 100 0, 100 100, 0 100, 0 0))" << "spike" << 130.0 << 0.0
-                                           << square;
-        QTest::newRow("spike where the ring closes") << "POLYGON((0 0, 100 0, 100 100, 0 100, 0 -20, 0 0))" << "spike" << 0.0
-                                                     << -20.0 << square;
-        QTest::newRow("spike at the first point") << "POLYGON((-20 0, 0 0, 100 0, 100 100, 0 100, 0 0, -20 0))" << "spike"
-                                                  << -20.0 << 0.0 << square;
-        QTest::newRow("spike with a bend")
-            << "POLYGON((0 0, 50 0, 50 -30, 80 -30, 50 -30, 50 0, 100 0, 100 100, 0 100, 0 0))" << "spike" << 80.0 << -30.0
+            << "POLYGON((0 0, 100 0, 100 100, 0 100, 0.0003 0.0004))" << "given twice" << 0.0 << 0.0
+            << square;
+        QTest::newRow("spike outwards")
+            << "POLYGON((0 0, 50 0, 50 -30, 50 0, 100 0, 100 100, 0 100, 0 0))" << "spike" << 50.0 << -30.0
             << "POLYGON((0 0, 50 0, 100 0, 100 100, 0 100, 0 0))";
-        QTest::newRow("ring the wrong way round") << "POLYGON((0 0, 0 100, 100 100, 100 0, 0 0))"
-                                                  << "1 ring ran the wrong way round" << kNan << kNan << square;
+        QTest::newRow("spike inwards")
+            << "POLYGON((0 0, 50 0, 50 40, 50 0, 100 0, 100 100, 0 100, 0 0))" << "spike" << 50.0 << 40.0
+            << "POLYGON((0 0, 50 0, 100 0, 100 100, 0 100, 0 0))";
+        QTest::newRow("spike at a corner")
+            << "POLYGON((0 0, 130 0, 100 0, 100 100, 0 100, 0 0))" << "spike" << 130.0 << 0.0 << square;
+        QTest::newRow("spike where the ring closes")
+            << "POLYGON((0 0, 100 0, 100 100, 0 100, 0 -20, 0 0))" << "spike" << 0.0 << -20.0 << square;
+        QTest::newRow("spike at the first point")
+            << "POLYGON((-20 0, 0 0, 100 0, 100 100, 0 100, 0 0, -20 0))" << "spike" << -20.0 << 0.0
+            << square;
+        QTest::newRow("spike with a bend")
+            << "POLYGON((0 0, 50 0, 50 -30, 80 -30, 50 -30, 50 0, 100 0, 100 100, 0 100, 0 0))" << "spike"
+            << 80.0 << -30.0 << "POLYGON((0 0, 50 0, 100 0, 100 100, 0 100, 0 0))";
+        QTest::newRow("ring the wrong way round")
+            << "POLYGON((0 0, 0 100, 100 100, 100 0, 0 0))"
+            << "1 ring ran the wrong way round" << kNan << kNan << square;
         QTest::newRow("hole the wrong way round")
             << "POLYGON((0 0, 100 0, 100 100, 0 100, 0 0), (40 40, 60 40, 60 60, 40 60, 40 40))"
             << "1 ring ran the wrong way round" << kNan << kNan
@@ -363,19 +378,21 @@ private slots:
             << "POLYGON((0 0, 100 0, 100 100, 0 100, 0 0), (40 40, 40 60, 60 60, 60 40, 40 40))";
         // One line that goes round two squares in the same direction and touches itself where they meet.
         QTest::newRow("figure of eight that touches in a point")
-            << "POLYGON((0 0, 50 0, 50 50, 100 50, 100 100, 50 100, 50 50, 0 50, 0 0))" << "taken apart" << 50.0 << 50.0
+            << "POLYGON((0 0, 50 0, 50 50, 100 50, 100 100, 50 100, 50 50, 0 50, 0 0))" << "taken apart"
+            << 50.0 << 50.0
             << "MULTIPOLYGON(((0 0, 50 0, 50 50, 0 50, 0 0)), ((50 50, 100 50, 100 100, 50 100, 50 50)))";
         QTest::newRow("a hole drawn into the outer ring touches it in a point")
             << "POLYGON((0 0, 100 0, 100 100, 0 100, 0 0, 30 60, 60 30, 0 0))" << "taken apart" << 0.0 << 0.0
             << "POLYGON((0 0, 100 0, 100 100, 0 100, 0 0), (0 0, 30 60, 60 30, 0 0))";
         QTest::newRow("crossing by a sliver")
-            << "POLYGON((0 0, 100 0, 100 100, 50 -0.001, 0 100, 0 0))" << "crosses itself by a sliver" << 50.0 << 0.0
-            << "MULTIPOLYGON(((0 0, 50 0, 0 100, 0 0)), ((50 0, 100 0, 100 100, 50 0)))";
+            << "POLYGON((0 0, 100 0, 100 100, 50 -0.001, 0 100, 0 0))" << "crosses itself by a sliver" << 50.0
+            << 0.0 << "MULTIPOLYGON(((0 0, 50 0, 0 100, 0 0)), ((50 0, 100 0, 100 100, 50 0)))";
         QTest::newRow("hole partly outside the boundary")
-            << "POLYGON((0 0, 100 0, 100 100, 0 100, 0 0), (80 40, 80 60, 120 60, 120 40, 80 40))" << "joined" << kNan << kNan
-            << "POLYGON((0 0, 100 0, 100 40, 80 40, 80 60, 100 60, 100 100, 0 100, 0 0))";
+            << "POLYGON((0 0, 100 0, 100 100, 0 100, 0 0), (80 40, 80 60, 120 60, 120 40, 80 40))" << "joined"
+            << kNan << kNan << "POLYGON((0 0, 100 0, 100 40, 80 40, 80 60, 100 60, 100 100, 0 100, 0 0))";
         QTest::newRow("hole with an edge on the boundary")
-            << "POLYGON((0 0, 100 0, 100 40, 100 60, 100 100, 0 100, 0 0), (80 40, 80 60, 100 60, 100 40, 80 40))" << "joined" << kNan << kNan
+            << "POLYGON((0 0, 100 0, 100 40, 100 60, 100 100, 0 100, 0 0), (80 40, 80 60, 100 60, 100 40, 80 40))"
+            << "joined" << kNan << kNan
             << "POLYGON((0 0, 100 0, 100 40, 80 40, 80 60, 100 60, 100 100, 0 100, 0 0))";
         QTest::newRow("two holes that overlap")
             << "POLYGON((0 0, 100 0, 100 100, 0 100, 0 0), (20 20, 20 40, 40 40, 40 20, 20 20), "
@@ -388,8 +405,9 @@ private slots:
             << "joined" << kNan << kNan
             << "POLYGON((0 0, 100 0, 100 100, 0 100, 0 0), (20 20, 20 40, 40 40, 40 20, 20 20))";
         QTest::newRow("parts that overlap")
-            << "MULTIPOLYGON(((0 0, 100 0, 100 100, 0 100, 0 0)), ((80 10, 180 10, 180 90, 80 90, 80 10)))" << "joined" << kNan
-            << kNan << "POLYGON((0 0, 100 0, 100 10, 180 10, 180 90, 100 90, 100 100, 0 100, 0 0))";
+            << "MULTIPOLYGON(((0 0, 100 0, 100 100, 0 100, 0 0)), ((80 10, 180 10, 180 90, 80 90, 80 10)))"
+            << "joined" << kNan << kNan
+            << "POLYGON((0 0, 100 0, 100 10, 180 10, 180 90, 100 90, 100 100, 0 100, 0 0))";
         // 0.0075 m², as in a register beside 6.54 ha.
         QTest::newRow("sliver beside the field")
             << "MULTIPOLYGON(((0 0, 100 0, 100 100, 0 100, 0 0)), ((200 0, 203 0, 203 0.005, 200 0)))"
@@ -398,8 +416,8 @@ private slots:
             << "MULTIPOLYGON(((0 0, 100 0, 100 100, 0 100, 0 0)), ((200 0, 200.2 0.2, 200.2 0, 200 0.2, 200 0)))"
             << "a sliver of 0.02 m² was left out" << 200.0 << 0.0 << square;
         QTest::newRow("hole without area")
-            << "POLYGON((0 0, 100 0, 100 100, 0 100, 0 0), (20 20, 40 40, 20 20))" << "hole 1 encloses no area" << 20.0
-            << 20.0 << square;
+            << "POLYGON((0 0, 100 0, 100 100, 0 100, 0 0), (20 20, 40 40, 20 20))"
+            << "hole 1 encloses no area" << 20.0 << 20.0 << square;
     }
     void repairs() {
         QFETCH(QString, wkt);
@@ -466,10 +484,12 @@ private slots:
         const MultiPolygon drawn = test::polygonsFromWkt(
             "POLYGON((-100 -60, 100 -60, 100 60, -100 60, -100 -60), (-20 -10, -20 10, 20 10, 20 -10, -20 -10))");
         FieldSource source = fieldSourceFromLocal(drawn, {lonDeg, latDeg});
-        source.obstacles = {{.name = "pond",
-                             .outline = LocalFrame::centredOn({lonDeg, latDeg})->toGeo(test::rectangle(20.0, 10.0, {50.0, 20.0})),
-                             .passable = false,
-                             .buffer = metres(0.0)}};
+        source.obstacles = {
+            {.name = "pond",
+             .outline =
+                 LocalFrame::centredOn({lonDeg, latDeg})->toGeo(test::rectangle(20.0, 10.0, {50.0, 20.0})),
+             .passable = false,
+             .buffer = metres(0.0)}};
         const auto field = Field::create(source);
         VERIFY_RESULT(field);
         QVERIFY2(field->repairs().empty(), allNotes(*field).c_str());
@@ -495,19 +515,23 @@ private slots:
         const QString middle = QStringLiteral("POLYGON((40 40, 60 40, 60 60, 40 60, 40 40))");
         QTest::newRow("may not be driven on") << middle << false << 0.0 << 9600.0 << 9600.0 << 0.01;
         QTest::newRow("may be driven on") << middle << true << 0.0 << 9600.0 << 10'000.0 << 0.01;
-        QTest::newRow("with a buffer") << middle << false << 5.0 << 10'000.0 - withBuffer << 10'000.0 - withBuffer << 0.5;
-        QTest::newRow("passable with a buffer") << middle << true << 5.0 << 10'000.0 - withBuffer << 10'000.0 << 0.5;
-        QTest::newRow("half outside the field") << "POLYGON((90 40, 110 40, 110 60, 90 60, 90 40))" << false << 0.0 << 9800.0
-                                                << 9800.0 << 0.01;
-        QTest::newRow("drawn clockwise") << "POLYGON((40 40, 40 60, 60 60, 60 40, 40 40))" << false << 0.0 << 9600.0 << 9600.0
-                                         << 0.01;
-        QTest::newRow("right across the field") << "POLYGON((45 -10, 55 -10, 55 110, 45 110, 45 -10))" << false << 0.0
-                                                << 9000.0 << 9000.0 << 0.01;
-        // 5 m by 20 m, and of each quarter circle what lies 2 m to 7 m from its centre's line: the integral of
-        // sqrt(49 - u²) is 49 pi / 4 - sqrt(45) - 24.5 asin(2/7).
-        const double reachesIn = 100.0 + 2.0 * (12.25 * std::numbers::pi - std::sqrt(45.0) - 24.5 * std::asin(2.0 / 7.0));
-        QTest::newRow("outside, but its buffer reaches in") << "POLYGON((102 40, 120 40, 120 60, 102 60, 102 40))" << false
-                                                            << 7.0 << 10'000.0 - reachesIn << 10'000.0 - reachesIn << 0.5;
+        QTest::newRow("with a buffer")
+            << middle << false << 5.0 << 10'000.0 - withBuffer << 10'000.0 - withBuffer << 0.5;
+        QTest::newRow("passable with a buffer")
+            << middle << true << 5.0 << 10'000.0 - withBuffer << 10'000.0 << 0.5;
+        QTest::newRow("half outside the field")
+            << "POLYGON((90 40, 110 40, 110 60, 90 60, 90 40))" << false << 0.0 << 9800.0 << 9800.0 << 0.01;
+        QTest::newRow("drawn clockwise")
+            << "POLYGON((40 40, 40 60, 60 60, 60 40, 40 40))" << false << 0.0 << 9600.0 << 9600.0 << 0.01;
+        QTest::newRow("right across the field") << "POLYGON((45 -10, 55 -10, 55 110, 45 110, 45 -10))"
+                                                << false << 0.0 << 9000.0 << 9000.0 << 0.01;
+        // 5 m by 20 m, and of each quarter circle what lies 2 m to 7 m from its centre's line: the integral
+        // of sqrt(49 - u²) is 49 pi / 4 - sqrt(45) - 24.5 asin(2/7).
+        const double reachesIn =
+            100.0 + 2.0 * (12.25 * std::numbers::pi - std::sqrt(45.0) - 24.5 * std::asin(2.0 / 7.0));
+        QTest::newRow("outside, but its buffer reaches in")
+            << "POLYGON((102 40, 120 40, 120 60, 102 60, 102 40))" << false << 7.0 << 10'000.0 - reachesIn
+            << 10'000.0 - reachesIn << 0.5;
     }
     void obstacles() {
         QFETCH(QString, outline);
@@ -529,12 +553,15 @@ private slots:
     void refusesObstacles_data() {
         QTest::addColumn<QString>("outline");
         QTest::addColumn<QString>("part");
-        QTest::newRow("outside the field") << "POLYGON((200 40, 220 40, 220 60, 200 60, 200 40))" << "outside the field";
-        QTest::newRow("a centimetre outside the field") << "POLYGON((100.01 40, 120 40, 120 60, 100.01 60, 100.01 40))"
-                                                        << "outside the field";
+        QTest::newRow("outside the field")
+            << "POLYGON((200 40, 220 40, 220 60, 200 60, 200 40))" << "outside the field";
+        QTest::newRow("a centimetre outside the field")
+            << "POLYGON((100.01 40, 120 40, 120 60, 100.01 60, 100.01 40))"
+            << "outside the field";
         QTest::newRow("crosses itself") << "POLYGON((20 20, 60 60, 60 20, 20 60, 20 20))" << "crosses itself";
         QTest::newRow("two points") << "POLYGON((20 20, 60 60, 20 20))" << "fewer than 3";
-        QTest::newRow("covers the field") << "POLYGON((-10 -10, 110 -10, 110 110, -10 110, -10 -10))" << "leave nothing";
+        QTest::newRow("covers the field")
+            << "POLYGON((-10 -10, 110 -10, 110 110, -10 110, -10 -10))" << "leave nothing";
     }
     void refusesObstacles() {
         QFETCH(QString, outline);
@@ -557,8 +584,8 @@ private slots:
     void aStoppedJobIsCancelled() {
         std::stop_source stop;
         stop.request_stop();
-        const auto field =
-            Field::create(sourceFromWkt("POLYGON((0 0, 100 0, 100 100, 0 100, 0 0))"), {.stop = stop.get_token()});
+        const auto field = Field::create(sourceFromWkt("POLYGON((0 0, 100 0, 100 100, 0 100, 0 0))"),
+                                         {.stop = stop.get_token()});
         QVERIFY(!field);
         QCOMPARE(field.error().code, ErrorCode::Cancelled);
     }
@@ -569,8 +596,8 @@ private slots:
         std::mt19937_64 random{kSeed};
         for (int i = 0; i < 200; ++i) {
             const test::Shape shape = test::kShapes[static_cast<std::size_t>(i) % test::kShapes.size()];
-            const MultiPolygon drawn = test::moved(test::randomPolygons(random, shape, test::uniform(random, 30.0, 600.0)),
-                                                   radians(0.0), {});
+            const MultiPolygon drawn = test::moved(
+                test::randomPolygons(random, shape, test::uniform(random, 30.0, 600.0)), radians(0.0), {});
             const GeoPoint centre{test::uniform(random, -180.0, 180.0), test::uniform(random, -75.0, 75.0)};
             const auto field = Field::create(fieldSourceFromLocal(drawn, centre));
             const QByteArray told = QStringLiteral("seed %1, field %2").arg(kSeed).arg(i).toUtf8();

@@ -34,7 +34,8 @@ double geodesicDistanceM(GeoPoint a, GeoPoint b) {
 GeoPoint placeAt(GeoPoint from, double azimuthDeg, double wayM) {
     const geod_geodesic ellipsoid = wgs84();
     GeoPoint place;
-    geod_direct(&ellipsoid, from.latDeg, from.lonDeg, azimuthDeg, wayM, &place.latDeg, &place.lonDeg, nullptr);
+    geod_direct(&ellipsoid, from.latDeg, from.lonDeg, azimuthDeg, wayM, &place.latDeg, &place.lonDeg,
+                nullptr);
     return place;
 }
 
@@ -76,7 +77,9 @@ private slots:
                     const double groundM = geodesicDistanceM(place, other);
                     // planner.md section 2: under 1.3 mm per km within 10 km of the centre.
                     QVERIFY2(std::abs(planeM - groundM) < 1.3e-6 * groundM,
-                             qPrintable(QStringLiteral("%1 m instead of %2 m").arg(planeM, 0, 'f', 6).arg(groundM, 0, 'f', 6)));
+                             qPrintable(QStringLiteral("%1 m instead of %2 m")
+                                            .arg(planeM, 0, 'f', 6)
+                                            .arg(groundM, 0, 'f', 6)));
                 }
             }
         }
@@ -124,13 +127,14 @@ private slots:
     void projStringRebuildsIt() {
         QFETCH(double, lonDeg);
         QFETCH(double, latDeg);
-        const auto frame = LocalFrame::centredOn({lonDeg + (lonDeg < 0 ? 1.0 / 3.0 : -1.0 / 3.0), latDeg / 1.1});
+        const auto frame =
+            LocalFrame::centredOn({lonDeg + (lonDeg < 0 ? 1.0 / 3.0 : -1.0 / 3.0), latDeg / 1.1});
         VERIFY_RESULT(frame);
         PJ* rebuilt = proj_create(nullptr, frame->projString().c_str());
         QVERIFY(rebuilt != nullptr);
         const GeoPoint place = placeAt(frame->centre(), 33.0, 2500.0);
-        const PJ_COORD there =
-            proj_trans(rebuilt, PJ_FWD, proj_coord(proj_torad(place.lonDeg), proj_torad(place.latDeg), 0.0, 0.0));
+        const PJ_COORD there = proj_trans(
+            rebuilt, PJ_FWD, proj_coord(proj_torad(place.lonDeg), proj_torad(place.latDeg), 0.0, 0.0));
         proj_destroy(rebuilt);
         const Point ours = frame->toLocal(place);
         COMPARE_WITHIN(there.xy.x, ours.x, 1e-9);
@@ -173,7 +177,8 @@ private slots:
         const double e = std::sqrt(f * (2.0 - f));
         const auto zoneM2 = [&](double latDeg) {
             const double s = std::sin(latDeg * std::numbers::pi / 180.0);
-            return 2.0 * std::numbers::pi * b * b * (s / (2.0 * (1.0 - e * e * s * s)) + std::atanh(e * s) / (2.0 * e));
+            return 2.0 * std::numbers::pi * b * b *
+                   (s / (2.0 * (1.0 - e * e * s * s)) + std::atanh(e * s) / (2.0 * e));
         };
         const double expectedM2 = (zoneM2(southDeg + 1.0) - zoneM2(southDeg)) / 360.0;
         constexpr int kSteps = 2000;
@@ -241,7 +246,8 @@ private slots:
                 threads.emplace_back([&] {
                     result = true;
                     for (int i = 0; i < 200; ++i) {
-                        result = result && first->toLocal(near) == firstLocal && second->toLocal(far) == secondLocal;
+                        result = result && first->toLocal(near) == firstLocal &&
+                                 second->toLocal(far) == secondLocal;
                     }
                 });
             }

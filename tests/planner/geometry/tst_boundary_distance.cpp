@@ -19,7 +19,8 @@ double insideByBruteForce(const MultiPolygon& polygons, Point point) {
         const Point way = b - a;
         const double t = std::clamp(dot(point - a, way) / dot(way, way), 0.0, 1.0);
         nearest = std::min(nearest, distance(point, a + t * way));
-        if ((a.y > point.y) != (b.y > point.y) && point.x < a.x + (b.x - a.x) * (point.y - a.y) / (b.y - a.y)) {
+        if ((a.y > point.y) != (b.y > point.y) &&
+            point.x < a.x + (b.x - a.x) * (point.y - a.y) / (b.y - a.y)) {
             inside = !inside;
         }
     });
@@ -71,21 +72,26 @@ private slots:
         QTest::newRow("ahead of a needle, to the left") << needle << 5.0 << 101.0 << 2.0 << -std::sqrt(5.0);
         QTest::newRow("ahead of a needle, to the right") << needle << 5.0 << 101.0 << -2.0 << -std::sqrt(5.0);
         // 0.01 m above the axis at 50 m; the edges are 0.5 m away from the axis there, sloping by 1 in 100.
-        QTest::newRow("in a needle") << needle << 5.0 << 50.0 << 0.01 << 0.49 * 100.0 / std::hypot(100.0, 1.0);
-        QTest::newRow("above a needle") << needle << 5.0 << 50.0 << 1.5 << -1.0 * 100.0 / std::hypot(100.0, 1.0);
+        QTest::newRow("in a needle") << needle << 5.0 << 50.0 << 0.01
+                                     << 0.49 * 100.0 / std::hypot(100.0, 1.0);
+        QTest::newRow("above a needle")
+            << needle << 5.0 << 50.0 << 1.5 << -1.0 * 100.0 / std::hypot(100.0, 1.0);
         // A notch as sharp, cut into a block from the left; its tip is at (100, 0).
-        const QString notch = QStringLiteral("POLYGON((0 -50, 200 -50, 200 50, 0 50, 0 1, 100 0, 0 -1, 0 -50))");
+        const QString notch =
+            QStringLiteral("POLYGON((0 -50, 200 -50, 200 50, 0 50, 0 1, 100 0, 0 -1, 0 -50))");
         QTest::newRow("ahead of a notch") << notch << 5.0 << 103.0 << 0.0 << 3.0;
         QTest::newRow("ahead of a notch, to the left") << notch << 5.0 << 101.0 << 2.0 << std::sqrt(5.0);
         QTest::newRow("ahead of a notch, to the right") << notch << 5.0 << 101.0 << -2.0 << std::sqrt(5.0);
         QTest::newRow("in a notch") << notch << 5.0 << 50.0 << 0.01 << -0.49 * 100.0 / std::hypot(100.0, 1.0);
         // Two parts 4 m apart.
-        const QString parts = QStringLiteral("MULTIPOLYGON(((0 0, 20 0, 20 20, 0 20, 0 0)), ((24 0, 44 0, 44 20, 24 20, 24 0)))");
+        const QString parts = QStringLiteral(
+            "MULTIPOLYGON(((0 0, 20 0, 20 20, 0 20, 0 0)), ((24 0, 44 0, 44 20, 24 20, 24 0)))");
         QTest::newRow("between parts") << parts << 5.0 << 23.0 << 10.0 << -1.0;
         QTest::newRow("in the other part") << parts << 5.0 << 25.5 << 10.0 << 1.5;
         // The tip of a triangle lies in the bend of an L: holes that meet at (50, 50).
-        const QString meeting = QStringLiteral("POLYGON((0 0, 100 0, 100 100, 0 100, 0 0), (50 50, 54 60, 60 54, 50 50), "
-                                               "(20 20, 20 80, 50 80, 50 50, 80 50, 80 20, 20 20))");
+        const QString meeting = QStringLiteral(
+            "POLYGON((0 0, 100 0, 100 100, 0 100, 0 0), (50 50, 54 60, 60 54, 50 50), "
+            "(20 20, 20 80, 50 80, 50 50, 80 50, 80 20, 20 20))");
         QTest::newRow("in a hole whose bend another hole touches") << meeting << 6.0 << 47.0 << 46.0 << -5.0;
         QTest::newRow("in the gap between them") << meeting << 6.0 << 54.0 << 51.0 << 0.6 / std::sqrt(1.16);
     }
@@ -122,7 +128,8 @@ private slots:
         std::mt19937_64 random{kSeed};
         int near = 0;
         for (int i = 0; i < 100; ++i) {
-            const MultiPolygon polygons = test::randomPolygons(random, test::kShapes[static_cast<std::size_t>(i) % 5], 100.0);
+            const MultiPolygon polygons =
+                test::randomPolygons(random, test::kShapes[static_cast<std::size_t>(i) % 5], 100.0);
             const BoundaryDistance edges{polygons, metres(reachM)};
             const Bounds box = bounds(polygons);
             for (int k = 0; k < 300; ++k) {
@@ -131,8 +138,12 @@ private slots:
                 const double expected = insideByBruteForce(polygons, point);
                 const auto found = edges.insideM(point);
                 const QByteArray said = QStringLiteral("seed %1, field %2, POINT(%3 %4): %5 m")
-                                            .arg(kSeed).arg(i).arg(point.x, 0, 'g', 17).arg(point.y, 0, 'g', 17)
-                                            .arg(expected, 0, 'g', 12).toUtf8();
+                                            .arg(kSeed)
+                                            .arg(i)
+                                            .arg(point.x, 0, 'g', 17)
+                                            .arg(point.y, 0, 'g', 17)
+                                            .arg(expected, 0, 'g', 12)
+                                            .toUtf8();
                 VERIFY_TOLD(found.has_value() == (expected <= reachM), said);
                 VERIFY_TOLD(!found || std::abs(*found - std::max(expected, -reachM)) < 1e-9, said);
                 near += std::abs(expected) <= reachM ? 1 : 0;
@@ -153,8 +164,10 @@ private slots:
         QTest::newRow("over it by more") << Point{2.0, 0.998} << 0.0 << long2 << true;
         QTest::newRow("beside the obstacle") << Point{2.0, 3.0} << 0.0 << long2 << false;
         QTest::newRow("its corner in the side") << Point{2.0, 3.3} << 0.0 << long2 << true;
-        QTest::newRow("the obstacle all inside") << Point{3.0, 5.0} << 0.0 << Bounds{{0.0, -2.0}, {4.0, 2.0}} << true;
-        QTest::newRow("all inside the obstacle") << Point{5.0, 5.0} << 30.0 << Bounds{{-0.5, -0.5}, {0.5, 0.5}} << false;
+        QTest::newRow("the obstacle all inside")
+            << Point{3.0, 5.0} << 0.0 << Bounds{{0.0, -2.0}, {4.0, 2.0}} << true;
+        QTest::newRow("all inside the obstacle")
+            << Point{5.0, 5.0} << 30.0 << Bounds{{-0.5, -0.5}, {0.5, 0.5}} << false;
         QTest::newRow("up to the far edge") << Point{1.0, 5.0} << 90.0 << long2 << false;
         QTest::newRow("across it") << Point{1.0, 5.1} << 90.0 << long2 << true;
         QTest::newRow("no width") << Point{1.0, 5.0} << 0.0 << Bounds{{0.0, 0.0}, {8.0, 0.0}} << false;
@@ -178,11 +191,13 @@ private slots:
         int out = 0;
         for (std::uint64_t seed = 1; seed <= 60; ++seed) {
             std::mt19937_64 random{seed};
-            const MultiPolygon polygons = test::randomPolygons(random, test::kShapes[seed % test::kShapes.size()], 60.0);
+            const MultiPolygon polygons =
+                test::randomPolygons(random, test::kShapes[seed % test::kShapes.size()], 60.0);
             const BoundaryDistance edges{polygons, metres(3.0)};
             const Bounds box = bounds(polygons);
             for (int i = 0; i < 60; ++i) {
-                const Point origin{test::uniform(random, box.min.x - 5.0, box.max.x + 5.0), test::uniform(random, box.min.y - 5.0, box.max.y + 5.0)};
+                const Point origin{test::uniform(random, box.min.x - 5.0, box.max.x + 5.0),
+                                   test::uniform(random, box.min.y - 5.0, box.max.y + 5.0)};
                 const Point along = direction(test::uniform(random, 0.0, 6.3));
                 const Bounds rectangle{{test::uniform(random, -3.0, 0.0), test::uniform(random, -2.0, 0.0)},
                                        {test::uniform(random, 0.0, 12.0), test::uniform(random, 0.1, 2.0)}};
@@ -192,11 +207,14 @@ private slots:
                     for (int k = 0; k <= steps; ++k) {
                         const Point away = a + (static_cast<double>(k) / steps) * (b - a) - origin;
                         const Point at{dot(along, away), cross(along, away)};
-                        deepest = std::max(deepest, std::min({at.x - rectangle.min.x, rectangle.max.x - at.x, at.y - rectangle.min.y, rectangle.max.y - at.y}));
+                        deepest =
+                            std::max(deepest, std::min({at.x - rectangle.min.x, rectangle.max.x - at.x,
+                                                        at.y - rectangle.min.y, rectangle.max.y - at.y}));
                     }
                 });
                 const bool found = edges.reachInto(origin, along, rectangle, kTouchingM);
-                const QByteArray said = QStringLiteral("seed %1, rectangle %2: %3 m").arg(seed).arg(i).arg(deepest).toUtf8();
+                const QByteArray said =
+                    QStringLiteral("seed %1, rectangle %2: %3 m").arg(seed).arg(i).arg(deepest).toUtf8();
                 if (deepest > kTouchingM) {
                     VERIFY_TOLD(found, said);
                     ++in;

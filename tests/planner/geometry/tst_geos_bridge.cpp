@@ -59,20 +59,24 @@ private slots:
         QTest::addColumn<double>("areaM2");
         QTest::addColumn<double>("toleranceM2");
         // Straight corners stay corners: all by hand, exact.
-        QTest::newRow("square") << "POLYGON((0 0, 100 0, 100 100, 0 100, 0 0))" << 10.0 << 1 << 6400.0 << 1e-6;
-        QTest::newRow("rectangle") << "POLYGON((0 0, 100 0, 100 60, 0 60, 0 0))" << 7.5 << 1 << 85.0 * 45.0 << 1e-6;
-        QTest::newRow("by nothing") << "POLYGON((0 0, 100 0, 100 60, 0 60, 0 0))" << 0.0 << 1 << 6000.0 << 1e-9;
-        QTest::newRow("more than there is") << "POLYGON((0 0, 100 0, 100 60, 0 60, 0 0))" << 30.1 << 0 << 0.0 << 0.0;
+        QTest::newRow("square") << "POLYGON((0 0, 100 0, 100 100, 0 100, 0 0))" << 10.0 << 1 << 6400.0
+                                << 1e-6;
+        QTest::newRow("rectangle") << "POLYGON((0 0, 100 0, 100 60, 0 60, 0 0))" << 7.5 << 1 << 85.0 * 45.0
+                                   << 1e-6;
+        QTest::newRow("by nothing") << "POLYGON((0 0, 100 0, 100 60, 0 60, 0 0))" << 0.0 << 1 << 6000.0
+                                    << 1e-9;
+        QTest::newRow("more than there is")
+            << "POLYGON((0 0, 100 0, 100 60, 0 60, 0 0))" << 30.1 << 0 << 0.0 << 0.0;
         // The hole grows to a square with sides moved out and quarter circles at its corners.
         QTest::newRow("hole grows with rounded corners")
             << "POLYGON((0 0, 100 0, 100 100, 0 100, 0 0), (40 40, 40 60, 60 60, 60 40, 40 40))" << 10.0 << 1
             << 6400.0 - (400.0 + 4.0 * 20.0 * 10.0 + kPi * 100.0) << 2.0;
-        // A waist of 8 m between squares of 40 m: eroded by 5 m it parts into two squares of 30 m, each with a
-        // bulge towards the waist between circles of 5 m around its corners: with u the distance from the
+        // A waist of 8 m between squares of 40 m: eroded by 5 m it parts into two squares of 30 m, each with
+        // a bulge towards the waist between circles of 5 m around its corners: with u the distance from the
         // corners' line, the integral of 8 - 2 sqrt(25 - u²) from 3 to 5 is 16 - 12.5 pi + 12 + 25 asin(0.6).
         QTest::newRow("waist parts in two")
-            << "POLYGON((0 0, 40 0, 40 16, 60 16, 60 0, 100 0, 100 40, 60 40, 60 24, 40 24, 40 40, 0 40, 0 0))" << 5.0
-            << 2 << 1800.0 + 2.0 * (28.0 - 12.5 * kPi + 25.0 * std::asin(0.6)) << 0.2;
+            << "POLYGON((0 0, 40 0, 40 16, 60 16, 60 0, 100 0, 100 40, 60 40, 60 24, 40 24, 40 40, 0 40, 0 0))"
+            << 5.0 << 2 << 1800.0 + 2.0 * (28.0 - 12.5 * kPi + 25.0 * std::asin(0.6)) << 0.2;
         QTest::newRow("two parts shrink apart")
             << "MULTIPOLYGON(((0 0, 20 0, 20 20, 0 20, 0 0)), ((30 0, 60 0, 60 30, 30 30, 30 0)))" << 5.0 << 2
             << 100.0 + 400.0 << 1e-6;
@@ -101,17 +105,20 @@ private slots:
     void arcsKeepTheTolerance() {
         QFETCH(double, distanceM);
         QFETCH(double, toleranceM);
-        const auto result = eroded(polygonsFromWkt("POLYGON((0 0, 200 0, 200 100, 100 100, 100 200, 0 200, 0 0))"),
-                                   metres(distanceM), metres(toleranceM), {});
+        const auto result =
+            eroded(polygonsFromWkt("POLYGON((0 0, 200 0, 200 100, 100 100, 100 200, 0 200, 0 0))"),
+                   metres(distanceM), metres(toleranceM), {});
         VERIFY_RESULT(result);
         const Point corner{100.0, 100.0};
         int onArc = 0;
         forEachEdge(*result, [&](Point from, Point to) {
             const Point middle = 0.5 * (from + to);
-            if (middle.x < 100.0 && middle.y < 100.0 && middle.x > 99.0 - distanceM && middle.y > 99.0 - distanceM) {
+            if (middle.x < 100.0 && middle.y < 100.0 && middle.x > 99.0 - distanceM &&
+                middle.y > 99.0 - distanceM) {
                 ++onArc;
                 const double away = distance(middle, corner);
-                QVERIFY2(away > distanceM - toleranceM - 1e-9 && away < distanceM + 1e-9, qPrintable(QString::number(away)));
+                QVERIFY2(away > distanceM - toleranceM - 1e-9 && away < distanceM + 1e-9,
+                         qPrintable(QString::number(away)));
             }
         });
         QVERIFY(onArc >= 2);
@@ -154,8 +161,8 @@ private slots:
         QVERIFY(touching->empty());
     }
 
-    // Its spike comes back on itself and crosses: 10 by 10 m less a corner of 2 by 2 m, and what it is taken from is a bow
-    // tie of two triangles of 25 m².
+    // Its spike comes back on itself and crosses: 10 by 10 m less a corner of 2 by 2 m, and what it is taken
+    // from is a bow tie of two triangles of 25 m².
     void combinesWhatCrossesItself() {
         const MultiPolygon spiked = polygonsFromWkt("POLYGON((0 0, 10 0, 10 10, 12 10, 8 10, 0 10, 0 0))");
         const auto rest = difference(spiked, {test::rectangle(4.0, 4.0, {8.0, 8.0})}, {});
@@ -168,8 +175,8 @@ private slots:
         QVERIFY(isInOurForm(*half));
     }
 
-    // Squares of 1.5 m, the second moved by 0.25 and 0.5 m: worked by hand, to the last bit, as all corners are
-    // binary fractions. Any grid coarser than an eighth of a metre would show.
+    // Squares of 1.5 m, the second moved by 0.25 and 0.5 m: worked by hand, to the last bit, as all corners
+    // are binary fractions. Any grid coarser than an eighth of a metre would show.
     void fractionsStay_data() {
         QTest::addColumn<double>("gridM");
         QTest::newRow("without a grid") << 0.0;
@@ -199,15 +206,17 @@ private slots:
         QTest::addColumn<double>("x");
         QTest::addColumn<double>("y");
         QTest::newRow("valid") << "POLYGON((0 0, 10 0, 10 10, 0 10, 0 0))" << "" << 0.0 << 0.0;
-        QTest::newRow("valid with a hole") << "POLYGON((0 0, 10 0, 10 10, 0 10, 0 0), (4 4, 4 6, 6 6, 6 4, 4 4))" << ""
-                                           << 0.0 << 0.0;
-        QTest::newRow("bow-tie") << "POLYGON((0 0, 10 10, 10 0, 0 10, 0 0))" << "Self-intersection" << 5.0 << 5.0;
-        QTest::newRow("uneven bow-tie") << "POLYGON((0 0, 30 10, 30 0, 0 20, 0 0))" << "Self-intersection" << 20.0
-                                        << 20.0 / 3.0;
+        QTest::newRow("valid with a hole")
+            << "POLYGON((0 0, 10 0, 10 10, 0 10, 0 0), (4 4, 4 6, 6 6, 6 4, 4 4))" << "" << 0.0 << 0.0;
+        QTest::newRow("bow-tie") << "POLYGON((0 0, 10 10, 10 0, 0 10, 0 0))" << "Self-intersection" << 5.0
+                                 << 5.0;
+        QTest::newRow("uneven bow-tie")
+            << "POLYGON((0 0, 30 10, 30 0, 0 20, 0 0))" << "Self-intersection" << 20.0 << 20.0 / 3.0;
         QTest::newRow("ring touches itself at a vertex")
             << "POLYGON((0 0, 10 0, 5 5, 10 10, 0 10, 5 5, 0 0))" << "Ring Self-intersection" << 5.0 << 5.0;
         QTest::newRow("hole crosses the boundary")
-            << "POLYGON((0 0, 10 0, 10 10, 0 10, 0 0), (8 4, 8 6, 12 6, 12 4, 8 4))" << "Self-intersection" << 10.0 << -1.0;
+            << "POLYGON((0 0, 10 0, 10 10, 0 10, 0 0), (8 4, 8 6, 12 6, 12 4, 8 4))" << "Self-intersection"
+            << 10.0 << -1.0;
     }
     void findsInvalidPlaces() {
         QFETCH(QString, wkt);
@@ -244,12 +253,13 @@ private slots:
         QTest::newRow("inside") << "LINESTRING(10 10, 90 10)" << true << "" << 0.0;
         QTest::newRow("along the edge") << "LINESTRING(0 0, 100 0)" << true << "" << 0.0;
         QTest::newRow("along the edge of the hole") << "LINESTRING(40 10, 40 90)" << true << "" << 0.0;
-        QTest::newRow("touches the edge from inside") << "LINESTRING(10 10, 50 0, 90 10)" << true << "" << 0.0;
+        QTest::newRow("touches the edge from inside")
+            << "LINESTRING(10 10, 50 0, 90 10)" << true << "" << 0.0;
         QTest::newRow("ends outside") << "LINESTRING(90 20, 107 20)" << false << "107 20" << 7.0;
         QTest::newRow("bend outside") << "LINESTRING(20 90, 30 112, 40 90)" << false << "30 112" << 12.0;
         QTest::newRow("past a corner") << "LINESTRING(95 50, 103 104, 50 95)" << false << "103 104" << 5.0;
-        QTest::newRow("across the hole is farthest out in its middle") << "LINESTRING(30 50, 70 50)" << false << "50 50"
-                                                                       << 10.0;
+        QTest::newRow("across the hole is farthest out in its middle")
+            << "LINESTRING(30 50, 70 50)" << false << "50 50" << 10.0;
         QTest::newRow("across a side of the hole") << "LINESTRING(30 57, 70 57)" << false << "50 57" << 3.0;
         QTest::newRow("wholly outside") << "LINESTRING(110 0, 130 50)" << false << "130 50" << 30.0;
     }
@@ -258,8 +268,8 @@ private slots:
         QFETCH(bool, covered);
         QFETCH(QString, farthest);
         QFETCH(double, distanceM);
-        const PreparedArea area{
-            polygonsFromWkt("POLYGON((0 0, 100 0, 100 100, 0 100, 0 0), (40 40, 40 60, 60 60, 60 40, 40 40))")};
+        const PreparedArea area{polygonsFromWkt(
+            "POLYGON((0 0, 100 0, 100 100, 0 100, 0 0), (40 40, 40 60, 60 60, 60 40, 40 40))")};
         const std::vector<Polyline> lines{lineFromWkt(line.toStdString())};
         QCOMPARE(area.covers(lines), covered);
         const auto found = area.farthestOutside(lines);
@@ -315,7 +325,8 @@ private slots:
         constexpr int kPoints = 62'832;
         Ring ring;
         for (int i = 0; i < kPoints; ++i) {
-            ring.push_back((500.0 + test::uniform(random, -0.02, 0.02)) * direction(2.0 * std::numbers::pi * i / kPoints));
+            ring.push_back((500.0 + test::uniform(random, -0.02, 0.02)) *
+                           direction(2.0 * std::numbers::pi * i / kPoints));
         }
         const auto inner = eroded({{.outer = ring, .holes = {}}}, metres(1.25), kArcTolerance, {});
         VERIFY_RESULT(inner);
@@ -336,8 +347,8 @@ private slots:
     }
 
     void severalThreadsAtOnce() {
-        const MultiPolygon polygons =
-            polygonsFromWkt("POLYGON((0 0, 100 0, 100 100, 0 100, 0 0), (40 40, 40 60, 60 60, 60 40, 40 40))");
+        const MultiPolygon polygons = polygonsFromWkt(
+            "POLYGON((0 0, 100 0, 100 100, 0 100, 0 0), (40 40, 40 60, 60 60, 60 40, 40 40))");
         const auto expected = eroded(polygons, metres(7.5), kArcTolerance, {});
         VERIFY_RESULT(expected);
         const PreparedArea prepared{polygons};
@@ -356,8 +367,9 @@ private slots:
                         const auto cancelledOne = eroded(polygons, metres(7.5), kArcTolerance, stoppedJob());
                         const auto now = eroded(polygons, metres(7.5), kArcTolerance, {});
                         const auto farthest = prepared.farthestOutside(across);
-                        result = result && !cancelledOne && now && *now == *expected && !prepared.covers(across) &&
-                                 prepared.covers(inside) && other.covers(inside) && !third.covers(inside) && farthest &&
+                        result = result && !cancelledOne && now && *now == *expected &&
+                                 !prepared.covers(across) && prepared.covers(inside) &&
+                                 other.covers(inside) && !third.covers(inside) && farthest &&
                                  std::abs(farthest->distance.si() - 10.0) < 1e-9;
                     }
                 });
@@ -385,10 +397,12 @@ private slots:
         COMPARE_WITHIN(signedAreaM2(Ring{{0, 0}, {4, 0}, {4, 3}}), 6.0, 1e-12);
         COMPARE_WITHIN(signedAreaM2(Ring{{0, 0}, {4, 3}, {4, 0}}), -6.0, 1e-12);
         // Far from the origin nothing is lost: a square metre at UTM-like coordinates.
-        COMPARE_WITHIN(signedAreaM2(Ring{{500'000, 5'700'000}, {500'001, 5'700'000}, {500'001, 5'700'001}, {500'000, 5'700'001}}),
-                       1.0, 1e-9);
-        const MultiPolygon polygons =
-            polygonsFromWkt("MULTIPOLYGON(((0 0, 10 0, 10 10, 0 10, 0 0), (4 4, 4 6, 6 6, 6 4, 4 4)), ((20 5, 25 5, 25 30, 20 5)))");
+        COMPARE_WITHIN(
+            signedAreaM2(
+                Ring{{500'000, 5'700'000}, {500'001, 5'700'000}, {500'001, 5'700'001}, {500'000, 5'700'001}}),
+            1.0, 1e-9);
+        const MultiPolygon polygons = polygonsFromWkt(
+            "MULTIPOLYGON(((0 0, 10 0, 10 10, 0 10, 0 0), (4 4, 4 6, 6 6, 6 4, 4 4)), ((20 5, 25 5, 25 30, 20 5)))");
         COMPARE_WITHIN(area(polygons).si(), 96.0 + 62.5, 1e-12);
         const Bounds box = bounds(polygons);
         QVERIFY((box.min == Point{0.0, 0.0}) && (box.max == Point{25.0, 30.0}));

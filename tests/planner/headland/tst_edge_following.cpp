@@ -1,10 +1,11 @@
-// Lines along an edge: the footprint is laid along them and its distance from the field's outline measured by GEOS.
+// Lines along an edge: the footprint is laid along them and its distance from the field's outline measured by
+// GEOS.
 
+#include "planner/geometry/curve_sampling.h"
 #include "planner/geometry/geos_bridge.h"
 #include "planner/headland/edge_following.h"
 #include "planner/headland/smooth_ring.h"
 #include "planner/machine/machine_library.h"
-#include "planner/geometry/curve_sampling.h"
 #include "tests/support/result_check.h"
 #include "tests/support/wkt.h"
 
@@ -40,7 +41,8 @@ Polygon regular(int corners, double radiusM) {
 
 Curve roundedAlong(const Polygon& field) {
     const auto base = eroded({field}, metres(kHalfWidthM), metres(0.01), {}).value();
-    return smoothRing(base.front().outer, agbot().minTurningRadius(), metres(0.25), metres(kOverhangM)).value();
+    return smoothRing(base.front().outer, agbot().minTurningRadius(), metres(0.25), metres(kOverhangM))
+        .value();
 }
 
 Ring followed(const Curve& line, const Polygon& field, std::span<const Point> left = {}) {
@@ -53,9 +55,10 @@ MultiPolygon outlinesAlong(const Ring& ring) {
     MultiPolygon outlines;
     for (std::size_t i = 0; i < ring.size(); ++i) {
         const Point along = ring[(i + 1) % ring.size()] - ring[(i + ring.size() - 1) % ring.size()];
-        outlines.push_back({.outer = placed(agbot().workingFootprint(),
-                                            {.position = ring[i], .heading = radians(std::atan2(along.y, along.x))}),
-                            .holes = {}});
+        outlines.push_back(
+            {.outer = placed(agbot().workingFootprint(),
+                             {.position = ring[i], .heading = radians(std::atan2(along.y, along.x))}),
+             .holes = {}});
     }
     return outlines;
 }
@@ -80,9 +83,10 @@ private slots:
         }
     }
 
-    /// Round a polygon tail and nose stay inside, and no more is left along the edge than a chord as long as the
-    /// machine cannot reach by much: with both outer corners on the two sides of a bend of angle a, and the tail then
-    /// drawn in by the nose, L squared a / 8 for each, half as much again for what is not driven like that.
+    /// Round a polygon tail and nose stay inside, and no more is left along the edge than a chord as long as
+    /// the machine cannot reach by much: with both outer corners on the two sides of a bend of angle a, and
+    /// the tail then drawn in by the nose, L squared a / 8 for each, half as much again for what is not
+    /// driven like that.
     void bends() {
         QFETCH(const int, corners);
         const Polygon field = regular(corners, 80.0);

@@ -17,8 +17,8 @@ namespace {
 
 constexpr GeoPoint kCentre{9.2, 51.3};
 
-/// A U turn of the machine with half a circle from one swath to the next; its front corners, 1 m beside and 6 m ahead of
-/// the axle, get sqrt((3 + 1)² + 6²) = 7.2 m ahead of where it began.
+/// A U turn of the machine with half a circle from one swath to the next; its front corners, 1 m beside and 6
+/// m ahead of the axle, get sqrt((3 + 1)² + 6²) = 7.2 m ahead of where it began.
 Machine uTurner() {
     MachineSpec spec;
     spec.tractor.width = metres(2.0);
@@ -33,7 +33,8 @@ Machine uTurner() {
 }
 
 SwathEnds endsAt(double headingDeg, const Machine& machine) {
-    return [headingDeg, widthM = machine.operatingWidth().si()](const MultiPolygon& mainland) -> Result<std::vector<Pose>> {
+    return [headingDeg, widthM = machine.operatingWidth().si()](
+               const MultiPolygon& mainland) -> Result<std::vector<Pose>> {
         std::vector<Pose> ends;
         for (const Swath& swath : test::swathsOf(mainland, widthM, headingDeg).swaths) {
             const Point way = swath.end - swath.start;
@@ -44,8 +45,9 @@ SwathEnds endsAt(double headingDeg, const Machine& machine) {
     };
 }
 
-Result<Headland> headlandOf(const Method<HeadlandGenerator>& method, const Field& field, const Machine& machine,
-                            const Settings& settings, double headingDeg, Length margin = {}) {
+Result<Headland> headlandOf(const Method<HeadlandGenerator>& method, const Field& field,
+                            const Machine& machine, const Settings& settings, double headingDeg,
+                            Length margin = {}) {
     return drivableArea(field, margin, {}).and_then([&](const MultiPolygon& drivable) {
         return method.run({.field = field,
                            .drivable = drivable,
@@ -94,18 +96,22 @@ private slots:
         QFETCH(bool, driven);
         QFETCH(double, marginM);
         QFETCH(double, mainlandM2);
-        const Field field = Field::create(test::fieldSourceFromLocal({test::centredRectangle(200.0, 96.0)}, kCentre)).value();
-        const auto headland = headlandOf(kPerEdgeMethod, field, uTurner(), drivenIs(driven), headingDeg, metres(marginM));
+        const Field field =
+            Field::create(test::fieldSourceFromLocal({test::centredRectangle(200.0, 96.0)}, kCentre)).value();
+        const auto headland =
+            headlandOf(kPerEdgeMethod, field, uTurner(), drivenIs(driven), headingDeg, metres(marginM));
         VERIFY_RESULT(headland);
         COMPARE_WITHIN(area(headland->mainland).si(), mainlandM2, 0.5);
         QCOMPARE(headland->passes, 2);
         QCOMPARE(headland->rings.empty(), !driven);
     }
 
-    // The second pass runs along both ends and nowhere else: twice the height of the field less its outermost passes,
-    // shorter by what the machine is longer than its room, and as far as where the outermost pass has worked.
+    // The second pass runs along both ends and nowhere else: twice the height of the field less its outermost
+    // passes, shorter by what the machine is longer than its room, and as far as where the outermost pass has
+    // worked.
     void innerPassesGoWhereTheyAreNeeded() {
-        const Field field = Field::create(test::fieldSourceFromLocal({test::centredRectangle(200.0, 96.0)}, kCentre)).value();
+        const Field field =
+            Field::create(test::fieldSourceFromLocal({test::centredRectangle(200.0, 96.0)}, kCentre)).value();
         const auto headland = headlandOf(kPerEdgeMethod, field, uTurner(), drivenIs(true), 0.0);
         VERIFY_RESULT(headland);
         double lengthM = 0.0;
@@ -136,7 +142,8 @@ private slots:
         QFETCH(double, laidM);
         const double mainlandM2 = (200.0 - 5.0 - laidM) * (96.0 - 10.0);
         // Counter-clockwise from the south-west: the second edge lies in the east.
-        const FieldSource source = test::fieldSourceFromLocal({test::rectangle(200.0, 96.0, {0.0, 0.0})}, kCentre);
+        const FieldSource source =
+            test::fieldSourceFromLocal({test::rectangle(200.0, 96.0, {0.0, 0.0})}, kCentre);
         const Field field = Field::create(withEdge(source, 1, widthM)).value();
         QVERIFY(field.edgeHeadlands().front().from.x > 50.0 && field.edgeHeadlands().front().to.x > 50.0);
         Settings settings;
@@ -151,7 +158,8 @@ private slots:
 
     void aHoleMayHaveAWidthOfItsOwn() {
         const FieldSource source = test::fieldSourceFromLocal(
-            test::polygonsFromWkt("POLYGON((-50 -50, 50 -50, 50 50, -50 50, -50 -50), (-10 -10, -10 10, 10 10, 10 -10, -10 -10))"),
+            test::polygonsFromWkt(
+                "POLYGON((-50 -50, 50 -50, 50 50, -50 50, -50 -50), (-10 -10, -10 10, 10 10, 10 -10, -10 -10))"),
             kCentre);
         const Field plain = Field::create(source).value();
         const Field wide = Field::create(withEdge(source, 0, 10.0, 1)).value();
@@ -162,22 +170,25 @@ private slots:
         const auto after = test::headlandBy(kConstantWidthMethod, wide, agbot(), settings);
         VERIFY_RESULT(before);
         VERIFY_RESULT(after);
-        // 20 m of edge 5 m wider, and at both its ends half of the ring between the circles of 5 and 10 m, of which the
-        // strips of 5 m along the neighbouring edges take away what reaches past the corner: worked by hand as
-        // quarter disc (25 pi) less quarter disc of 5 m, and the part of the disc of 10 m beyond the neighbour's strip.
+        // 20 m of edge 5 m wider, and at both its ends half of the ring between the circles of 5 and 10 m, of
+        // which the strips of 5 m along the neighbouring edges take away what reaches past the corner: worked
+        // by hand as quarter disc (25 pi) less quarter disc of 5 m, and the part of the disc of 10 m beyond
+        // the neighbour's strip.
         const double grownM2 = area(before->mainland).si() - area(after->mainland).si();
         const double beyondStrip = 100.0 * std::numbers::pi / 6.0 - 0.5 * 5.0 * std::sqrt(75.0);
         const double quarters = 25.0 * std::numbers::pi - 6.25 * std::numbers::pi;
         COMPARE_WITHIN(grownM2, 100.0 + 2.0 * (quarters + beyondStrip), 1.0);
     }
 
-    // Wherever the mainland is, it keeps from every edge what that edge asks for, and nothing that does is left out.
+    // Wherever the mainland is, it keeps from every edge what that edge asks for, and nothing that does is
+    // left out.
     void stripsKeepTheirDistance() {
         constexpr std::uint64_t kSeed = 4100;
         std::mt19937_64 random{kSeed};
         int seen = 0;
         for (int i = 0; i < 40; ++i) {
-            const MultiPolygon drawn = test::randomPolygons(random, test::kShapes[static_cast<std::size_t>(i) % test::kShapes.size()], 150.0);
+            const MultiPolygon drawn = test::randomPolygons(
+                random, test::kShapes[static_cast<std::size_t>(i) % test::kShapes.size()], 150.0);
             FieldSource source = test::fieldSourceFromLocal(drawn, kCentre);
             std::uniform_real_distribution<double> width{0.0, 15.0};
             for (std::size_t edge = 0; edge < source.parts.front().outer.size(); edge += 3) {
@@ -202,16 +213,20 @@ private slots:
             };
             forEachEdge(headland->mainland, [&](Point from, Point) {
                 ++seen;
-                QVERIFY2(keeps(from, 0.02), qPrintable(QStringLiteral("seed %1, field %2").arg(kSeed).arg(i)));
-                QVERIFY2(!keeps(from, -0.02), qPrintable(QStringLiteral("seed %1, field %2").arg(kSeed).arg(i)));
+                QVERIFY2(keeps(from, 0.02),
+                         qPrintable(QStringLiteral("seed %1, field %2").arg(kSeed).arg(i)));
+                QVERIFY2(!keeps(from, -0.02),
+                         qPrintable(QStringLiteral("seed %1, field %2").arg(kSeed).arg(i)));
             });
         }
         QVERIFY(seen > 500);
     }
 
     void aNarrowFieldHasLess() {
-        const FieldSource source = test::fieldSourceFromLocal({test::rectangle(200.0, 20.0, {0.0, 0.0})}, kCentre);
-        const auto headland = headlandOf(kPerEdgeMethod, Field::create(source).value(), uTurner(), drivenIs(true), 90.0);
+        const FieldSource source =
+            test::fieldSourceFromLocal({test::rectangle(200.0, 20.0, {0.0, 0.0})}, kCentre);
+        const auto headland =
+            headlandOf(kPerEdgeMethod, Field::create(source).value(), uTurner(), drivenIs(true), 90.0);
         VERIFY_RESULT(headland);
         QCOMPARE(headland->passes, 1);
         COMPARE_WITHIN(area(headland->mainland).si(), 188.0 * 8.0, 0.5);
@@ -220,7 +235,8 @@ private slots:
 
     void flatterEdgesNeedOtherRoom() {
         const Machine machine = uTurner();
-        COMPARE_WITHIN(roomForTurnsAt(degrees(90.0), machine, kDubinsMethod.run, false).si(), std::hypot(4.0, 6.0), 0.01);
+        COMPARE_WITHIN(roomForTurnsAt(degrees(90.0), machine, kDubinsMethod.run, false).si(),
+                       std::hypot(4.0, 6.0), 0.01);
         COMPARE_WITHIN(roomForTurnsAt(degrees(60.0), machine, kDubinsMethod.run, false).si(),
                        roomForTurnsAt(degrees(120.0), machine, kDubinsMethod.run, false).si(), 1e-9);
     }
@@ -235,7 +251,8 @@ private slots:
     void whatAnEdgeCannotHaveIsRefused() {
         QFETCH(int, edge);
         QFETCH(double, widthM);
-        const FieldSource source = test::fieldSourceFromLocal({test::rectangle(200.0, 96.0, {0.0, 0.0})}, kCentre);
+        const FieldSource source =
+            test::fieldSourceFromLocal({test::rectangle(200.0, 96.0, {0.0, 0.0})}, kCentre);
         const auto field = Field::create(withEdge(source, static_cast<std::size_t>(edge), widthM));
         QVERIFY(!field);
         QCOMPARE(field.error().code, ErrorCode::InputRefused);

@@ -1,9 +1,10 @@
-// Short passes over what others leave: what they work is laid over the pieces in GEOS, where the machine is then too.
+// Short passes over what others leave: what they work is laid over the pieces in GEOS, where the machine is
+// then too.
 
+#include "planner/geometry/curve_sampling.h"
 #include "planner/geometry/geos_bridge.h"
 #include "planner/headland/finishing_passes.h"
 #include "planner/machine/machine_library.h"
-#include "planner/geometry/curve_sampling.h"
 #include "tests/planner/turns/turn_check.h"
 #include "tests/support/field_generator.h"
 #include "tests/support/result_check.h"
@@ -25,7 +26,8 @@ const Machine& agbot() {
 }
 
 Polygon squareAt(Point low, double side) {
-    return {.outer = {low, low + Point{side, 0.0}, low + Point{side, side}, low + Point{0.0, side}}, .holes = {}};
+    return {.outer = {low, low + Point{side, 0.0}, low + Point{side, side}, low + Point{0.0, side}},
+            .holes = {}};
 }
 
 /// Needs a metre straight before it is lowered.
@@ -44,8 +46,9 @@ Polygon worked(const HeadlandPass& pass, const Machine& machine = agbot()) {
     return {.outer = {from - side, to - side, to + side, from + side}, .holes = {}};
 }
 
-Result<std::vector<HeadlandPass>> passesOver(const MultiPolygon& left, const MultiPolygon& field, Area mayStay,
-                                             const JobContext& job = {}, const Machine& machine = agbot()) {
+Result<std::vector<HeadlandPass>> passesOver(const MultiPolygon& left, const MultiPolygon& field,
+                                             Area mayStay, const JobContext& job = {},
+                                             const Machine& machine = agbot()) {
     const Rig lowered{field, machine, ImplementAt::Lowered};
     return finishingPasses({.workable = field,
                             .left = left,
@@ -105,8 +108,8 @@ private slots:
         std::uniform_real_distribution<double> any{0.0, 1.0};
         int all = 0;
         for (int i = 0; i < 40; ++i) {
-            const MultiPolygon field =
-                test::randomPolygons(random, test::kShapes[static_cast<std::size_t>(i) % std::size(test::kShapes)], 60.0);
+            const MultiPolygon field = test::randomPolygons(
+                random, test::kShapes[static_cast<std::size_t>(i) % std::size(test::kShapes)], 60.0);
             const Bounds box = bounds(field);
             MultiPolygon strewn;
             for (int k = 0; k < 6; ++k) {

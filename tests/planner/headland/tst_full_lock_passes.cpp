@@ -1,5 +1,5 @@
-// Passes round a tip on full lock, for what cannot reverse: against what an arc of the outer end leaves of a corner,
-// worked by hand, and against GEOS.
+// Passes round a tip on full lock, for what cannot reverse: against what an arc of the outer end leaves of a
+// corner, worked by hand, and against GEOS.
 
 #include "planner/geometry/geos_bridge.h"
 #include "planner/headland/full_lock_passes.h"
@@ -33,7 +33,9 @@ constexpr auto kNoneRefused = [](const Curve&) { return false; };
 
 /// Two sides of 200 m from a tip at the origin, one along the x axis.
 MultiPolygon tipOf(double angleRad) {
-    return {{.outer = {{0.0, 0.0}, {200.0, 0.0}, 200.0 * direction(0.5 * angleRad), 200.0 * direction(angleRad)}, .holes = {}}};
+    return {
+        {.outer = {{0.0, 0.0}, {200.0, 0.0}, 200.0 * direction(0.5 * angleRad), 200.0 * direction(angleRad)},
+         .holes = {}}};
 }
 
 /// What an arc of a radius that touches both sides leaves of a tip.
@@ -72,7 +74,8 @@ private slots:
             QTest::addRow("%.0f degrees", angleDeg) << angleDeg;
         }
     }
-    /// Beyond what a rounded pass reaches lies land that no sharper arc than that of the outer end on full lock does.
+    /// Beyond what a rounded pass reaches lies land that no sharper arc than that of the outer end on full
+    /// lock does.
     void tips() {
         QFETCH(double, angleDeg);
         const double angle = angleDeg * std::numbers::pi / 180.0;
@@ -89,7 +92,8 @@ private slots:
         const double restM2 = outsideM2(left, pass->worked);
         const double leastM2 = leftBeyondArcM2(angle, kOuterM);
         // Of what can be gained at least two thirds.
-        const QByteArray said = QStringLiteral("%1 of %2, %3 at least").arg(restM2).arg(leftM2).arg(leastM2).toUtf8();
+        const QByteArray said =
+            QStringLiteral("%1 of %2, %3 at least").arg(restM2).arg(leftM2).arg(leastM2).toUtf8();
         QVERIFY2(restM2 >= leastM2 - 0.01 * leftM2, said);
         QVERIFY2(restM2 <= leastM2 + 0.33 * (leftM2 - leastM2), said);
 
@@ -99,7 +103,8 @@ private slots:
         QCOMPARE(pass->line.pieces.size(), std::size_t{3});
         QVERIFY(pass->line.pieces[0].curvature == Curvature{} && pass->line.pieces[0].length >= metres(5.2));
         COMPARE_WITHIN(std::abs(pass->line.pieces[1].curvature.si()), 1.0 / 7.0, 1e-12);
-        QVERIFY(pass->line.pieces[2].curvature == Curvature{} && pass->line.pieces[2].length >= metres(2.0 * 5.2));
+        QVERIFY(pass->line.pieces[2].curvature == Curvature{} &&
+                pass->line.pieces[2].length >= metres(2.0 * 5.2));
     }
 
     /// 17 m² of a right angle could be gained by some 60 m of way.
@@ -120,23 +125,26 @@ private slots:
         auto all = FullLockPasses::of(tip, lowered, kThere, {}).value();
         const Curve best = all.over(left.front(), kNoneRefused, {})->line;
 
-        const auto isBest = [&](const Curve& line) { return distance(line.start.position, best.start.position) < 1.0; };
-        auto others = FullLockPasses::of(
-                          tip, lowered, [&](const Curve& line) { return isBest(line) ? PassAccess::NoWayIn : PassAccess::There; }, {})
-                          .value();
+        const auto isBest = [&](const Curve& line) {
+            return distance(line.start.position, best.start.position) < 1.0;
+        };
+        auto others =
+            FullLockPasses::of(
+                tip, lowered,
+                [&](const Curve& line) { return isBest(line) ? PassAccess::NoWayIn : PassAccess::There; }, {})
+                .value();
         const auto other = others.over(left.front(), kNoneRefused, {});
         QVERIFY(other && !isBest(other->line));
         const auto notRefused = all.over(left.front(), isBest, {});
         QVERIFY(notRefused && !isBest(notRefused->line));
 
         int asked = 0;
-        auto none = FullLockPasses::of(
-                        tip, lowered,
-                        [&](const Curve&) {
-                            ++asked;
-                            return PassAccess::NoWayOut;
-                        },
-                        {})
+        auto none = FullLockPasses::of(tip, lowered,
+                                       [&](const Curve&) {
+                                           ++asked;
+                                           return PassAccess::NoWayOut;
+                                       },
+                                       {})
                         .value();
         QVERIFY(!none.over(left.front(), kNoneRefused, {}));
         QVERIFY2(asked > 2 && asked <= 24, qPrintable(QString::number(asked)));

@@ -50,36 +50,41 @@ private slots:
         QTest::addColumn<double>("mainlandM2");
         QTest::addColumn<QString>("note");
         const double automatic = -1.0;
-        QTest::newRow("width of the paper") << 100.0 << 60.0 << 7.5 << automatic << 0.0 << 7.5 << 3 << 85.0 * 45.0 << "";
+        QTest::newRow("width of the paper")
+            << 100.0 << 60.0 << 7.5 << automatic << 0.0 << 7.5 << 3 << 85.0 * 45.0 << "";
         QTest::newRow("width that is no whole number of passes")
             << 100.0 << 60.0 << 9.9 << automatic << 0.0 << 7.5 << 3 << 85.0 * 45.0 << "9.9 m holds 3 passes";
-        QTest::newRow("width less than a pass") << 100.0 << 60.0 << 2.0 << automatic << 0.0 << 2.0 << 0 << 96.0 * 56.0 << "";
-        QTest::newRow("width of nothing") << 100.0 << 60.0 << 0.0 << automatic << 0.0 << 0.0 << 0 << 6000.0 << "";
-        QTest::newRow("two passes") << 100.0 << 60.0 << automatic << 2.0 << 0.0 << 5.0 << 2 << 90.0 * 50.0 << "";
+        QTest::newRow("width less than a pass")
+            << 100.0 << 60.0 << 2.0 << automatic << 0.0 << 2.0 << 0 << 96.0 * 56.0 << "";
+        QTest::newRow("width of nothing")
+            << 100.0 << 60.0 << 0.0 << automatic << 0.0 << 0.0 << 0 << 6000.0 << "";
+        QTest::newRow("two passes") << 100.0 << 60.0 << automatic << 2.0 << 0.0 << 5.0 << 2 << 90.0 * 50.0
+                                    << "";
         QTest::newRow("no passes") << 100.0 << 60.0 << automatic << 0.0 << 0.0 << 0.0 << 0 << 6000.0 << "";
         QTest::newRow("auto makes room for the turns")
             << 100.0 << 60.0 << automatic << automatic << 0.0 << 10.0 << 4 << 80.0 * 40.0 << "";
-        QTest::newRow("margin comes on top of passes") << 100.0 << 60.0 << automatic << 2.0 << 0.5 << 5.5 << 2 << 89.0 * 49.0 << "";
-        QTest::newRow("margin comes on top of auto") << 100.0 << 60.0 << automatic << automatic << 0.5 << 10.5 << 4
-                                                     << 79.0 * 39.0 << "";
-        QTest::newRow("margin is within a width") << 100.0 << 60.0 << 7.5 << automatic << 0.5 << 5.5 << 2 << 89.0 * 49.0
-                                                  << "7.5 m holds 2 passes";
-        QTest::newRow("margin wider than the width") << 100.0 << 60.0 << 1.0 << automatic << 3.0 << 3.0 << 0 << 94.0 * 54.0
-                                                     << "";
-        QTest::newRow("narrow field has one pass less") << 100.0 << 16.0 << automatic << automatic << 0.0 << 5.0 << 2
-                                                        << 90.0 * 6.0 << "too narrow for 10.0 m";
-        QTest::newRow("narrower field has one pass") << 100.0 << 9.0 << automatic << automatic << 0.0 << 2.5 << 1
-                                                     << 95.0 * 4.0 << "too narrow for 10.0 m";
-        QTest::newRow("very narrow field has none") << 100.0 << 6.0 << automatic << automatic << 0.0 << 0.0 << 0 << 600.0
-                                                    << "there is none";
-        QTest::newRow("field of one pass has none") << 100.0 << 2.5 << automatic << automatic << 0.0 << 0.0 << 0 << 250.0
-                                                    << "there is none";
-        QTest::newRow("given width falls back too") << 100.0 << 16.0 << 7.5 << automatic << 0.0 << 5.0 << 2 << 90.0 * 6.0
-                                                    << "too narrow for 7.5 m";
-        QTest::newRow("given passes fall back too") << 100.0 << 16.0 << automatic << 6.0 << 0.0 << 5.0 << 2 << 90.0 * 6.0
-                                                    << "too narrow for 15.0 m";
-        QTest::newRow("exactly one operating width is left") << 100.0 << 22.5 << automatic << automatic << 0.0 << 10.0 << 4
-                                                             << 80.0 * 2.5 << "";
+        QTest::newRow("margin comes on top of passes")
+            << 100.0 << 60.0 << automatic << 2.0 << 0.5 << 5.5 << 2 << 89.0 * 49.0 << "";
+        QTest::newRow("margin comes on top of auto")
+            << 100.0 << 60.0 << automatic << automatic << 0.5 << 10.5 << 4 << 79.0 * 39.0 << "";
+        QTest::newRow("margin is within a width")
+            << 100.0 << 60.0 << 7.5 << automatic << 0.5 << 5.5 << 2 << 89.0 * 49.0 << "7.5 m holds 2 passes";
+        QTest::newRow("margin wider than the width")
+            << 100.0 << 60.0 << 1.0 << automatic << 3.0 << 3.0 << 0 << 94.0 * 54.0 << "";
+        QTest::newRow("narrow field has one pass less") << 100.0 << 16.0 << automatic << automatic << 0.0
+                                                        << 5.0 << 2 << 90.0 * 6.0 << "too narrow for 10.0 m";
+        QTest::newRow("narrower field has one pass") << 100.0 << 9.0 << automatic << automatic << 0.0 << 2.5
+                                                     << 1 << 95.0 * 4.0 << "too narrow for 10.0 m";
+        QTest::newRow("very narrow field has none")
+            << 100.0 << 6.0 << automatic << automatic << 0.0 << 0.0 << 0 << 600.0 << "there is none";
+        QTest::newRow("field of one pass has none")
+            << 100.0 << 2.5 << automatic << automatic << 0.0 << 0.0 << 0 << 250.0 << "there is none";
+        QTest::newRow("given width falls back too")
+            << 100.0 << 16.0 << 7.5 << automatic << 0.0 << 5.0 << 2 << 90.0 * 6.0 << "too narrow for 7.5 m";
+        QTest::newRow("given passes fall back too")
+            << 100.0 << 16.0 << automatic << 6.0 << 0.0 << 5.0 << 2 << 90.0 * 6.0 << "too narrow for 15.0 m";
+        QTest::newRow("exactly one operating width is left")
+            << 100.0 << 22.5 << automatic << automatic << 0.0 << 10.0 << 4 << 80.0 * 2.5 << "";
     }
     void ofARectangle() {
         QFETCH(double, fieldWidthM);
@@ -92,9 +97,11 @@ private slots:
         QFETCH(double, mainlandM2);
         QFETCH(QString, note);
         const Field field = fieldFrom({test::centredRectangle(fieldWidthM, fieldHeightM)});
-        const Settings settings = settingsWith(givenWidthM >= 0.0 ? std::optional{givenWidthM} : std::nullopt,
-                                               givenPasses >= 0.0 ? std::optional{givenPasses} : std::nullopt);
-        const auto headland = test::headlandBy(kConstantWidthMethod, field, agbot(), settings, metres(marginM));
+        const Settings settings =
+            settingsWith(givenWidthM >= 0.0 ? std::optional{givenWidthM} : std::nullopt,
+                         givenPasses >= 0.0 ? std::optional{givenPasses} : std::nullopt);
+        const auto headland =
+            test::headlandBy(kConstantWidthMethod, field, agbot(), settings, metres(marginM));
         VERIFY_RESULT(headland);
         COMPARE_WITHIN(headland->width.si(), widthM, 1e-12);
         QCOMPARE(headland->passes, passes);
@@ -102,7 +109,8 @@ private slots:
         COMPARE_WITHIN(headland->mainlandRatio, mainlandM2 / (fieldWidthM * fieldHeightM), 1e-5);
         QCOMPARE(headland->notes.empty(), note.isEmpty());
         if (!note.isEmpty()) {
-            QVERIFY2(QString::fromStdString(headland->notes.front().text).contains(note), headland->notes.front().text.c_str());
+            QVERIFY2(QString::fromStdString(headland->notes.front().text).contains(note),
+                     headland->notes.front().text.c_str());
         }
     }
 
@@ -113,7 +121,8 @@ private slots:
         QCOMPARE(narrowestWidth(headland).si(), 12.0);
         const Ring ring = test::rectangle(100.0, 60.0).outer;
         for (std::size_t i = 0; i < ring.size(); ++i) {
-            headland.strips.push_back({.from = ring[i], .to = ring[(i + 1) % ring.size()], .width = metres(i == 0 ? 12.0 : 5.0)});
+            headland.strips.push_back(
+                {.from = ring[i], .to = ring[(i + 1) % ring.size()], .width = metres(i == 0 ? 12.0 : 5.0)});
         }
         QCOMPARE(widthBeside(headland, {50.0, 1.0}).si(), 12.0);
         QCOMPARE(widthBeside(headland, {50.0, 58.0}).si(), 5.0);
@@ -124,7 +133,8 @@ private slots:
     void holesGetARing() {
         const Field field = fieldFrom(test::polygonsFromWkt(
             "POLYGON((-50 -50, 50 -50, 50 50, -50 50, -50 -50), (-10 -10, -10 10, 10 10, 10 -10, -10 -10))"));
-        const auto headland = test::headlandBy(kConstantWidthMethod, field, agbot(), settingsWith(7.5, {}), {});
+        const auto headland =
+            test::headlandBy(kConstantWidthMethod, field, agbot(), settingsWith(7.5, {}), {});
         VERIFY_RESULT(headland);
         // The square less the hole with strips of 7.5 m along its sides and a quarter circle at each corner.
         const double expectedM2 = 85.0 * 85.0 - (400.0 + 80.0 * 7.5 + kPi * 7.5 * 7.5);
@@ -136,19 +146,22 @@ private slots:
 
     void obstaclesGetARing() {
         FieldSource source = test::fieldSourceFromLocal({test::centredRectangle(100.0, 100.0)}, kCentre);
-        source.obstacles = {{.name = "wet spot",
-                             .outline = LocalFrame::centredOn(kCentre)->toGeo(test::centredRectangle(20.0, 20.0)),
-                             .passable = true,
-                             .buffer = metres(0.0)}};
-        const auto headland =
-            test::headlandBy(kConstantWidthMethod, Field::create(source).value(), agbot(), settingsWith(5.0, {}), {});
+        source.obstacles = {
+            {.name = "wet spot",
+             .outline = LocalFrame::centredOn(kCentre)->toGeo(test::centredRectangle(20.0, 20.0)),
+             .passable = true,
+             .buffer = metres(0.0)}};
+        const auto headland = test::headlandBy(kConstantWidthMethod, Field::create(source).value(), agbot(),
+                                               settingsWith(5.0, {}), {});
         VERIFY_RESULT(headland);
         COMPARE_WITHIN(area(headland->mainland).si(), 90.0 * 90.0 - (400.0 + 80.0 * 5.0 + kPi * 25.0), 1.0);
     }
 
     void everyPartHasItsOwn() {
-        const Field field = fieldFrom({test::rectangle(60.0, 60.0, {-100.0, -30.0}), test::rectangle(40.0, 40.0, {0.0, -20.0})});
-        const auto headland = test::headlandBy(kConstantWidthMethod, field, agbot(), settingsWith(5.0, {}), {});
+        const Field field = fieldFrom(
+            {test::rectangle(60.0, 60.0, {-100.0, -30.0}), test::rectangle(40.0, 40.0, {0.0, -20.0})});
+        const auto headland =
+            test::headlandBy(kConstantWidthMethod, field, agbot(), settingsWith(5.0, {}), {});
         VERIFY_RESULT(headland);
         QCOMPARE(headland->mainland.size(), std::size_t{2});
         COMPARE_WITHIN(area(headland->mainland).si(), 2500.0 + 900.0, 0.02);
@@ -156,7 +169,8 @@ private slots:
 
     void bothWidthAndPassesAreRefused() {
         const Field field = fieldFrom({test::centredRectangle(100.0, 60.0)});
-        const auto headland = test::headlandBy(kConstantWidthMethod, field, agbot(), settingsWith(7.5, 2.0), {});
+        const auto headland =
+            test::headlandBy(kConstantWidthMethod, field, agbot(), settingsWith(7.5, 2.0), {});
         QVERIFY(!headland);
         QCOMPARE(headland.error().code, ErrorCode::Usage);
         QVERIFY(headland.error().line().contains("headland.width_m"));
@@ -229,7 +243,8 @@ private slots:
     void drawnOutEndsNeedMoreRoom() {
         const Field field = fieldFrom({test::centredRectangle(100.0, 60.0)});
         for (const auto& [drawsOutEnds, widthM] : {std::pair{false, 7.5}, {true, 10.0}}) {
-            const auto headland = test::headlandBy(kConstantWidthMethod, field, agbot(), {}, {}, drawsOutEnds);
+            const auto headland =
+                test::headlandBy(kConstantWidthMethod, field, agbot(), {}, {}, drawsOutEnds);
             VERIFY_RESULT(headland);
             COMPARE_WITHIN(headland->width.si(), widthM, 1e-12);
         }

@@ -1,3 +1,4 @@
+#include "planner/geometry/curve_sampling.h"
 #include "planner/geometry/geos_bridge.h"
 #include "planner/headland/corner_manoeuvres.h"
 #include "planner/headland/headland_passes.h"
@@ -6,7 +7,6 @@
 #include "planner/headland/smooth_ring.h"
 #include "planner/machine/machine_library.h"
 #include "planner/turns/dubins.h"
-#include "planner/geometry/curve_sampling.h"
 #include "tests/support/field_generator.h"
 #include "tests/support/result_check.h"
 #include "tests/support/stages.h"
@@ -41,7 +41,8 @@ Field fieldFrom(const MultiPolygon& polygons) {
 }
 
 Result<Headland> headlandOf(const Field& field, const Machine& machine,
-                            std::initializer_list<std::pair<const Parameter*, std::string_view>> given, double marginM = 0.0) {
+                            std::initializer_list<std::pair<const Parameter*, std::string_view>> given,
+                            double marginM = 0.0) {
     Settings settings;
     for (const auto& [parameter, text] : given) {
         settings.setText(*parameter, text).value();
@@ -90,7 +91,8 @@ Polyline pointsOf(const Curve& line) {
     return points;
 }
 
-/// Of all stretches of a pass; where the implement works straight on past a corner, the corner is in them twice.
+/// Of all stretches of a pass; where the implement works straight on past a corner, the corner is in them
+/// twice.
 std::vector<Polyline> linesOf(const HeadlandPass& pass) {
     std::vector<Polyline> lines;
     for (const PassStretch& stretch : pass.stretches) {
@@ -108,7 +110,8 @@ double totalTurning(const HeadlandPass& pass) {
     double turned = 0.0;
     for (std::size_t i = 0; i < pass.stretches.size(); ++i) {
         const Curve& line = pass.stretches[i].line;
-        turned += totalTurning(line) + angleBetween(line.end(), pass.stretches[(i + 1) % pass.stretches.size()].line.start);
+        turned += totalTurning(line) +
+                  angleBetween(line.end(), pass.stretches[(i + 1) % pass.stretches.size()].line.start);
     }
     return turned;
 }
@@ -153,7 +156,8 @@ private slots:
         QFETCH(double, radiusM);
         const auto line = smoothRing(test::rectangle(lengthM, widthM).outer, metres(radiusM), metres(0.01));
         QVERIFY(line.has_value());
-        COMPARE_WITHIN(line->length().si(), 2.0 * (lengthM + widthM) - 8.0 * radiusM + 2.0 * kPi * radiusM, 1e-5);
+        COMPARE_WITHIN(line->length().si(), 2.0 * (lengthM + widthM) - 8.0 * radiusM + 2.0 * kPi * radiusM,
+                       1e-5);
         QVERIFY(apart(line->end(), line->start) < 1e-6);
         COMPARE_WITHIN(totalTurning(*line), 2.0 * kPi, 1e-9);
         QVERIFY(sharpest(*line) <= 1.0 / radiusM);
@@ -168,7 +172,8 @@ private slots:
         int made = 0;
         for (int i = 0; i < 300; ++i) {
             const double radiusM = test::uniform(random, 1.0, 8.0);
-            for (const Polygon& polygon : test::randomPolygons(random, test::kShapes[static_cast<std::size_t>(i) % 5], 120.0)) {
+            for (const Polygon& polygon :
+                 test::randomPolygons(random, test::kShapes[static_cast<std::size_t>(i) % 5], 120.0)) {
                 const auto line = smoothRing(polygon.outer, metres(radiusM), metres(0.25));
                 if (!line) {
                     continue;
@@ -196,12 +201,14 @@ private slots:
     }
     void tooSmallToDrive() {
         QFETCH(QString, wkt);
-        QVERIFY(!smoothRing(test::polygonsFromWkt(wkt.toStdString()).front().outer, metres(4.0), metres(0.1)));
+        QVERIFY(
+            !smoothRing(test::polygonsFromWkt(wkt.toStdString()).front().outer, metres(4.0), metres(0.1)));
     }
 
     void reversedLineDrivesBack() {
         const auto line = smoothRing(
-            test::polygonsFromWkt("POLYGON((0 0, 90 -10, 110 50, 60 30, 10 70, 0 0))").front().outer, metres(4.0), metres(0.1));
+            test::polygonsFromWkt("POLYGON((0 0, 90 -10, 110 50, 60 30, 10 70, 0 0))").front().outer,
+            metres(4.0), metres(0.1));
         QVERIFY(line.has_value());
         const Curve back = reversedLine(*line);
         COMPARE_WITHIN(back.length().si(), line->length().si(), 1e-9);
@@ -221,7 +228,8 @@ private slots:
         QTest::addColumn<double>("worstM");
         for (const char* machine : {"agbot", "wide"}) {
             for (std::size_t shape = 0; shape < test::kShapes.size(); ++shape) {
-                // Between the sides of a field that is hardly wider than the machine there is nowhere to move to.
+                // Between the sides of a field that is hardly wider than the machine there is nowhere to move
+                // to.
                 const bool thin = test::kShapes[shape] == test::Shape::Thin;
                 QTest::addRow("%s, %s", machine, std::string{test::shapeName(test::kShapes[shape])}.c_str())
                     << machine << static_cast<int>(shape) << (thin ? 11 : 0) << (thin ? 1.0 : 0.0);
@@ -236,7 +244,8 @@ private slots:
         const Machine& driven = machine == "wide" ? wideTractor() : agbot();
         const double curvature = 1.0 / driven.minTurningRadius().si();
         // Shrunk by what passes may touch.
-        const auto footprint = eroded({{.outer = driven.workingFootprint(), .holes = {}}}, metres(0.015), metres(0.001), {});
+        const auto footprint =
+            eroded({{.outer = driven.workingFootprint(), .holes = {}}}, metres(0.015), metres(0.001), {});
         VERIFY_RESULT(footprint);
         constexpr std::uint64_t kSeed = 61;
         std::mt19937_64 random{kSeed};
@@ -244,15 +253,17 @@ private slots:
         double worstOfAllM = 0.0;
         QStringList bad;
         for (int i = 0; i < 16; ++i) {
-            const MultiPolygon field = test::randomPolygons(random, test::kShapes[static_cast<std::size_t>(shape)], 100.0);
+            const MultiPolygon field =
+                test::randomPolygons(random, test::kShapes[static_cast<std::size_t>(shape)], 100.0);
             const PreparedArea inside{field};
             for (int pass = 0; pass < 2; ++pass) {
-                const auto tracks = passTracks(
-                    field, 0.5 * driven.workingFootprintWidth() + pass * driven.operatingWidth(), field, driven,
-                    {}, {});
+                const auto tracks =
+                    passTracks(field, 0.5 * driven.workingFootprintWidth() + pass * driven.operatingWidth(),
+                               field, driven, {}, {});
                 VERIFY_RESULT(tracks);
                 for (const Curve& line : tracks->lines) {
-                    const QString said = QStringLiteral("seed %1, field %2, pass %3").arg(kSeed).arg(i).arg(pass);
+                    const QString said =
+                        QStringLiteral("seed %1, field %2, pass %3").arg(kSeed).arg(i).arg(pass);
                     ++rings;
                     VERIFY_TOLD(apart(line.end(), line.start) < 1e-5, said.toUtf8());
                     VERIFY_TOLD(sharpest(line) <= curvature * (1.0 + 1e-9), said.toUtf8());
@@ -281,8 +292,9 @@ private slots:
         }
     }
 
-    // 80 by 80 m with a pond of 40 by 40 m that leaves a lane of 9 m on its right, narrower than twice the radius: both
-    // shores keep their line. Piers on both make the rings too sharp to be rounded corner by corner.
+    // 80 by 80 m with a pond of 40 by 40 m that leaves a lane of 9 m on its right, narrower than twice the
+    // radius: both shores keep their line. Piers on both make the rings too sharp to be rounded corner by
+    // corner.
     void aLaneNarrowerThanATurnKeepsItsPasses() {
         MachineSpec spec = agbot().spec();
         spec.tractor.minTurningRadius = metres(6.0);
@@ -308,14 +320,15 @@ private slots:
         }
     }
 
-    // Half of a circle of 15 m lies in the yard, half as much outside. What was farther outside than the machine is long
-    // counted as inside.
+    // Half of a circle of 15 m lies in the yard, half as much outside. What was farther outside than the
+    // machine is long counted as inside.
     void aLineIsCutWhereItLeavesForLong() {
         const Machine& machine = agbot();
         const Curvature bend = Curvature::fromSi(1.0 / 15.0);
-        const Curve line{.type = {},
-                        .start = {.position = {30.0, 15.0}, .heading = degrees(180.0)},
-                        .pieces = {{.length = metres(30.0 * std::numbers::pi), .curvature = bend, .endCurvature = bend}}};
+        const Curve line{
+            .type = {},
+            .start = {.position = {30.0, 15.0}, .heading = degrees(180.0)},
+            .pieces = {{.length = metres(30.0 * std::numbers::pi), .curvature = bend, .endCurvature = bend}}};
         const auto parts = partsInside(line, {test::rectangle(60.0, 40.0)}, machine, {});
         QCOMPARE(parts.size(), std::size_t{1});
         const double leftM = parts.front().length().si();
@@ -327,7 +340,8 @@ private slots:
         }
     }
 
-    // A line round a yard of 60 by 40 m, 2 m from its walls; a pillar stands on it in the middle of the lower side.
+    // A line round a yard of 60 by 40 m, 2 m from its walls; a pillar stands on it in the middle of the lower
+    // side.
     void aLineIsCutWhereItDoesNotFit() {
         const Machine& machine = agbot();
         const MultiPolygon yard{test::rectangle(60.0, 40.0)};
@@ -368,7 +382,9 @@ private slots:
     void aStepInTheEdgeDoesNotCutThePass() {
         QFETCH(double, height);
         const Machine machine = findMachine("cultivator").value();
-        const MultiPolygon field{{.outer = {{0, 0}, {76, 1}, {75, 71}, {56, 71}, {56, 71 + height}, {0, 71 + height}}, .holes = {}}};
+        const MultiPolygon field{
+            {.outer = {{0, 0}, {76, 1}, {75, 71}, {56, 71}, {56, 71 + height}, {0, 71 + height}},
+             .holes = {}}};
         const auto tracks = passTracks(field, metres(3.0), field, machine, {}, {});
         VERIFY_RESULT(tracks);
         QCOMPARE(tracks->lines.size(), std::size_t{1});
@@ -381,15 +397,16 @@ private slots:
         std::stop_source stop;
         stop.request_stop();
         const MultiPolygon field{test::rectangle(100.0, 60.0)};
-        const auto tracks = passTracks(field, metres(2.0), field, agbot(), {},
-                                       {.stop = stop.get_token()});
+        const auto tracks = passTracks(field, metres(2.0), field, agbot(), {}, {.stop = stop.get_token()});
         QVERIFY(!tracks);
         QCOMPARE(tracks.error().code, ErrorCode::Cancelled);
     }
 
     void uncutCornerByHand() {
         const auto at = [](double deg) {
-            return uncutCorner({.firstPiece = 0, .lastPiece = 0, .turn = degrees(deg), .radius = metres(4.0)}, metres(3.0)).si();
+            return uncutCorner({.firstPiece = 0, .lastPiece = 0, .turn = degrees(deg), .radius = metres(4.0)},
+                               metres(3.0))
+                .si();
         };
         // A square of R + w/2 less its quarter circle.
         COMPARE_WITHIN(at(90.0), (1.0 - kPi / 4.0) * 5.5 * 5.5, 1e-9);
@@ -426,7 +443,8 @@ private slots:
         QFETCH(QList<double>, insetsM);
         // Large enough that rounding the outermost pass leaves little of it.
         const Field field = fieldFrom({test::centredRectangle(200.0, 120.0)});
-        const auto headland = headlandOf(field, wide ? wideTractor() : agbot(), {{&kHeadlandPasses, "3"}}, marginM);
+        const auto headland =
+            headlandOf(field, wide ? wideTractor() : agbot(), {{&kHeadlandPasses, "3"}}, marginM);
         VERIFY_RESULT(headland);
         QCOMPARE(headland->rings.size(), static_cast<std::size_t>(insetsM.size()));
         const Bounds box = bounds(field.boundary());
@@ -443,8 +461,8 @@ private slots:
                 QVERIFY(i == 0 || sharpest(stretch.line) == 0.0);
             }
             const std::vector<Polyline> points = linesOf(pass);
-            for (const Point side : {Point{middle.x, box.min.y}, Point{middle.x, box.max.y}, Point{box.min.x, middle.y},
-                                     Point{box.max.x, middle.y}}) {
+            for (const Point side : {Point{middle.x, box.min.y}, Point{middle.x, box.max.y},
+                                     Point{box.min.x, middle.y}, Point{box.max.x, middle.y}}) {
                 COMPARE_WITHIN(distanceTo(points, side), insetsM[static_cast<qsizetype>(i)], 2e-3);
             }
             COMPARE_WITHIN(totalTurning(pass), 2.0 * kPi, 1e-5);
@@ -453,8 +471,9 @@ private slots:
         COMPARE_WITHIN(headland->width.si(), insetsM.back() + 1.25, 1e-9);
     }
 
-    /// As an outline traced from squares of 2 m is, where it runs across them: each tooth would cut the passes inside of
-    /// the outermost one in two. What these work, beside each other, is nearly all between it and the mainland.
+    /// As an outline traced from squares of 2 m is, where it runs across them: each tooth would cut the
+    /// passes inside of the outermost one in two. What these work, beside each other, is nearly all between
+    /// it and the mainland.
     void edgesOfTeethDoNotCutPasses() {
         constexpr double kTooth = 2.0 * std::numbers::sqrt2;
         constexpr int kAlong = 32;
@@ -476,7 +495,8 @@ private slots:
         VERIFY_RESULT(headland);
         MultiPolygon lanes;
         for (const HeadlandPass& pass : headland->rings) {
-            QVERIFY2(pass.stretches.size() <= 8, QByteArray::number(static_cast<qsizetype>(pass.stretches.size())).constData());
+            QVERIFY2(pass.stretches.size() <= 8,
+                     QByteArray::number(static_cast<qsizetype>(pass.stretches.size())).constData());
             const auto lane = aroundLines(linesOf(pass), 0.5 * pass.width, kArcTolerance, {});
             VERIFY_RESULT(lane);
             lanes.insert(lanes.end(), lane->begin(), lane->end());
@@ -486,7 +506,8 @@ private slots:
         VERIFY_RESULT(toothless);
         const auto inside = difference(*toothless, headland->mainland, {});
         VERIFY_RESULT(inside);
-        const auto left = unionOf(lanes, {}).and_then([&](const MultiPolygon& all) { return difference(*inside, all, {}); });
+        const auto left = unionOf(lanes, {}).and_then(
+            [&](const MultiPolygon& all) { return difference(*inside, all, {}); });
         VERIFY_RESULT(left);
         QCOMPARE_LT(area(*left) / area(*inside), 0.04);
     }
@@ -506,7 +527,8 @@ private slots:
         const Field field = fieldFrom(test::polygonsFromWkt(
             "POLYGON((-60 -60, 60 -60, 60 60, -60 60, -60 -60), (-15 -15, -15 15, 15 15, 15 -15, -15 -15))"));
         const auto left = headlandOf(field, agbot(), {{&kHeadlandPasses, "2"}});
-        const auto right = headlandOf(field, agbot(), {{&kHeadlandPasses, "2"}, {&kHeadlandDirection, "clockwise"}});
+        const auto right =
+            headlandOf(field, agbot(), {{&kHeadlandPasses, "2"}, {&kHeadlandDirection, "clockwise"}});
         VERIFY_RESULT(left);
         VERIFY_RESULT(right);
         // Two passes round the boundary, two round the hole.
@@ -525,8 +547,9 @@ private slots:
         QCOMPARE(outer, 2);
     }
 
-    // A triangle of 500 m, two passes of 24 m. The sides of the inner one, 36 m from the edges, are 500 - 72 / tan(30°) m
-    // long; what pulls its boom drives past the points where they meet and comes back in a loop, the boom up.
+    // A triangle of 500 m, two passes of 24 m. The sides of the inner one, 36 m from the edges, are 500 - 72
+    // / tan(30°) m long; what pulls its boom drives past the points where they meet and comes back in a loop,
+    // the boom up.
     void innerPassesOfWhatCannotReverseLoop() {
         const Machine sprayer = findMachine("trailed-sprayer").value();
         const Field field = fieldFrom(test::polygonsFromWkt("POLYGON((0 0, 500 0, 250 433.0127, 0 0))"));
@@ -544,15 +567,18 @@ private slots:
         }
         QCOMPARE(loops, 3);
         const double sideM = 500.0 - 72.0 / std::tan(kPi / 6.0);
-        // Where they end the boom has left what lies between both passes: at least a quarter of the way to where the
-        // outer edges meet, 12 m * tan(60°).
-        QVERIFY2(workedM > 3.0 * (sideM + 2.0 * 0.25 * 12.0 * std::tan(kPi / 3.0)), qPrintable(QString::number(workedM)));
-        QVERIFY2(workedM < 3.0 * (sideM + 2.0 * (12.0 * std::tan(kPi / 3.0) + 10.0)), qPrintable(QString::number(workedM)));
+        // Where they end the boom has left what lies between both passes: at least a quarter of the way to
+        // where the outer edges meet, 12 m * tan(60°).
+        QVERIFY2(workedM > 3.0 * (sideM + 2.0 * 0.25 * 12.0 * std::tan(kPi / 3.0)),
+                 qPrintable(QString::number(workedM)));
+        QVERIFY2(workedM < 3.0 * (sideM + 2.0 * (12.0 * std::tan(kPi / 3.0) + 10.0)),
+                 qPrintable(QString::number(workedM)));
     }
 
     void notDriven() {
         const Field field = fieldFrom({test::centredRectangle(100.0, 60.0)});
-        const auto headland = headlandOf(field, agbot(), {{&kHeadlandPasses, "3"}, {&kHeadlandDriven, "false"}});
+        const auto headland =
+            headlandOf(field, agbot(), {{&kHeadlandPasses, "3"}, {&kHeadlandDriven, "false"}});
         VERIFY_RESULT(headland);
         QVERIFY(headland->rings.empty());
         QCOMPARE(headland->passes, 3);
@@ -578,8 +604,10 @@ private slots:
         const Field field = fieldFrom({test::centredRectangle(200.0, 120.0)});
         const std::string kind = corner.toStdString();
         const std::string way = direction.toStdString();
-        const auto rounded = headlandOf(field, agbot(), {{&kHeadlandPasses, "8"}, {&kHeadlandDirection, way}});
-        const auto headland = headlandOf(field, agbot(), {{&kHeadlandPasses, "8"}, {&kHeadlandDirection, way}, {&kHeadlandCorner, kind}});
+        const auto rounded =
+            headlandOf(field, agbot(), {{&kHeadlandPasses, "8"}, {&kHeadlandDirection, way}});
+        const auto headland = headlandOf(
+            field, agbot(), {{&kHeadlandPasses, "8"}, {&kHeadlandDirection, way}, {&kHeadlandCorner, kind}});
         VERIFY_RESULT(rounded);
         VERIFY_RESULT(headland);
         QCOMPARE(headland->rings.size(), std::size_t{8});
@@ -604,10 +632,13 @@ private slots:
             }
             COMPARE_WITHIN(pass.length().si(), lengthM, 1e-9);
         }
-        // Far enough inside all four corners of a pass are driven into, whichever way round: four sides, four manoeuvres.
+        // Far enough inside all four corners of a pass are driven into, whichever way round: four sides, four
+        // manoeuvres.
         QCOMPARE(headland->rings.back().stretches.size(), std::size_t{8});
         QVERIFY2(manoeuvres >= 4, qPrintable(QString::number(manoeuvres)));
-        QVERIFY2(headland->uncutCorners <= rounded->uncutCorners, qPrintable(QString::number(headland->uncutCorners.si()) + " " + QString::number(rounded->uncutCorners.si())));
+        QVERIFY2(headland->uncutCorners <= rounded->uncutCorners,
+                 qPrintable(QString::number(headland->uncutCorners.si()) + " " +
+                            QString::number(rounded->uncutCorners.si())));
     }
 
     // An implement that folds to the tractor's width has room to turn even along the boundary.
@@ -618,10 +649,12 @@ private slots:
         const Machine machine = Machine::create(spec).value();
         const Field field = fieldFrom({test::centredRectangle(200.0, 120.0)});
         const auto rounded = headlandOf(field, machine, {{&kHeadlandPasses, "2"}});
-        const auto reverse = headlandOf(field, machine, {{&kHeadlandPasses, "2"}, {&kHeadlandCorner, "reverse"}});
+        const auto reverse =
+            headlandOf(field, machine, {{&kHeadlandPasses, "2"}, {&kHeadlandCorner, "reverse"}});
         VERIFY_RESULT(rounded);
         VERIFY_RESULT(reverse);
-        QVERIFY2(reverse->uncutCorners < rounded->uncutCorners, qPrintable(QString::number(reverse->uncutCorners.si())));
+        QVERIFY2(reverse->uncutCorners < rounded->uncutCorners,
+                 qPrintable(QString::number(reverse->uncutCorners.si())));
     }
 
     // Where rounding would leave more than 0.4 % of the field, what can reverse drives into the corners.
@@ -635,12 +668,14 @@ private slots:
         COMPARE_WITHIN(driven->uncutCorners.si(), 0.0, 1e-12);
         for (std::size_t i = 0; i < outermost.stretches.size(); ++i) {
             const Curve& line = outermost.stretches[i].line;
-            QVERIFY(apart(line.end(), outermost.stretches[(i + 1) % outermost.stretches.size()].line.start) < 1e-5);
+            QVERIFY(apart(line.end(), outermost.stretches[(i + 1) % outermost.stretches.size()].line.start) <
+                    1e-5);
             QVERIFY(sharpest(line) <= (1.0 + 1e-9) / agbot().minTurningRadius().si());
         }
         // Two centimetres farther in than a pass that goes round: it has to get free from beside the edge.
         const Bounds box = bounds(field.boundary());
-        COMPARE_WITHIN(distanceTo(linesOf(outermost), {0.5 * (box.min.x + box.max.x), box.min.y}), 1.27, 2e-3);
+        COMPARE_WITHIN(distanceTo(linesOf(outermost), {0.5 * (box.min.x + box.max.x), box.min.y}), 1.27,
+                       2e-3);
 
         MachineSpec spec = agbot().spec();
         spec.tractor.canReverse = false;
@@ -653,19 +688,21 @@ private slots:
 
     // Half-way round a corner is no place to begin: all four are found from there too.
     void aLineThatBeginsWithACorner() {
-        const auto line = smoothRing(test::rectangle(60.0, 40.0, {20.0, 10.0}).outer, metres(4.0), metres(0.1));
+        const auto line =
+            smoothRing(test::rectangle(60.0, 40.0, {20.0, 10.0}).outer, metres(4.0), metres(0.1));
         QVERIFY(line.has_value());
         const MultiPolygon drivable{test::rectangle(100.0, 60.0)};
         for (const CornerMethod method : {CornerMethod::Loop, CornerMethod::Reverse}) {
             for (const Curve& way : {*line, reversedLine(*line)}) {
                 std::vector<RoundedCorner> left;
                 CornerWays ways;
-                const auto stretches = withCorners(
-                    way, method, drivable, agbot(), [](const RoundedCorner&) { return true; }, ways, left, {});
+                const auto stretches = withCorners(way, method, drivable, agbot(),
+                                                   [](const RoundedCorner&) { return true; }, ways, left, {});
                 QVERIFY(left.empty());
                 QCOMPARE(std::ranges::count(stretches, false, &PassStretch::working), std::ptrdiff_t{4});
                 for (std::size_t i = 0; i < stretches.size(); ++i) {
-                    QVERIFY(apart(stretches[i].line.end(), stretches[(i + 1) % stretches.size()].line.start) < 1e-6);
+                    QVERIFY(apart(stretches[i].line.end(), stretches[(i + 1) % stretches.size()].line.start) <
+                            1e-6);
                 }
             }
         }

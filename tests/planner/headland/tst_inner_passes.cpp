@@ -1,4 +1,5 @@
-// What inner passes work: rectangles drawn flat along their stretches, laid over the band between two offsets in GEOS.
+// What inner passes work: rectangles drawn flat along their stretches, laid over the band between two offsets
+// in GEOS.
 
 #include "planner/field/drivable_area.h"
 #include "planner/geometry/geos_bridge.h"
@@ -97,7 +98,8 @@ private slots:
     void stretchesCoverTheirBand() {
         QFETCH(QString, machine);
         QFETCH(int, ring);
-        const Ground ground{{test::centredRectangle(160.0, 110.0)}, findMachine(machine.toStdString()).value()};
+        const Ground ground{{test::centredRectangle(160.0, 110.0)},
+                            findMachine(machine.toStdString()).value()};
         const double widthM = ground.machine.operatingWidth().si();
         const double insetM = 0.5 * ground.machine.workingFootprintWidth().si() + ring * widthM;
         const auto passes = innerPasses(ground.task(), metres(insetM), ring, {});
@@ -115,7 +117,8 @@ private slots:
             COMPARE_WITHIN(std::remainder(next.start.heading.si() - line.end().heading.si(), 2.0 * kPi),
                            0.5 * kPi, 1e-6);
             for (const CurvePiece& piece : line.pieces) {
-                QVERIFY(piece.gear == Gear::Forward && piece.curvature == Curvature{} && piece.endCurvature == Curvature{});
+                QVERIFY(piece.gear == Gear::Forward && piece.curvature == Curvature{} &&
+                        piece.endCurvature == Curvature{});
             }
             QVERIFY(endsInside(line, ground));
             rectangles.push_back(worked(line, ground.machine));
@@ -131,8 +134,8 @@ private slots:
         QVERIFY2(missedM2 < 0.005 * area(band).si(), qPrintable(QString::number(missedM2 / area(band).si())));
     }
 
-    // A field of 60 m by 60 m with an arm to the east. Inside the outermost pass, 2.5 m wide, the arm is narrower
-    // than another pass, or it is not.
+    // A field of 60 m by 60 m with an arm to the east. Inside the outermost pass, 2.5 m wide, the arm is
+    // narrower than another pass, or it is not.
     void anArmOneWidthWide_data() {
         QTest::addColumn<double>("armM");
         QTest::addColumn<int>("passes");
@@ -145,7 +148,9 @@ private slots:
         QFETCH(double, armM);
         QFETCH(int, passes);
         const double top = 20.0 + armM;
-        const MultiPolygon land{{.outer = {{0, 0}, {60, 0}, {60, 20}, {120, 20}, {120, top}, {60, top}, {60, 60}, {0, 60}}, .holes = {}}};
+        const MultiPolygon land{
+            {.outer = {{0, 0}, {60, 0}, {60, 20}, {120, 20}, {120, top}, {60, top}, {60, 60}, {0, 60}},
+             .holes = {}}};
         const Ground ground{land, agbot()};
         const auto strips = passesAlongStrips(ground.task(), agbot().operatingWidth(), 1, {});
         VERIFY_RESULT(strips);
@@ -163,14 +168,18 @@ private slots:
         COMPARE_WITHIN(line.start.position.y, middleY, 0.05);
         COMPARE_WITHIN(line.end().position.y, middleY, 0.05);
         QVERIFY(endsInside(line, ground));
-        // The implement works all that the outermost pass leaves of the arm: from its mouth to 2.5 m before its end.
+        // The implement works all that the outermost pass leaves of the arm: from its mouth to 2.5 m before
+        // its end.
         const double leftM = box.min.x + 60.0;
         const double rightM = box.min.x + 120.0 - 2.5;
-        const MultiPolygon left{{.outer = {{leftM, middleY - 0.5 * armM + 2.5}, {rightM, middleY - 0.5 * armM + 2.5},
-                                           {rightM, middleY + 0.5 * armM - 2.5}, {leftM, middleY + 0.5 * armM - 2.5}},
+        const MultiPolygon left{{.outer = {{leftM, middleY - 0.5 * armM + 2.5},
+                                           {rightM, middleY - 0.5 * armM + 2.5},
+                                           {rightM, middleY + 0.5 * armM - 2.5},
+                                           {leftM, middleY + 0.5 * armM - 2.5}},
                                  .holes = {}}};
         const MultiPolygon missed = difference(left, {worked(line, agbot())}, {}, kSnapGrid).value();
-        QVERIFY2(area(missed).si() < 0.05 * area(left).si(), qPrintable(QString::number(area(missed) / area(left))));
+        QVERIFY2(area(missed).si() < 0.05 * area(left).si(),
+                 qPrintable(QString::number(area(missed) / area(left))));
     }
 
     void aStoppedJobIsCancelled() {

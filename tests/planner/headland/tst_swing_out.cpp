@@ -1,5 +1,5 @@
-// Corners that are driven too far and back: where they lead, and how far the implement gets, followed in small steps of
-// its hitch's own (the tractrix by Euler's method), apart from the code under test.
+// Corners that are driven too far and back: where they lead, and how far the implement gets, followed in
+// small steps of its hitch's own (the tractrix by Euler's method), apart from the code under test.
 
 #include "planner/headland/smooth_ring.h"
 #include "planner/headland/swing_out.h"
@@ -43,9 +43,10 @@ std::vector<Point> tips(const Curve& line) {
             const int steps = static_cast<int>(std::ceil(piece.length.si() / 0.005));
             for (int i = 0; i < steps; ++i) {
                 const Pose at = advanced(pose, piece, piece.length * (static_cast<double>(i) / steps));
-                heading += (piece.length.si() / steps) / trailing *
-                           (std::sin(at.heading.si() - heading) +
-                            implement.hitchOffset.si() * piece.curvature.si() * std::cos(at.heading.si() - heading));
+                heading +=
+                    (piece.length.si() / steps) / trailing *
+                    (std::sin(at.heading.si() - heading) +
+                     implement.hitchOffset.si() * piece.curvature.si() * std::cos(at.heading.si() - heading));
                 if (round == 1) {
                     const Point hitch = at.position + implement.hitchOffset.si() * direction(at.heading.si());
                     const Point middle = hitch - trailing * direction(heading);
@@ -84,7 +85,8 @@ private slots:
         const MultiPolygon field{test::rectangle(300.0, 200.0)};
         const Curve line = round(300.0, 200.0, clockwise);
         const Curve swung = swungOut(line, Rig{field, sprayer(), ImplementAt::Lowered});
-        // Closed, as tight as it may be, and all corners are another shape now: 4 straights, one cut in two, 8 arcs.
+        // Closed, as tight as it may be, and all corners are another shape now: 4 straights, one cut in two,
+        // 8 arcs.
         COMPARE_WITHIN(distance(swung.end().position, swung.start.position), 0.0, 1e-9);
         QVERIFY(std::ranges::all_of(swung.pieces, [](const CurvePiece& piece) {
             return std::abs(piece.curvature.si()) < 1.0 / 7.0 + 1e-12 && piece.length > metres(0.0);

@@ -18,8 +18,8 @@ namespace furrow::test {
 struct RasterShape {
     int width = 0;
     int height = 0;
-    int epsg = 0;                      ///< 0 for no coordinate system
-    std::array<double, 6> affine{};    ///< as GDAL's geotransform
+    int epsg = 0;                    ///< 0 for no coordinate system
+    std::array<double, 6> affine{};  ///< as GDAL's geotransform
     GDALDataType type = GDT_Byte;
     std::vector<const char*> options;  ///< of the GeoTIFF
 };
@@ -52,9 +52,9 @@ inline bool writeTiff(const QString& path, const RasterShape& shape, int bands,
             for (int x = 0; x < shape.width; ++x) {
                 row[static_cast<std::size_t>(x)] = value(band, x, y);
             }
-            written = written && dataset->GetRasterBand(band + 1)->RasterIO(GF_Write, 0, y, shape.width, 1, row.data(),
-                                                                            shape.width, 1, GDT_Float64, 0, 0,
-                                                                            nullptr) == CE_None;
+            written = written && dataset->GetRasterBand(band + 1)->RasterIO(
+                                     GF_Write, 0, y, shape.width, 1, row.data(), shape.width, 1, GDT_Float64,
+                                     0, 0, nullptr) == CE_None;
         }
     }
     return GDALClose(dataset) == CE_None && written;
@@ -63,12 +63,13 @@ inline bool writeTiff(const QString& path, const RasterShape& shape, int bands,
 /// Writes a square PNG of one colour.
 inline bool writePng(const QString& path, int side, std::array<std::uint8_t, 4> colour) {
     GDALAllRegister();
-    GDALDataset* memory = GetGDALDriverManager()->GetDriverByName("MEM")->Create("", side, side, 4, GDT_Byte, nullptr);
+    GDALDataset* memory =
+        GetGDALDriverManager()->GetDriverByName("MEM")->Create("", side, side, 4, GDT_Byte, nullptr);
     for (int band = 0; band < 4; ++band) {
         memory->GetRasterBand(band + 1)->Fill(colour[static_cast<std::size_t>(band)]);
     }
-    GDALDataset* png = GetGDALDriverManager()->GetDriverByName("PNG")->CreateCopy(path.toUtf8().constData(), memory,
-                                                                                   FALSE, nullptr, nullptr, nullptr);
+    GDALDataset* png = GetGDALDriverManager()->GetDriverByName("PNG")->CreateCopy(
+        path.toUtf8().constData(), memory, FALSE, nullptr, nullptr, nullptr);
     const bool written = png != nullptr;
     if (png != nullptr) {
         GDALClose(png);
@@ -77,7 +78,8 @@ inline bool writePng(const QString& path, int side, std::array<std::uint8_t, 4> 
     return written;
 }
 
-/// Where a place lies in web Mercator, in pixels of 256-pixel tiles at a zoom: the formula of the projection itself.
+/// Where a place lies in web Mercator, in pixels of 256-pixel tiles at a zoom: the formula of the projection
+/// itself.
 struct TilePlace {
     double x = 0.0;
     double y = 0.0;
@@ -89,7 +91,8 @@ inline TilePlace tilePlace(double lonDeg, double latDeg, int zoom) {
     const double pixels = 256.0 * static_cast<double>(1 << zoom);
     const double latRad = latDeg * std::numbers::pi / 180.0;
     return {(lonDeg + 180.0) / 360.0 * pixels,
-            (0.5 - std::log(std::tan(std::numbers::pi / 4.0 + latRad / 2.0)) / (2.0 * std::numbers::pi)) * pixels};
+            (0.5 - std::log(std::tan(std::numbers::pi / 4.0 + latRad / 2.0)) / (2.0 * std::numbers::pi)) *
+                pixels};
 }
 
 /// Northing of UTM on its central meridian, m: 0.9996 times the meridian arc of WGS84 by Helmert's series

@@ -21,7 +21,8 @@ std::filesystem::path pathOf(const QString& path) {
 }
 
 std::array<int, 4> pixel(const TilePicture& tile, int x, int y) {
-    const std::size_t at = (static_cast<std::size_t>(y) * static_cast<std::size_t>(tile.side) + static_cast<std::size_t>(x)) * 4;
+    const std::size_t at =
+        (static_cast<std::size_t>(y) * static_cast<std::size_t>(tile.side) + static_cast<std::size_t>(x)) * 4;
     return {tile.rgba[at], tile.rgba[at + 1], tile.rgba[at + 2], tile.rgba[at + 3]};
 }
 
@@ -60,9 +61,13 @@ private slots:
     void aPlaceOfAGeoTiffInDegreesIsRightToAPixel() {
         // Cells of 1e-5 degrees; the middle of the red one is at 5.43215, 52.12345.
         constexpr double kCell = 1e-5;
-        const RasterShape shape{.width = 101, .height = 101, .epsg = 4326,
-                                .affine = {5.43215 - 50.5 * kCell, kCell, 0.0, 52.12345 + 50.5 * kCell, 0.0, -kCell}};
-        QVERIFY(writeTiff(in("degrees.tif"), shape, 3, [](int band, int x, int y) { return redInTheMiddle(band, x, y, 101); }));
+        const RasterShape shape{
+            .width = 101,
+            .height = 101,
+            .epsg = 4326,
+            .affine = {5.43215 - 50.5 * kCell, kCell, 0.0, 52.12345 + 50.5 * kCell, 0.0, -kCell}};
+        QVERIFY(writeTiff(in("degrees.tif"), shape, 3,
+                          [](int band, int x, int y) { return redInTheMiddle(band, x, y, 101); }));
         const auto imagery = openImagery(pathOf(in("degrees.tif")));
         VERIFY_RESULT(imagery);
         QCOMPARE((*imagery)->facts().kind, ImageryKind::Picture);
@@ -80,13 +85,18 @@ private slots:
         }
     }
     void aPlaceOfAGeoTiffInUtmIsRightToAPixel() {
-        // Two centimetres a pixel, on the central meridian of zone 31: easting 500 km, northing by the series.
+        // Two centimetres a pixel, on the central meridian of zone 31: easting 500 km, northing by the
+        // series.
         constexpr double kCell = 0.02;
         const double north = northingOnMeridian(51.9);
-        const RasterShape shape{.width = 601, .height = 601, .epsg = 32631,
-                                .affine = {500000.0 - 300.5 * kCell, kCell, 0.0, north + 300.5 * kCell, 0.0, -kCell},
-                                .options = {"TILED=YES", "COMPRESS=DEFLATE"}};
-        QVERIFY(writeTiff(in("utm.tif"), shape, 3, [](int band, int x, int y) { return redInTheMiddle(band, x, y, 601); }));
+        const RasterShape shape{
+            .width = 601,
+            .height = 601,
+            .epsg = 32631,
+            .affine = {500000.0 - 300.5 * kCell, kCell, 0.0, north + 300.5 * kCell, 0.0, -kCell},
+            .options = {"TILED=YES", "COMPRESS=DEFLATE"}};
+        QVERIFY(writeTiff(in("utm.tif"), shape, 3,
+                          [](int band, int x, int y) { return redInTheMiddle(band, x, y, 601); }));
         const auto imagery = openImagery(pathOf(in("utm.tif")));
         VERIFY_RESULT(imagery);
         // 0.02 m on the ground at 51.9 degrees are 0.0324 m of web Mercator: between zoom 22 and 23.
@@ -121,14 +131,16 @@ private slots:
         QFETCH(int, kind);
         constexpr double kCell = 1e-5;
         const QString path = in("kinds.tif");
-        RasterShape shape{.width = 200, .height = 200, .epsg = 4326, .affine = {5.0, kCell, 0.0, 52.0, 0.0, -kCell}};
+        RasterShape shape{
+            .width = 200, .height = 200, .epsg = 4326, .affine = {5.0, kCell, 0.0, 52.0, 0.0, -kCell}};
         shape.type = kind == 1 ? GDT_UInt16 : GDT_Byte;
         // The western half dark, the eastern light.
         const double dark = kind == 1 ? 3000.0 : 40.0;
         const double light = kind == 1 ? 9000.0 : 200.0;
         QVERIFY(writeTiff(path, shape, 1, [&](int, int x, int) { return x < 100 ? dark : light; }));
         if (kind == 0) {
-            GDALDataset* dataset = GDALDataset::Open(path.toUtf8().constData(), GDAL_OF_RASTER | GDAL_OF_UPDATE);
+            GDALDataset* dataset =
+                GDALDataset::Open(path.toUtf8().constData(), GDAL_OF_RASTER | GDAL_OF_UPDATE);
             dataset->GetRasterBand(1)->SetNoDataValue(40.0);
             GDALClose(dataset);
         }
@@ -149,8 +161,11 @@ private slots:
     void heightsBecomeShadeAndContourLines() {
         // A plane that rises one metre in ten to the east, 1 m a cell: from 0 m at easting 499900.
         const double north = northingOnMeridian(51.9);
-        const RasterShape shape{.width = 200, .height = 200, .epsg = 32631,
-                                .affine = {499900.0, 1.0, 0.0, north + 100.0, 0.0, -1.0}, .type = GDT_Float32};
+        const RasterShape shape{.width = 200,
+                                .height = 200,
+                                .epsg = 32631,
+                                .affine = {499900.0, 1.0, 0.0, north + 100.0, 0.0, -1.0},
+                                .type = GDT_Float32};
         QVERIFY(writeTiff(in("heights.tif"), shape, 1, [](int, int x, int) { return 0.1 * (x + 0.5); }));
         QVERIFY(isImagery(pathOf(in("heights.tif"))));
         const auto imagery = openImagery(pathOf(in("heights.tif")));
@@ -162,12 +177,16 @@ private slots:
         const auto tile = (*imagery)->tile({20, place.column(), place.row()}, {});
         VERIFY_RESULT(tile);
         QVERIFY(tile->has_value());
-        // The height is 10 m on the meridian: a contour line, and wide ones lie 2.5 m of height apart. Along a row the
-        // lines are 5 m, 54.1 pixels apart: metres of web Mercator are 1/0.61704 of those on the ground here, and 0.14929 a pixel.
+        // The height is 10 m on the meridian: a contour line, and wide ones lie 2.5 m of height apart. Along
+        // a row the lines are 5 m, 54.1 pixels apart: metres of web Mercator are 1/0.61704 of those on the
+        // ground here, and 0.14929 a pixel.
         const int row = 128;
         std::vector<double> lines;
         for (int x = 1; x + 1 < 256; ++x) {
-            const auto brown = [&](int column) { const auto p = pixel(**tile, column, row); return p[0] - p[2]; };
+            const auto brown = [&](int column) {
+                const auto p = pixel(**tile, column, row);
+                return p[0] - p[2];
+            };
             if (brown(x) > 25 && brown(x) >= brown(x - 1) && brown(x) > brown(x + 1)) {
                 lines.push_back(x + 0.5);
             }
@@ -179,7 +198,8 @@ private slots:
             const double metres = (line - meridian) * pixelM / 0.9996;
             COMPARE_WITHIN(std::remainder(metres, 5.0), 0.0, 0.15);
         }
-        // Where no height is known nothing is drawn, the edge of the raster neither: 100 m west of the meridian, 50 m beyond it.
+        // Where no height is known nothing is drawn, the edge of the raster neither: 100 m west of the
+        // meridian, 50 m beyond it.
         const TilePlace edge = tilePlace(3.0 - 100.0 / 0.9996 / (111319.49 * 0.61704), 51.9, 20);
         const auto western = (*imagery)->tile({20, edge.column(), edge.row()}, {});
         VERIFY_RESULT(western);
@@ -193,8 +213,9 @@ private slots:
                 QVERIFY2(red - blue <= 100, qPrintable(QString::number(x)));
             }
         }
-        // Lambert's law: the light comes from the north-west, so a slope that faces west is lighter than level ground.
-        // cos(incidence) = (sin 45 + 0.1 * cos 45 * sin 45) / sqrt(1 + 0.01) = 0.7533, level: 0.7071.
+        // Lambert's law: the light comes from the north-west, so a slope that faces west is lighter than
+        // level ground. cos(incidence) = (sin 45 + 0.1 * cos 45 * sin 45) / sqrt(1 + 0.01) = 0.7533, level:
+        // 0.7071.
         const double shade = 1.0 + 254.0 * 0.7533;
         const double levelShade = 1.0 + 254.0 * 0.70711;
         const double expected = 255.0 * 0.85 * (shade - levelShade) / (255.0 - levelShade);
@@ -213,7 +234,8 @@ private slots:
         const TilePlace tile = tilePlace(5.4, 52.1, 14);
         const int row = tms ? (1 << 14) - 1 - tile.row() : tile.row();
         QVERIFY(QDir{place.path()}.mkpath(QStringLiteral("14/%1").arg(tile.column())));
-        QVERIFY(writePng(place.filePath(QStringLiteral("14/%1/%2.png").arg(tile.column()).arg(row)), 256, {200, 100, 50, 255}));
+        QVERIFY(writePng(place.filePath(QStringLiteral("14/%1/%2.png").arg(tile.column()).arg(row)), 256,
+                         {200, 100, 50, 255}));
         if (tms) {
             QFile xml{place.filePath(QStringLiteral("tilemapresource.xml"))};
             QVERIFY(xml.open(QIODevice::WriteOnly));
@@ -239,9 +261,13 @@ private slots:
     }
     void mbtilesAreRead() {
         // One world at zoom 1 from a raster of GDAL's own making: the north half green, the south half blue.
-        const RasterShape shape{.width = 512, .height = 512, .epsg = 3857,
-                                .affine = {-20037508.342789244, 78271.516964, 0.0, 20037508.342789244, 0.0, -78271.516964}};
-        QVERIFY(writeTiff(in("world.tif"), shape, 3, [](int band, int, int y) { return band == (y < 256 ? 1 : 2) ? 250.0 : 10.0; }));
+        const RasterShape shape{
+            .width = 512,
+            .height = 512,
+            .epsg = 3857,
+            .affine = {-20037508.342789244, 78271.516964, 0.0, 20037508.342789244, 0.0, -78271.516964}};
+        QVERIFY(writeTiff(in("world.tif"), shape, 3,
+                          [](int band, int, int y) { return band == (y < 256 ? 1 : 2) ? 250.0 : 10.0; }));
         GDALDataset* source = GDALDataset::Open(in("world.tif").toUtf8().constData());
         char* options[] = {const_cast<char*>("TILE_FORMAT=PNG"), nullptr};
         GDALDataset* made = GetGDALDriverManager()->GetDriverByName("MBTiles")->CreateCopy(
@@ -302,9 +328,10 @@ private slots:
         QCOMPARE(isImagery(pathOf(path)), isRaster);
     }
     void aTruncatedFileSaysThatItIsDamaged() {
-        const RasterShape shape{.width = 600, .height = 600, .epsg = 32631,
-                                .affine = {500000.0, 0.5, 0.0, 5750000.0, 0.0, -0.5}};
-        QVERIFY(writeTiff(in("cut.tif"), shape, 3, [](int band, int x, int y) { return (x * 7 + y * 13 + band * 50) % 256; }));
+        const RasterShape shape{
+            .width = 600, .height = 600, .epsg = 32631, .affine = {500000.0, 0.5, 0.0, 5750000.0, 0.0, -0.5}};
+        QVERIFY(writeTiff(in("cut.tif"), shape, 3,
+                          [](int band, int x, int y) { return (x * 7 + y * 13 + band * 50) % 256; }));
         QVERIFY(QFile::resize(in("cut.tif"), QFileInfo{in("cut.tif")}.size() / 3));
         const auto imagery = openImagery(pathOf(in("cut.tif")));
         if (!imagery) {
@@ -328,7 +355,8 @@ private slots:
         QVERIFY(file.open(QIODevice::Append));
         file.write("more");
         file.close();
-        QVERIFY(QString::fromStdString((*imagery)->tile(id, {}).error().what).contains("changed while it was open"));
+        QVERIFY(QString::fromStdString((*imagery)->tile(id, {}).error().what)
+                    .contains("changed while it was open"));
         QVERIFY(QFile::remove(in("going.tif")));
         QVERIFY(QString::fromStdString((*imagery)->tile(id, {}).error().what).contains("not there any more"));
     }
@@ -345,10 +373,13 @@ private slots:
     void aLargeRasterWithoutOverviewsIsReducedForCoarseTiles() {
         // 6000 pixels of 0.1 m; its western half red, its eastern green.
         const double north = northingOnMeridian(51.9);
-        const RasterShape shape{.width = 6000, .height = 6000, .epsg = 32631,
+        const RasterShape shape{.width = 6000,
+                                .height = 6000,
+                                .epsg = 32631,
                                 .affine = {500000.0 - 300.0, 0.1, 0.0, north + 300.0, 0.0, -0.1},
                                 .options = {"TILED=YES", "COMPRESS=DEFLATE"}};
-        QVERIFY(writeTiff(in("large.tif"), shape, 3, [](int band, int x, int) { return band == (x < 3000 ? 0 : 1) ? 220.0 : 20.0; }));
+        QVERIFY(writeTiff(in("large.tif"), shape, 3,
+                          [](int band, int x, int) { return band == (x < 3000 ? 0 : 1) ? 220.0 : 20.0; }));
         const auto imagery = openImagery(pathOf(in("large.tif")));
         VERIFY_RESULT(imagery);
         for (const int zoom : {14, 16, 18, 20}) {
@@ -357,7 +388,8 @@ private slots:
                 const TilePlace place = tilePlace(3.0 + side * 0.0009, 51.9, zoom);
                 const auto tile = (*imagery)->tile({zoom, place.column(), place.row()}, {});
                 VERIFY_RESULT(tile);
-                const auto colour = pixel(**tile, static_cast<int>(place.x) % 256, static_cast<int>(place.y) % 256);
+                const auto colour =
+                    pixel(**tile, static_cast<int>(place.x) % 256, static_cast<int>(place.y) % 256);
                 QCOMPARE(colour, (side < 0.0 ? std::array{220, 20, 20, 255} : std::array{20, 220, 20, 255}));
             }
         }
@@ -372,7 +404,9 @@ private slots:
             for (auto& mine : read) {
                 threads.emplace_back([&mine, &imagery, &place] {
                     for (int i = 0; i < 6; ++i) {
-                        mine.push_back((*imagery)->tile({19, place.column() - 1 + i % 3, place.row() + i / 3}, {})->value());
+                        mine.push_back((*imagery)
+                                           ->tile({19, place.column() - 1 + i % 3, place.row() + i / 3}, {})
+                                           ->value());
                     }
                 });
             }
@@ -384,9 +418,10 @@ private slots:
         }
     }
     void masksAreNoImagery() {
-        const RasterShape shape{.width = 100, .height = 100, .epsg = 32631,
-                                .affine = {500000.0, 1.0, 0.0, 5750000.0, 0.0, -1.0}};
-        QVERIFY(writeTiff(in("mask.tif"), shape, 1, [](int, int x, int y) { return x > 10 && y > 10 ? 1.0 : 0.0; }));
+        const RasterShape shape{
+            .width = 100, .height = 100, .epsg = 32631, .affine = {500000.0, 1.0, 0.0, 5750000.0, 0.0, -1.0}};
+        QVERIFY(writeTiff(in("mask.tif"), shape, 1,
+                          [](int, int x, int y) { return x > 10 && y > 10 ? 1.0 : 0.0; }));
         QVERIFY(!isImagery(pathOf(in("mask.tif"))));
         QVERIFY(writeTiff(in("photo.tif"), shape, 1, [](int, int x, int y) { return (x * y) % 251; }));
         QVERIFY(isImagery(pathOf(in("photo.tif"))));
@@ -398,7 +433,8 @@ private slots:
         QTest::addColumn<double>("latDeg");
         QTest::addColumn<bool>("heights");
         // Middles as gdalinfo prints them.
-        QTest::newRow("NAIP, four bands, UTM 14") << "raster/naip_nd_20140720_5m_4band.tif" << -99.1547 << 47.0211 << false;
+        QTest::newRow("NAIP, four bands, UTM 14")
+            << "raster/naip_nd_20140720_5m_4band.tif" << -99.1547 << 47.0211 << false;
         QTest::newRow("world in degrees") << "raster/world_512x256_rgb.tif" << 0.0 << 0.0 << false;
         QTest::newRow("MBTiles of JPEG") << "mbtiles/geography-class-jpg.mbtiles" << 0.0 << 0.0 << false;
         QTest::newRow("MBTiles of PNG") << "mbtiles/geography-class-png.mbtiles" << 0.0 << 0.0 << false;
@@ -422,7 +458,8 @@ private slots:
         QCOMPARE(facts.kind == ImageryKind::Heights, heights);
         QVERIFY(facts.southWest.lonDeg < lonDeg && lonDeg < facts.northEast.lonDeg);
         QVERIFY(facts.southWest.latDeg < latDeg && latDeg < facts.northEast.latDeg);
-        for (int zoom = std::max(facts.coarsestZoom, facts.finestZoom - 6); zoom <= facts.finestZoom; ++zoom) {
+        for (int zoom = std::max(facts.coarsestZoom, facts.finestZoom - 6); zoom <= facts.finestZoom;
+             ++zoom) {
             const TilePlace place = tilePlace(lonDeg, latDeg, zoom);
             const auto tile = (*imagery)->tile({zoom, place.column(), place.row()}, {});
             VERIFY_RESULT(tile);
@@ -435,7 +472,8 @@ private slots:
         }
     }
     void howLongATileTakes() {
-        const QString path = QStringLiteral(FURROW_SHARED_DATA_DIR "/basemap/raster/naip_nd_20140720_5m_4band.tif");
+        const QString path =
+            QStringLiteral(FURROW_SHARED_DATA_DIR "/basemap/raster/naip_nd_20140720_5m_4band.tif");
         if (!QFile::exists(path)) {
             QSKIP("the shared data is not here");
         }

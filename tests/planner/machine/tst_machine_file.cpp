@@ -260,7 +260,11 @@ void TestMachineFile::unknownMachineListsTheKnown() {
 // Folded for transport: as given; as wide as raised where it is not; never narrower than the tractor.
 void TestMachineFile::transportWidth() {
     const auto machine = [](std::string_view more) {
-        return parseMachine(std::format(R"({{"operating_width_m": 12, "raised_width_m": 6, "vehicle_width_m": 2.75, "min_turning_radius_m": 6{}}})", more), "drill");
+        return parseMachine(
+            std::format(
+                R"({{"operating_width_m": 12, "raised_width_m": 6, "vehicle_width_m": 2.75, "min_turning_radius_m": 6{}}})",
+                more),
+            "drill");
     };
     QCOMPARE(machine("").value().transportWidth().si(), 6.0);
     QVERIFY(machine("").value().folded() == machine("").value());

@@ -38,7 +38,8 @@ Path uTurn(TurnPlanner* turn) {
     swaths.heading = degrees(90.0);
     swaths.swaths = {{.start = {2, -10}, .end = {2, 10}, .number = 1, .track = 0, .width = metres(4.0)},
                      {.start = {-2, -10}, .end = {-2, 10}, .number = 2, .track = 1, .width = metres(4.0)}};
-    const Route route{.steps = {{.swath = 0, .reversed = false}, {.swath = 1, .reversed = true}}, .lengthInPlace = {}};
+    const Route route{.steps = {{.swath = 0, .reversed = false}, {.swath = 1, .reversed = true}},
+                      .lengthInPlace = {}};
     return test::pathOf(swaths, route, smallMachine(), turn, {}).value();
 }
 
@@ -104,7 +105,8 @@ private slots:
         QTest::addColumn<double>("y");
         QTest::addColumn<bool>("blocked");
         QTest::newRow("on the curve") << -0.5 << 11.5 << true;
-        QTest::newRow("under the middle of the curve, wholly within the footprint's sweep") << 1.6 << 11.0 << true;
+        QTest::newRow("under the middle of the curve, wholly within the footprint's sweep")
+            << 1.6 << 11.0 << true;
         QTest::newRow("beyond the curve") << -0.5 << 14.0 << false;
         QTest::newRow("beside the curve") << 6.0 << 11.0 << false;
     }
@@ -135,12 +137,12 @@ private slots:
         QFETCH(bool, passable);
         QFETCH(bool, blocked);
         FieldSource source = test::fieldSourceFromLocal({test::centredRectangle(40.0, 60.0)}, kCentre);
-        source.obstacles = {{.name = "wet spot",
-                             .outline = LocalFrame::centredOn(kCentre)->toGeo(test::rectangle(1.0, 1.0, {-0.5, 11.5})),
-                             .passable = passable,
-                             .buffer = {}}};
-        const auto found =
-            blockedOn(uTurn(kDubinsMethod.run), Field::create(source).value(), {}, {});
+        source.obstacles = {
+            {.name = "wet spot",
+             .outline = LocalFrame::centredOn(kCentre)->toGeo(test::rectangle(1.0, 1.0, {-0.5, 11.5})),
+             .passable = passable,
+             .buffer = {}}};
+        const auto found = blockedOn(uTurn(kDubinsMethod.run), Field::create(source).value(), {}, {});
         VERIFY_RESULT(found);
         QCOMPARE(!found->empty(), blocked);
     }
@@ -162,8 +164,7 @@ private slots:
         source.gates = {{.name = "north",
                          .position = LocalFrame::centredOn(kCentre)->toGeo(Point{x, 10.0}),
                          .width = metres(widthM)}};
-        const auto found =
-            blockedOn(uTurn(kDubinsMethod.run), Field::create(source).value(), {}, {});
+        const auto found = blockedOn(uTurn(kDubinsMethod.run), Field::create(source).value(), {}, {});
         VERIFY_RESULT(found);
         QCOMPARE(!found->empty(), blocked);
     }
@@ -171,7 +172,8 @@ private slots:
     void swathsThemselvesAreNotJudged() {
         SwathSet swaths;
         swaths.heading = degrees(0.0);
-        swaths.swaths = {{.start = {-500, 0}, .end = {500, 0}, .number = 1, .track = 0, .width = metres(4.0)}};
+        swaths.swaths = {
+            {.start = {-500, 0}, .end = {500, 0}, .number = 1, .track = 0, .width = metres(4.0)}};
         const Route route{.steps = {{.swath = 0, .reversed = false}}, .lengthInPlace = {}};
         const Path path = test::pathOf(swaths, route, smallMachine(), kDubinsMethod.run, {}).value();
         const auto found = blockedOn(path, fieldWith(20.0), {}, {});

@@ -13,7 +13,18 @@ namespace {
 MultiPolygon dumbbell(double neckM) {
     const double low = 20.0 - 0.5 * neckM;
     const double high = 20.0 + 0.5 * neckM;
-    return {{.outer = {{0, 0}, {60, 0}, {60, low}, {80, low}, {80, 0}, {140, 0}, {140, 40}, {80, 40}, {80, high}, {60, high}, {60, 40}, {0, 40}},
+    return {{.outer = {{0, 0},
+                       {60, 0},
+                       {60, low},
+                       {80, low},
+                       {80, 0},
+                       {140, 0},
+                       {140, 40},
+                       {80, 40},
+                       {80, high},
+                       {60, high},
+                       {60, 40},
+                       {0, 40}},
              .holes = {}}};
 }
 
@@ -66,13 +77,14 @@ private slots:
         QFETCH(double, neckM);
         QFETCH(double, spareM);
         QFETCH(bool, separate);
-        const auto parts = DrivenParts::of(dumbbell(neckM), findMachine(machine.toStdString()).value(), metres(spareM), {});
+        const auto parts =
+            DrivenParts::of(dumbbell(neckM), findMachine(machine.toStdString()).value(), metres(spareM), {});
         QVERIFY(parts.has_value());
         QCOMPARE(parts->separate({30.0, 20.0}, {110.0, 20.0}), separate);
     }
 
-    // A way through the neck needs a search; one that stays in a room is found all the same, as is a straight one through
-    // the neck.
+    // A way through the neck needs a search; one that stays in a room is found all the same, as is a straight
+    // one through the neck.
     void narrowNecksAreNotSearchedAgain() {
         FittingWays ways{dumbbell(3.0), test::agbot(), {}};
         const Pose here = pose(5.0, 5.0, 180.0);

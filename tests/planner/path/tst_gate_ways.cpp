@@ -1,4 +1,5 @@
-// In and out by a gate: a square field of 120 m with a gate in the middle of its west side, and the places along it.
+// In and out by a gate: a square field of 120 m with a gate in the middle of its west side, and the places
+// along it.
 
 #include "planner/geometry/geos_bridge.h"
 #include "planner/machine/machine_library.h"
@@ -23,13 +24,16 @@ std::shared_ptr<const Field> fieldWithGate(Length width) {
     const GeoRing& outer = source.parts.front().outer;
     const GeoPoint low = outer[0];
     const GeoPoint high = outer[3];
-    source.gates.push_back({.name = "West", .position = {0.5 * (low.lonDeg + high.lonDeg), 0.5 * (low.latDeg + high.latDeg)}, .width = width});
+    source.gates.push_back({.name = "West",
+                            .position = {0.5 * (low.lonDeg + high.lonDeg), 0.5 * (low.latDeg + high.latDeg)},
+                            .width = width});
     return std::make_shared<const Field>(Field::create(source).value());
 }
 
-Result<std::shared_ptr<const Plan>> planned(const std::shared_ptr<const Field>& field,
-                                            std::initializer_list<std::pair<const char*, const char*>> given = {},
-                                            std::string_view machine = "agbot") {
+Result<std::shared_ptr<const Plan>> planned(
+    const std::shared_ptr<const Field>& field,
+    std::initializer_list<std::pair<const char*, const char*>> given = {},
+    std::string_view machine = "agbot") {
     Settings settings;
     for (const auto& [key, value] : given) {
         applySetting(settings, key, value).value();
@@ -67,13 +71,14 @@ private slots:
         // Beside the edge passes touch it to less than a millimetre.
         QCOMPARE_LT((*plan)->audit.outside.value().si(), 1e-2);
         for (const Finding& finding : (*plan)->findings) {
-            QVERIFY2(finding.severity == Severity::Note || finding.kind == FindingKind::Missed, finding.text.c_str());
+            QVERIFY2(finding.severity == Severity::Note || finding.kind == FindingKind::Missed,
+                     finding.text.c_str());
         }
     }
 
-    // A gate of 4 m, a drill of 12 m that is folded to 3 m. Its tail ends 3.5 m behind the axle, and the disc of 2 m that
-    // is open at the gate holds its corners, 1.5 m aside, sqrt(2² - 1.5²) m beyond the boundary: 2.18 m are left. As
-    // wide as it is raised it would have to be inside as a whole.
+    // A gate of 4 m, a drill of 12 m that is folded to 3 m. Its tail ends 3.5 m behind the axle, and the disc
+    // of 2 m that is open at the gate holds its corners, 1.5 m aside, sqrt(2² - 1.5²) m beyond the
+    // boundary: 2.18 m are left. As wide as it is raised it would have to be inside as a whole.
     void foldsForTheGate() {
         const auto field = fieldWithGate(metres(4.0));
         const auto plan = planned(field, {}, "mounted-drill");
@@ -86,7 +91,8 @@ private slots:
         QCOMPARE_LT((*plan)->audit.outside.value().si(), 1e-2);
     }
 
-    // The cultivator is folded to 3 m: a gate of 2.5 m is told with both numbers, once, and nothing about headlands.
+    // The cultivator is folded to 3 m: a gate of 2.5 m is told with both numbers, once, and nothing about
+    // headlands.
     void aGateThatIsTooNarrow() {
         const auto plan = planned(fieldWithGate(metres(2.5)), {}, "cultivator");
         VERIFY_RESULT(plan);
@@ -94,7 +100,8 @@ private slots:
         for (const Finding& finding : (*plan)->findings) {
             if (finding.severity == Severity::Blocking) {
                 QCOMPARE(finding.kind, FindingKind::Gate);
-                QCOMPARE(std::string{finding.text}, std::string{"West is 2.50 m wide; this machine is 3.00 m wide for transport."});
+                QCOMPARE(std::string{finding.text},
+                         std::string{"West is 2.50 m wide; this machine is 3.00 m wide for transport."});
                 QVERIFY(!std::string{finding.suggestion}.contains("headland"));
                 ++told;
             }

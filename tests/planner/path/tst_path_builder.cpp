@@ -19,7 +19,8 @@ namespace {
 
 constexpr double kPi = std::numbers::pi;
 
-/// The same with the implement right at the axle and lifted in no time: numbers that can be worked out by hand.
+/// The same with the implement right at the axle and lifted in no time: numbers that can be worked out by
+/// hand.
 const Machine& plainRobot() {
     static const Machine machine = [] {
         MachineSpec spec = agbot().spec();
@@ -39,7 +40,8 @@ struct Driven {
 
 Driven drive(const MultiPolygon& mainland, const Machine& machine, double headingDeg, TurnPlanner* turn) {
     Driven driven;
-    driven.swaths = ScanLine{mainland, {.width = machine.operatingWidth(), .overlap = {}}}.swaths(degrees(headingDeg));
+    driven.swaths =
+        ScanLine{mainland, {.width = machine.operatingWidth(), .overlap = {}}}.swaths(degrees(headingDeg));
     driven.route = test::routeBy(kBoustrophedonMethod, driven.swaths, machine, {}, {}).value();
     driven.path = test::pathOf(driven.swaths, driven.route, machine, turn, {}).value();
     return driven;
@@ -71,8 +73,8 @@ private slots:
         QCOMPARE(driven.path.turnCount(), 3);
         QCOMPARE(driven.path.undrivableCount(), 0);
         // 2.5 m/s on swaths, 1.5 m/s on turns: 2 m/s² sideways would allow sqrt(2 x 2.1) = 2.05 m/s.
-        // At 0.5 m/s²: 5 s and 6.25 m from a stop to 2.5 m/s, 2 s and 4 m between 1.5 and 2.5 m/s. Two swaths have
-        // one of each at their ends, two have twice the second.
+        // At 0.5 m/s²: 5 s and 6.25 m from a stop to 2.5 m/s, 2 s and 4 m between 1.5 and 2.5 m/s. Two swaths
+        // have one of each at their ends, two have twice the second.
         const double outerS = 5.0 + (100.0 - 6.25 - 4.0) / 2.5 + 2.0;
         const double innerS = 2.0 + (100.0 - 8.0) / 2.5 + 2.0;
         COMPARE_WITHIN(driven.path.duration().si(), 2.0 * outerS + 2.0 * innerS + 3.0 * turnM / 1.5, 1e-6);
@@ -103,7 +105,8 @@ private slots:
         std::mt19937_64 random{seed};
         for (int i = 0; i < 20; ++i) {
             const MultiPolygon mainland = test::randomPolygons(random, static_cast<test::Shape>(shape), 80.0);
-            const Driven driven = drive(mainland, agbot(), test::uniform(random, 0.0, 180.0), kDubinsMethod.run);
+            const Driven driven =
+                drive(mainland, agbot(), test::uniform(random, 0.0, 180.0), kDubinsMethod.run);
             const QByteArray told = QStringLiteral("seed %1, field %2").arg(seed).arg(i).toUtf8();
             const auto& segments = driven.path.segments;
             VERIFY_TOLD(segments.size() == 2 * driven.swaths.swaths.size() - 1, told);
@@ -115,32 +118,47 @@ private slots:
                 VERIFY_TOLD(segment.samples.size() >= 2, told);
                 VERIFY_TOLD((segment.kind == SegmentKind::Swath) == (s % 2 == 0), told);
                 VERIFY_TOLD(segment.implementDown == (segment.kind == SegmentKind::Swath), told);
-                VERIFY_TOLD(segment.gear == Gear::Forward && segment.drivable && segment.reason.empty(), told);
+                VERIFY_TOLD(segment.gear == Gear::Forward && segment.drivable && segment.reason.empty(),
+                            told);
                 VERIFY_TOLD((segment.turnType == "dubins") == (segment.kind == SegmentKind::Turn), told);
                 for (std::size_t k = 0; k < segment.samples.size(); ++k) {
                     const PathSample& sample = segment.samples[k];
                     VERIFY_TOLD(std::abs(sample.curvature1pm) <= 1.0 / 2.1 + 1e-12, told);
                     VERIFY_TOLD(sample.headingRad >= 0.0 && sample.headingRad < 2.0 * kPi, told);
-                    VERIFY_TOLD(sample.speedMps >= 0.0 && sample.speedMps <= (segment.kind == SegmentKind::Swath ? 2.5 : 1.5), told);
-                    VERIFY_TOLD(sample.speedMps * sample.speedMps * std::abs(sample.curvature1pm) <= 2.0 + 1e-9, told);
+                    VERIFY_TOLD(sample.speedMps >= 0.0 &&
+                                    sample.speedMps <= (segment.kind == SegmentKind::Swath ? 2.5 : 1.5),
+                                told);
+                    VERIFY_TOLD(
+                        sample.speedMps * sample.speedMps * std::abs(sample.curvature1pm) <= 2.0 + 1e-9,
+                        told);
                     if (k == 0 && before != nullptr) {
                         // Where one segment ends the next begins.
                         VERIFY_TOLD(distance(before->position, sample.position) < 1e-9, told);
-                        VERIFY_TOLD(std::abs(std::remainder(before->headingRad - sample.headingRad, 2.0 * kPi)) < 1e-9, told);
-                        VERIFY_TOLD(std::abs(before->sM - sample.sM) < 1e-9 && std::abs(before->tS - sample.tS) < 1e-9, told);
+                        VERIFY_TOLD(std::abs(std::remainder(before->headingRad - sample.headingRad,
+                                                            2.0 * kPi)) < 1e-9,
+                                    told);
+                        VERIFY_TOLD(std::abs(before->sM - sample.sM) < 1e-9 &&
+                                        std::abs(before->tS - sample.tS) < 1e-9,
+                                    told);
                     } else if (k > 0) {
                         const PathSample& last = segment.samples[k - 1];
                         const double stepM = arcLengthM(last, sample);
                         wayM += stepM;
                         timeS += 2.0 * stepM / (last.speedMps + sample.speedMps);
-                        const double squares = sample.speedMps * sample.speedMps - last.speedMps * last.speedMps;
+                        const double squares =
+                            sample.speedMps * sample.speedMps - last.speedMps * last.speedMps;
                         VERIFY_TOLD(std::abs(squares) <= 2.0 * 0.5 * stepM * (1.0 + 1e-6) + 1e-9, told);
                         VERIFY_TOLD(sample.sM > last.sM && sample.tS > last.tS, told);
                         // Headings follow the curvature, places the headings.
-                        VERIFY_TOLD(std::abs(std::remainder(sample.headingRad - last.headingRad - stepM * last.curvature1pm, 2.0 * kPi)) < 1e-6, told);
+                        VERIFY_TOLD(std::abs(std::remainder(
+                                        sample.headingRad - last.headingRad - stepM * last.curvature1pm,
+                                        2.0 * kPi)) < 1e-6,
+                                    told);
                         const Point way = sample.position - last.position;
                         const double middle = last.headingRad + 0.5 * stepM * last.curvature1pm;
-                        VERIFY_TOLD(std::abs(cross(way, direction(middle))) < 1e-6 && dot(way, direction(middle)) > 0.0, told);
+                        VERIFY_TOLD(std::abs(cross(way, direction(middle))) < 1e-6 &&
+                                        dot(way, direction(middle)) > 0.0,
+                                    told);
                     }
                     VERIFY_TOLD(std::abs(sample.sM - wayM) < 1e-6 * (1.0 + wayM), told);
                     VERIFY_TOLD(std::abs(sample.tS - timeS) < 1e-6 * (1.0 + timeS), told);
@@ -161,7 +179,8 @@ private slots:
             const PathSample& end = driven.path.segments[s - 1].samples.back();
             const PathSample& start = driven.path.segments[s].samples.front();
             COMPARE_WITHIN(distance(end.position, start.position), 0.0, 1e-9);
-            COMPARE_WITHIN(std::abs(std::remainder(end.headingRad - start.headingRad, 2.0 * kPi)), 0.5 * kPi, 1e-9);
+            COMPARE_WITHIN(std::abs(std::remainder(end.headingRad - start.headingRad, 2.0 * kPi)), 0.5 * kPi,
+                           1e-9);
         }
     }
 
@@ -171,8 +190,10 @@ private slots:
         for (const PathSegment& segment : driven.path.segments) {
             if (segment.kind == SegmentKind::Swath) {
                 const double sign = std::cos(segment.samples.front().headingRad);
-                COMPARE_WITHIN(segment.samples.front().position.x, (sign > 0.0 ? 0.0 : 100.0) + sign * 2.1, 1e-9);
-                COMPARE_WITHIN(segment.samples.back().position.x, (sign > 0.0 ? 100.0 : 0.0) + sign * 2.1, 1e-9);
+                COMPARE_WITHIN(segment.samples.front().position.x, (sign > 0.0 ? 0.0 : 100.0) + sign * 2.1,
+                               1e-9);
+                COMPARE_WITHIN(segment.samples.back().position.x, (sign > 0.0 ? 100.0 : 0.0) + sign * 2.1,
+                               1e-9);
             }
         }
     }
@@ -218,7 +239,8 @@ private slots:
             const PathSample& last = samples.back();
             for (const PathSample& sample : samples) {
                 if (last.sM - sample.sM < 3.0 - 1e-9) {
-                    COMPARE_WITHIN(std::abs(std::remainder(sample.headingRad - last.headingRad, 2.0 * kPi)), 0.0, 1e-9);
+                    COMPARE_WITHIN(std::abs(std::remainder(sample.headingRad - last.headingRad, 2.0 * kPi)),
+                                   0.0, 1e-9);
                 }
             }
         }
@@ -257,7 +279,8 @@ private slots:
         std::stop_source stop;
         stop.request_stop();
         const Driven driven = drive({test::rectangle(100.0, 10.0)}, agbot(), 0.0, kDubinsMethod.run);
-        const auto path = test::pathOf(driven.swaths, driven.route, agbot(), kDubinsMethod.run, {.stop = stop.get_token()});
+        const auto path =
+            test::pathOf(driven.swaths, driven.route, agbot(), kDubinsMethod.run, {.stop = stop.get_token()});
         QVERIFY(!path);
         QCOMPARE(path.error().code, ErrorCode::Cancelled);
     }

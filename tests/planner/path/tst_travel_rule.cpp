@@ -36,17 +36,22 @@ private slots:
         QFETCH(double, x);
         QFETCH(bool, dear);
         const MultiPolygon field{test::rectangle(200.0, 200.0)};
-        const MultiPolygon mainland{{.outer = {{40.0, 40.0}, {160.0, 40.0}, {160.0, 160.0}, {40.0, 160.0}}, .holes = {}}};
-        const auto travel = travelRule(static_cast<Traversal>(rule),
-                                       {.workable = field, .mainland = mainland, .machine = findMachine("agbot").value(), .margin = {}}, {});
+        const MultiPolygon mainland{
+            {.outer = {{40.0, 40.0}, {160.0, 40.0}, {160.0, 160.0}, {40.0, 160.0}}, .holes = {}}};
+        const auto travel = travelRule(
+            static_cast<Traversal>(rule),
+            {.workable = field, .mainland = mainland, .machine = findMachine("agbot").value(), .margin = {}},
+            {});
         VERIFY_RESULT(travel);
         QCOMPARE((*travel)({x, 100.0}) > 1.0, dear);
     }
 
     void anywhere() {
         const MultiPolygon field{test::rectangle(200.0, 200.0)};
-        const auto travel = travelRule(Traversal::Interior,
-                                       {.workable = field, .mainland = field, .machine = findMachine("agbot").value(), .margin = {}}, {});
+        const auto travel = travelRule(
+            Traversal::Interior,
+            {.workable = field, .mainland = field, .machine = findMachine("agbot").value(), .margin = {}},
+            {});
         VERIFY_RESULT(travel);
         QVERIFY(!*travel);
     }

@@ -30,22 +30,27 @@ Leg pass(int number, Point from, Point to) {
 
 /// A circle of 20 m, begun at its rightmost point.
 Leg roundPass(int number) {
-    Leg leg{.kind = SegmentKind::HeadlandPass,
-            .number = number,
-            .line = {.type = {}, .start = {.position = {70.0, 50.0}, .heading = degrees(90.0)}, .pieces = {}}};
+    Leg leg{
+        .kind = SegmentKind::HeadlandPass,
+        .number = number,
+        .line = {.type = {}, .start = {.position = {70.0, 50.0}, .heading = degrees(90.0)}, .pieces = {}}};
     const Curvature bend = Curvature::fromSi(1.0 / 20.0);
-    leg.line.pieces.push_back({.length = metres(40.0 * std::numbers::pi), .curvature = bend, .endCurvature = bend});
+    leg.line.pieces.push_back(
+        {.length = metres(40.0 * std::numbers::pi), .curvature = bend, .endCurvature = bend});
     return leg;
 }
 
 /// There is a way wherever the test says so.
 std::vector<Leg> repaired(std::vector<Leg> legs, const std::function<bool(const Pose&, const Pose&)>& leads) {
     RememberedWays ways{[&](const Pose& leaving, const Pose& arriving, const JobContext&, SearchEffort) {
-        return leads(leaving, arriving) ? std::optional<Curve>{Curve{.type = {}, .start = leaving, .pieces = {}}} : std::nullopt;
+        return leads(leaving, arriving)
+                   ? std::optional<Curve>{Curve{.type = {}, .start = leaving, .pieces = {}}}
+                   : std::nullopt;
     }};
     const MultiPolygon field{test::rectangle(200.0, 200.0, {-50.0, -50.0})};
     const Rig lowered{field, test::agbot(), ImplementAt::Lowered};
-    return withWaysBetween(std::move(legs), ways, lowered, DrivenParts::of(field, test::agbot(), {}, {}).value(), {});
+    return withWaysBetween(std::move(legs), ways, lowered,
+                           DrivenParts::of(field, test::agbot(), {}, {}).value(), {});
 }
 
 std::vector<int> numbersOf(const std::vector<Leg>& legs) {
@@ -93,7 +98,8 @@ private slots:
     }
 
     void nothingIsChangedWhereAllLead() {
-        const std::vector<Leg> legs{pass(1, {0, 0}, {50, 0}), pass(2, {50, 5}, {0, 5}), pass(3, {0, 10}, {50, 10})};
+        const std::vector<Leg> legs{pass(1, {0, 0}, {50, 0}), pass(2, {50, 5}, {0, 5}),
+                                    pass(3, {0, 10}, {50, 10})};
         const auto same = repaired(legs, [](const Pose&, const Pose&) { return true; });
         QCOMPARE(numbersOf(same), (std::vector{1, 2, 3}));
         for (std::size_t i = 0; i < legs.size(); ++i) {
@@ -103,8 +109,9 @@ private slots:
 
     // Nobody gets to (50, 5), but to (0, 5) one does: the second pass is driven from there.
     void aPassIsTurnedRound() {
-        const auto legs = repaired({pass(1, {0, 0}, {50, 0}), pass(2, {50, 5}, {0, 5}), pass(3, {0, 10}, {50, 10})},
-                                   [](const Pose&, const Pose& arriving) { return !isAt(arriving, {50, 5}); });
+        const auto legs =
+            repaired({pass(1, {0, 0}, {50, 0}), pass(2, {50, 5}, {0, 5}), pass(3, {0, 10}, {50, 10})},
+                     [](const Pose&, const Pose& arriving) { return !isAt(arriving, {50, 5}); });
         QCOMPARE(numbersOf(legs), (std::vector{1, 2, 3}));
         QVERIFY(isAt(legs[1].line.start, {0, 5}) && isAt(legs[1].line.end(), {50, 5}));
         QVERIFY(std::abs(std::remainder(legs[1].line.start.heading.si(), 2.0 * std::numbers::pi)) < 1e-9);
@@ -121,8 +128,9 @@ private slots:
     // To the rightmost point of a circle there is no way, to its left half there is.
     void aClosedPassBeginsElsewhere() {
         const Leg round = roundPass(2);
-        const auto legs = repaired({pass(1, {0, 0}, {50, 0}), round, pass(3, {0, 10}, {50, 10})},
-                                   [](const Pose&, const Pose& arriving) { return arriving.position.x < 49.0; });
+        const auto legs =
+            repaired({pass(1, {0, 0}, {50, 0}), round, pass(3, {0, 10}, {50, 10})},
+                     [](const Pose&, const Pose& arriving) { return arriving.position.x < 49.0; });
         QCOMPARE(numbersOf(legs), (std::vector{1, 2, 3}));
         QVERIFY(legs[1].line.start.position.x < 49.0);
         QVERIFY(distance(legs[1].line.start.position, legs[1].line.end().position) < 1e-6);
@@ -132,9 +140,12 @@ private slots:
 
     // Pass 2 can only be reached from pass 3 and only be left to pass 4.
     void aPassIsDrivenElsewhere() {
-        const auto legs = repaired({pass(1, {0, 0}, {50, 0}), pass(2, {50, 5}, {0, 5}), pass(3, {0, 10}, {50, 10}), pass(4, {50, 15}, {0, 15})},
+        const auto legs = repaired({pass(1, {0, 0}, {50, 0}), pass(2, {50, 5}, {0, 5}),
+                                    pass(3, {0, 10}, {50, 10}), pass(4, {50, 15}, {0, 15})},
                                    [](const Pose& leaving, const Pose& arriving) {
-                                       const auto isSecond = [](const Pose& pose) { return std::abs(pose.position.y - 5.0) < 1e-6; };
+                                       const auto isSecond = [](const Pose& pose) {
+                                           return std::abs(pose.position.y - 5.0) < 1e-6;
+                                       };
                                        return isSecond(arriving)  ? leaving.position.y > 9.0
                                               : isSecond(leaving) ? arriving.position.y > 14.0
                                                                   : true;
@@ -144,12 +155,14 @@ private slots:
 
     // Swaths are as the route has them, and what cannot be mended stays.
     void whatCannotBeMendedStays() {
-        const std::vector<Leg> swaths{straight(SegmentKind::Swath, 1, {0, 0}, {50, 0}), straight(SegmentKind::Swath, 2, {50, 5}, {0, 5})};
+        const std::vector<Leg> swaths{straight(SegmentKind::Swath, 1, {0, 0}, {50, 0}),
+                                      straight(SegmentKind::Swath, 2, {50, 5}, {0, 5})};
         const auto nowhere = [](const Pose&, const Pose&) { return false; };
         const auto same = repaired(swaths, nowhere);
         QCOMPARE(numbersOf(same), (std::vector{1, 2}));
         QCOMPARE(same[1].line, swaths[1].line);
-        const std::vector<Leg> passes{pass(1, {0, 0}, {50, 0}), pass(2, {50, 5}, {0, 5}), pass(3, {0, 10}, {50, 10})};
+        const std::vector<Leg> passes{pass(1, {0, 0}, {50, 0}), pass(2, {50, 5}, {0, 5}),
+                                      pass(3, {0, 10}, {50, 10})};
         QCOMPARE(numbersOf(repaired(passes, nowhere)), (std::vector{1, 2, 3}));
     }
 };

@@ -1,6 +1,6 @@
 // What bad input gets, from what a file or a person gives to the finished plan: a row for each thing that is
-// repaired, said and shown, and for each that is refused with its place and what to do. Never a crash, never a
-// plan that is silently wrong. Variants of a boundary are rows of tst_field, of a machine file of
+// repaired, said and shown, and for each that is refused with its place and what to do. Never a crash, never
+// a plan that is silently wrong. Variants of a boundary are rows of tst_field, of a machine file of
 // tst_machine_file, of other files of tst_boundary_import; cancelling stage by stage is in tst_plan, and what
 // the command line makes of it in tst_cli.
 
@@ -74,7 +74,8 @@ FieldSource withThirdPointAt(GeoPoint point) {
 
 FieldSource withObstacle(const char* wkt) {
     FieldSource source = square();
-    source.obstacles = {{.name = "pond", .outline = sourceFromWkt(wkt).parts.front(), .passable = false, .buffer = {}}};
+    source.obstacles = {
+        {.name = "pond", .outline = sourceFromWkt(wkt).parts.front(), .passable = false, .buffer = {}}};
     return source;
 }
 
@@ -104,7 +105,9 @@ PlanResult plan(const FieldSource& source, const MachineSpec& spec, const Settin
     if (!machine) {
         return std::unexpected(machine.error());
     }
-    return makePlan({.field = std::make_shared<const Field>(std::move(*field)), .machine = *machine, .settings = settings},
+    return makePlan({.field = std::make_shared<const Field>(std::move(*field)),
+                     .machine = *machine,
+                     .settings = settings},
                     job);
 }
 
@@ -135,19 +138,24 @@ private slots:
         QTest::addColumn<QString>("said");
         QTest::addColumn<Point>("place");
         QTest::addColumn<double>("areaM2");
-        QTest::newRow("points given twice") << sourceFromWkt("POLYGON((0 0, 100 0, 100 0, 100 100, 0 100, 0 0))")
-                                            << "1 point was given twice" << Point{100.0, 0.0} << 10'000.0;
-        QTest::newRow("spike") << sourceFromWkt("POLYGON((0 0, 50 0, 50 -30, 50 0, 100 0, 100 100, 0 100, 0 0))")
+        QTest::newRow("points given twice")
+            << sourceFromWkt("POLYGON((0 0, 100 0, 100 0, 100 100, 0 100, 0 0))") << "1 point was given twice"
+            << Point{100.0, 0.0} << 10'000.0;
+        QTest::newRow("spike") << sourceFromWkt(
+                                      "POLYGON((0 0, 50 0, 50 -30, 50 0, 100 0, 100 100, 0 100, 0 0))")
                                << "1 spike without area was removed" << Point{50.0, -30.0} << 10'000.0;
-        QTest::newRow("ring the wrong way round") << sourceFromWkt("POLYGON((0 0, 0 100, 100 100, 100 0, 0 0))")
-                                                  << "ran the wrong way round" << Point{0.0, 0.0} << 10'000.0;
+        QTest::newRow("ring the wrong way round")
+            << sourceFromWkt("POLYGON((0 0, 0 100, 100 100, 100 0, 0 0))") << "ran the wrong way round"
+            << Point{0.0, 0.0} << 10'000.0;
         // 205.96 m by 222.53 m of the ellipsoid there, by geod(1), and too far away for the row's own metres.
         QTest::newRow("ring left open in a file")
-            << sourceFromFile("open.geojson",
-                              R"({"type":"Polygon","coordinates":[[[9,52],[9.003,52],[9.003,52.002],[9,52.002]]]})")
+            << sourceFromFile(
+                   "open.geojson",
+                   R"({"type":"Polygon","coordinates":[[[9,52],[9.003,52],[9.003,52.002],[9,52.002]]]})")
             << "did not end where it began and was closed" << kNoPlace << 45'848.8;
         QTest::newRow("tiny sliver")
-            << sourceFromWkt("POLYGON((0 0, 100 0, 100 100, 60 100, 60 130.01, 60.01 130, 60.01 99.9, 0 100, 0 0))")
+            << sourceFromWkt(
+                   "POLYGON((0 0, 100 0, 100 100, 60 100, 60 130.01, 60.01 130, 60.01 99.9, 0 100, 0 0))")
             << "a sliver of" << kNoPlace << 10'000.0;
         QTest::newRow("ring that touches itself")
             << sourceFromWkt("POLYGON((0 0, 50 0, 50 50, 100 50, 100 100, 50 100, 50 50, 0 50, 0 0))")
@@ -180,40 +188,45 @@ private slots:
         QTest::addColumn<QString>("where");
         QTest::addColumn<Point>("place");
         const QString boundary = "fields.gpkg, feature 12, the boundary";
-        QTest::newRow("a ring of one point") << planOf(sourceFromWkt("POLYGON((5 6))")) << "fewer than 3 different points"
-                                             << boundary << Point{5.0, 6.0};
-        QTest::newRow("two different points among five")
-            << planOf(sourceFromWkt("POLYGON((5 6, 90 90, 5 6, 90 90, 5 6))")) << "fewer than 3 different points" << boundary
+        QTest::newRow("a ring of one point")
+            << planOf(sourceFromWkt("POLYGON((5 6))")) << "fewer than 3 different points" << boundary
             << Point{5.0, 6.0};
+        QTest::newRow("two different points among five")
+            << planOf(sourceFromWkt("POLYGON((5 6, 90 90, 5 6, 90 90, 5 6))"))
+            << "fewer than 3 different points" << boundary << Point{5.0, 6.0};
         QTest::newRow("a crossing with two ways out")
-            << planOf(sourceFromWkt("POLYGON((0 0, 100 100, 100 0, 0 100, 0 0))")) << "the line crosses itself at 9.2"
-            << boundary << Point{50.0, 50.0};
+            << planOf(sourceFromWkt("POLYGON((0 0, 100 100, 100 0, 0 100, 0 0))"))
+            << "the line crosses itself at 9.2" << boundary << Point{50.0, 50.0};
         const QString third = "fields.gpkg, feature 12, part 1, point 3";
         QTest::newRow("NaN") << planOf(withThirdPointAt({kNan, 51.3})) << "not a number" << third << kNoPlace;
-        QTest::newRow("infinite") << planOf(withThirdPointAt({9.2, -kInfinity})) << "not a number" << third << kNoPlace;
-        QTest::newRow("outside WGS84") << planOf(withThirdPointAt({513'000.0, 5'683'000.0})) << "outside longitude -180 to 180"
-                                       << third << kNoPlace;
+        QTest::newRow("infinite") << planOf(withThirdPointAt({9.2, -kInfinity})) << "not a number" << third
+                                  << kNoPlace;
+        QTest::newRow("outside WGS84") << planOf(withThirdPointAt({513'000.0, 5'683'000.0}))
+                                       << "outside longitude -180 to 180" << third << kNoPlace;
         // 50 cm².
-        QTest::newRow("no area") << planOf(sourceFromWkt("POLYGON((0 0, 5 0, 2.5 0.002, 0 0))")) << "enclose no area"
-                                 << boundary << Point{0.0, 0.0};
-        QTest::newRow("over 100 km across") << planOf(circle(64, 50'200.0)) << "more than 100 km" << "fields.gpkg, feature 12, part 1"
-                                            << kNoPlace;
-        QTest::newRow("one point 100 km away") << planOf(withThirdPointAt({9.2, 52.3})) << "more than 100 km" << third
-                                               << inRow(GeoPoint{9.2, 52.3});
+        QTest::newRow("no area") << planOf(sourceFromWkt("POLYGON((0 0, 5 0, 2.5 0.002, 0 0))"))
+                                 << "enclose no area" << boundary << Point{0.0, 0.0};
+        QTest::newRow("over 100 km across") << planOf(circle(64, 50'200.0)) << "more than 100 km"
+                                            << "fields.gpkg, feature 12, part 1" << kNoPlace;
+        QTest::newRow("one point 100 km away") << planOf(withThirdPointAt({9.2, 52.3})) << "more than 100 km"
+                                               << third << inRow(GeoPoint{9.2, 52.3});
         QTest::newRow("more than a million vertices") << planOf(circle(1'000'001, 1000.0)) << "1000001 points"
                                                       << "fields.gpkg, feature 12" << kNoPlace;
         QTest::newRow("obstacle outside the field")
-            << planOf(withObstacle("POLYGON((200 40, 220 40, 220 60, 200 60, 200 40))")) << "lies outside the field"
+            << planOf(withObstacle("POLYGON((200 40, 220 40, 220 60, 200 60, 200 40))"))
+            << "lies outside the field"
             << "fields.gpkg, feature 12, obstacle 'pond'" << Point{200.0, 40.0};
         for (const double value : {0.0, -3.0, kNan, kInfinity}) {
             MachineSpec spec = agbot().spec();
             spec.implement.operatingWidth = metres(value);
-            QTest::addRow("operating width %g", value) << Planned{[spec] { return plan(square(), spec); }}
-                                                       << "cannot be worked with" << "machine, operating_width_m" << kNoPlace;
+            QTest::addRow("operating width %g", value)
+                << Planned{[spec] { return plan(square(), spec); }} << "cannot be worked with"
+                << "machine, operating_width_m" << kNoPlace;
             spec = agbot().spec();
             spec.tractor.minTurningRadius = metres(value);
-            QTest::addRow("turning radius %g", value) << Planned{[spec] { return plan(square(), spec); }}
-                                                      << "cannot be worked with" << "machine, min_turning_radius_m" << kNoPlace;
+            QTest::addRow("turning radius %g", value)
+                << Planned{[spec] { return plan(square(), spec); }} << "cannot be worked with"
+                << "machine, min_turning_radius_m" << kNoPlace;
         }
     }
     void isRefused() {
@@ -242,33 +255,36 @@ private slots:
         QTest::addColumn<QString>("said");
         QTest::newRow("wide enough") << 100.0 << 2.6 << "0" << "";
         QTest::newRow("too narrow") << 100.0 << 2.4 << "0" << "nowhere as wide as the machine (2.50 m)";
-        QTest::newRow("too narrow with its margin") << 100.0 << 4.0 << "1" << "(2.50 m and twice 1.00 m of margin)";
+        QTest::newRow("too narrow with its margin")
+            << 100.0 << 4.0 << "1" << "(2.50 m and twice 1.00 m of margin)";
         QTest::newRow("wide enough with its margin") << 100.0 << 4.7 << "1" << "";
-        // Its middle line of 2.9 m, which keeps 1.25 m off the edge: the diagonal of 1.5 m by 1.5 m is 2.12 m,
-        // of 2.1 m by 2.1 m 2.97 m.
+        // Its middle line of 2.9 m, which keeps 1.25 m off the edge: the diagonal of 1.5 m by 1.5 m is 2.12
+        // m, of 2.1 m by 2.1 m 2.97 m.
         QTest::newRow("too short") << 4.0 << 4.0 << "0" << "(2.50 m wide, 5.40 m long) fits nowhere";
         QTest::newRow("long enough across") << 4.6 << 4.6 << "0" << "";
         QTest::newRow("long enough along one side") << 5.5 << 2.6 << "0" << "";
-        QTest::newRow("too short with its margin") << 6.0 << 5.0 << "1" << "(2.50 m wide, 5.40 m long and twice 1.00 m of margin)";
+        QTest::newRow("too short with its margin")
+            << 6.0 << 5.0 << "1" << "(2.50 m wide, 5.40 m long and twice 1.00 m of margin)";
     }
     void aMachineThatFitsNowhere() {
         QFETCH(double, widthM);
         QFETCH(double, heightM);
         QFETCH(QString, marginM);
         QFETCH(QString, said);
-        const PlanResult result =
-            plan(rectangle(widthM, heightM), agbot().spec(), settingsOf({{"field.margin_m", marginM.toStdString()}}));
+        const PlanResult result = plan(rectangle(widthM, heightM), agbot().spec(),
+                                       settingsOf({{"field.margin_m", marginM.toStdString()}}));
         QVERIFY2(result.has_value() == said.isEmpty(), result ? "" : result.error().line().c_str());
         if (!result) {
             QCOMPARE(result.error().code, ErrorCode::InputRefused);
-            QVERIFY2(QString::fromStdString(result.error().what).contains(said), result.error().line().c_str());
+            QVERIFY2(QString::fromStdString(result.error().what).contains(said),
+                     result.error().line().c_str());
             QVERIFY(!result.error().remedy.empty());
             COMPARE_WITHIN(distance(inRow(result.error().place), {}), 0.0, 0.01);
         }
     }
 
-    // A trailed implement bends at its hitch: only the tractor, 5.2 m of a length that is 11.5 m in all, has to
-    // fit. One that is shorter than wide goes sideways into what is as wide as it is long.
+    // A trailed implement bends at its hitch: only the tractor, 5.2 m of a length that is 11.5 m in all, has
+    // to fit. One that is shorter than wide goes sideways into what is as wide as it is long.
     void whatOfAMachineHasToFit() {
         MachineSpec trailed = agbot().spec();
         trailed.tractor.length = metres(5.2);
@@ -288,7 +304,8 @@ private slots:
     }
 
     void aHundredThousandVerticesArePlanned() {
-        const PlanResult result = plan(circle(100'000, 150.0), agbot().spec(), quick({{"swaths.method", "longest-edge"}}));
+        const PlanResult result =
+            plan(circle(100'000, 150.0), agbot().spec(), quick({{"swaths.method", "longest-edge"}}));
         VERIFY_RESULT(result);
         QCOMPARE((*result)->field().vertexCount(), std::size_t{100'000});
         // pi 150² m², and 300 m less twice 10 m of headland in swaths of 2.5 m.

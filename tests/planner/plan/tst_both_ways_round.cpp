@@ -24,7 +24,9 @@ std::shared_ptr<const Field> fieldOf(const FieldSource& source) {
 }
 
 FieldSource sampleField(const char* name) {
-    return readBoundaries(std::string{FURROW_SOURCE_DIR "/resources/sample_fields/"} + name + ".geojson").value().front();
+    return readBoundaries(std::string{FURROW_SOURCE_DIR "/resources/sample_fields/"} + name + ".geojson")
+        .value()
+        .front();
 }
 
 /// East for west: the frame of a field lies about its own middle, so it is mirrored there as well.
@@ -52,12 +54,14 @@ Machine machineOf(std::string_view id, double leftM = 0.0) {
 
 enum class Draft { No, Yes };
 
-Result<std::shared_ptr<const Plan>> planOf(const FieldSource& field, const Machine& machine, std::string_view direction,
-                                           std::string_view corner = "quickest", Draft draft = Draft::No) {
+Result<std::shared_ptr<const Plan>> planOf(const FieldSource& field, const Machine& machine,
+                                           std::string_view direction, std::string_view corner = "quickest",
+                                           Draft draft = Draft::No) {
     Settings settings;
     applySetting(settings, "headland.direction", direction).value();
     applySetting(settings, "headland.corner", corner).value();
-    return makePlan({.field = fieldOf(field), .machine = machine, .settings = settings, .draft = draft == Draft::Yes});
+    return makePlan(
+        {.field = fieldOf(field), .machine = machine, .settings = settings, .draft = draft == Draft::Yes});
 }
 
 double workedRoundM(const Plan& plan) {
@@ -68,7 +72,8 @@ double workedRoundM(const Plan& plan) {
     return sumM;
 }
 
-/// Of all passes, to the left: a turn for each ring round the field, one to the right for each round an obstacle.
+/// Of all passes, to the left: a turn for each ring round the field, one to the right for each round an
+/// obstacle.
 double turnedRad(const Plan& plan) {
     double sum = 0.0;
     for (const HeadlandPass& pass : plan.headland.rings) {
@@ -127,8 +132,10 @@ private slots:
         QFETCH(QString, machine);
         QFETCH(double, leftM);
         const FieldSource source = sampleField(qPrintable(field));
-        const auto left = planOf(source, machineOf(machine.toStdString(), leftM), "counter-clockwise", "quickest", Draft::Yes);
-        const auto right = planOf(inAMirror(source), machineOf(machine.toStdString(), -leftM), "clockwise", "quickest", Draft::Yes);
+        const auto left = planOf(source, machineOf(machine.toStdString(), leftM), "counter-clockwise",
+                                 "quickest", Draft::Yes);
+        const auto right = planOf(inAMirror(source), machineOf(machine.toStdString(), -leftM), "clockwise",
+                                  "quickest", Draft::Yes);
         VERIFY_RESULT(left);
         VERIFY_RESULT(right);
         // Rings are cut and rounded from another corner on.
@@ -136,8 +143,8 @@ private slots:
         QVERIFY(turnedRad(**right) * turnedRad(**left) < 0.0);
     }
 
-    // What is done with them as well, as far as the same is found from the other side: room to reach into a corner is not
-    // always.
+    // What is done with them as well, as far as the same is found from the other side: room to reach into a
+    // corner is not always.
     void plansAsInAMirror_data() {
         QTest::addColumn<QString>("machine");
         QTest::addColumn<double>("leftM");
@@ -150,12 +157,15 @@ private slots:
         QFETCH(QString, machine);
         QFETCH(double, leftM);
         const FieldSource source = sampleField("home_field");
-        const auto left = planOf(source, machineOf(machine.toStdString(), leftM), "counter-clockwise", "rounded");
-        const auto right = planOf(inAMirror(source), machineOf(machine.toStdString(), -leftM), "clockwise", "rounded");
+        const auto left =
+            planOf(source, machineOf(machine.toStdString(), leftM), "counter-clockwise", "rounded");
+        const auto right =
+            planOf(inAMirror(source), machineOf(machine.toStdString(), -leftM), "clockwise", "rounded");
         VERIFY_RESULT(left);
         VERIFY_RESULT(right);
         QVERIFY((*left)->drivable() && (*right)->drivable());
-        COMPARE_WITHIN((*right)->path.length().si(), (*left)->path.length().si(), 1e-3 * (*left)->path.length().si());
+        COMPARE_WITHIN((*right)->path.length().si(), (*left)->path.length().si(),
+                       1e-3 * (*left)->path.length().si());
         COMPARE_WITHIN(coveredShare(**right), coveredShare(**left), 1e-4);
     }
 };

@@ -27,7 +27,8 @@ std::shared_ptr<const Field> rectangle() {
     return field;
 }
 
-Result<std::shared_ptr<const Plan>> planOf(const Machine& machine, std::initializer_list<std::pair<std::string_view, std::string_view>> given) {
+Result<std::shared_ptr<const Plan>> planOf(
+    const Machine& machine, std::initializer_list<std::pair<std::string_view, std::string_view>> given) {
     Settings settings;
     for (const auto& [key, text] : given) {
         applySetting(settings, key, text).value();
@@ -54,7 +55,8 @@ std::string blocking(const Plan& plan) {
     return said;
 }
 
-/// Of all ways from one swath to the next: how many are of this kind in all their segments, and how many there are.
+/// Of all ways from one swath to the next: how many are of this kind in all their segments, and how many
+/// there are.
 std::pair<int, int> turnsOfKind(const Plan& plan, std::string_view kind) {
     int ofKind = 0;
     int all = 0;
@@ -124,21 +126,29 @@ private slots:
         QCOMPARE(notes.size(), std::size_t(ofKind < all ? 1 : 0));
         if (!notes.empty()) {
             const std::string said = notes.front()->text;
-            QVERIFY2(said.contains("path.method") && said.contains(std::to_string(all - ofKind) + " of " + std::to_string(all)), said.c_str());
+            QVERIFY2(said.contains("path.method") &&
+                         said.contains(std::to_string(all - ofKind) + " of " + std::to_string(all)),
+                     said.c_str());
             QCOMPARE(notes.front()->change, (std::optional{SettingChange{"path.method", "best-feasible"}}));
         }
     }
 
-    // Swaths 6 m apart and a radius of 6 m: an omega fits between all of them, a U turn, which needs 12 m, between none.
+    // Swaths 6 m apart and a radius of 6 m: an omega fits between all of them, a U turn, which needs 12 m,
+    // between none.
     void oneThatFitsIsKept() {
         const Machine cultivator = findMachine("cultivator").value();
         const std::initializer_list<std::pair<std::string_view, std::string_view>> snug{
-            {"path.method", "omega"}, {"swaths.method", "longest-edge"}, {"route.method", "boustrophedon"}, {"headland.width_m", "24"}};
+            {"path.method", "omega"},
+            {"swaths.method", "longest-edge"},
+            {"route.method", "boustrophedon"},
+            {"headland.width_m", "24"}};
         const auto omega = planOf(cultivator, snug);
         VERIFY_RESULT(omega);
         const auto [omegas, all] = turnsOfKind(**omega, "omega");
         QCOMPARE(omegas, all);
-        const auto u = planOf(cultivator, {{"path.method", "u"}, {"swaths.method", "longest-edge"}, {"route.method", "boustrophedon"}});
+        const auto u = planOf(
+            cultivator,
+            {{"path.method", "u"}, {"swaths.method", "longest-edge"}, {"route.method", "boustrophedon"}});
         VERIFY_RESULT(u);
         QCOMPARE(turnsOfKind(**u, "u").first, 0);
         const auto said = found(**u, FindingKind::TurnKind);
@@ -181,11 +191,13 @@ private slots:
 
     // Where nothing has to stay inside, the kind is kept everywhere, as in the paper.
     void mayLeaveTheField() {
-        const auto plan = planOf(findMachine("cultivator").value(), {{"path.method", "fishtail"}, {"path.stay_inside", "false"}});
+        const auto plan = planOf(findMachine("cultivator").value(),
+                                 {{"path.method", "fishtail"}, {"path.stay_inside", "false"}});
         VERIFY_RESULT(plan);
         QVERIFY(found(**plan, FindingKind::TurnKind).empty());
         for (const PathSegment& segment : (*plan)->path.segments) {
-            QVERIFY(segment.turnType != "combined" && segment.turnType != "reeds-shepp" && segment.turnType != "omega");
+            QVERIFY(segment.turnType != "combined" && segment.turnType != "reeds-shepp" &&
+                    segment.turnType != "omega");
         }
     }
 };

@@ -14,7 +14,8 @@ namespace {
 
 std::shared_ptr<const Field> fieldOf(const Ring& outer) {
     return std::make_shared<const Field>(
-        Field::create(test::fieldSourceFromLocal({{.outer = outer, .holes = {}}}, GeoPoint{9.2, 51.3})).value());
+        Field::create(test::fieldSourceFromLocal({{.outer = outer, .holes = {}}}, GeoPoint{9.2, 51.3}))
+            .value());
 }
 
 }  // namespace
@@ -24,7 +25,9 @@ class TestDraft : public QObject {
 
 private slots:
     void aDraftKeepsHeadingAndHeadlandAndIsNotMeasured() {
-        PlanRequest request{.field = fieldOf({{0, 0}, {400, 60}, {380, 300}, {-30, 250}}), .machine = agbot(), .settings = {}};
+        PlanRequest request{.field = fieldOf({{0, 0}, {400, 60}, {380, 300}, {-30, 250}}),
+                            .machine = agbot(),
+                            .settings = {}};
         const auto whole = makePlan(request);
         VERIFY_RESULT(whole);
         QVERIFY((*whole)->audit.coveredShare.has_value());
@@ -45,20 +48,26 @@ private slots:
         QVERIFY(!(*again)->request.draft && (*again)->audit.coveredShare.has_value());
     }
     void whatTheUserChoseStays() {
-        PlanRequest request{.field = fieldOf({{0, 0}, {400, 0}, {400, 300}, {0, 300}}), .machine = agbot(), .settings = {}};
-        for (const auto& [key, text] : {std::pair{"headland.width_m", "20"}, {"swaths.method", "fixed"},
-                                        {"swaths.angle_deg", "30"}, {"path.method", "dubins"}, {"route.method", "snake"}}) {
+        PlanRequest request{
+            .field = fieldOf({{0, 0}, {400, 0}, {400, 300}, {0, 300}}), .machine = agbot(), .settings = {}};
+        for (const auto& [key, text] : {std::pair{"headland.width_m", "20"},
+                                        {"swaths.method", "fixed"},
+                                        {"swaths.angle_deg", "30"},
+                                        {"path.method", "dubins"},
+                                        {"route.method", "snake"}}) {
             VERIFY_RESULT(applySetting(request.settings, key, text));
         }
         const PlanRequest draft = draftOf(request, nullptr);
-        for (const char* key : {"headland.width_m", "swaths.method", "swaths.angle_deg", "path.method", "route.method"}) {
+        for (const char* key :
+             {"headland.width_m", "swaths.method", "swaths.angle_deg", "path.method", "route.method"}) {
             const Parameter& parameter = **findParameter(key);
             QVERIFY2(draft.settings.value(parameter) == request.settings.value(parameter), key);
         }
         QVERIFY(!draft.settings.flag(kHeadlandDriven));
     }
     void withoutAPlanBeforeNoHeadingIsSearched() {
-        const PlanRequest request{.field = fieldOf({{0, 0}, {400, 0}, {400, 100}, {0, 100}}), .machine = agbot(), .settings = {}};
+        const PlanRequest request{
+            .field = fieldOf({{0, 0}, {400, 0}, {400, 100}, {0, 100}}), .machine = agbot(), .settings = {}};
         const auto draft = makePlan(draftOf(request, nullptr));
         VERIFY_RESULT(draft);
         // Along the longest edge, from west to east.

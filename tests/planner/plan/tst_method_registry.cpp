@@ -5,9 +5,9 @@
 #include "tests/support/field_generator.h"
 #include "tests/support/result_check.h"
 
-#include <format>
 #include <algorithm>
 #include <array>
+#include <format>
 #include <set>
 
 using namespace furrow;
@@ -24,12 +24,13 @@ const std::array kContract{
     ContractRow{"headland.method", {"constant", "per-edge", "none"}},
     ContractRow{"decomposition.method", {"merged", "boustrophedon", "trapezoidal", "none"}},
     ContractRow{"swaths.method",
-                {"exact", "brute-force", "fixed", "ab-line", "a-plus", "longest-edge", "edge", "oksanen", "ab-curve",
-                 "contour", "pivot", "rows"}},
-    ContractRow{"route.method", {"optimised", "boustrophedon", "snake", "spiral", "skip", "racetrack", "custom"}},
+                {"exact", "brute-force", "fixed", "ab-line", "a-plus", "longest-edge", "edge", "oksanen",
+                 "ab-curve", "contour", "pivot", "rows"}},
+    ContractRow{"route.method",
+                {"optimised", "boustrophedon", "snake", "spiral", "skip", "racetrack", "custom"}},
     ContractRow{"path.method",
-                {"best-feasible", "dubins", "reeds-shepp", "dubins-cc", "reeds-shepp-cc", "u", "omega", "p", "fishtail",
-                 "three-point", "straight"}},
+                {"best-feasible", "dubins", "reeds-shepp", "dubins-cc", "reeds-shepp-cc", "u", "omega", "p",
+                 "fishtail", "three-point", "straight"}},
 };
 
 // The values of choices in contract.md that are not methods, default first.
@@ -96,7 +97,8 @@ private slots:
         QVERIFY2(row != kContract.end(), std::string{stage->method->key}.c_str());
         QVERIFY(!stage->methods.empty());
         for (const MethodInfo& method : stage->methods) {
-            QVERIFY2(std::ranges::find(row->ids, method.id) != row->ids.end(), std::string{method.id}.c_str());
+            QVERIFY2(std::ranges::find(row->ids, method.id) != row->ids.end(),
+                     std::string{method.id}.c_str());
             QVERIFY(!method.name.empty());
             QVERIFY2(method.description.ends_with('.'), std::string{method.description}.c_str());
         }
@@ -117,10 +119,12 @@ private slots:
             ++checked;
             const auto choices = (*found)->choices;
             for (const Choice& choice : choices) {
-                QVERIFY2(std::ranges::find(row.ids, choice.id) != row.ids.end(), std::string{choice.id}.c_str());
+                QVERIFY2(std::ranges::find(row.ids, choice.id) != row.ids.end(),
+                         std::string{choice.id}.c_str());
             }
-            const auto firstThere = std::ranges::find_if(
-                row.ids, [&](std::string_view id) { return std::ranges::find(choices, id, &Choice::id) != choices.end(); });
+            const auto firstThere = std::ranges::find_if(row.ids, [&](std::string_view id) {
+                return std::ranges::find(choices, id, &Choice::id) != choices.end();
+            });
             QCOMPARE(settingText((*found)->defaultValue()), std::string{*firstThere});
         }
         QVERIFY(checked >= 4);
@@ -173,7 +177,8 @@ private slots:
         }
     }
 
-    // planner.md, section 2: an operation sets headland first or last, where may be driven, fill or empty, and overlap.
+    // planner.md, section 2: an operation sets headland first or last, where may be driven, fill or empty,
+    // and overlap.
     void operationsSetDefaults_data() {
         QTest::addColumn<QString>("kind");
         QTest::addColumn<QString>("when");
@@ -195,7 +200,9 @@ private slots:
         QFETCH(TankUse, tank);
         Settings settings;
         VERIFY_RESULT(applySetting(settings, "operation.kind", kind.toStdString()));
-        const auto value = [&](std::string_view key) { return settingText(settings.value(**findParameter(key))); };
+        const auto value = [&](std::string_view key) {
+            return settingText(settings.value(**findParameter(key)));
+        };
         QCOMPARE(value("headland.when"), when.toStdString());
         QCOMPARE(value("route.traversal"), traversal.toStdString());
         QCOMPARE(settings.length(**findParameter("swaths.overlap_m"))->si(), overlapM);
@@ -267,7 +274,8 @@ private slots:
                                              middle.lonDeg + 0.001, middle.latDeg);
         VERIFY_RESULT(applySetting(settings, "swaths.line", line));
         if (id == "custom") {
-            const auto counted = makePlan({.field = rectangleField(), .machine = machineLibrary().front(), .settings = {}});
+            const auto counted =
+                makePlan({.field = rectangleField(), .machine = machineLibrary().front(), .settings = {}});
             VERIFY_RESULT(counted);
             std::string order;
             for (std::size_t number = 1; number <= (*counted)->swaths.swaths.size(); ++number) {
@@ -276,7 +284,10 @@ private slots:
             VERIFY_RESULT(applySetting(settings, "route.order", order));
         }
         VERIFY_RESULT(applySetting(settings, key.toStdString(), id.toStdString()));
-        const PlanRequest request{.field = rectangleField(), .machine = machineLibrary().front(), .settings = settings, .guides = guides()};
+        const PlanRequest request{.field = rectangleField(),
+                                  .machine = machineLibrary().front(),
+                                  .settings = settings,
+                                  .guides = guides()};
         const auto plan = makePlan(request, {.threads = 1});
         VERIFY_RESULT(plan);
         // The same on any number of threads.

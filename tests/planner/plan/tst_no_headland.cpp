@@ -21,15 +21,18 @@ namespace {
 
 constexpr GeoPoint kCentre{9.2, 51.3};
 
-Result<std::shared_ptr<const Plan>> planOf(const MultiPolygon& polygons, std::string_view machine, std::string_view turns) {
+Result<std::shared_ptr<const Plan>> planOf(const MultiPolygon& polygons, std::string_view machine,
+                                           std::string_view turns) {
     Settings settings;
     for (const auto& [key, text] : {std::pair<std::string_view, std::string_view>{"headland.method", "none"},
                                     {"path.stay_inside", "false"},
                                     {"path.method", turns}}) {
         applySetting(settings, key, text).value();
     }
-    auto field = std::make_shared<const Field>(Field::create(test::fieldSourceFromLocal(polygons, kCentre)).value());
-    return makePlan({.field = std::move(field), .machine = findMachine(machine).value(), .settings = settings});
+    auto field =
+        std::make_shared<const Field>(Field::create(test::fieldSourceFromLocal(polygons, kCentre)).value());
+    return makePlan(
+        {.field = std::move(field), .machine = findMachine(machine).value(), .settings = settings});
 }
 
 double coveredShare(const Plan& plan) {
@@ -40,17 +43,20 @@ double coveredShare(const Plan& plan) {
 double nearestM(const Plan& plan, const Ring& obstacle) {
     double nearest = std::numeric_limits<double>::infinity();
     for (const PathSegment& segment : plan.path.segments) {
-        for (std::size_t i = segment.implementDown ? segment.samples.size() : 1; i < segment.samples.size(); ++i) {
+        for (std::size_t i = segment.implementDown ? segment.samples.size() : 1; i < segment.samples.size();
+             ++i) {
             const Point from = segment.samples[i - 1].position;
             const Point to = segment.samples[i].position;
             for (double share = 0.0; share <= 1.0; share += 0.125) {
                 const Point at = from + share * (to - from);
                 double awayM = std::numeric_limits<double>::infinity();
                 for (std::size_t k = 0; k < obstacle.size(); ++k) {
-                    awayM = std::min(awayM, distanceToSegment(at, obstacle[k], obstacle[(k + 1) % obstacle.size()]));
+                    awayM = std::min(awayM,
+                                     distanceToSegment(at, obstacle[k], obstacle[(k + 1) % obstacle.size()]));
                 }
                 const Bounds box = bounds({{.outer = obstacle, .holes = {}}});
-                const bool inside = at.x > box.min.x && at.x < box.max.x && at.y > box.min.y && at.y < box.max.y;
+                const bool inside =
+                    at.x > box.min.x && at.x < box.max.x && at.y > box.min.y && at.y < box.max.y;
                 nearest = std::min(nearest, inside ? -awayM : awayM);
             }
         }
@@ -64,8 +70,9 @@ class NoHeadlandTest : public QObject {
     Q_OBJECT
 
 private slots:
-    // A parallelogram of 300 x 200 m whose ends slant at 45 degrees: swaths that stop at their middle lines leave a
-    // triangle of w²/8 at each end and with it one in w / 2 / 200 m of a side of 283 m, some tenths of a per cent.
+    // A parallelogram of 300 x 200 m whose ends slant at 45 degrees: swaths that stop at their middle lines
+    // leave a triangle of w²/8 at each end and with it one in w / 2 / 200 m of a side of 283 m, some tenths
+    // of a per cent.
     void slantingEndsAreWorked_data() {
         QTest::addColumn<QString>("machine");
         QTest::addColumn<QString>("turns");
@@ -106,7 +113,8 @@ private slots:
             QVERIFY2(finding.severity != Severity::Blocking, std::string{finding.text}.c_str());
         }
         QVERIFY2(coveredShare(**plan) > 0.99, qPrintable(QString::number(coveredShare(**plan))));
-        // Beside the pond the axle is half a tractor away; tail first it comes as near as its overhang is long.
+        // Beside the pond the axle is half a tractor away; tail first it comes as near as its overhang is
+        // long.
         const Tractor tractor = findMachine(machine.toStdString()).value().spec().tractor;
         const double nearM = std::min(0.5 * tractor.width, tractor.rearOverhang).si();
         // As the field has it: projected, and no ring of the drawing.

@@ -36,19 +36,21 @@ std::shared_ptr<const Field> fieldOf(const MultiPolygon& polygons, GeoPoint cent
 }
 
 bool same(const SwathSet& a, const SwathSet& b) {
-    return a.swaths == b.swaths && a.heading == b.heading && a.proved == b.proved && a.totalLength == b.totalLength &&
-           a.coverage == b.coverage && a.overlap == b.overlap && a.shift == b.shift && a.headingsTried == b.headingsTried;
+    return a.swaths == b.swaths && a.heading == b.heading && a.proved == b.proved &&
+           a.totalLength == b.totalLength && a.coverage == b.coverage && a.overlap == b.overlap &&
+           a.shift == b.shift && a.headingsTried == b.headingsTried;
 }
 
 bool same(const Plan& a, const Plan& b) {
-    return a.margin == b.margin && a.headland.mainland == b.headland.mainland && a.headland.width == b.headland.width &&
-           a.headland.notes == b.headland.notes && same(a.swaths, b.swaths) && a.route == b.route && a.path == b.path &&
-           a.findings == b.findings;
+    return a.margin == b.margin && a.headland.mainland == b.headland.mainland &&
+           a.headland.width == b.headland.width && a.headland.notes == b.headland.notes &&
+           same(a.swaths, b.swaths) && a.route == b.route && a.path == b.path && a.findings == b.findings;
 }
 
 int countOf(const Plan& plan, Severity severity, std::string_view kind) {
-    return static_cast<int>(std::ranges::count_if(
-        plan.findings, [&](const Finding& finding) { return finding.severity == severity && kindId(finding) == kind; }));
+    return static_cast<int>(std::ranges::count_if(plan.findings, [&](const Finding& finding) {
+        return finding.severity == severity && kindId(finding) == kind;
+    }));
 }
 
 }  // namespace
@@ -62,7 +64,8 @@ private slots:
         QTest::addColumn<QString>("objective");
         for (const test::Shape shape : test::kShapes) {
             for (const char* objective : {"swath-count", "swath-length", "coverage"}) {
-                QTest::addRow("%s, %s", test::shapeName(shape).data(), objective) << static_cast<int>(shape) << objective;
+                QTest::addRow("%s, %s", test::shapeName(shape).data(), objective)
+                    << static_cast<int>(shape) << objective;
             }
         }
     }
@@ -71,9 +74,11 @@ private slots:
         QFETCH(QString, objective);
         const std::uint64_t seed = 1000 + static_cast<std::uint64_t>(shape);
         std::mt19937_64 random{seed};
-        const Settings settings = settingsOf({{"swaths.objective", objective.toStdString()}, {"swaths.step_deg", "3"}});
+        const Settings settings =
+            settingsOf({{"swaths.objective", objective.toStdString()}, {"swaths.step_deg", "3"}});
         for (int i = 0; i < 2; ++i) {
-            const auto field = fieldOf(test::randomPolygons(random, static_cast<test::Shape>(shape), test::uniform(random, 40.0, 120.0)));
+            const auto field = fieldOf(test::randomPolygons(random, static_cast<test::Shape>(shape),
+                                                            test::uniform(random, 40.0, 120.0)));
             const QByteArray told = QStringLiteral("seed %1, field %2").arg(seed).arg(i).toUtf8();
             const PlanRequest request{.field = field, .machine = agbot(), .settings = settings};
             const auto one = makePlan(request, {.threads = 1});
@@ -83,8 +88,10 @@ private slots:
                 VERIFY_TOLD(other.has_value() && same(**one, **other), told);
             }
             // A second reading of the same boundary is the same field.
-            const auto again = makePlan({.field = std::make_shared<const Field>(Field::create(field->source()).value()),
-                                         .machine = agbot(), .settings = settings});
+            const auto again =
+                makePlan({.field = std::make_shared<const Field>(Field::create(field->source()).value()),
+                          .machine = agbot(),
+                          .settings = settings});
             VERIFY_TOLD(again.has_value(), told);
             VERIFY_TOLD((*again)->route.steps.size() == (*one)->route.steps.size(), told);
         }
@@ -102,9 +109,14 @@ private slots:
         const std::uint64_t seed = 2000 + static_cast<std::uint64_t>(shape);
         std::mt19937_64 random{seed};
         for (int i = 0; i < 20; ++i) {
-            const auto field = fieldOf(test::randomPolygons(random, static_cast<test::Shape>(shape), test::uniform(random, 25.0, 150.0)),
-                                       {test::uniform(random, -180.0, 180.0), test::uniform(random, -70.0, 70.0)});
-            const auto plan = makePlan({.field = field, .machine = agbot(), .settings = settingsOf({{"swaths.method", "brute-force"}, {"swaths.step_deg", "10"}})});
+            const auto field =
+                fieldOf(test::randomPolygons(random, static_cast<test::Shape>(shape),
+                                             test::uniform(random, 25.0, 150.0)),
+                        {test::uniform(random, -180.0, 180.0), test::uniform(random, -70.0, 70.0)});
+            const auto plan = makePlan(
+                {.field = field,
+                 .machine = agbot(),
+                 .settings = settingsOf({{"swaths.method", "brute-force"}, {"swaths.step_deg", "10"}})});
             const QByteArray told = QStringLiteral("seed %1, field %2").arg(seed).arg(i).toUtf8();
             if (!plan && plan.error().what.contains("nowhere as wide")) {
                 continue;  // some thin ones are
@@ -126,7 +138,8 @@ private slots:
             const auto audited = std::ranges::count_if(p.audit.findings, [](const AuditFinding& found) {
                 return found.finding.severity == Severity::Blocking;
             });
-            const auto ways = std::ranges::count_if(p.findings, [](const Finding& finding) { return finding.text.starts_with("The way from"); });
+            const auto ways = std::ranges::count_if(
+                p.findings, [](const Finding& finding) { return finding.text.starts_with("The way from"); });
             VERIFY_TOLD(ways == p.path.undrivableCount(), told);
             VERIFY_TOLD(blocking >= ways && (ways > 0 || blocking == audited), told);
             VERIFY_TOLD(p.drivable() == (blocking == 0), told);
@@ -134,7 +147,9 @@ private slots:
                 VERIFY_TOLD(segment.drivable == segment.reason.empty(), told);
             }
             for (const Finding& finding : p.findings) {
-                VERIFY_TOLD(std::isfinite(finding.place.x) && std::isfinite(finding.place.y) && !finding.text.empty(), told);
+                VERIFY_TOLD(
+                    std::isfinite(finding.place.x) && std::isfinite(finding.place.y) && !finding.text.empty(),
+                    told);
                 // Which setting mends it is only said once that was planned.
                 VERIFY_TOLD(!finding.change || finding.severity == Severity::Note, told);
             }
@@ -171,20 +186,27 @@ private slots:
     void cancelledBeforeItBegan() {
         std::stop_source stop;
         stop.request_stop();
-        const auto plan = makePlan({.field = fieldOf({test::centredRectangle(120.0, 80.0)}), .machine = agbot(), .settings = {}},
-                                   {.stop = stop.get_token()});
+        const auto plan = makePlan(
+            {.field = fieldOf({test::centredRectangle(120.0, 80.0)}), .machine = agbot(), .settings = {}},
+            {.stop = stop.get_token()});
         QVERIFY(!plan);
         QCOMPARE(plan.error().code, ErrorCode::Cancelled);
     }
 
     void progressRisesToOne() {
         std::vector<double> shares;
-        const JobContext job{.stop = {}, .progress = [&](double share) { shares.push_back(share); }, .threads = 1};
-        const auto plan = makePlan({.field = fieldOf({test::centredRectangle(120.0, 80.0)}), .machine = agbot(), .settings = {}}, job);
+        const JobContext job{
+            .stop = {}, .progress = [&](double share) { shares.push_back(share); }, .threads = 1};
+        const auto plan = makePlan(
+            {.field = fieldOf({test::centredRectangle(120.0, 80.0)}), .machine = agbot(), .settings = {}},
+            job);
         VERIFY_RESULT(plan);
         QVERIFY(shares.size() > 50);
         const auto back = std::ranges::is_sorted_until(shares);
-        QVERIFY2(back == shares.end(), back == shares.end() ? "" : qPrintable(QStringLiteral("%1 after %2").arg(*back).arg(*(back - 1))));
+        QVERIFY2(back == shares.end(),
+                 back == shares.end()
+                     ? ""
+                     : qPrintable(QStringLiteral("%1 after %2").arg(*back).arg(*(back - 1))));
         QVERIFY(shares.front() >= 0.0);
         QCOMPARE(shares.back(), 1.0);
     }
@@ -201,12 +223,14 @@ private slots:
         const std::uint64_t seed = 3000 + static_cast<std::uint64_t>(shape);
         std::mt19937_64 random{seed};
         // Without headland, whose rounded corners are drawn by chords that do not turn with the field.
-        const Settings settings = settingsOf({{"swaths.method", "longest-edge"}, {"headland.method", "none"}});
+        const Settings settings =
+            settingsOf({{"swaths.method", "longest-edge"}, {"headland.method", "none"}});
         for (int i = 0; i < 10; ++i) {
             MultiPolygon drawn = test::randomPolygons(random, static_cast<test::Shape>(shape), 100.0);
             const Bounds box = bounds(drawn);
             drawn = test::moved(drawn, degrees(0.0), -0.5 * (box.min + box.max));
-            const auto original = makePlan({.field = fieldOf(drawn), .machine = agbot(), .settings = settings});
+            const auto original =
+                makePlan({.field = fieldOf(drawn), .machine = agbot(), .settings = settings});
             const QByteArray told = QStringLiteral("seed %1, field %2").arg(seed).arg(i).toUtf8();
             VERIFY_TOLD(original.has_value(), told);
             MultiPolygon mirrored = drawn;
@@ -232,25 +256,32 @@ private slots:
                 VERIFY_TOLD((*plan)->swaths.swaths.size() == (*original)->swaths.swaths.size(), told + how);
                 const double ratio = (*plan)->swaths.totalLength / (*original)->swaths.totalLength;
                 VERIFY_TOLD(std::abs(ratio - 1.0) < 1e-6, told + how + QByteArray::number(ratio - 1.0));
-                VERIFY_TOLD(std::abs((*plan)->swaths.coverage - (*original)->swaths.coverage) < 1e-6, told + how);
+                VERIFY_TOLD(std::abs((*plan)->swaths.coverage - (*original)->swaths.coverage) < 1e-6,
+                            told + how);
             }
         }
     }
 
-    // Headland passes go along with the land. Moved to the south: to the east north turns by millimetres for each
-    // hundred metres. Whether there is room to reach into a corner may hang on less than a millimetre.
+    // Headland passes go along with the land. Moved to the south: to the east north turns by millimetres for
+    // each hundred metres. Whether there is room to reach into a corner may hang on less than a millimetre.
     void passesMoveWithTheField() {
         constexpr std::uint64_t kSeed = 3100;
         std::mt19937_64 random{kSeed};
-        const Settings settings = settingsOf(
-            {{"swaths.method", "longest-edge"}, {"headland.finish", "false"}, {"path.method", "dubins"}, {"headland.corner", "rounded"}});
+        const Settings settings = settingsOf({{"swaths.method", "longest-edge"},
+                                              {"headland.finish", "false"},
+                                              {"path.method", "dubins"},
+                                              {"headland.corner", "rounded"}});
         int stretches = 0;
         for (int i = 0; i < 6; ++i) {
-            MultiPolygon drawn = test::randomPolygons(random, test::kShapes[static_cast<std::size_t>(i) % test::kShapes.size()], 120.0);
+            MultiPolygon drawn = test::randomPolygons(
+                random, test::kShapes[static_cast<std::size_t>(i) % test::kShapes.size()], 120.0);
             const Bounds box = bounds(drawn);
             drawn = test::moved(drawn, degrees(0.0), -0.5 * (box.min + box.max));
-            const auto original = makePlan({.field = fieldOf(drawn), .machine = agbot(), .settings = settings});
-            const auto moved = makePlan({.field = fieldOf(test::moved(drawn, degrees(0.0), {0.0, -500.0})), .machine = agbot(), .settings = settings});
+            const auto original =
+                makePlan({.field = fieldOf(drawn), .machine = agbot(), .settings = settings});
+            const auto moved = makePlan({.field = fieldOf(test::moved(drawn, degrees(0.0), {0.0, -500.0})),
+                                         .machine = agbot(),
+                                         .settings = settings});
             const QByteArray told = QStringLiteral("seed %1, field %2").arg(kSeed).arg(i).toUtf8();
             VERIFY_TOLD(original.has_value() && moved.has_value(), told);
             const auto& rings = (*original)->headland.rings;
@@ -266,11 +297,14 @@ private slots:
                 for (std::size_t n = 0; n < rings[k].stretches.size(); ++n) {
                     const Curve& line = rings[k].stretches[n].line;
                     const Curve& other = others[k].stretches[n].line;
-                    const double apartM = std::max(distance(line.start.position + offset, other.start.position),
-                                                   distance(line.end().position + offset, other.end().position));
+                    const double apartM =
+                        std::max(distance(line.start.position + offset, other.start.position),
+                                 distance(line.end().position + offset, other.end().position));
                     VERIFY_TOLD(apartM < 1e-3, told + QByteArray::number(apartM));
                     const double longerM = (other.length() - line.length()).si();
-                    VERIFY_TOLD(std::abs(longerM) < 1e-3, told + ", pass " + QByteArray::number(static_cast<int>(k)) + ": " + QByteArray::number(longerM));
+                    VERIFY_TOLD(std::abs(longerM) < 1e-3, told + ", pass " +
+                                                              QByteArray::number(static_cast<int>(k)) + ": " +
+                                                              QByteArray::number(longerM));
                     ++stretches;
                 }
             }
@@ -289,14 +323,20 @@ private slots:
         QTest::addColumn<int>("missed");
         QTest::addColumn<bool>("drivable");
         // 100 m x 20 m without headland: 8 swaths, whose ends are on the boundary with the machine's front
-        // beyond it, and 7 turns, each of them outside. 100 m x 60 m with a headland has room for all of them.
-        QTest::newRow("room to turn") << "constant" << "dubins" << "true" << false << 0 << 0 << 0 << 0 << true;
-        QTest::newRow("no headland") << "none" << "dubins" << "true" << false << 7 + 8 << 0 << 0 << 0 << false;
-        QTest::newRow("no headland, may leave") << "none" << "dubins" << "false" << false << 0 << 1 << 0 << 0 << true;
-        QTest::newRow("straight, cannot turn on the spot") << "constant" << "straight" << "true" << false << 0 << 0 << 1 << 0 << false;
+        // beyond it, and 7 turns, each of them outside. 100 m x 60 m with a headland has room for all of
+        // them.
+        QTest::newRow("room to turn")
+            << "constant" << "dubins" << "true" << false << 0 << 0 << 0 << 0 << true;
+        QTest::newRow("no headland") << "none" << "dubins" << "true" << false << 7 + 8 << 0 << 0 << 0
+                                     << false;
+        QTest::newRow("no headland, may leave")
+            << "none" << "dubins" << "false" << false << 0 << 1 << 0 << 0 << true;
+        QTest::newRow("straight, cannot turn on the spot")
+            << "constant" << "straight" << "true" << false << 0 << 0 << 1 << 0 << false;
         QTest::newRow("straight, cannot turn on the spot, may leave")
             << "constant" << "straight" << "false" << false << 0 << 0 << 1 << 0 << false;
-        QTest::newRow("straight, can turn on the spot") << "constant" << "straight" << "true" << true << 0 << 0 << 0 << 0 << true;
+        QTest::newRow("straight, can turn on the spot")
+            << "constant" << "straight" << "true" << true << 0 << 0 << 0 << 0 << true;
     }
     void findings() {
         QFETCH(QString, headland);
@@ -324,7 +364,9 @@ private slots:
         QCOMPARE(countOf(**plan, Severity::Blocking, "heading-jump"), jumps);
         QCOMPARE(countOf(**plan, Severity::Blocking, "missed"), missed);
         QCOMPARE((*plan)->drivable(), drivable);
-        QCOMPARE(static_cast<int>(std::ranges::count((*plan)->findings, Severity::Blocking, &Finding::severity)), outside + jumps + missed);
+        QCOMPARE(
+            static_cast<int>(std::ranges::count((*plan)->findings, Severity::Blocking, &Finding::severity)),
+            outside + jumps + missed);
         if (none && outside > 0) {
             for (const PathSegment& segment : (*plan)->path.segments) {
                 QCOMPARE(segment.drivable, segment.kind == SegmentKind::Swath);
@@ -340,7 +382,8 @@ private slots:
         VERIFY_RESULT(automatic);
         COMPARE_WITHIN((*automatic)->margin.si(), 0.4, 1e-12);
         COMPARE_WITHIN((*automatic)->headland.width.si(), 10.4, 1e-9);
-        const auto given = makePlan({.field = field, .machine = agbot(), .settings = settingsOf({{"field.margin_m", "0"}})});
+        const auto given =
+            makePlan({.field = field, .machine = agbot(), .settings = settingsOf({{"field.margin_m", "0"}})});
         VERIFY_RESULT(given);
         COMPARE_WITHIN((*given)->margin.si(), 0.0, 1e-12);
         COMPARE_WITHIN((*given)->headland.width.si(), 10.0, 1e-9);
@@ -349,23 +392,28 @@ private slots:
     void repairsAndFallbacksAreNotes() {
         FieldSource source = test::fieldSourceFromLocal({test::centredRectangle(100.0, 16.0)}, kCentre);
         std::ranges::reverse(source.parts.front().outer);
-        const auto plan = makePlan({.field = std::make_shared<const Field>(Field::create(source).value()), .machine = agbot(), .settings = {}});
+        const auto plan = makePlan({.field = std::make_shared<const Field>(Field::create(source).value()),
+                                    .machine = agbot(),
+                                    .settings = {}});
         VERIFY_RESULT(plan);
         QCOMPARE(countOf(**plan, Severity::Note, "repair"), 1);
         QCOMPARE(countOf(**plan, Severity::Note, "headland"), 1);
     }
 
-    // Everything is wet but may be driven on: the machine fits, but nothing is left to work beside the margin.
+    // Everything is wet but may be driven on: the machine fits, but nothing is left to work beside the
+    // margin.
     void nothingLeftToWork() {
         FieldSource source = test::fieldSourceFromLocal({test::centredRectangle(100.0, 60.0)}, kCentre);
-        source.obstacles = {{.name = "wet",
-                             .outline = LocalFrame::centredOn(kCentre)->toGeo(test::centredRectangle(96.0, 56.0)),
-                             .passable = true,
-                             .buffer = {}}};
+        source.obstacles = {
+            {.name = "wet",
+             .outline = LocalFrame::centredOn(kCentre)->toGeo(test::centredRectangle(96.0, 56.0)),
+             .passable = true,
+             .buffer = {}}};
         for (const char* headland : {"constant", "none"}) {
-            const auto plan = makePlan({.field = std::make_shared<const Field>(Field::create(source).value()),
-                                        .machine = agbot(),
-                                        .settings = settingsOf({{"field.margin_m", "1.5"}, {"headland.method", headland}})});
+            const auto plan = makePlan(
+                {.field = std::make_shared<const Field>(Field::create(source).value()),
+                 .machine = agbot(),
+                 .settings = settingsOf({{"field.margin_m", "1.5"}, {"headland.method", headland}})});
             QVERIFY(!plan);
             QCOMPARE(plan.error().code, ErrorCode::InputRefused);
         }
@@ -375,7 +423,8 @@ private slots:
         QTest::addColumn<QList<QPointF>>("corners");
         // Between headland pass and tip 136 and 109 m² were left that the boom can reach.
         QTest::newRow("triangle") << QList<QPointF>{{0, 0}, {300, 0}, {0, 200}};
-        QTest::newRow("house on its side") << QList<QPointF>{{0, 0}, {260, 0}, {420, 90}, {260, 120}, {0, 120}};
+        QTest::newRow("house on its side")
+            << QList<QPointF>{{0, 0}, {260, 0}, {420, 90}, {260, 120}, {0, 120}};
     }
     void tipsOfWhatCannotReverse() {
         QFETCH(QList<QPointF>, corners);
@@ -394,19 +443,33 @@ private slots:
 
     // Two yards of 60 by 60 m and a footpath of 1 m between them, on which no tractor drives.
     void partsWithoutAWayBetweenAreTold() {
-        const MultiPolygon yards{{.outer = {{0, 0}, {60, 0}, {60, 30}, {70, 30}, {70, 0}, {130, 0}, {130, 60}, {70, 60}, {70, 31}, {60, 31}, {60, 60}, {0, 60}}, .holes = {}}};
+        const MultiPolygon yards{{.outer = {{0, 0},
+                                            {60, 0},
+                                            {60, 30},
+                                            {70, 30},
+                                            {70, 0},
+                                            {130, 0},
+                                            {130, 60},
+                                            {70, 60},
+                                            {70, 31},
+                                            {60, 31},
+                                            {60, 60},
+                                            {0, 60}},
+                                  .holes = {}}};
         const auto plan = makePlan({.field = fieldOf(yards), .machine = agbot(), .settings = {}});
         VERIFY_RESULT(plan);
         QVERIFY(!(*plan)->drivable());
         const auto told = std::ranges::count_if((*plan)->findings, [](const Finding& finding) {
-            return finding.severity == Severity::Blocking && finding.text.contains("from one part of the field to another") &&
+            return finding.severity == Severity::Blocking &&
+                   finding.text.contains("from one part of the field to another") &&
                    finding.suggestion.contains("apart");
         });
         // One yard is finished before the other.
         QCOMPARE(told, 1);
         // Whatever else is in the way is not said to be one of these.
         for (const Finding& finding : (*plan)->findings) {
-            QVERIFY(finding.severity != Severity::Blocking || !finding.suggestion.contains("another direction"));
+            QVERIFY(finding.severity != Severity::Blocking ||
+                    !finding.suggestion.contains("another direction"));
         }
     }
 };

@@ -33,12 +33,15 @@ FieldSource rectangle() {
 FieldSource withWetSpot() {
     FieldSource source = rectangle();
     const auto frame = LocalFrame::centredOn(kCentre).value();
-    source.obstacles.push_back(
-        {.name = "wet", .outline = frame.toGeo(test::rectangle(40.0, 30.0, {-20.0, -15.0})), .passable = true, .buffer = {}});
+    source.obstacles.push_back({.name = "wet",
+                                .outline = frame.toGeo(test::rectangle(40.0, 30.0, {-20.0, -15.0})),
+                                .passable = true,
+                                .buffer = {}});
     return source;
 }
 
-Result<std::shared_ptr<const Plan>> planned(const FieldSource& source, std::string_view machine, const Given& given) {
+Result<std::shared_ptr<const Plan>> planned(const FieldSource& source, std::string_view machine,
+                                            const Given& given) {
     Settings settings;
     for (const auto& [key, value] : given) {
         applySetting(settings, key, value).value();
@@ -120,11 +123,13 @@ void TestPromises::marginIsGivenAway() {
 }
 
 void TestPromises::writtenPlanGivesAwayTheSame() {
-    for (const auto& [source, given] : {std::pair{rectangle(), Given{{"field.margin_m", "2"}}}, std::pair{withWetSpot(), Given{}}}) {
+    for (const auto& [source, given] :
+         {std::pair{rectangle(), Given{{"field.margin_m", "2"}}}, std::pair{withWetSpot(), Given{}}}) {
         const auto plan = planned(source, "cultivator", given);
         VERIFY_RESULT(plan);
         const test::Scratch scratch;
-        VERIFY_RESULT(writePlanFolder(**plan, scratch.path("plan"), std::array<std::string_view, 2>{"geojson", "csv"}));
+        VERIFY_RESULT(
+            writePlanFolder(**plan, scratch.path("plan"), std::array<std::string_view, 2>{"geojson", "csv"}));
         const auto read = readPlan(scratch.path("plan"));
         VERIFY_RESULT(read);
         const auto report = audit(auditInput(*read));
@@ -179,7 +184,8 @@ void TestPromises::wetSpotIsDrivenOverAndNotWorked() {
     // The spot and what is left beside it, at most an operating width and the spot's length on two sides.
     const double widthM = (*plan)->request.machine.operatingWidth().si();
     const double leftM2 = (*plan)->audit.leftOnPurpose->si();
-    QVERIFY2(leftM2 > 1199.0 && leftM2 < 1200.0 + 2.0 * 42.0 * widthM, QByteArray::number(leftM2).constData());
+    QVERIFY2(leftM2 > 1199.0 && leftM2 < 1200.0 + 2.0 * 42.0 * widthM,
+             QByteArray::number(leftM2).constData());
 }
 
 void TestPromises::widthHoldsItsPasses_data() {
@@ -226,10 +232,13 @@ void TestPromises::simplerIsTakenWhereQuicker() {
     QFETCH(QString, simpler);
     QFETCH(QString, machine);
     // An L: two arms, 60 m broad.
-    const MultiPolygon arms{{.outer = {{0, 0}, {250, 0}, {250, 60}, {60, 60}, {60, 220}, {0, 220}}, .holes = {}}};
+    const MultiPolygon arms{
+        {.outer = {{0, 0}, {250, 0}, {250, 60}, {60, 60}, {60, 220}, {0, 220}}, .holes = {}}};
     for (const FieldSource& source : {rectangle(), test::fieldSourceFromLocal(arms, kCentre)}) {
-        const auto asked = planned(source, machine.toStdString(), {{key.toStdString(), chosen.toStdString()}});
-        const auto plain = planned(source, machine.toStdString(), {{key.toStdString(), simpler.toStdString()}});
+        const auto asked =
+            planned(source, machine.toStdString(), {{key.toStdString(), chosen.toStdString()}});
+        const auto plain =
+            planned(source, machine.toStdString(), {{key.toStdString(), simpler.toStdString()}});
         VERIFY_RESULT(asked);
         VERIFY_RESULT(plain);
         QVERIFY(timeForAll(**asked) <= 1.005 * timeForAll(**plain));
@@ -266,10 +275,11 @@ void TestPromises::ownOrderKeepsItsSwaths() {
     Settings settings;
     applySetting(settings, "headland.method", "per-edge").value();
     StageCache cache;
-    const auto asked = StageRunner{cache}.run({.field = std::make_shared<const Field>(Field::create(rectangle()).value()),
-                                               .machine = findMachine("cultivator").value(),
-                                               .settings = settings},
-                                              {}, {});
+    const auto asked =
+        StageRunner{cache}.run({.field = std::make_shared<const Field>(Field::create(rectangle()).value()),
+                                .machine = findMachine("cultivator").value(),
+                                .settings = settings},
+                               {}, {});
     VERIFY_RESULT(asked);
     const std::vector<Swath>& swaths = asked->laidOut.laid->swaths.swaths;
     const auto quicker = planned(rectangle(), "cultivator", given);
@@ -283,7 +293,8 @@ void TestPromises::ownOrderKeepsItsSwaths() {
     given.emplace_back("route.order", order);
     const auto plan = planned(rectangle(), "cultivator", given);
     VERIFY_RESULT(plan);
-    QVERIFY(std::ranges::all_of((*plan)->instead, [](const SettingChange& change) { return change.key == "headland.corner"; }));
+    QVERIFY(std::ranges::all_of((*plan)->instead,
+                                [](const SettingChange& change) { return change.key == "headland.corner"; }));
     QCOMPARE((*plan)->swaths.swaths, swaths);
 }
 
@@ -307,7 +318,8 @@ void TestPromises::adviceMends() {
         const auto mended = planned(small, "cultivator", changed);
         VERIFY_RESULT(mended);
         QVERIFY(std::ranges::none_of((*mended)->findings, [&](const Finding& other) {
-            return other.severity == Severity::Blocking && other.kind == finding.kind && distance(other.place, finding.place) < 12.0;
+            return other.severity == Severity::Blocking && other.kind == finding.kind &&
+                   distance(other.place, finding.place) < 12.0;
         }));
     }
     QVERIFY(given > 0);

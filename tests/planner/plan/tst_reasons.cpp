@@ -20,7 +20,8 @@ Result<std::shared_ptr<const Plan>> planned(Point size, const QString& machine, 
         const QStringList parts = setting.split(u'=');
         applySetting(settings, parts[0].toStdString(), parts[1].toStdString()).value();
     }
-    const FieldSource source = test::fieldSourceFromLocal({test::centredRectangle(size.x, size.y)}, {9.5, 51.5});
+    const FieldSource source =
+        test::fieldSourceFromLocal({test::centredRectangle(size.x, size.y)}, {9.5, 51.5});
     return makePlan({.field = std::make_shared<const Field>(Field::create(source).value()),
                      .machine = findMachine(machine.toStdString()).value(),
                      .settings = settings});
@@ -41,16 +42,17 @@ private slots:
         // A plough of 2.5 m with a turning radius of 6 m.
         QTest::newRow("no headland") << 250.0 << "plough" << QStringList{"headland.method=none"} << "outside"
                                      << QStringList{"headland.method"};
-        QTest::newRow("a headland of no width") << 250.0 << "plough" << QStringList{"headland.width_m=0"} << "outside"
-                                                << QStringList{"headland.width_m"};
-        QTest::newRow("a narrow headland") << 250.0 << "plough" << QStringList{"headland.passes=1"} << "outside"
-                                           << QStringList{"headland.passes", "2.5 m"};
-        QTest::newRow("a narrow field") << 12.0 << "plough" << QStringList{} << "outside" << QStringList{"smaller machine"};
+        QTest::newRow("a headland of no width") << 250.0 << "plough" << QStringList{"headland.width_m=0"}
+                                                << "outside" << QStringList{"headland.width_m"};
+        QTest::newRow("a narrow headland") << 250.0 << "plough" << QStringList{"headland.passes=1"}
+                                           << "outside" << QStringList{"headland.passes", "2.5 m"};
+        QTest::newRow("a narrow field")
+            << 12.0 << "plough" << QStringList{} << "outside" << QStringList{"smaller machine"};
         QTest::newRow("swaths across a narrow field")
             << 12.0 << "plough" << QStringList{"swaths.method=fixed", "swaths.angle_deg=90"} << "outside"
             << QStringList{"smaller machine", "swaths."};
-        QTest::newRow("a narrow field with a margin")
-            << 12.0 << "plough" << QStringList{"field.margin_m=1"} << "outside" << QStringList{"field.margin_m"};
+        QTest::newRow("a narrow field with a margin") << 12.0 << "plough" << QStringList{"field.margin_m=1"}
+                                                      << "outside" << QStringList{"field.margin_m"};
     }
     void ofWhatBlocks() {
         QFETCH(double, widthM);

@@ -1,3 +1,4 @@
+#include "planner/geometry/curve_parts.h"
 #include "planner/io/check/export_check.h"
 #include "planner/io/content/field_content.h"
 #include "planner/io/content/plan_content.h"
@@ -6,7 +7,6 @@
 #include "planner/machine/machine_library.h"
 #include "planner/plan/method_registry.h"
 #include "planner/plan/plan.h"
-#include "planner/geometry/curve_parts.h"
 #include "tests/support/field_generator.h"
 #include "tests/support/result_check.h"
 
@@ -49,7 +49,8 @@ std::shared_ptr<const Field> squareWith(const std::vector<Pole>& poles) {
 
 Settings settingsOf(std::initializer_list<std::pair<std::string_view, std::string>> more) {
     Settings settings;
-    for (const auto& [key, value] : {std::pair<std::string_view, std::string>{"swaths.method", "fixed"}, {"swaths.angle_deg", "0"}}) {
+    for (const auto& [key, value] :
+         {std::pair<std::string_view, std::string>{"swaths.method", "fixed"}, {"swaths.angle_deg", "0"}}) {
         applySetting(settings, key, value).value();
     }
     for (const auto& [key, value] : more) {
@@ -58,9 +59,11 @@ Settings settingsOf(std::initializer_list<std::pair<std::string_view, std::strin
     return settings;
 }
 
-std::shared_ptr<const Plan> planOf(const std::shared_ptr<const Field>& field, std::string_view machine,
-                                   std::initializer_list<std::pair<std::string_view, std::string>> more = {}) {
-    const auto plan = makePlan({.field = field, .machine = findMachine(machine).value(), .settings = settingsOf(more)});
+std::shared_ptr<const Plan> planOf(
+    const std::shared_ptr<const Field>& field, std::string_view machine,
+    std::initializer_list<std::pair<std::string_view, std::string>> more = {}) {
+    const auto plan =
+        makePlan({.field = field, .machine = findMachine(machine).value(), .settings = settingsOf(more)});
     if (!plan) {
         qWarning("%s %zu: %s", machine.data(), more.size(), plan.error().line().c_str());
     }
@@ -92,7 +95,8 @@ bool isClear(const Plan& plan) {
 }
 
 QByteArray told(const Plan& plan) {
-    QByteArray text = QByteArray::number(plan.audit.minClearance ? plan.audit.minClearance->si() : NAN) + " m clear; ";
+    QByteArray text =
+        QByteArray::number(plan.audit.minClearance ? plan.audit.minClearance->si() : NAN) + " m clear; ";
     for (const Finding& finding : plan.findings) {
         if (finding.severity == Severity::Blocking) {
             text += QByteArray::fromStdString(std::string{finding.text}) + " ";
@@ -107,8 +111,8 @@ class RoundObstaclesTest : public QObject {
     Q_OBJECT
 
 private slots:
-    // A pole of 1 m on the track of a cultivator of 6 m: it has to move by 3 m and half a metre. Nothing else is moved,
-    // and it is back on its track at both ends.
+    // A pole of 1 m on the track of a cultivator of 6 m: it has to move by 3 m and half a metre. Nothing else
+    // is moved, and it is back on its track at both ends.
     void aPoleOnATrack() {
         const double trackYM = middleTrackYM("cultivator");
         const auto plan = planOf(squareWith({{{0.0, trackYM}}}), "cultivator");
@@ -139,8 +143,10 @@ private slots:
         QCOMPARE(round.size(), std::size_t{2});
         const auto below = asideM(round[0], trackYM - 3.0);
         const auto above = asideM(round[1], trackYM + 3.0);
-        QVERIFY2(below.first <= -0.5 && below.first > -1.0 && below.second < kDrawnM, qPrintable(QString::number(below.first)));
-        QVERIFY2(above.second >= 0.5 && above.second < 1.0 && above.first > -kDrawnM, qPrintable(QString::number(above.second)));
+        QVERIFY2(below.first <= -0.5 && below.first > -1.0 && below.second < kDrawnM,
+                 qPrintable(QString::number(below.first)));
+        QVERIFY2(above.second >= 0.5 && above.second < 1.0 && above.first > -kDrawnM,
+                 qPrintable(QString::number(above.second)));
         QVERIFY2(plan->drivable() && isClear(*plan), told(*plan));
     }
 
@@ -157,8 +163,9 @@ private slots:
             QVERIFY(round->path.duration() < cut->path.duration());
             QVERIFY(area(round->headland.mainland) > area(cut->headland.mainland));
             // At most half a percent of a hectare beside the pole.
-            QVERIFY2(*round->audit.coveredShare > *cut->audit.coveredShare - 0.005,
-                     qPrintable(QString("%1 %2").arg(*round->audit.coveredShare).arg(*cut->audit.coveredShare)));
+            QVERIFY2(
+                *round->audit.coveredShare > *cut->audit.coveredShare - 0.005,
+                qPrintable(QString("%1 %2").arg(*round->audit.coveredShare).arg(*cut->audit.coveredShare)));
         }
     }
 
@@ -215,7 +222,8 @@ private slots:
         QFETCH(double, alongM);
         QFETCH(double, acrossM);
         const double trackYM = middleTrackYM("cultivator");
-        const auto plan = planOf(squareWith({{{-0.5 * alongM, trackYM - 0.5 * acrossM}}, {{0.5 * alongM, trackYM + 0.5 * acrossM}}}),
+        const auto plan = planOf(squareWith({{{-0.5 * alongM, trackYM - 0.5 * acrossM}},
+                                             {{0.5 * alongM, trackYM + 0.5 * acrossM}}}),
                                  "cultivator");
         QVERIFY2(plan->drivable() && isClear(*plan), told(*plan));
         if (acrossM == 0.0) {
@@ -242,7 +250,8 @@ private slots:
     // The figures of the set, against the audit's of what is driven: what is missed lies beside the pole.
     void coverageIsMeasuredWithTheBend() {
         const auto field = squareWith({{{5.0, 2.0}}});
-        const auto plan = planOf(field, "cultivator", {{"swaths.ends", "centre"}, {"headland.finish", "false"}});
+        const auto plan =
+            planOf(field, "cultivator", {{"swaths.ends", "centre"}, {"headland.finish", "false"}});
         const auto plain = planOf(squareWith({}), "cultivator", {{"swaths.ends", "centre"}});
         COMPARE_WITHIN(plain->swaths.coverage, 1.0, 1e-6);
         const double missedM2 = (1.0 - plan->swaths.coverage) * area(plan->headland.mainland).si();
@@ -252,8 +261,9 @@ private slots:
         QVERIFY(plan->swaths.totalLength > plain->swaths.totalLength);
     }
 
-    // Dozens of poles in generated fields, for machines of every kind: nothing is touched, nothing is blocked that would not be
-    // if all were cut, and where poles are not closer to each other than bends are long most are gone round.
+    // Dozens of poles in generated fields, for machines of every kind: nothing is touched, nothing is blocked
+    // that would not be if all were cut, and where poles are not closer to each other than bends are long
+    // most are gone round.
     void fieldsFullOfPoles_data() {
         QTest::addColumn<QString>("machine");
         QTest::addColumn<double>("widthM");
@@ -278,7 +288,8 @@ private slots:
         for (int i = 0; i < 2; ++i) {
             std::vector<Pole> all;
             for (int k = 0; k < poles; ++k) {
-                all.push_back({{test::uniform(random, 60.0 - 0.5 * widthM, 0.5 * widthM - 60.0), test::uniform(random, -45.0, 45.0)},
+                all.push_back({{test::uniform(random, 60.0 - 0.5 * widthM, 0.5 * widthM - 60.0),
+                                test::uniform(random, -45.0, 45.0)},
                                test::uniform(random, 0.2, 1.0)});
             }
             const auto field = rectangleWith(all, widthM, heightM);
@@ -292,7 +303,9 @@ private slots:
             }
             gone += plan->swaths.goneRound.size();
             for (const Swath& swath : plan->swaths.swaths) {
-                VERIFY_TOLD(sharpestBend(swath.curve) <= Curvature::fromSi(1.0 / driving.minTurningRadius().si()), which);
+                VERIFY_TOLD(
+                    sharpestBend(swath.curve) <= Curvature::fromSi(1.0 / driving.minTurningRadius().si()),
+                    which);
             }
             // Cells are the mainland, poles left out.
             double cellsM2 = 0.0;
@@ -310,7 +323,8 @@ private slots:
         QTest::addColumn<QString>("format");
         for (const Format& format : formats()) {
             if (format.writes()) {
-                QTest::addRow("%s", format.id.data()) << QString::fromUtf8(format.id.data(), static_cast<qsizetype>(format.id.size()));
+                QTest::addRow("%s", format.id.data())
+                    << QString::fromUtf8(format.id.data(), static_cast<qsizetype>(format.id.size()));
             }
         }
     }
@@ -324,7 +338,8 @@ private slots:
         const auto written = checkedFiles(*info, job);
         VERIFY_RESULT(written);
         const ExportChecks checks = checkExport(*info, job, written->files);
-        QVERIFY2(checks.problems.empty(), checks.problems.empty() ? "" : std::string{checks.problems.front()}.c_str());
+        QVERIFY2(checks.problems.empty(),
+                 checks.problems.empty() ? "" : std::string{checks.problems.front()}.c_str());
         const auto own = std::ranges::count_if(fields.front().lines, [](const GuidanceLine& line) {
             return line.name.starts_with("Swath ") && line.kind == GuidanceKind::Curve && !line.repeats;
         });

@@ -16,7 +16,9 @@ constexpr GeoPoint kCentre{9.5, 51.5};
 
 /// 150 m x 90 m with a bay, and with a mast that swaths go round.
 std::shared_ptr<const Field> smallField() {
-    MultiPolygon outline{{.outer = {{0, 0}, {150, 0}, {150, 90}, {90, 90}, {90, 60}, {60, 60}, {60, 90}, {0, 90}}, .holes = {}}};
+    MultiPolygon outline{
+        {.outer = {{0, 0}, {150, 0}, {150, 90}, {90, 90}, {90, 60}, {60, 60}, {60, 90}, {0, 90}},
+         .holes = {}}};
     outline.front().holes.push_back({{40, 40}, {40, 41}, {41, 41}, {41, 40}});
     return std::make_shared<const Field>(Field::create(test::fieldSourceFromLocal(outline, kCentre)).value());
 }

@@ -17,7 +17,8 @@ namespace {
 constexpr GeoPoint kCentre{9.5, 51.5};
 
 std::shared_ptr<const Field> fieldOf(const MultiPolygon& polygons) {
-    return std::make_shared<const Field>(Field::create(test::fieldSourceFromLocal(polygons, kCentre)).value());
+    return std::make_shared<const Field>(
+        Field::create(test::fieldSourceFromLocal(polygons, kCentre)).value());
 }
 
 std::string wktOf(const Field& field, const std::vector<Polyline>& lines) {
@@ -33,8 +34,9 @@ std::string wktOf(const Field& field, const std::vector<Polyline>& lines) {
     return ("MULTILINESTRING (" + parts.join(", ") + ")").toStdString();
 }
 
-Result<std::shared_ptr<const Plan>> planOf(const std::shared_ptr<const Field>& field,
-                                           std::initializer_list<std::pair<std::string_view, std::string>> given) {
+Result<std::shared_ptr<const Plan>> planOf(
+    const std::shared_ptr<const Field>& field,
+    std::initializer_list<std::pair<std::string_view, std::string>> given) {
     Settings settings;
     for (const auto& [key, value] : given) {
         applySetting(settings, key, value).value();
@@ -72,9 +74,13 @@ private slots:
     void splitLinesCutExactlyThere() {
         QFETCH(QString, method);
         const auto field = fieldOf({test::centredRectangle(240.0, 120.0)});
-        const std::string split = wktOf(*field, {{{-50.0, -200.0}, {-50.0, 200.0}}, {{60.0, -200.0}, {30.0, 200.0}}, {{0.0, 0.0}, {0.0, 20.0}}});
-        const auto plan = planOf(field, {{"decomposition.method", method.toStdString()}, {"decomposition.split", split},
-                                         {"swaths.method", "fixed"}, {"swaths.angle_deg", "0"}});
+        const std::string split = wktOf(
+            *field,
+            {{{-50.0, -200.0}, {-50.0, 200.0}}, {{60.0, -200.0}, {30.0, 200.0}}, {{0.0, 0.0}, {0.0, 20.0}}});
+        const auto plan = planOf(field, {{"decomposition.method", method.toStdString()},
+                                         {"decomposition.split", split},
+                                         {"swaths.method", "fixed"},
+                                         {"swaths.angle_deg", "0"}});
         VERIFY_RESULT(plan);
         const Plan& p = **plan;
         QCOMPARE(p.cells.cells.size(), std::size_t{3});
@@ -109,13 +115,14 @@ private slots:
             COMPARE_WITHIN(p.cells.history.steps.front().altitude.si(), 3.0 * heightM, 1e-3);
         }
         QCOMPARE(p.route.steps.size(), p.swaths.swaths.size());
-        // The line that ends inside is told, with what it falls short by: straight down from the middle is the farther edge,
-        // and straight up from 20 m.
+        // The line that ends inside is told, with what it falls short by: straight down from the middle is
+        // the farther edge, and straight up from 20 m.
         const auto told = std::ranges::find(p.findings, "decomposition.split", &Finding::setting);
         QVERIFY(told != p.findings.end());
         QCOMPARE(told->severity, Severity::Note);
         const QString missing = QString::number(0.5 * heightM, 'f', 1);
-        QVERIFY2(told->text.contains("Split line 3 ends " + missing.toStdString() + " m short"), told->text.c_str());
+        QVERIFY2(told->text.contains("Split line 3 ends " + missing.toStdString() + " m short"),
+                 told->text.c_str());
         QVERIFY(told->text.contains("decomposition.split"));
         // A swath goes on beyond the line: together they are as long as without.
         const auto whole = planOf(field, {{"swaths.method", "fixed"}, {"swaths.angle_deg", "0"}});
@@ -127,7 +134,8 @@ private slots:
         }
     }
 
-    // A line drawn by hand ends in the headland at one side, and 2 m inside of the mainland at the other: it is meant to cut.
+    // A line drawn by hand ends in the headland at one side, and 2 m inside of the mainland at the other: it
+    // is meant to cut.
     void aSplitLineThatFallsShortIsDrawnOn() {
         const auto field = fieldOf({test::centredRectangle(240.0, 120.0)});
         const auto whole = planOf(field, {{"swaths.method", "fixed"}, {"swaths.angle_deg", "0"}});
@@ -135,11 +143,13 @@ private slots:
         const double edgeM = 60.0 - (*whole)->headland.width.si();
         for (const double shortM : {2.0, 3.0}) {
             const std::string split = wktOf(*field, {{{0.0, -58.0}, {0.0, edgeM - shortM}}});
-            const auto plan = planOf(field, {{"decomposition.split", split}, {"decomposition.method", "none"}});
+            const auto plan =
+                planOf(field, {{"decomposition.split", split}, {"decomposition.method", "none"}});
             VERIFY_RESULT(plan);
             const bool isDrawnOn = shortM < (*plan)->request.machine.operatingWidth().si();
             QCOMPARE((*plan)->cells.cells.size(), isDrawnOn ? std::size_t{2} : std::size_t{1});
-            QCOMPARE(std::ranges::count((*plan)->findings, "decomposition.split", &Finding::setting), isDrawnOn ? 0 : 1);
+            QCOMPARE(std::ranges::count((*plan)->findings, "decomposition.split", &Finding::setting),
+                     isDrawnOn ? 0 : 1);
         }
         const std::string outside = wktOf(*field, {{{-200.0, 59.0}, {200.0, 59.0}}});
         const auto plan = planOf(field, {{"decomposition.split", outside}, {"swaths.method", "fixed"}});
@@ -149,7 +159,8 @@ private slots:
         QVERIFY2(told->text.contains("Split line 1 lies outside of the mainland"), told->text.c_str());
     }
 
-    // Nothing is worth lowering the implement for that is shorter than it: a triangle's tip, whatever cuts the swaths.
+    // Nothing is worth lowering the implement for that is shorter than it: a triangle's tip, whatever cuts
+    // the swaths.
     void noSwathIsShorterThanTheLeast_data() {
         QTest::addColumn<QString>("method");
         for (const char* method : {"exact", "fixed", "ab-curve"}) {
@@ -161,17 +172,22 @@ private slots:
         const auto field = fieldOf({{.outer = {{0, 0}, {150, 0}, {0, 60}}, .holes = {}}});
         const std::string split = wktOf(*field, {{{-200.0, -5.0}, {200.0, 7.0}}});
         for (const char* least : {"0", "auto", "12"}) {
-            const auto plan = planOf(field, {{"swaths.method", method.toStdString()}, {"swaths.angle_deg", "60"}, {"swaths.min_length_m", least},
-                                             {"decomposition.split", split}, {"decomposition.method", "trapezoidal"}});
+            const auto plan = planOf(field, {{"swaths.method", method.toStdString()},
+                                             {"swaths.angle_deg", "60"},
+                                             {"swaths.min_length_m", least},
+                                             {"decomposition.split", split},
+                                             {"decomposition.method", "trapezoidal"}});
             VERIFY_RESULT(plan);
             const double leastM = least == std::string_view{"12"} ? 12.0
-                                  : least == std::string_view{"0"} ? 0.0
-                                                                   : (*plan)->request.machine.spec().implement.length.si();
+                                  : least == std::string_view{"0"}
+                                      ? 0.0
+                                      : (*plan)->request.machine.spec().implement.length.si();
             const auto isShort = [&](const Swath& swath) { return swath.length().si() < leastM; };
             QCOMPARE(std::ranges::count_if((*plan)->swaths.swaths, isShort), 0);
             QCOMPARE((*plan)->route.steps.size(), (*plan)->swaths.swaths.size());
             if (leastM == 12.0) {
-                QVERIFY(std::ranges::find((*plan)->findings, "swaths.min_length_m", &Finding::setting) != (*plan)->findings.end());
+                QVERIFY(std::ranges::find((*plan)->findings, "swaths.min_length_m", &Finding::setting) !=
+                        (*plan)->findings.end());
             }
         }
     }
@@ -181,7 +197,8 @@ private slots:
         for (const MultiPolygon& shape : {MultiPolygon{test::centredRectangle(240.0, 120.0)}, angle()}) {
             const auto field = fieldOf(shape);
             const auto common = planOf(field, {{"decomposition.method", "none"}});
-            const auto own = planOf(field, {{"decomposition.method", "none"}, {"decomposition.heading", "per-cell"}});
+            const auto own =
+                planOf(field, {{"decomposition.method", "none"}, {"decomposition.heading", "per-cell"}});
             VERIFY_RESULT(common);
             VERIFY_RESULT(own);
             QVERIFY((*own)->swaths.swaths == (*common)->swaths.swaths);
@@ -189,8 +206,8 @@ private slots:
         }
     }
 
-    // Where cells with different headings meet, no triangles and no strips are missed, although nobody works the headland:
-    // a split line that slants, and one between two lanes.
+    // Where cells with different headings meet, no triangles and no strips are missed, although nobody works
+    // the headland: a split line that slants, and one between two lanes.
     void nothingIsMissedBetweenHeadings_data() {
         QTest::addColumn<double>("fromM");
         QTest::addColumn<double>("toM");
@@ -206,12 +223,17 @@ private slots:
         const auto field = fieldOf(angle());
         const Point corner = field->frame().toLocal(kCentre);
         const std::string split = wktOf(*field, {{corner + Point{-50.0, fromM}, corner + Point{150.0, toM}}});
-        const auto own = planOf(field, {{"decomposition.split", split}, {"decomposition.method", "none"}, {"headland.driven", "false"},
-                                        {"headland.width_m", "10"}, {"decomposition.heading", "per-cell"}, {"swaths.ends", ends.toStdString()}});
+        const auto own = planOf(field, {{"decomposition.split", split},
+                                        {"decomposition.method", "none"},
+                                        {"headland.driven", "false"},
+                                        {"headland.width_m", "10"},
+                                        {"decomposition.heading", "per-cell"},
+                                        {"swaths.ends", ends.toStdString()}});
         VERIFY_RESULT(own);
         QCOMPARE((*own)->cells.cells.size(), std::size_t{2});
         QVERIFY(std::abs((*own)->cells.cells[0].heading.si() - (*own)->cells.cells[1].heading.si()) > 0.1);
-        // The arms are 60 m broad, 280 and 220 m long: all of it but for what slanting headings leave at the ends.
+        // The arms are 60 m broad, 280 and 220 m long: all of it but for what slanting headings leave at the
+        // ends.
         const double missed = missedM2((*own)->swaths, (*own)->headland.mainland);
         QVERIFY2(missed < 0.002 * area((*own)->headland.mainland).si(), qPrintable(QString::number(missed)));
     }
@@ -222,29 +244,39 @@ private slots:
         const Point corner = field->frame().toLocal(kCentre);
         const std::string split = wktOf(*field, {{corner + Point{-50.0, 80.0}, corner + Point{150.0, 80.0}}});
         const auto common = planOf(field, {{"decomposition.split", split}, {"decomposition.method", "none"}});
-        const auto own = planOf(field, {{"decomposition.split", split}, {"decomposition.method", "none"}, {"decomposition.heading", "per-cell"}});
+        const auto own = planOf(field, {{"decomposition.split", split},
+                                        {"decomposition.method", "none"},
+                                        {"decomposition.heading", "per-cell"}});
         VERIFY_RESULT(common);
         VERIFY_RESULT(own);
         QCOMPARE((*common)->cells.cells.size(), std::size_t{2});
         QCOMPARE((*own)->cells.cells.size(), std::size_t{2});
         COMPARE_WITHIN((*common)->cells.cells[0].heading.si(), (*common)->cells.cells[1].heading.si(), 0.0);
-        std::vector<double> headings{inDegrees((*own)->cells.cells[0].heading), inDegrees((*own)->cells.cells[1].heading)};
+        std::vector<double> headings{inDegrees((*own)->cells.cells[0].heading),
+                                     inDegrees((*own)->cells.cells[1].heading)};
         std::ranges::sort(headings);
         // East within a degree, at either end of the range, and north.
         const auto toEast = [](double deg) { return std::min(deg, 180.0 - deg); };
-        QVERIFY2((toEast(headings[0]) < 1.5 && std::abs(headings[1] - 90.0) < 1.5) || (toEast(headings[1]) < 1.5 && std::abs(headings[0] - 90.0) < 1.5),
+        QVERIFY2((toEast(headings[0]) < 1.5 && std::abs(headings[1] - 90.0) < 1.5) ||
+                     (toEast(headings[1]) < 1.5 && std::abs(headings[0] - 90.0) < 1.5),
                  qPrintable(QString("%1 %2").arg(headings[0]).arg(headings[1])));
-        QVERIFY2((*own)->swaths.swaths.size() < (*common)->swaths.swaths.size(),
-                 qPrintable(QString("%1 %2").arg((*own)->swaths.swaths.size()).arg((*common)->swaths.swaths.size())));
+        QVERIFY2(
+            (*own)->swaths.swaths.size() < (*common)->swaths.swaths.size(),
+            qPrintable(
+                QString("%1 %2").arg((*own)->swaths.swaths.size()).arg((*common)->swaths.swaths.size())));
         QVERIFY((*own)->path.duration() < (*common)->path.duration());
-        QVERIFY2((*own)->audit.coveredShare.value() > 0.97, qPrintable(QString::number(*(*own)->audit.coveredShare)));
+        QVERIFY2((*own)->audit.coveredShare.value() > 0.97,
+                 qPrintable(QString::number(*(*own)->audit.coveredShare)));
     }
 
     // A rectangle is best in one heading: nothing changes.
     void aSharedHeadingStaysWhereItIsBest() {
         const auto field = fieldOf({test::centredRectangle(240.0, 120.0)});
         const std::string split = wktOf(*field, {{{0.0, -200.0}, {0.0, 200.0}}});
-        const auto own = planOf(field, {{"decomposition.split", split}, {"decomposition.heading", "per-cell"}, {"swaths.method", "fixed"}, {"swaths.angle_deg", "0"}});
+        const auto own = planOf(field, {{"decomposition.split", split},
+                                        {"decomposition.heading", "per-cell"},
+                                        {"swaths.method", "fixed"},
+                                        {"swaths.angle_deg", "0"}});
         VERIFY_RESULT(own);
         for (const Cell& cell : (*own)->cells.cells) {
             QCOMPARE(cell.heading.si(), 0.0);

@@ -14,7 +14,8 @@
 
 using namespace furrow;
 
-// Ways that are to keep to the headland do so wherever it leads there: in and out, between cells, to the last passes.
+// Ways that are to keep to the headland do so wherever it leads there: in and out, between cells, to the last
+// passes.
 
 namespace {
 
@@ -24,19 +25,21 @@ constexpr GeoPoint kCentre{9.2, 51.3};
 std::shared_ptr<const Field> fieldOf(const char* wkt, Point gate) {
     FieldSource source = test::fieldSourceFromLocal(test::polygonsFromWkt(wkt), kCentre);
     const auto frame = LocalFrame::centredOn(kCentre).value();
-    source.gates.push_back({.name = "gate", .position = frame.toGeo(Ring{gate}).front(), .width = metres(15.0)});
+    source.gates.push_back(
+        {.name = "gate", .position = frame.toGeo(Ring{gate}).front(), .width = metres(15.0)});
     return std::make_shared<const Field>(Field::create(source).value());
 }
 
-/// Metres driven with the implement up over the mainland, deeper in than a turn at a swath's end gets: a radius and half
-/// the machine.
+/// Metres driven with the implement up over the mainland, deeper in than a turn at a swath's end gets: a
+/// radius and half the machine.
 double overMainlandM(const Plan& plan) {
     const Machine& machine = plan.request.machine;
     const double deepM = (machine.minTurningRadius() + 0.5 * machine.turningWidth()).si() + 1.0;
     const BoundaryDistance mainland{plan.headland.mainland, metres(deepM + 1.0)};
     double sumM = 0.0;
     for (const PathSegment& segment : plan.path.segments) {
-        for (std::size_t i = segment.implementDown ? segment.samples.size() : 1; i < segment.samples.size(); ++i) {
+        for (std::size_t i = segment.implementDown ? segment.samples.size() : 1; i < segment.samples.size();
+             ++i) {
             const Point from = segment.samples[i - 1].position;
             const Point way = segment.samples[i].position - from;
             const int pieces = 1 + static_cast<int>(norm(way));
@@ -64,14 +67,17 @@ private slots:
         for (const char* operation : {"sowing", "spraying", "spreading", "mowing", "harvest"}) {
             for (const char* machine : {"agbot", "planter"}) {
                 QTest::addRow("%s, %s, rectangle", operation, machine)
-                    << operation << machine << "POLYGON((0 0, 400 0, 400 250, 0 250, 0 0))" << 20.0 << "headland";
+                    << operation << machine << "POLYGON((0 0, 400 0, 400 250, 0 250, 0 0))" << 20.0
+                    << "headland";
                 QTest::addRow("%s, %s, L", operation, machine)
-                    << operation << machine << "POLYGON((0 0, 400 0, 400 120, 180 120, 180 300, 0 300, 0 0))" << 20.0 << "headland";
+                    << operation << machine << "POLYGON((0 0, 400 0, 400 120, 180 120, 180 300, 0 300, 0 0))"
+                    << 20.0 << "headland";
             }
         }
         for (const char* machine : {"agbot", "planter", "cultivator"}) {
             QTest::addRow("along the boundary, %s", machine)
-                << "sowing" << machine << "POLYGON((0 0, 400 0, 400 120, 180 120, 180 300, 0 300, 0 0))" << 20.0 << "boundary";
+                << "sowing" << machine << "POLYGON((0 0, 400 0, 400 120, 180 120, 180 300, 0 300, 0 0))"
+                << 20.0 << "boundary";
         }
     }
     // A headland of 18 m leads from everywhere to the gate.
@@ -82,9 +88,10 @@ private slots:
         QFETCH(double, allowedM);
         QFETCH(QString, traversal);
         Settings settings;
-        for (const auto& [key, text] : {std::pair<std::string_view, std::string>{"operation.kind", operation.toStdString()},
-                                        {"route.traversal", traversal.toStdString()},
-                                        {"headland.width_m", "18"}}) {
+        for (const auto& [key, text] :
+             {std::pair<std::string_view, std::string>{"operation.kind", operation.toStdString()},
+              {"route.traversal", traversal.toStdString()},
+              {"headland.width_m", "18"}}) {
             applySetting(settings, key, text).value();
         }
         const auto plan = makePlan({.field = fieldOf(qPrintable(field), {0.0, 60.0}),

@@ -10,25 +10,29 @@ namespace furrow::test {
 
 /// A field with two parts, a hole, an obstacle and a gate; ends of numbers that need all their digits.
 inline FieldSource sampleSource() {
-    return {.id = "12",
-            .name = "Große Wiese",
-            .origin = "fields.gpkg, feature 12",
-            .parts = {GeoPolygon{.outer = {{22.5, 58.25}, {22.507, 58.25}, {22.507, 58.2535}, {22.5 + 1e-13, 58.2535}},
-                                 .holes = {{{22.502, 58.251}, {22.503, 58.252}, {22.503, 58.251}}}},
-                      GeoPolygon{.outer = {{22.51, 58.25}, {22.513, 58.25}, {22.513, 58.252}}, .holes = {}}},
-            .obstacles = {{.name = "Pond",
-                           .outline = {.outer = {{22.504, 58.2515}, {22.505, 58.2515}, {22.505, 58.252}}, .holes = {}},
-                           .passable = true,
-                           .buffer = metres(2.5)}},
-            .gates = {{.name = "Road", .position = {22.5, 58.251}, .width = metres(6.0)}},
-            .edgeHeadlands = {{.part = 0, .ring = 0, .edge = 1, .width = metres(18.0)}},
-            .boundaryAccuracy = metres(0.02),
-            .repairs = {}};
+    return {
+        .id = "12",
+        .name = "Große Wiese",
+        .origin = "fields.gpkg, feature 12",
+        .parts = {GeoPolygon{
+                      .outer = {{22.5, 58.25}, {22.507, 58.25}, {22.507, 58.2535}, {22.5 + 1e-13, 58.2535}},
+                      .holes = {{{22.502, 58.251}, {22.503, 58.252}, {22.503, 58.251}}}},
+                  GeoPolygon{.outer = {{22.51, 58.25}, {22.513, 58.25}, {22.513, 58.252}}, .holes = {}}},
+        .obstacles = {{.name = "Pond",
+                       .outline = {.outer = {{22.504, 58.2515}, {22.505, 58.2515}, {22.505, 58.252}},
+                                   .holes = {}},
+                       .passable = true,
+                       .buffer = metres(2.5)}},
+        .gates = {{.name = "Road", .position = {22.5, 58.251}, .width = metres(6.0)}},
+        .edgeHeadlands = {{.part = 0, .ring = 0, .edge = 1, .width = metres(18.0)}},
+        .boundaryAccuracy = metres(0.02),
+        .repairs = {}};
 }
 
 inline Settings sampleSettings() {
     Settings settings;
-    for (const auto& [key, text] : {std::pair{"headland.width_m", "24.5"}, {"swaths.method", "ab-line"},
+    for (const auto& [key, text] : {std::pair{"headland.width_m", "24.5"},
+                                    {"swaths.method", "ab-line"},
                                     {"swaths.line", "LINESTRING (22.5 58.25, 22.507 58.2535)"},
                                     {"headland.driven", "false"}}) {
         if (!applySetting(settings, key, text)) {

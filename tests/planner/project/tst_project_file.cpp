@@ -59,7 +59,8 @@ private slots:
     }
     void drawnLinesAreKept() {
         // Ends of numbers that need all their digits.
-        const std::vector<GeoRing> splits{{{22.5, 58.251}, {22.507 + 1e-13, 58.251}}, {{22.503, 58.25}, {22.5035, 58.252}, {22.503, 58.254}}};
+        const std::vector<GeoRing> splits{{{22.5, 58.251}, {22.507 + 1e-13, 58.251}},
+                                          {{22.503, 58.25}, {22.5035, 58.252}, {22.503, 58.254}}};
         const Project project = withSplits(sampleProject(), splits);
         const auto read = parseProject(projectText(project), "farm.furrow");
         VERIFY_RESULT(read);
@@ -80,11 +81,17 @@ private slots:
         QFETCH(QString, place);
         QFETCH(QString, written);
         const QTemporaryDir folder;
-        QVERIFY(QDir{folder.path()}.mkpath(QStringLiteral("first")) && QDir{folder.path()}.mkpath(QStringLiteral("moved")));
+        QVERIFY(QDir{folder.path()}.mkpath(QStringLiteral("first")) &&
+                QDir{folder.path()}.mkpath(QStringLiteral("moved")));
         Project project = sampleProject();
-        const std::string path = (std::filesystem::path{folder.path().toStdString()} / place.toStdString()).string();
-        project = withImagery(project, {{.path = path, .name = "Photo", .visible = false, .opacity = 0.4,
-                                         .rowsFromSouth = true, .others = R"({"colour":"blue"})"}});
+        const std::string path =
+            (std::filesystem::path{folder.path().toStdString()} / place.toStdString()).string();
+        project = withImagery(project, {{.path = path,
+                                         .name = "Photo",
+                                         .visible = false,
+                                         .opacity = 0.4,
+                                         .rowsFromSouth = true,
+                                         .others = R"({"colour":"blue"})"}});
         VERIFY_RESULT(writeProject(project, pathIn(folder, "first/a.furrow")));
         const auto read = readProject(pathIn(folder, "first/a.furrow"));
         VERIFY_RESULT(read);
@@ -94,12 +101,14 @@ private slots:
         QVERIFY(file.readAll().contains("\"path\":\"" + written.toUtf8() + "\""));
         // Somewhere else the same words name what lies beside it there.
         QVERIFY(QDir{folder.path()}.mkpath(QStringLiteral("moved/first")));
-        QVERIFY(QFile::copy(folder.filePath(QStringLiteral("first/a.furrow")), folder.filePath(QStringLiteral("moved/first/a.furrow"))));
+        QVERIFY(QFile::copy(folder.filePath(QStringLiteral("first/a.furrow")),
+                            folder.filePath(QStringLiteral("moved/first/a.furrow"))));
         const auto moved = readProject(pathIn(folder, "moved/first/a.furrow"));
         VERIFY_RESULT(moved);
         const std::filesystem::path there =
-            place.startsWith('/') ? std::filesystem::path{place.toStdString()}
-                                  : std::filesystem::path{folder.path().toStdString()} / "moved" / place.toStdString();
+            place.startsWith('/')
+                ? std::filesystem::path{place.toStdString()}
+                : std::filesystem::path{folder.path().toStdString()} / "moved" / place.toStdString();
         QCOMPARE(moved->project.imagery.front().path, there.string());
     }
     void imageryIsAddedChangedMovedAndRemoved() {
@@ -125,7 +134,8 @@ private slots:
         const auto path = pathIn(folder, "farm.furrow");
         VERIFY_RESULT(writeProject(sampleProject(), path));
         QProcess ogrinfo;
-        ogrinfo.start(QStringLiteral("ogrinfo"), {QStringLiteral("-al"), QString::fromStdString(path.string())});
+        ogrinfo.start(QStringLiteral("ogrinfo"),
+                      {QStringLiteral("-al"), QString::fromStdString(path.string())});
         QVERIFY(ogrinfo.waitForFinished());
         const QByteArray told = ogrinfo.readAllStandardOutput();
         QCOMPARE(ogrinfo.exitCode(), 0);
@@ -164,9 +174,9 @@ private slots:
         QCOMPARE(read->notes.size(), std::size_t{2});
         QCOMPARE(read->project.plan().machine.operatingWidth().si(), 3.0);
         const std::string written = projectText(read->project);
-        for (const char* kept : {R"("crs_note":)", R"("crop_rotation":{"2027":"oats"})", R"("yield_t":7.5)", R"("flux_m":4)",
-                                 R"("swaths.magic":3)", R"("route.method":"telepathy")", R"("soil":"clay")", R"("id":5)",
-                                 R"("locked":true)", R"("kind":"drain")"}) {
+        for (const char* kept : {R"("crs_note":)", R"("crop_rotation":{"2027":"oats"})", R"("yield_t":7.5)",
+                                 R"("flux_m":4)", R"("swaths.magic":3)", R"("route.method":"telepathy")",
+                                 R"("soil":"clay")", R"("id":5)", R"("locked":true)", R"("kind":"drain")"}) {
             QVERIFY2(QByteArray::fromStdString(written).contains(kept) ||
                          QByteArray::fromStdString(written).contains(QByteArray{kept}.replace(":", ": ")),
                      kept);
@@ -178,7 +188,8 @@ private slots:
     /// As QGIS leaves them when somebody copies a field or draws one.
     void fieldsOfOtherProgramsGetIds() {
         std::string text = projectText(sampleProject());
-        const std::string copy = R"({"type": "Feature", "properties": {"kind": "field", "field": "field-1", "name": "Copy"},
+        const std::string copy =
+            R"({"type": "Feature", "properties": {"kind": "field", "field": "field-1", "name": "Copy"},
             "geometry": {"type": "Polygon", "coordinates": [[[22.5, 58.25], [22.507, 58.25], [22.507, 58.2535], [22.5, 58.25]]]}},)";
         text.insert(text.find('\n', text.find("\"features\"")) + 1, copy);
         const auto read = parseProject(text, "farm.furrow");
@@ -191,12 +202,16 @@ private slots:
         QTest::addColumn<QByteArray>("text");
         QTest::addColumn<QByteArray>("what");
         QTest::newRow("no JSON") << QByteArray{"{\"type\": \"FeatureColl"} << QByteArray{"damaged"};
-        QTest::newRow("a boundary") << QByteArray{R"({"type": "FeatureCollection", "features": []})"} << QByteArray{"not a project"};
-        QTest::newRow("newer") << QByteArray{R"({"type": "FeatureCollection", "furrow_project": {"format_version": 2}, "features": []})"}
-                               << QByteArray{"saved by a newer Furrow (format 2, this one knows 1)"};
-        QTest::newRow("no version") << QByteArray{R"({"type": "FeatureCollection", "furrow_project": {}, "features": []})"}
-                                    << QByteArray{"no project format 0"};
-        QTest::newRow("features missing") << QByteArray{R"({"furrow_project": {"format_version": 1}})"} << QByteArray{"damaged"};
+        QTest::newRow("a boundary") << QByteArray{R"({"type": "FeatureCollection", "features": []})"}
+                                    << QByteArray{"not a project"};
+        QTest::newRow("newer")
+            << QByteArray{R"({"type": "FeatureCollection", "furrow_project": {"format_version": 2}, "features": []})"}
+            << QByteArray{"saved by a newer Furrow (format 2, this one knows 1)"};
+        QTest::newRow("no version")
+            << QByteArray{R"({"type": "FeatureCollection", "furrow_project": {}, "features": []})"}
+            << QByteArray{"no project format 0"};
+        QTest::newRow("features missing")
+            << QByteArray{R"({"furrow_project": {"format_version": 1}})"} << QByteArray{"damaged"};
         QTest::newRow("a coordinate that is text")
             << QByteArray{R"({"furrow_project": {"format_version": 1}, "features": [{"type": "Feature", "properties": {"kind": "field"},
                  "geometry": {"type": "Polygon", "coordinates": [[["a", 1]]]}}]})"}
@@ -211,7 +226,10 @@ private slots:
         QVERIFY(!read.error().remedy.empty());
     }
     void olderVersionsAreBroughtUp() {
-        const Migration steps[] = {[](OrderedJson& json) { json["b"] = json["a"]; json.erase("a"); },
+        const Migration steps[] = {[](OrderedJson& json) {
+                                       json["b"] = json["a"];
+                                       json.erase("a");
+                                   },
                                    [](OrderedJson& json) { json["b"] = json["b"].get<int>() * 10; }};
         const OrderedJson first{{"a", 4}};
         QCOMPARE(textOf(*migrated(first, 1, steps, "x")), std::string{R"({"b":40})"});
@@ -226,7 +244,10 @@ private slots:
         source.parts.front().holes = {hole, hole, hole};
         source.edgeHeadlands.clear();
         for (const std::size_t ring : {0, 1, 2, 3}) {
-            source.edgeHeadlands.push_back({.part = 0, .ring = ring, .edge = ring % 3, .width = metres(10.0 + static_cast<double>(ring))});
+            source.edgeHeadlands.push_back({.part = 0,
+                                            .ring = ring,
+                                            .edge = ring % 3,
+                                            .width = metres(10.0 + static_cast<double>(ring))});
         }
         const Project project = withoutHole(withFields(Project::empty(), {source}), 0, 1);
         const std::vector<EdgeHeadland> expected{{.part = 0, .ring = 0, .edge = 0, .width = metres(10.0)},

@@ -33,15 +33,15 @@ private slots:
         QTest::addColumn<QString>("steps");
         QTest::addColumn<double>("lengthInPlaceM");
         // Swaths and the ways between them, one operating width each.
-        QTest::newRow("rectangle of four swaths") << "POLYGON((0 0, 100 0, 100 20, 0 20, 0 0))" << 5.0 << "0 1- 2 3-"
-                                                  << 400.0 + 15.0;
+        QTest::newRow("rectangle of four swaths")
+            << "POLYGON((0 0, 100 0, 100 20, 0 20, 0 0))" << 5.0 << "0 1- 2 3-" << 400.0 + 15.0;
         QTest::newRow("one swath") << "POLYGON((0 0, 100 0, 100 5, 0 5, 0 0))" << 5.0 << "0" << 100.0;
         // Ends lie on the slanted side: from one line to the next 5 m on and 5 m up on the right only.
         QTest::newRow("trapezoid") << "POLYGON((0 0, 100 0, 80 20, 0 20, 0 0))" << 5.0 << "0 1- 2 3-"
                                    << (97.5 + 92.5 + 87.5 + 82.5) + 2.0 * std::sqrt(50.0) + 5.0;
         // Tracks 1 and 2 are cut by the hole: both pieces in driving direction, 20 m between them.
-        QTest::newRow("hole") << "POLYGON((0 0, 100 0, 100 20, 0 20, 0 0), (40 5, 40 15, 60 15, 60 5, 40 5))" << 5.0
-                              << "0 2- 1- 3 4 5-" << 100.0 + 100.0 + 100.0 + 100.0 + 15.0;
+        QTest::newRow("hole") << "POLYGON((0 0, 100 0, 100 20, 0 20, 0 0), (40 5, 40 15, 60 15, 60 5, 40 5))"
+                              << 5.0 << "0 2- 1- 3 4 5-" << 100.0 + 100.0 + 100.0 + 100.0 + 15.0;
     }
     void byHand() {
         QFETCH(QString, wkt);
@@ -77,9 +77,11 @@ private slots:
         constexpr std::uint64_t kSeed = 5;
         std::mt19937_64 random{kSeed};
         for (int i = 0; i < 100; ++i) {
-            const MultiPolygon mainland = test::randomPolygons(random, test::kShapes[static_cast<std::size_t>(i) % 5], 100.0);
+            const MultiPolygon mainland =
+                test::randomPolygons(random, test::kShapes[static_cast<std::size_t>(i) % 5], 100.0);
             const SwathSet swaths = swathsOf(mainland, 6.0, test::uniform(random, 0.0, 180.0));
-            const auto route = test::routeBy(kBoustrophedonMethod, swaths, agbot(), ::corner(qPrintable(corner)), {});
+            const auto route =
+                test::routeBy(kBoustrophedonMethod, swaths, agbot(), ::corner(qPrintable(corner)), {});
             VERIFY_RESULT(route);
             const QByteArray said = QStringLiteral("seed %1, field %2").arg(kSeed).arg(i).toUtf8();
             VERIFY_TOLD(route->steps.size() == swaths.swaths.size(), said);
@@ -99,7 +101,8 @@ private slots:
                 lastTrack = track;
                 reversed = step.reversed;
             }
-            VERIFY_TOLD(std::ranges::is_sorted(tracks) || std::ranges::is_sorted(tracks, std::greater{}), said);
+            VERIFY_TOLD(std::ranges::is_sorted(tracks) || std::ranges::is_sorted(tracks, std::greater{}),
+                        said);
             VERIFY_TOLD(route->lengthInPlace >= swaths.totalLength - metres(1e-6), said);
         }
     }
@@ -107,7 +110,8 @@ private slots:
     // Ends level on the left, slanted on the right: of three turns between four swaths, two are made on the
     // side where the first one is made. A slanted turn is longer, so the first one must be on the left.
     void theBestCornerHasTheShortestTurns() {
-        const SwathSet swaths = swathsOf(test::polygonsFromWkt("POLYGON((0 0, 100 0, 220 20, 0 20, 0 0))"), 5.0, 0.0);
+        const SwathSet swaths =
+            swathsOf(test::polygonsFromWkt("POLYGON((0 0, 100 0, 220 20, 0 20, 0 0))"), 5.0, 0.0);
         QCOMPARE(swaths.swaths.size(), std::size_t{4});
         const auto best = test::routeBy(kBoustrophedonMethod, swaths, agbot(), corner("best"), {});
         VERIFY_RESULT(best);
@@ -115,8 +119,10 @@ private slots:
         const auto first = test::routeBy(kBoustrophedonMethod, swaths, agbot(), corner("first"), {});
         VERIFY_RESULT(first);
         // 30 m along and 5 m up for each slanted way, 5 m for each level one.
-        COMPARE_WITHIN(first->lengthInPlace.si(), swaths.totalLength.si() + 2.0 * std::hypot(30.0, 5.0) + 5.0, 1e-6);
-        COMPARE_WITHIN(best->lengthInPlace.si(), swaths.totalLength.si() + std::hypot(30.0, 5.0) + 10.0, 1e-6);
+        COMPARE_WITHIN(first->lengthInPlace.si(), swaths.totalLength.si() + 2.0 * std::hypot(30.0, 5.0) + 5.0,
+                       1e-6);
+        COMPARE_WITHIN(best->lengthInPlace.si(), swaths.totalLength.si() + std::hypot(30.0, 5.0) + 10.0,
+                       1e-6);
     }
 
     void noSwaths() {
@@ -131,7 +137,8 @@ private slots:
         stop.request_stop();
         const SwathSet swaths = swathsOf({test::rectangle(100.0, 20.0)}, 5.0, 0.0);
         for (const char* id : {"best", "first"}) {
-            const auto route = test::routeBy(kBoustrophedonMethod, swaths, agbot(), corner(id), {.stop = stop.get_token()});
+            const auto route =
+                test::routeBy(kBoustrophedonMethod, swaths, agbot(), corner(id), {.stop = stop.get_token()});
             QVERIFY(!route);
             QCOMPARE(route.error().code, ErrorCode::Cancelled);
         }

@@ -52,7 +52,8 @@ Pattern patternNamed(const QString& name) {
     return name.startsWith("racetrack") ? Pattern{racetrackOrder} : Pattern{toAndFroOrder};
 }
 
-const QStringList kPatterns{"to-and-fro", "snake", "spiral 2", "spiral 6", "spiral 7", "skip 1", "skip 2", "skip 5", "racetrack"};
+const QStringList kPatterns{"to-and-fro", "snake",  "spiral 2", "spiral 6", "spiral 7",
+                            "skip 1",     "skip 2", "skip 5",   "racetrack"};
 
 // Tracks 1 and 2 of four are cut by the hole: swaths 1, 2 and 3, 4.
 const char* const kHole = "POLYGON((0 0, 100 0, 100 20, 0 20, 0 0), (40 5, 40 15, 60 15, 60 5, 40 5))";
@@ -109,7 +110,8 @@ private slots:
             for (std::size_t count = 0; count <= 20; ++count) {
                 TrackOrder order = patternNamed(name)(count);
                 std::ranges::sort(order);
-                VERIFY_TOLD(order == toAndFroOrder(count), QStringLiteral("%1 of %2").arg(name).arg(count).toUtf8());
+                VERIFY_TOLD(order == toAndFroOrder(count),
+                            QStringLiteral("%1 of %2").arg(name).arg(count).toUtf8());
             }
         }
     }
@@ -119,7 +121,8 @@ private slots:
         const auto shortestStep = [](const TrackOrder& order) {
             std::size_t shortest = order.size();
             for (std::size_t i = 1; i < order.size(); ++i) {
-                shortest = std::min(shortest, std::max(order[i], order[i - 1]) - std::min(order[i], order[i - 1]));
+                shortest =
+                    std::min(shortest, std::max(order[i], order[i - 1]) - std::min(order[i], order[i - 1]));
             }
             return shortest;
         };
@@ -160,7 +163,8 @@ private slots:
         for (const QString& track : order.split(' ', Qt::SkipEmptyParts)) {
             tracks.push_back(track.toUInt());
         }
-        QCOMPARE(told(Route{.steps = alongTracks(swaths, tracks, firstReversed), .lengthInPlace = {}}), steps);
+        QCOMPARE(told(Route{.steps = alongTracks(swaths, tracks, firstReversed), .lengthInPlace = {}}),
+                 steps);
     }
 
     void methodsByHand_data() {
@@ -178,7 +182,8 @@ private slots:
         QFETCH(QString, steps);
         const SwathSet swaths = swathsOf({test::rectangle(100.0, 40.0)}, 5.0, 0.0);
         const Settings settings = settingsOf({{&kCorner, "first"}, {&kCluster, "4"}, {&kSkip, "2"}});
-        for (const auto* known : {&kBoustrophedonMethod, &kSnakeMethod, &kSpiralMethod, &kSkipMethod, &kRacetrackMethod}) {
+        for (const auto* known :
+             {&kBoustrophedonMethod, &kSnakeMethod, &kSpiralMethod, &kSkipMethod, &kRacetrackMethod}) {
             if (method.toStdString() == known->info.id) {
                 const auto route = test::routeBy(*known, swaths, agbot(), settings);
                 VERIFY_RESULT(route);
@@ -193,13 +198,15 @@ private slots:
     void turningTimeIsTheSumOfTheTurns() {
         const SwathSet swaths = swathsOf({test::rectangle(10.0, 20.0)}, 4.0, 0.0);
         const Settings settings;
-        const RouteTask task{.swaths = swaths, .machine = agbot(), .turn = kDubinsMethod.run, .settings = settings};
+        const RouteTask task{
+            .swaths = swaths, .machine = agbot(), .turn = kDubinsMethod.run, .settings = settings};
         const auto one = [&](std::size_t a, std::size_t b) {
             return turningTime({{.swath = a, .reversed = false}, {.swath = b, .reversed = true}}, task).si();
         };
         QCOMPARE(turningTime({}, task).si(), 0.0);
         QCOMPARE(turningTime({{.swath = 2, .reversed = false}}, task).si(), 0.0);
-        COMPARE_WITHIN(turningTime(alongTracks(swaths, {0, 1, 2}, false), task).si(), one(0, 1) + one(1, 2), 1e-9);
+        COMPARE_WITHIN(turningTime(alongTracks(swaths, {0, 1, 2}, false), task).si(), one(0, 1) + one(1, 2),
+                       1e-9);
         // The bulb over 4 m, with radii of 2.1 m, is longer than a half circle of 2 m would be.
         QVERIFY(one(0, 1) > 2.0 * std::numbers::pi / agbot().turningSpeed().si());
         QVERIFY(one(0, 2) < one(0, 3));
@@ -209,20 +216,25 @@ private slots:
         constexpr std::uint64_t kSeed = 21;
         std::mt19937_64 random{kSeed};
         for (int i = 0; i < 60; ++i) {
-            const MultiPolygon mainland = test::randomPolygons(random, test::kShapes[static_cast<std::size_t>(i) % 5], 90.0);
+            const MultiPolygon mainland =
+                test::randomPolygons(random, test::kShapes[static_cast<std::size_t>(i) % 5], 90.0);
             const SwathSet swaths = swathsOf(mainland, 8.0, test::uniform(random, 0.0, 180.0));
             const Settings best = settingsOf({{&kCorner, "best"}});
             const Settings first = settingsOf({{&kCorner, "first"}});
             for (const QString& name : kPatterns) {
                 const TrackOrder order = patternNamed(name)(trackCount(swaths));
-                const RouteTask bestTask{.swaths = swaths, .machine = agbot(), .turn = kDubinsMethod.run, .settings = best};
-                const RouteTask firstTask{.swaths = swaths, .machine = agbot(), .turn = kDubinsMethod.run, .settings = first};
+                const RouteTask bestTask{
+                    .swaths = swaths, .machine = agbot(), .turn = kDubinsMethod.run, .settings = best};
+                const RouteTask firstTask{
+                    .swaths = swaths, .machine = agbot(), .turn = kDubinsMethod.run, .settings = first};
                 const auto quick = bestRoute(order, bestTask, {});
                 VERIFY_RESULT(quick);
                 const auto plain = bestRoute(order, firstTask, {});
                 VERIFY_RESULT(plain);
-                const QByteArray said = QStringLiteral("seed %1, field %2, %3").arg(kSeed).arg(i).arg(name).toUtf8();
-                VERIFY_TOLD(turningTime(quick->steps, bestTask) <= turningTime(plain->steps, firstTask), said);
+                const QByteArray said =
+                    QStringLiteral("seed %1, field %2, %3").arg(kSeed).arg(i).arg(name).toUtf8();
+                VERIFY_TOLD(turningTime(quick->steps, bestTask) <= turningTime(plain->steps, firstTask),
+                            said);
                 for (const Route* route : {&*quick, &*plain}) {
                     std::set<std::size_t> driven;
                     std::set<int> tracksLeft;
@@ -242,7 +254,9 @@ private slots:
                         reversed = step.reversed;
                     }
                     VERIFY_TOLD(driven.size() == swaths.swaths.size(), said);
-                    VERIFY_TOLD(std::abs((route->lengthInPlace - lengthInPlace(route->steps, swaths)).si()) < 1e-9, said);
+                    VERIFY_TOLD(
+                        std::abs((route->lengthInPlace - lengthInPlace(route->steps, swaths)).si()) < 1e-9,
+                        said);
                 }
             }
         }
@@ -252,7 +266,8 @@ private slots:
         QTest::addColumn<QString>("order");
         QTest::addColumn<QString>("steps");
         QTest::addColumn<double>("betweenM");
-        // Three swaths of 100 m, 5 m apart; where the end of one lies at the other end from the next, 100 m along.
+        // Three swaths of 100 m, 5 m apart; where the end of one lies at the other end from the next, 100 m
+        // along.
         QTest::newRow("with directions") << "3,-1,2" << "2 0- 1" << 10.0 + 5.0;
         QTest::newRow("all the same way") << "1,2,3" << "0 1 2" << 2.0 * std::hypot(100.0, 5.0);
         QTest::newRow("blanks") << " -3, 2 ,-1" << "2- 1 0-" << 5.0 + 5.0;
@@ -263,7 +278,8 @@ private slots:
         QFETCH(QString, steps);
         QFETCH(double, betweenM);
         const SwathSet swaths = swathsOf({test::rectangle(100.0, 15.0)}, 5.0, 0.0);
-        const auto route = test::routeBy(kCustomMethod, swaths, agbot(), settingsOf({{&kOrder, order.toStdString()}}));
+        const auto route =
+            test::routeBy(kCustomMethod, swaths, agbot(), settingsOf({{&kOrder, order.toStdString()}}));
         VERIFY_RESULT(route);
         QCOMPARE(told(*route), steps);
         COMPARE_WITHIN(route->lengthInPlace.si(), 300.0 + betweenM, 1e-6);
@@ -285,7 +301,8 @@ private slots:
         QFETCH(QString, order);
         QFETCH(QString, what);
         const SwathSet swaths = swathsOf({test::rectangle(100.0, 15.0)}, 5.0, 0.0);
-        const auto route = test::routeBy(kCustomMethod, swaths, agbot(), settingsOf({{&kOrder, order.toStdString()}}));
+        const auto route =
+            test::routeBy(kCustomMethod, swaths, agbot(), settingsOf({{&kOrder, order.toStdString()}}));
         QVERIFY(!route);
         QCOMPARE(route.error().code, ErrorCode::InputRefused);
         QCOMPARE(route.error().where, std::string{"route.order"});
@@ -294,7 +311,8 @@ private slots:
     }
 
     void noSwaths() {
-        for (const auto* method : {&kSnakeMethod, &kSpiralMethod, &kSkipMethod, &kRacetrackMethod, &kCustomMethod}) {
+        for (const auto* method :
+             {&kSnakeMethod, &kSpiralMethod, &kSkipMethod, &kRacetrackMethod, &kCustomMethod}) {
             const auto route = test::routeBy(*method, {}, agbot(), {});
             VERIFY_RESULT(route);
             QVERIFY(route->steps.empty());
@@ -306,7 +324,8 @@ private slots:
         std::stop_source stop;
         stop.request_stop();
         const SwathSet swaths = swathsOf({test::rectangle(100.0, 20.0)}, 5.0, 0.0);
-        for (const auto* method : {&kSnakeMethod, &kSpiralMethod, &kSkipMethod, &kRacetrackMethod, &kCustomMethod}) {
+        for (const auto* method :
+             {&kSnakeMethod, &kSpiralMethod, &kSkipMethod, &kRacetrackMethod, &kCustomMethod}) {
             const auto route = test::routeBy(*method, swaths, agbot(), {}, {.stop = stop.get_token()});
             QVERIFY(!route);
             QCOMPARE(route.error().code, ErrorCode::Cancelled);

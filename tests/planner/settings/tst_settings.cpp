@@ -11,21 +11,55 @@ namespace {
 
 constexpr Choice kColours[] = {{"red", "Red", "Like a tractor."}, {"green", "Green", "Like another."}};
 
-const Parameter kWidth{.key = "test.width_m", .name = "Width", .description = "A length.",
-                       .kind = ParameterKind::Length, .standard = {}, .canBeAuto = true, .min = 0.0, .max = 50.0,
+const Parameter kWidth{.key = "test.width_m",
+                       .name = "Width",
+                       .description = "A length.",
+                       .kind = ParameterKind::Length,
+                       .standard = {},
+                       .canBeAuto = true,
+                       .min = 0.0,
+                       .max = 50.0,
                        .choices = {}};
-const Parameter kTurn{.key = "test.turn_deg", .name = "Turn", .description = "An angle.",
-                      .kind = ParameterKind::Angle, .standard = 90.0, .min = -360.0, .max = 360.0, .choices = {}};
-const Parameter kPasses{.key = "test.passes", .name = "Passes", .description = "A count.",
-                        .kind = ParameterKind::Count, .standard = 3.0, .min = 1.0, .max = 9.0, .choices = {}};
-const Parameter kColour{.key = "test.colour", .name = "Colour", .description = "A choice.",
-                        .kind = ParameterKind::Choice, .standard = 1.0, .choices = kColours};
-const Parameter kWet{.key = "test.wet", .name = "Wet", .description = "A flag.",
-                     .kind = ParameterKind::Flag, .standard = 1.0, .choices = {}};
-const Parameter kWay{.key = "test.way", .name = "Way", .description = "A line.", .kind = ParameterKind::Line,
-                     .standard = {}, .choices = {}};
-const Parameter kRow{.key = "test.row", .name = "Row", .description = "Numbers.", .kind = ParameterKind::Numbers,
-                     .standard = {}, .choices = {}};
+const Parameter kTurn{.key = "test.turn_deg",
+                      .name = "Turn",
+                      .description = "An angle.",
+                      .kind = ParameterKind::Angle,
+                      .standard = 90.0,
+                      .min = -360.0,
+                      .max = 360.0,
+                      .choices = {}};
+const Parameter kPasses{.key = "test.passes",
+                        .name = "Passes",
+                        .description = "A count.",
+                        .kind = ParameterKind::Count,
+                        .standard = 3.0,
+                        .min = 1.0,
+                        .max = 9.0,
+                        .choices = {}};
+const Parameter kColour{.key = "test.colour",
+                        .name = "Colour",
+                        .description = "A choice.",
+                        .kind = ParameterKind::Choice,
+                        .standard = 1.0,
+                        .choices = kColours};
+const Parameter kWet{.key = "test.wet",
+                     .name = "Wet",
+                     .description = "A flag.",
+                     .kind = ParameterKind::Flag,
+                     .standard = 1.0,
+                     .choices = {}};
+const Parameter kWay{.key = "test.way",
+                     .name = "Way",
+                     .description = "A line.",
+                     .kind = ParameterKind::Line,
+                     .standard = {},
+                     .choices = {}};
+const Parameter kRow{.key = "test.row",
+                     .name = "Row",
+                     .description = "Numbers.",
+                     .kind = ParameterKind::Numbers,
+                     .standard = {},
+                     .choices = {}};
 
 const Parameter* parameterNamed(const QString& key) {
     for (const Parameter* parameter : {&kWidth, &kTurn, &kPasses, &kColour, &kWet, &kWay, &kRow}) {
@@ -56,7 +90,8 @@ private slots:
         QTest::newRow("a count written as a decimal") << "test.passes" << "7.0" << "7";
         QTest::newRow("a choice") << "test.colour" << "red" << "red";
         QTest::newRow("a flag") << "test.wet" << "false" << "false";
-        QTest::newRow("a line") << "test.way" << "LINESTRING (4.1 52.0, 4.2 52.0)" << "LINESTRING (4.1 52.0, 4.2 52.0)";
+        QTest::newRow("a line") << "test.way" << "LINESTRING (4.1 52.0, 4.2 52.0)"
+                                << "LINESTRING (4.1 52.0, 4.2 52.0)";
         QTest::newRow("a point") << "test.way" << "POINT(4.1 52)" << "POINT(4.1 52)";
         QTest::newRow("no line") << "test.way" << "" << "";
         QTest::newRow("numbers") << "test.row" << "3,-1,2" << "3,-1,2";
@@ -103,14 +138,20 @@ private slots:
         QTest::newRow("no choice is auto") << "test.colour" << "auto" << ErrorCode::Usage << "red, green";
         QTest::newRow("a flag as a number") << "test.wet" << "1" << refused << "true or false";
         QTest::newRow("a flag as yes") << "test.wet" << "yes" << refused << "true or false";
-        QTest::newRow("a line that is no WKT") << "test.way" << "4.1 52.0, 4.2 52.0" << refused << "LINESTRING";
+        QTest::newRow("a line that is no WKT")
+            << "test.way" << "4.1 52.0, 4.2 52.0" << refused << "LINESTRING";
         QTest::newRow("a line that is an area")
             << "test.way" << "POLYGON ((4 52, 5 52, 5 53, 4 52))" << refused << "LINESTRING";
-        QTest::newRow("a line that breaks off") << "test.way" << "LINESTRING (4.1 52.0, 4.2" << refused << "LINESTRING";
-        QTest::newRow("a line of one point") << "test.way" << "LINESTRING (4.1 52.0)" << refused << "LINESTRING";
-        QTest::newRow("a line off the globe in the north") << "test.way" << "LINESTRING (4 52, 4 90.1)" << refused << "WGS84";
-        QTest::newRow("a line off the globe in the west") << "test.way" << "LINESTRING (4 52, -180.1 52)" << refused << "WGS84";
-        QTest::newRow("a line in metres") << "test.way" << "LINESTRING (431000 5766000, 431100 5766000)" << refused << "WGS84";
+        QTest::newRow("a line that breaks off")
+            << "test.way" << "LINESTRING (4.1 52.0, 4.2" << refused << "LINESTRING";
+        QTest::newRow("a line of one point")
+            << "test.way" << "LINESTRING (4.1 52.0)" << refused << "LINESTRING";
+        QTest::newRow("a line off the globe in the north")
+            << "test.way" << "LINESTRING (4 52, 4 90.1)" << refused << "WGS84";
+        QTest::newRow("a line off the globe in the west")
+            << "test.way" << "LINESTRING (4 52, -180.1 52)" << refused << "WGS84";
+        QTest::newRow("a line in metres")
+            << "test.way" << "LINESTRING (431000 5766000, 431100 5766000)" << refused << "WGS84";
         QTest::newRow("a line that is not a number") << "test.way" << "POINT (nan 52)" << refused << "WGS84";
         QTest::newRow("a word for a line") << "test.way" << "auto" << refused << "'auto' is not";
         QTest::newRow("numbers that are fractions") << "test.row" << "1,2.5" << refused << "whole numbers";
@@ -158,7 +199,8 @@ private slots:
         QVERIFY(settings.line(kWay).empty());
         QVERIFY(settings.numbers(kRow).empty());
         VERIFY_RESULT(settings.setText(kWay, "LINESTRING (4.25 52.5, -4.5 -52)"));
-        QCOMPARE(settings.line(kWay), (std::vector<GeoPoint>{{.lonDeg = 4.25, .latDeg = 52.5}, {.lonDeg = -4.5, .latDeg = -52.0}}));
+        QCOMPARE(settings.line(kWay), (std::vector<GeoPoint>{{.lonDeg = 4.25, .latDeg = 52.5},
+                                                             {.lonDeg = -4.5, .latDeg = -52.0}}));
         VERIFY_RESULT(settings.setText(kWay, "POINT (180 -90)"));
         QCOMPARE(settings.line(kWay), (std::vector<GeoPoint>{{.lonDeg = 180.0, .latDeg = -90.0}}));
         VERIFY_RESULT(settings.setText(kRow, "3, -1 ,2"));
@@ -212,8 +254,8 @@ private slots:
     void nearestName() {
         QFETCH(QString, given);
         QFETCH(QString, expected);
-        constexpr std::array<std::string_view, 4> names{"headland.width_m", "headland.passes", "swaths.step_deg",
-                                                        "route.corner"};
+        constexpr std::array<std::string_view, 4> names{"headland.width_m", "headland.passes",
+                                                        "swaths.step_deg", "route.corner"};
         QCOMPARE(furrow::nearestName(given.toStdString(), names), expected.toStdString());
     }
 };

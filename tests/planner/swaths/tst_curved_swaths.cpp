@@ -1,14 +1,14 @@
+#include "planner/geometry/curve_parts.h"
+#include "planner/geometry/curve_sampling.h"
 #include "planner/geometry/geos_bridge.h"
 #include "planner/machine/machine_library.h"
 #include "planner/route/methods.h"
 #include "planner/route/route.h"
-#include "planner/geometry/curve_parts.h"
 #include "planner/swaths/curved_swaths.h"
 #include "planner/swaths/full_ends.h"
 #include "planner/swaths/methods.h"
 #include "planner/swaths/strip_coverage.h"
 #include "planner/turns/connection.h"
-#include "planner/geometry/curve_sampling.h"
 #include "tests/support/field_generator.h"
 #include "tests/support/result_check.h"
 #include "tests/support/stages.h"
@@ -38,13 +38,14 @@ Machine machineOf(double widthM, double radiusM) {
 
 using Given = std::initializer_list<std::pair<const Parameter*, std::string>>;
 
-Result<SwathSet> run(const Method<SwathGenerator>& method, const Field& field, const Machine& machine, const Given& given,
-                     const JobContext& job = {}) {
+Result<SwathSet> run(const Method<SwathGenerator>& method, const Field& field, const Machine& machine,
+                     const Given& given, const JobContext& job = {}) {
     Settings settings;
     for (const auto& [parameter, text] : given) {
         settings.setText(*parameter, text).value();
     }
-    return method.run({.field = field, .mainland = field.workable(), .machine = machine, .settings = settings}, job);
+    return method.run(
+        {.field = field, .mainland = field.workable(), .machine = machine, .settings = settings}, job);
 }
 
 std::string wktOf(const Field& field, const Polyline& points) {
@@ -53,7 +54,8 @@ std::string wktOf(const Field& field, const Polyline& points) {
         const GeoPoint place = field.frame().toGeo(point);
         texts << QStringLiteral("%1 %2").arg(place.lonDeg, 0, 'f', 12).arg(place.latDeg, 0, 'f', 12);
     }
-    return (QLatin1String(points.size() == 1 ? "POINT (" : "LINESTRING (") + texts.join(", ") + ")").toStdString();
+    return (QLatin1String(points.size() == 1 ? "POINT (" : "LINESTRING (") + texts.join(", ") + ")")
+        .toStdString();
 }
 
 double toLine(Point point, const Polyline& line) {
@@ -118,15 +120,19 @@ class CurvedSwathsTest : public QObject {
     Q_OBJECT
 
 private slots:
-    // 40 m between the arcs, 4 m wide: ten swaths from edge to edge, with one on the curve 38 m inside of the rim.
+    // 40 m between the arcs, 4 m wide: ten swaths from edge to edge, with one on the curve 38 m inside of the
+    // rim.
     void swathsFollowTheCurve() {
         const Field field = fieldFrom(bentField(100.0, 140.0));
         const Point centre = field.frame().toLocal(kCentre);
-        const auto set = run(kAbCurveMethod, field, machineOf(4.0, 5.0), {{&kLine, wktOf(field, arcAround(centre, 102.0))}});
+        const auto set = run(kAbCurveMethod, field, machineOf(4.0, 5.0),
+                             {{&kLine, wktOf(field, arcAround(centre, 102.0))}});
         VERIFY_RESULT(set);
         QVERIFY(set->isCurved());
-        // Chords of an arc, and arcs through them again, lie up to 15 cm beside it: the rim may need an overlapping one.
-        QVERIFY2(set->swaths.size() == 10 || set->swaths.size() == 11, qPrintable(QString::number(set->swaths.size())));
+        // Chords of an arc, and arcs through them again, lie up to 15 cm beside it: the rim may need an
+        // overlapping one.
+        QVERIFY2(set->swaths.size() == 10 || set->swaths.size() == 11,
+                 qPrintable(QString::number(set->swaths.size())));
         for (const Swath& swath : set->swaths) {
             const Polyline line = middleLine(swath);
             const double radiusM = distance(line[line.size() / 2], centre);
@@ -200,13 +206,19 @@ private slots:
         QTest::addColumn<LastPass>("lastPass");
         QTest::addColumn<bool>("anchored");
         QTest::addColumn<QList<double>>("places");
-        QTest::newRow("flush at both edges") << 0.0 << 12.0 << LastPass::Overlap << false << QList<double>{2, 6, 10};
-        QTest::newRow("the last one overlaps") << 0.0 << 11.0 << LastPass::Overlap << false << QList<double>{2, 6, 9};
-        QTest::newRow("spread evenly") << 0.0 << 11.0 << LastPass::Spread << false << QList<double>{2, 5.5, 9};
+        QTest::newRow("flush at both edges")
+            << 0.0 << 12.0 << LastPass::Overlap << false << QList<double>{2, 6, 10};
+        QTest::newRow("the last one overlaps")
+            << 0.0 << 11.0 << LastPass::Overlap << false << QList<double>{2, 6, 9};
+        QTest::newRow("spread evenly")
+            << 0.0 << 11.0 << LastPass::Spread << false << QList<double>{2, 5.5, 9};
         QTest::newRow("the rest is left") << 0.0 << 9.9 << LastPass::Gap << false << QList<double>{2, 6};
-        QTest::newRow("half a width reaches over the edge") << 0.0 << 10.0 << LastPass::Gap << false << QList<double>{2, 6, 10};
-        QTest::newRow("through the line") << -5.0 << 7.0 << LastPass::Overlap << true << QList<double>{-3, 0, 4, 5};
-        QTest::newRow("through the line, the smaller rest is left") << -5.0 << 7.0 << LastPass::Gap << true << QList<double>{-4, 0, 4};
+        QTest::newRow("half a width reaches over the edge")
+            << 0.0 << 10.0 << LastPass::Gap << false << QList<double>{2, 6, 10};
+        QTest::newRow("through the line")
+            << -5.0 << 7.0 << LastPass::Overlap << true << QList<double>{-3, 0, 4, 5};
+        QTest::newRow("through the line, the smaller rest is left")
+            << -5.0 << 7.0 << LastPass::Gap << true << QList<double>{-4, 0, 4};
         QTest::newRow("narrower than one") << 10.0 << 12.0 << LastPass::Overlap << false << QList<double>{11};
     }
     void tracksAreSpaced() {
@@ -215,7 +227,8 @@ private slots:
         QFETCH(LastPass, lastPass);
         QFETCH(bool, anchored);
         QFETCH(QList<double>, places);
-        const auto made = trackPlaces(low, high, {.width = metres(4.0), .overlap = {}, .lastPass = lastPass}, anchored);
+        const auto made =
+            trackPlaces(low, high, {.width = metres(4.0), .overlap = {}, .lastPass = lastPass}, anchored);
         QCOMPARE(made.size(), static_cast<std::size_t>(places.size()));
         for (std::size_t i = 0; i < made.size(); ++i) {
             COMPARE_WITHIN(made[i], places[static_cast<qsizetype>(i)], 1e-9);
@@ -225,15 +238,16 @@ private slots:
     // Two strips of 2 m over a square of 10 m, which overlap by 1 m: 30 m² once or more, 10 m² twice.
     void coverageOfStrips() {
         const MultiPolygon square{test::rectangle(10.0, 10.0)};
-        const MultiPolygon strips{test::rectangle(12.0, 2.0, {-1.0, 3.0}), test::rectangle(12.0, 2.0, {-1.0, 4.0})};
+        const MultiPolygon strips{test::rectangle(12.0, 2.0, {-1.0, 3.0}),
+                                  test::rectangle(12.0, 2.0, {-1.0, 4.0})};
         const auto covered = coverageOf(strips, square, {}, {});
         VERIFY_RESULT(covered);
         COMPARE_WITHIN(covered->share, 0.3, 1e-9);
         COMPARE_WITHIN(covered->overlap.si(), 10.0, 1e-9);
     }
 
-    // Over generated fields and curves: inside the mainland (GEOS), bends within the limit, neighbours an operating
-    // width apart wherever the curve bends gently, coverage as GEOS's union has it.
+    // Over generated fields and curves: inside the mainland (GEOS), bends within the limit, neighbours an
+    // operating width apart wherever the curve bends gently, coverage as GEOS's union has it.
     void propertiesOverGeneratedFields() {
         constexpr double kWidthM = 6.0;
         const Machine machine = machineOf(kWidthM, 8.0);
@@ -256,8 +270,10 @@ private slots:
             for (int i = -40; i <= 40; ++i) {
                 points.push_back(middle + bendM * (direction(headingRad + i * 0.01) - direction(headingRad)));
             }
-            const auto set = run(kAbCurveMethod, field, machine, {{&kLine, wktOf(field, points)}, {&kLastPass, "gap"}});
-            const QByteArray told = "round " + QByteArray::number(round) + " " + QByteArray{test::shapeName(shape).data()};
+            const auto set =
+                run(kAbCurveMethod, field, machine, {{&kLine, wktOf(field, points)}, {&kLastPass, "gap"}});
+            const QByteArray told =
+                "round " + QByteArray::number(round) + " " + QByteArray{test::shapeName(shape).data()};
             if (!set) {
                 QCOMPARE(set.error().code, ErrorCode::InputRefused);
                 continue;
@@ -289,8 +305,10 @@ private slots:
                         bool besideMiddle = false;
                         for (const Polyline& other : next->second) {
                             const double hereM = toLine(line[i], other);
-                            besideMiddle = hereM < awayM ? toLine(line[i], {other.begin() + 1, other.end() - 1}) <= hereM + 1e-9
-                                                         : besideMiddle;
+                            besideMiddle =
+                                hereM < awayM
+                                    ? toLine(line[i], {other.begin() + 1, other.end() - 1}) <= hereM + 1e-9
+                                    : besideMiddle;
                             awayM = std::min(awayM, hereM);
                         }
                         VERIFY_TOLD(awayM > kWidthM - 0.01, told + " " + QByteArray::number(awayM));
@@ -311,16 +329,21 @@ private slots:
         QVERIFY2(compared > 1000, qPrintable(QString::number(compared)));
     }
 
-    // Driven one way and the other: the vehicle's line starts its lead ahead on the curve and goes straight on beyond
-    // its end; the implement's middle stays within d² / 2R of the swath.
+    // Driven one way and the other: the vehicle's line starts its lead ahead on the curve and goes straight
+    // on beyond its end; the implement's middle stays within d² / 2R of the swath.
     void theVehicleFollowsTheCurve() {
         const Curve curve{.type = {},
-                         .start = {.position = {0.0, 0.0}, .heading = {}},
-                         .pieces = {{.length = metres(50.0), .curvature = {}},
-                                    {.length = metres(40.0), .curvature = Curvature::fromSi(0.05), .endCurvature = Curvature::fromSi(0.05)},
-                                    {.length = metres(50.0), .curvature = {}}}};
-        const SwathSet set{.swaths = {{.start = curve.start.position, .end = curve.end().position, .number = 1,
-                                       .width = metres(2.5), .curve = curve}}};
+                          .start = {.position = {0.0, 0.0}, .heading = {}},
+                          .pieces = {{.length = metres(50.0), .curvature = {}},
+                                     {.length = metres(40.0),
+                                      .curvature = Curvature::fromSi(0.05),
+                                      .endCurvature = Curvature::fromSi(0.05)},
+                                     {.length = metres(50.0), .curvature = {}}}};
+        const SwathSet set{.swaths = {{.start = curve.start.position,
+                                       .end = curve.end().position,
+                                       .number = 1,
+                                       .width = metres(2.5),
+                                       .curve = curve}}};
         MachineSpec spec = findMachine("agbot")->spec();
         for (const double offsetM : {-2.0, 0.0, 3.0}) {
             for (const double asideM : {0.0, 0.5, -0.5}) {
@@ -335,12 +358,15 @@ private slots:
                     const Pose end = vehicleAt(endPose(step, set), *machine);
                     COMPARE_WITHIN(distance(line.start.position, start.position), 0.0, 1e-6);
                     COMPARE_WITHIN(distance(line.end().position, end.position), 0.0, 1e-6);
-                    COMPARE_WITHIN(distance(vehicleStart(step, set, *machine).position, line.start.position), 0.0, 1e-9);
-                    COMPARE_WITHIN(distance(vehicleEnd(step, set, *machine).position, line.end().position), 0.0, 1e-9);
+                    COMPARE_WITHIN(distance(vehicleStart(step, set, *machine).position, line.start.position),
+                                   0.0, 1e-9);
+                    COMPARE_WITHIN(distance(vehicleEnd(step, set, *machine).position, line.end().position),
+                                   0.0, 1e-9);
                     const Polyline middle = middleLine(set.swaths.front(), metres(0.0001));
                     for (const CurveSample& sample : sampled(line, metres(0.001))) {
                         const Point ahead = direction(sample.pose.heading.si());
-                        const Point implement = sample.pose.position + offsetM * ahead + asideM * Point{-ahead.y, ahead.x};
+                        const Point implement =
+                            sample.pose.position + offsetM * ahead + asideM * Point{-ahead.y, ahead.x};
                         QVERIFY(toLine(implement, middle) <= 0.5 * offsetM * offsetM * 0.05 * 1.1 + 1e-3);
                     }
                 }
@@ -350,12 +376,17 @@ private slots:
 
     // At an edge of 45 degrees half a width more; the swath goes straight on.
     void endsAreDrawnOut() {
-        const MultiPolygon mainland{{.outer = {{-500, -100}, {0, -100}, {200, 100}, {-500, 100}}, .holes = {}}};
+        const MultiPolygon mainland{
+            {.outer = {{-500, -100}, {0, -100}, {200, 100}, {-500, 100}}, .holes = {}}};
         const Machine machine = machineOf(6.0, 5.0);
         const Curve curve{.type = {},
-                         .start = {.position = {-400.0, 0.0}, .heading = {}},
-                         .pieces = {{.length = metres(500.0), .curvature = {}}}};
-        SwathSet set{.swaths = {{.start = {-400.0, 0.0}, .end = {100.0, 0.0}, .number = 1, .width = metres(6.0), .curve = curve}}};
+                          .start = {.position = {-400.0, 0.0}, .heading = {}},
+                          .pieces = {{.length = metres(500.0), .curvature = {}}}};
+        SwathSet set{.swaths = {{.start = {-400.0, 0.0},
+                                 .end = {100.0, 0.0},
+                                 .number = 1,
+                                 .width = metres(6.0),
+                                 .curve = curve}}};
         const MultiPolygon plenty{test::centredRectangle(3000.0, 3000.0)};
         drawOutEnds(set, mainland, {.working = plenty, .driving = plenty, .turning = {}}, machine);
         COMPARE_WITHIN(set.swaths.front().end.x, 103.0, 1e-6);

@@ -23,15 +23,18 @@ double betweenDeg(Angle a, Angle b) {
     return std::abs(std::remainder(inDegrees(a) - inDegrees(b), 180.0));
 }
 
-Result<SwathSet> found(const Method<SwathGenerator>& method, const Field& field, std::string_view objective, std::string_view percent) {
+Result<SwathSet> found(const Method<SwathGenerator>& method, const Field& field, std::string_view objective,
+                       std::string_view percent) {
     Settings settings;
     settings.setText(kObjective, objective).value();
     settings.setText(kPreferEdge, percent).value();
-    return method.run({.field = field, .mainland = field.workable(), .machine = test::agbot(), .settings = settings}, {});
+    return method.run(
+        {.field = field, .mainland = field.workable(), .machine = test::agbot(), .settings = settings}, {});
 }
 
 HeadingFigures timeOf(const Field& field, Angle heading) {
-    return scanLineFor({.field = field, .mainland = field.workable(), .machine = test::agbot(), .settings = {}})
+    return scanLineFor(
+               {.field = field, .mainland = field.workable(), .machine = test::agbot(), .settings = {}})
         ->figures(heading, SwathObjective::Time);
 }
 
@@ -41,10 +44,19 @@ class EdgePreferenceTest : public QObject {
     Q_OBJECT
 
 private slots:
-    // 100 m in four edges that are a few centimetres off one line, 60 m to the north, and back in one edge; a step of 12 m.
+    // 100 m in four edges that are a few centimetres off one line, 60 m to the north, and back in one edge; a
+    // step of 12 m.
     void edgesInARowAreOne() {
-        const MultiPolygon boundary{
-            {.outer = {{0, 0}, {30, 0.05}, {55, -0.04}, {80, 0.03}, {100, 0}, {100, 60}, {52, 60}, {40, 60.4}, {0, 60.4}}, .holes = {}}};
+        const MultiPolygon boundary{{.outer = {{0, 0},
+                                               {30, 0.05},
+                                               {55, -0.04},
+                                               {80, 0.03},
+                                               {100, 0},
+                                               {100, 60},
+                                               {52, 60},
+                                               {40, 60.4},
+                                               {0, 60.4}},
+                                     .holes = {}}};
         const std::vector<LongEdge> edges = longEdges(boundary, metres(15.0));
         QCOMPARE(edges.size(), std::size_t{5});
         COMPARE_WITHIN(edges[0].length.si(), 100.0, 0.1);
@@ -58,13 +70,14 @@ private slots:
         QVERIFY(longEdges(boundary, metres(200.0)).empty());
     }
 
-    // Over generated fields: within half a percent of the best the longest edge wins, otherwise the longest of those that
-    // are; and what is chosen costs no more, and says so.
+    // Over generated fields: within half a percent of the best the longest edge wins, otherwise the longest
+    // of those that are; and what is chosen costs no more, and says so.
     void withinTheShareTheLongestEdgeWins() {
         std::mt19937_64 random{57};
         int preferred = 0;
         for (int i = 0; i < 20; ++i) {
-            const Field field = fieldFrom(test::randomPolygons(random, i % 2 == 0 ? test::Shape::Convex : test::Shape::Concave, 150.0));
+            const Field field = fieldFrom(
+                test::randomPolygons(random, i % 2 == 0 ? test::Shape::Convex : test::Shape::Concave, 150.0));
             for (const auto* method : {&kExactMethod, &kBruteForceMethod, &kOksanenMethod}) {
                 const auto best = found(*method, field, "time", "0");
                 const auto set = found(*method, field, "time", "0.5");
@@ -72,18 +85,24 @@ private slots:
                 VERIFY_RESULT(set);
                 const double bestS = timeOf(field, best->heading).time.si();
                 QVERIFY(timeOf(field, set->heading).time.si() <= 1.005 * bestS + 1e-6);
-                const std::vector<LongEdge> edges = longEdges(field.boundary(), test::agbot().operatingWidth());
+                const std::vector<LongEdge> edges =
+                    longEdges(field.boundary(), test::agbot().operatingWidth());
                 const auto wins = std::ranges::find_if(edges, [&](const LongEdge& edge) {
                     return timeOf(field, edge.heading).time.si() <= 1.005 * bestS;
                 });
                 if (wins != edges.end()) {
                     QVERIFY2(betweenDeg(set->heading, wins->heading) < 1e-5,
-                             qPrintable(QString("field %1, %2: %3, not %4").arg(i).arg(method->info.id.data()).arg(inDegrees(set->heading)).arg(inDegrees(wins->heading))));
+                             qPrintable(QString("field %1, %2: %3, not %4")
+                                            .arg(i)
+                                            .arg(method->info.id.data())
+                                            .arg(inDegrees(set->heading))
+                                            .arg(inDegrees(wins->heading))));
                     const bool isMoved = betweenDeg(set->heading, best->heading) > 0.01;
                     QCOMPARE(set->notes.size(), isMoved ? std::size_t{1} : std::size_t{0});
                     if (isMoved) {
                         ++preferred;
-                        QVERIFY(set->notes.front().text.contains(wins == edges.begin() ? "along the longest edge" : "along an edge"));
+                        QVERIFY(set->notes.front().text.contains(
+                            wins == edges.begin() ? "along the longest edge" : "along an edge"));
                         QVERIFY(set->notes.front().text.contains("slower than with the best heading"));
                     }
                 } else {
@@ -113,7 +132,8 @@ private slots:
         }
     }
 
-    // To choose from: apart from each other, quickest first, the one that was taken and the longest edge's among them.
+    // To choose from: apart from each other, quickest first, the one that was taken and the longest edge's
+    // among them.
     void candidatesAreApart() {
         std::mt19937_64 random{59};
         for (int i = 0; i < 10; ++i) {
@@ -123,14 +143,17 @@ private slots:
             const auto& candidates = set->candidates;
             QVERIFY(candidates.size() >= 2 && candidates.size() <= 5);
             const auto has = [&](Angle heading) {
-                return std::ranges::any_of(candidates, [&](const HeadingCandidate& one) { return betweenDeg(one.heading, heading) < 1e-5; });
+                return std::ranges::any_of(candidates, [&](const HeadingCandidate& one) {
+                    return betweenDeg(one.heading, heading) < 1e-5;
+                });
             };
             QVERIFY(has(set->heading));
             const std::vector<LongEdge> edges = longEdges(field.boundary(), test::agbot().operatingWidth());
             QVERIFY(has(edges.front().heading));
             QCOMPARE(std::ranges::count(candidates, true, &HeadingCandidate::alongLongestEdge), 1);
             for (std::size_t a = 0; a < candidates.size(); ++a) {
-                COMPARE_WITHIN(candidates[a].figures.time.si(), timeOf(field, candidates[a].heading).time.si(), 1e-6);
+                COMPARE_WITHIN(candidates[a].figures.time.si(),
+                               timeOf(field, candidates[a].heading).time.si(), 1e-6);
                 QVERIFY(a == 0 || candidates[a - 1].figures.time <= candidates[a].figures.time);
             }
         }

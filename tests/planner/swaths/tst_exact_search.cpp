@@ -90,7 +90,8 @@ void compareWithATenth(const MultiPolygon& mainland, const QString& objective, c
     VERIFY_TOLD(scanLine.has_value(), told);
     const HeadingFigures brute = bruteForceAtATenth(*scanLine, by);
     const HeadingFigures ours = scanLine->figures(exact->heading, by);
-    VERIFY_TOLD(!isBetter(by, brute, ours) || (by == SwathObjective::Count && brute.count == ours.count), told);
+    VERIFY_TOLD(!isBetter(by, brute, ours) || (by == SwathObjective::Count && brute.count == ours.count),
+                told);
     VERIFY_TOLD(static_cast<int>(exact->swaths.size()) == ours.count, told);
 }
 
@@ -134,7 +135,8 @@ private slots:
         std::mt19937_64 random{kSeed};
         for (std::size_t i = 0; i < 25; ++i) {
             const MultiPolygon mainland = test::randomPolygons(random, test::kShapes[i % 5], 60.0);
-            const auto scanLine = scanLineFor({test::anyField(), mainland, machineLibrary().front(), byObjective("time")});
+            const auto scanLine =
+                scanLineFor({test::anyField(), mainland, machineLibrary().front(), byObjective("time")});
             VERIFY_RESULT(scanLine);
             for (int k = 0; k < 20; ++k) {
                 const Angle heading = degrees(9.0 * k + 0.37);
@@ -157,7 +159,8 @@ private slots:
         std::mt19937_64 random{kSeed + 1};
         for (int i = 0; i < 50; ++i) {
             const MultiPolygon mainland = test::randomPolygons(random, test::Shape::Convex, 80.0);
-            const auto exact = test::swathsBy(kExactMethod, mainland, machine, byObjective("swath-count"), {});
+            const auto exact =
+                test::swathsBy(kExactMethod, mainland, machine, byObjective("swath-count"), {});
             QVERIFY(exact.has_value());
             QVERIFY(exact->proved);
             // Worked out apart from the search: the least height over ten thousand directions.
@@ -182,14 +185,16 @@ private slots:
 
     void otherObjectivesAreNotCalledProved() {
         const MultiPolygon field{test::rectangle(100.0, 60.0)};
-        const auto byLength = test::swathsBy(kExactMethod, field, machineLibrary().front(), byObjective("swath-length"), {});
+        const auto byLength =
+            test::swathsBy(kExactMethod, field, machineLibrary().front(), byObjective("swath-length"), {});
         QVERIFY(byLength.has_value());
         QVERIFY(!byLength->proved);
     }
 
     void rectangleIsWorkedAlongItsLongSide() {
         const MultiPolygon field{test::rectangle(100.0, 60.0)};
-        const auto exact = test::swathsBy(kExactMethod, field, machineLibrary().front(), byObjective("swath-count"), {});
+        const auto exact =
+            test::swathsBy(kExactMethod, field, machineLibrary().front(), byObjective("swath-count"), {});
         QVERIFY(exact.has_value());
         // 60 m / 2.5 m
         QCOMPARE(exact->swaths.size(), std::size_t{24});
@@ -207,8 +212,8 @@ private slots:
             << std::sqrt(32.0);
         // Height on the hypotenuse of 3-4-5: 12/5.
         QTest::newRow("right triangle") << QList<QPointF>{{0, 0}, {4, 0}, {0, 3}} << 3 << 2.4 << 5.0;
-        QTest::newRow("rectangle aslant") << QList<QPointF>{{0, 0}, {6, 8}, {2, 11}, {-4, 3}} << 4 << 5.0
-                                          << std::sqrt(125.0);
+        QTest::newRow("rectangle aslant")
+            << QList<QPointF>{{0, 0}, {6, 8}, {2, 11}, {-4, 3}} << 4 << 5.0 << std::sqrt(125.0);
     }
     void hullAndItsWidth() {
         QFETCH(QList<QPointF>, points);
@@ -229,8 +234,8 @@ private slots:
     void stopsWhenAsked() {
         std::stop_source stop;
         stop.request_stop();
-        const auto set = test::swathsBy(kExactMethod, {test::rectangle(100.0, 60.0)}, machineLibrary().front(), {},
-                                          {.stop = stop.get_token()});
+        const auto set = test::swathsBy(kExactMethod, {test::rectangle(100.0, 60.0)},
+                                        machineLibrary().front(), {}, {.stop = stop.get_token()});
         QVERIFY(!set.has_value());
         QCOMPARE(set.error().code, ErrorCode::Cancelled);
     }

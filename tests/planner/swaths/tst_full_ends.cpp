@@ -110,20 +110,23 @@ private slots:
         COMPARE_WITHIN(area(*beyond).si(), 20.0 * kWidthM * moreM, 1e-3);
     }
 
-    // Sides at 45 degrees: 3 m more at each end. The uppermost swath, at 57 m, ends at 257 m, those below it 6 m
-    // before that each.
+    // Sides at 45 degrees: 3 m more at each end. The uppermost swath, at 57 m, ends at 257 m, those below it
+    // 6 m before that each.
     void noFartherThanThereIsRoom_data() {
         QTest::addColumn<double>("workingToX");
         QTest::addColumn<double>("drivingToX");
         QTest::addColumn<double>("turningM");
-        QTest::addColumn<double>("moreM");         // of the uppermost one
+        QTest::addColumn<double>("moreM");  // of the uppermost one
         QTest::addColumn<double>("outsideM2");
         const double far = 900.0;
-        // Of e metres that are added e (3 - e / 2) m² lie inside: e² / 2 below the edge and e wide from there.
+        // Of e metres that are added e (3 - e / 2) m² lie inside: e² / 2 below the edge and e wide from
+        // there.
         const auto outside = [](double more) { return more * kWidthM - more * (3.0 - 0.5 * more); };
         QTest::newRow("plenty") << far << far << 0.0 << 3.0 << 13.5;
-        QTest::newRow("the implement stays in the working region") << 258.5 << far << 0.0 << 1.5 << outside(1.5);
-        QTest::newRow("the nose stays in the driving region") << far << 257.0 + 5.5 + 1.0 << 0.0 << 1.0 << outside(1.0);
+        QTest::newRow("the implement stays in the working region")
+            << 258.5 << far << 0.0 << 1.5 << outside(1.5);
+        QTest::newRow("the nose stays in the driving region")
+            << far << 257.0 + 5.5 + 1.0 << 0.0 << 1.0 << outside(1.0);
         QTest::newRow("the nose just fits") << far << 257.0 + 5.5 + 3.0 << 0.0 << 3.0 << 13.5;
         QTest::newRow("no room for the nose") << far << 257.0 + 5.0 << 0.0 << 0.0 << 0.0;
         QTest::newRow("room for the turn") << far << 257.0 + 8.0 + 0.5 << 8.0 << 0.5 << outside(0.5);
@@ -140,7 +143,8 @@ private slots:
         const MultiPolygon driving{test::rectangle(drivingToX + 500.0, 1000.0, {-500.0, -500.0})};
         const SwathSet flat = test::swathsOf(mainland, kWidthM, 0.0);
         SwathSet full = flat;
-        drawOutEnds(full, mainland, {.working = working, .driving = driving, .turning = metres(turningM)}, machine());
+        drawOutEnds(full, mainland, {.working = working, .driving = driving, .turning = metres(turningM)},
+                    machine());
         const Swath& top = full.swaths.back();
         COMPARE_WITHIN(flat.swaths.back().end.x, 257.0, 1e-9);
         COMPARE_WITHIN(top.end.x, 257.0 + moreM, 1e-6);
@@ -154,9 +158,11 @@ private slots:
     // The edge bends within the swath's width: as far as its farther side reaches.
     void bentEdge() {
         // From (100, 0) up to (100, 3), from there at 45 degrees to (103, 6).
-        const MultiPolygon mainland{{.outer = {{0.0, 0.0}, {100.0, 0.0}, {100.0, 3.0}, {103.0, 6.0}, {0.0, 6.0}}, .holes = {}}};
+        const MultiPolygon mainland{
+            {.outer = {{0.0, 0.0}, {100.0, 0.0}, {100.0, 3.0}, {103.0, 6.0}, {0.0, 6.0}}, .holes = {}}};
         SwathSet set;
-        set.swaths = {{.start = {0.0, 2.5}, .end = {100.0, 2.5}, .number = 1, .track = 0, .width = metres(kWidthM)}};
+        set.swaths = {
+            {.start = {0.0, 2.5}, .end = {100.0, 2.5}, .number = 1, .track = 0, .width = metres(kWidthM)}};
         const MultiPolygon room = plenty();
         drawOutEnds(set, mainland, {.working = room, .driving = room, .turning = {}}, machine());
         // The strip reaches from -0.5 to 5.5 m, where the edge is at 102.5 m.
@@ -171,7 +177,8 @@ private slots:
         std::mt19937_64 random{kSeed};
         int drawn = 0;
         for (int i = 0; i < 60; ++i) {
-            const MultiPolygon field = test::randomPolygons(random, test::kShapes[static_cast<std::size_t>(i) % 5], 150.0);
+            const MultiPolygon field =
+                test::randomPolygons(random, test::kShapes[static_cast<std::size_t>(i) % 5], 150.0);
             const auto working = eroded(field, metres(0.5 * kWidthM), kArcTolerance, {});
             VERIFY_RESULT(working);
             const auto mainland = eroded(field, metres(2.0 * kWidthM), kArcTolerance, {});
@@ -189,14 +196,16 @@ private slots:
             for (std::size_t k = 0; k < flat.swaths.size(); ++k) {
                 const Swath& before = flat.swaths[k];
                 const Swath& after = full.swaths[k];
-                const QByteArray said = QStringLiteral("seed %1, field %2, swath %3").arg(kSeed).arg(i).arg(k).toUtf8();
+                const QByteArray said =
+                    QStringLiteral("seed %1, field %2, swath %3").arg(kSeed).arg(i).arg(k).toUtf8();
                 total += after.length().si();
                 const double backM = dot(before.start - after.start, along);
                 const double onM = dot(after.end - before.end, along);
                 VERIFY_TOLD(backM > -1e-9 && onM > -1e-9, said);
                 VERIFY_TOLD(std::abs(cross(along, after.start - before.start)) < 1e-9, said);
                 VERIFY_TOLD(std::abs(cross(along, after.end - before.end)) < 1e-9, said);
-                for (const auto& [from, to, more] : {std::tuple{before.end, after.end, onM}, {before.start, after.start, backM}}) {
+                for (const auto& [from, to, more] :
+                     {std::tuple{before.end, after.end, onM}, {before.start, after.start, backM}}) {
                     if (more < 0.01) {
                         continue;
                     }

@@ -30,14 +30,15 @@ Machine machineOf(double operatingWidthM) {
 
 using Given = std::initializer_list<std::pair<const Parameter*, std::string>>;
 
-Result<SwathSet> run(const Method<SwathGenerator>& method, const Field& field, double widthM, const Given& given,
-                     const JobContext& job = {}) {
+Result<SwathSet> run(const Method<SwathGenerator>& method, const Field& field, double widthM,
+                     const Given& given, const JobContext& job = {}) {
     Settings settings;
     for (const auto& [parameter, text] : given) {
         settings.setText(*parameter, text).value();
     }
     const Machine machine = machineOf(widthM);
-    return method.run({.field = field, .mainland = field.workable(), .machine = machine, .settings = settings}, job);
+    return method.run(
+        {.field = field, .mainland = field.workable(), .machine = machine, .settings = settings}, job);
 }
 
 /// WKT in WGS84 of points in the field's frame.
@@ -47,7 +48,8 @@ std::string wktOf(const Field& field, const std::vector<Point>& points) {
         const GeoPoint place = field.frame().toGeo(point);
         texts << QStringLiteral("%1 %2").arg(place.lonDeg, 0, 'f', 12).arg(place.latDeg, 0, 'f', 12);
     }
-    return (QLatin1String(points.size() == 1 ? "POINT (" : "LINESTRING (") + texts.join(", ") + ")").toStdString();
+    return (QLatin1String(points.size() == 1 ? "POINT (" : "LINESTRING (") + texts.join(", ") + ")")
+        .toStdString();
 }
 
 double between(Angle a, double deg) {
@@ -92,11 +94,14 @@ private slots:
         QTest::newRow("to the east") << rectangle << Point{-50.0, 7.3} << Point{50.0, 7.3} << 0.0;
         QTest::newRow("to the west") << rectangle << Point{50.0, 7.3} << Point{-50.0, 7.3} << 0.0;
         QTest::newRow("to the north") << rectangle << Point{11.1, -20.0} << Point{11.1, 20.0} << 90.0;
-        QTest::newRow("a 3-4-5 slope") << rectangle << Point{-40.0, -30.0} << Point{40.0, 30.0} << 36.8698976458440;
+        QTest::newRow("a 3-4-5 slope")
+            << rectangle << Point{-40.0, -30.0} << Point{40.0, 30.0} << 36.8698976458440;
         QTest::newRow("falling") << rectangle << Point{0.0, 20.0} << Point{10.0, 10.0} << 135.0;
-        QTest::newRow("points just far enough apart") << rectangle << Point{0.0, 0.0} << Point{1.2, 0.0} << 0.0;
+        QTest::newRow("points just far enough apart")
+            << rectangle << Point{0.0, 0.0} << Point{1.2, 0.0} << 0.0;
         QTest::newRow("triangle") << triangle << Point{-20.0, -10.0} << Point{0.0, 10.0} << 45.0;
-        QTest::newRow("points outside of the field") << rectangle << Point{-300.0, 13.0} << Point{-200.0, 13.0} << 0.0;
+        QTest::newRow("points outside of the field")
+            << rectangle << Point{-300.0, 13.0} << Point{-200.0, 13.0} << 0.0;
     }
     void aSwathLiesOnTheLine() {
         QFETCH(QString, wkt);
@@ -111,7 +116,8 @@ private slots:
         for (const char* lastPass : {"overlap", "spread", "gap"}) {
             const auto ab = run(kAbLineMethod, field, 6.0, {{&kLine, line}, {&kLastPass, lastPass}});
             VERIFY_RESULT(ab);
-            QVERIFY2(between(ab->heading, headingDeg) < 1e-3, qPrintable(QString::number(inDegrees(ab->heading))));
+            QVERIFY2(between(ab->heading, headingDeg) < 1e-3,
+                     qPrintable(QString::number(inDegrees(ab->heading))));
             const std::vector<double> tracks = tracksAcross(*ab, localA);
             QVERIFY2(nearestTo(tracks, 0.0) < 1e-3, lastPass);
             // B lies on it as well.
@@ -138,28 +144,39 @@ private slots:
         QTest::addColumn<QString>("overlap");
         QTest::addColumn<QList<double>>("tracks");
         // 44 m high at 6 m: centre lines from 3 to 41. The line at 10 m makes 4, 10 ... 40.
-        QTest::newRow("overlap on both sides") << 10.0 << "overlap" << "0" << QList<double>{3, 4, 10, 16, 22, 28, 34, 40, 41};
-        QTest::newRow("gap on both sides") << 10.0 << "gap" << "0" << QList<double>{4, 10, 16, 22, 28, 34, 40};
+        QTest::newRow("overlap on both sides")
+            << 10.0 << "overlap" << "0" << QList<double>{3, 4, 10, 16, 22, 28, 34, 40, 41};
+        QTest::newRow("gap on both sides")
+            << 10.0 << "gap" << "0" << QList<double>{4, 10, 16, 22, 28, 34, 40};
         // 7 m below in 2 steps, 31 m above in 6.
-        QTest::newRow("spread on both sides") << 10.0 << "spread" << "0"
-                                              << QList<double>{3, 6.5, 10, 10 + 31 / 6.0, 10 + 62 / 6.0, 25.5, 10 + 124 / 6.0,
-                                                               10 + 155 / 6.0, 41};
-        QTest::newRow("overlap, flush below") << 9.0 << "overlap" << "0" << QList<double>{3, 9, 15, 21, 27, 33, 39, 41};
+        QTest::newRow("spread on both sides")
+            << 10.0 << "spread" << "0"
+            << QList<double>{3, 6.5, 10, 10 + 31 / 6.0, 10 + 62 / 6.0, 25.5, 10 + 124 / 6.0, 10 + 155 / 6.0,
+                             41};
+        QTest::newRow("overlap, flush below")
+            << 9.0 << "overlap" << "0" << QList<double>{3, 9, 15, 21, 27, 33, 39, 41};
         QTest::newRow("gap, flush below") << 9.0 << "gap" << "0" << QList<double>{3, 9, 15, 21, 27, 33, 39};
-        QTest::newRow("spread, flush below") << 3.0 << "spread" << "0"
-                                             << QList<double>{3, 3 + 38 / 7.0, 3 + 76 / 7.0, 3 + 114 / 7.0, 3 + 152 / 7.0,
-                                                              3 + 190 / 7.0, 3 + 228 / 7.0, 41};
-        QTest::newRow("spread, flush above") << 41.0 << "spread" << "0"
-                                             << QList<double>{3, 3 + 38 / 7.0, 3 + 76 / 7.0, 3 + 114 / 7.0, 3 + 152 / 7.0,
-                                                              3 + 190 / 7.0, 3 + 228 / 7.0, 41};
-        QTest::newRow("overlap, flush above") << 41.0 << "overlap" << "0" << QList<double>{3, 5, 11, 17, 23, 29, 35, 41};
+        QTest::newRow("spread, flush below")
+            << 3.0 << "spread" << "0"
+            << QList<double>{
+                   3, 3 + 38 / 7.0, 3 + 76 / 7.0, 3 + 114 / 7.0, 3 + 152 / 7.0, 3 + 190 / 7.0, 3 + 228 / 7.0,
+                   41};
+        QTest::newRow("spread, flush above")
+            << 41.0 << "spread" << "0"
+            << QList<double>{
+                   3, 3 + 38 / 7.0, 3 + 76 / 7.0, 3 + 114 / 7.0, 3 + 152 / 7.0, 3 + 190 / 7.0, 3 + 228 / 7.0,
+                   41};
+        QTest::newRow("overlap, flush above")
+            << 41.0 << "overlap" << "0" << QList<double>{3, 5, 11, 17, 23, 29, 35, 41};
         QTest::newRow("gap, flush above") << 41.0 << "gap" << "0" << QList<double>{5, 11, 17, 23, 29, 35, 41};
-        QTest::newRow("gap, line below the field") << -2.0 << "gap" << "0" << QList<double>{4, 10, 16, 22, 28, 34, 40};
-        QTest::newRow("overlap, line above the field") << 52.0 << "overlap" << "0"
-                                                       << QList<double>{3, 4, 10, 16, 22, 28, 34, 40, 41};
-        QTest::newRow("gap, neighbours overlap") << 10.0 << "gap" << "1" << QList<double>{5, 10, 15, 20, 25, 30, 35, 40};
-        QTest::newRow("overlap, neighbours overlap") << 10.0 << "overlap" << "1"
-                                                     << QList<double>{3, 5, 10, 15, 20, 25, 30, 35, 40, 41};
+        QTest::newRow("gap, line below the field")
+            << -2.0 << "gap" << "0" << QList<double>{4, 10, 16, 22, 28, 34, 40};
+        QTest::newRow("overlap, line above the field")
+            << 52.0 << "overlap" << "0" << QList<double>{3, 4, 10, 16, 22, 28, 34, 40, 41};
+        QTest::newRow("gap, neighbours overlap")
+            << 10.0 << "gap" << "1" << QList<double>{5, 10, 15, 20, 25, 30, 35, 40};
+        QTest::newRow("overlap, neighbours overlap")
+            << 10.0 << "overlap" << "1" << QList<double>{3, 5, 10, 15, 20, 25, 30, 35, 40, 41};
     }
     void tracksByHand() {
         QFETCH(double, anchorY);
@@ -168,8 +185,9 @@ private slots:
         QFETCH(QList<double>, tracks);
         const Field field = fieldFrom({test::centredRectangle(100.0, 44.0)});
         const std::string line = wktOf(field, {{-10.0, anchorY - 22.0}, {10.0, anchorY - 22.0}});
-        const auto set = run(kAbLineMethod, field, 6.0,
-                             {{&kLine, line}, {&kLastPass, lastPass.toStdString()}, {&kOverlap, overlap.toStdString()}});
+        const auto set =
+            run(kAbLineMethod, field, 6.0,
+                {{&kLine, line}, {&kLastPass, lastPass.toStdString()}, {&kOverlap, overlap.toStdString()}});
         VERIFY_RESULT(set);
         const std::vector<double> found = tracksAcross(*set, {0.0, -22.0});
         QCOMPARE(found.size(), static_cast<std::size_t>(tracks.size()));
@@ -177,7 +195,8 @@ private slots:
             COMPARE_WITHIN(found[i], tracks[static_cast<qsizetype>(i)], 1e-3);
         }
         // What is left out: 1 m at either edge, or all of it covered.
-        const double uncoveredM = lastPass == "gap" ? std::max(0.0, tracks.front() - 3.0) + 41.0 - tracks.back() : 0.0;
+        const double uncoveredM =
+            lastPass == "gap" ? std::max(0.0, tracks.front() - 3.0) + 41.0 - tracks.back() : 0.0;
         COMPARE_WITHIN(set->coverage, 1.0 - uncoveredM / 44.0, 1e-4);
     }
 
@@ -191,18 +210,23 @@ private slots:
             const double widthM = test::uniform(random, 2.0, 12.0);
             const double headingDeg = test::uniform(random, 0.0, 180.0);
             const double anchorM = test::uniform(random, -0.8 * heightM, 0.8 * heightM);
-            const MultiPolygon mainland = test::moved({test::centredRectangle(120.0, heightM)}, degrees(headingDeg), {});
+            const MultiPolygon mainland =
+                test::moved({test::centredRectangle(120.0, heightM)}, degrees(headingDeg), {});
             const Point anchor = anchorM * direction((degrees(headingDeg + 90.0)).si());
             const double lowest = -0.5 * heightM + 0.5 * widthM;
             const double highest = -lowest;
             const bool inside = anchorM > lowest && anchorM < highest;
             for (const LastPass lastPass : {LastPass::Overlap, LastPass::Spread, LastPass::Gap}) {
-                const ScanLine scanLine{mainland,
-                                        {.width = metres(widthM), .overlap = {}, .lastPass = lastPass, .anchor = anchor}};
+                const ScanLine scanLine{
+                    mainland,
+                    {.width = metres(widthM), .overlap = {}, .lastPass = lastPass, .anchor = anchor}};
                 const SwathSet set = scanLine.swaths(degrees(headingDeg));
                 const std::vector<double> tracks = tracksAcross(set, {});
-                const QByteArray said = QStringLiteral("seed %1, field %2, last pass %3").arg(kSeed).arg(i)
-                                            .arg(static_cast<int>(lastPass)).toUtf8();
+                const QByteArray said = QStringLiteral("seed %1, field %2, last pass %3")
+                                            .arg(kSeed)
+                                            .arg(i)
+                                            .arg(static_cast<int>(lastPass))
+                                            .toUtf8();
                 VERIFY_TOLD(!tracks.empty(), said);
                 VERIFY_TOLD(!inside || nearestTo(tracks, anchorM) < 1e-6, said);
                 if (lastPass == LastPass::Gap) {
@@ -215,7 +239,9 @@ private slots:
                     continue;
                 }
                 VERIFY_TOLD(std::abs(set.coverage - 1.0) < 1e-6, said);
-                VERIFY_TOLD(std::abs(tracks.front() - lowest) < 1e-6 && std::abs(tracks.back() - highest) < 1e-6, said);
+                VERIFY_TOLD(
+                    std::abs(tracks.front() - lowest) < 1e-6 && std::abs(tracks.back() - highest) < 1e-6,
+                    said);
                 for (std::size_t k = 1; k < tracks.size(); ++k) {
                     const double step = tracks[k] - tracks[k - 1];
                     VERIFY_TOLD(step <= widthM + 1e-6, said);
@@ -246,7 +272,10 @@ private slots:
             const auto set = run(kEdgeMethod, field, 6.0, {{&kEdge, std::to_string(i)}});
             VERIFY_RESULT(set);
             QVERIFY2(between(set->heading, headings[i]) < 1e-2,
-                     qPrintable(QStringLiteral("edge %1: %2, not %3").arg(i).arg(inDegrees(set->heading)).arg(headings[i])));
+                     qPrintable(QStringLiteral("edge %1: %2, not %3")
+                                    .arg(i)
+                                    .arg(inDegrees(set->heading))
+                                    .arg(headings[i])));
         }
         const auto none = run(kEdgeMethod, field, 6.0, {{&kEdge, "8"}});
         QVERIFY(!none);
@@ -261,10 +290,13 @@ private slots:
         QTest::addColumn<ErrorCode>("code");
         QTest::newRow("AB without a line") << "ab-line" << "" << ErrorCode::Usage;
         QTest::newRow("AB with one point") << "ab-line" << "POINT (9.2 51.3)" << ErrorCode::Usage;
-        QTest::newRow("AB with three points") << "ab-line" << "LINESTRING (9.2 51.3, 9.3 51.3, 9.4 51.3)" << ErrorCode::Usage;
+        QTest::newRow("AB with three points")
+            << "ab-line" << "LINESTRING (9.2 51.3, 9.3 51.3, 9.4 51.3)" << ErrorCode::Usage;
         // A millionth of a degree of latitude is 0.11 m.
-        QTest::newRow("AB of 0.9 m") << "ab-line" << "LINESTRING (9.2 51.3, 9.2 51.300008)" << ErrorCode::InputRefused;
-        QTest::newRow("AB of nothing") << "ab-line" << "LINESTRING (9.2 51.3, 9.2 51.3)" << ErrorCode::InputRefused;
+        QTest::newRow("AB of 0.9 m") << "ab-line" << "LINESTRING (9.2 51.3, 9.2 51.300008)"
+                                     << ErrorCode::InputRefused;
+        QTest::newRow("AB of nothing")
+            << "ab-line" << "LINESTRING (9.2 51.3, 9.2 51.3)" << ErrorCode::InputRefused;
         QTest::newRow("A+ without a point") << "a-plus" << "" << ErrorCode::Usage;
     }
     void refuses() {
@@ -272,7 +304,8 @@ private slots:
         QFETCH(QString, line);
         QFETCH(ErrorCode, code);
         const Field field = fieldFrom({test::centredRectangle(100.0, 44.0)});
-        const auto set = run(method == "ab-line" ? kAbLineMethod : kAPlusMethod, field, 6.0, {{&kLine, line.toStdString()}});
+        const auto set = run(method == "ab-line" ? kAbLineMethod : kAPlusMethod, field, 6.0,
+                             {{&kLine, line.toStdString()}});
         QVERIFY(!set);
         QCOMPARE(set.error().code, code);
         QCOMPARE(set.error().where, std::string{"swaths.line"});
@@ -290,16 +323,19 @@ private slots:
 
     void oksanenFindsTheLongSide_data() {
         QTest::addColumn<double>("turnedDeg");
-        for (const double deg : {0.0, 7.0, 20.0, 33.3, 45.0, 59.0, 77.7, 90.0, 101.0, 120.0, 149.5, 165.0, 179.6}) {
+        for (const double deg :
+             {0.0, 7.0, 20.0, 33.3, 45.0, 59.0, 77.7, 90.0, 101.0, 120.0, 149.5, 165.0, 179.6}) {
             QTest::addRow("turned by %g degrees", deg) << deg;
         }
     }
     void oksanenFindsTheLongSide() {
         QFETCH(double, turnedDeg);
-        const Field field = fieldFrom(test::moved({test::centredRectangle(300.0, 90.0)}, degrees(turnedDeg), {}));
+        const Field field =
+            fieldFrom(test::moved({test::centredRectangle(300.0, 90.0)}, degrees(turnedDeg), {}));
         const auto set = run(kOksanenMethod, field, 3.0, {{&kObjective, "swath-count"}});
         VERIFY_RESULT(set);
-        QVERIFY2(between(set->heading, turnedDeg) <= 1.0, qPrintable(QString::number(inDegrees(set->heading))));
+        QVERIFY2(between(set->heading, turnedDeg) <= 1.0,
+                 qPrintable(QString::number(inDegrees(set->heading))));
         // Six at first, then at most two for each of three in five rounds.
         QVERIFY(set->headingsTried > 6 && set->headingsTried <= 36);
         QVERIFY(!set->proved);

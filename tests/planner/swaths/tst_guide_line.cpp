@@ -1,7 +1,7 @@
 #include "planner/geometry/curve_parts.h"
+#include "planner/geometry/curve_sampling.h"
 #include "planner/swaths/guide_curve.h"
 #include "planner/swaths/guide_line.h"
-#include "planner/geometry/curve_sampling.h"
 #include "tests/support/field_generator.h"
 #include "tests/support/result_check.h"
 
@@ -88,7 +88,8 @@ private slots:
         COMPARE_WITHIN(distance(line.end().position, {0.0, 200.0}), 0.0, 1e-4);
     }
 
-    // Inside of a right angle every parallel has the same arc, 10 m to the west and to the north; outside they grow.
+    // Inside of a right angle every parallel has the same arc, 10 m to the west and to the north; outside
+    // they grow.
     void parallelsOfARightAngle() {
         const auto guide = guideCurve(kRightAngle, metres(6.0), metres(0.0), "swaths.line");
         VERIFY_RESULT(guide);
@@ -105,8 +106,8 @@ private slots:
         COMPARE_WITHIN(1.0 / drivable(outside.front()).pieces[1].curvature.si(), 16.0, 1e-6);
     }
 
-    // Inside of the hairpin a bend of 5 m is tighter than 6 m: each leg ends where it begins. Nothing is left from the
-    // middle on.
+    // Inside of the hairpin a bend of 5 m is tighter than 6 m: each leg ends where it begins. Nothing is left
+    // from the middle on.
     void hairpinsAreCutInTwo() {
         const ParallelLines parallels{hairpin()};
         const auto followed = parallels.at(19.0, metres(6.0));
@@ -120,7 +121,8 @@ private slots:
         COMPARE_WITHIN(distance(drivable(cut[0]).end().position, {0.0, 20.0}), 0.0, 1e-6);
         COMPARE_WITHIN(distance(cut[1].start.position, {0.0, 30.0}), 0.0, 1e-6);
         QVERIFY(parallels.at(25.5, metres(6.0)).empty());
-        COMPARE_WITHIN(1.0 / sharpestBend(drivable(parallels.at(-20.0, metres(6.0)).front())).si(), 45.0, 1e-6);
+        COMPARE_WITHIN(1.0 / sharpestBend(drivable(parallels.at(-20.0, metres(6.0)).front())).si(), 45.0,
+                       1e-6);
     }
 
     void leftIsPositive() {
@@ -151,8 +153,10 @@ private slots:
         QTest::addColumn<ErrorCode>("code");
         QTest::newRow("one point") << QList<double>{5.0, 5.0} << ErrorCode::Usage;
         QTest::newRow("one point twice") << QList<double>{5.0, 5.0, 5.0, 5.001} << ErrorCode::Usage;
-        QTest::newRow("an eight") << QList<double>{0.0, 0.0, 100.0, 100.0, 100.0, 0.0, 0.0, 100.0} << ErrorCode::InputRefused;
-        QTest::newRow("there and back") << QList<double>{0.0, 0.0, 100.0, 0.0, 0.0, 1.0} << ErrorCode::InputRefused;
+        QTest::newRow("an eight") << QList<double>{0.0, 0.0, 100.0, 100.0, 100.0, 0.0, 0.0, 100.0}
+                                  << ErrorCode::InputRefused;
+        QTest::newRow("there and back")
+            << QList<double>{0.0, 0.0, 100.0, 0.0, 0.0, 1.0} << ErrorCode::InputRefused;
     }
     void refusesCurvesThatCannotBeFollowed() {
         QFETCH(QList<double>, coordinates);
@@ -167,8 +171,9 @@ private slots:
         QCOMPARE(guide.error().where, std::string{"swaths.line"});
     }
 
-    // Over random curves, zigzags among them: no bend tighter than the radius, no point of a parallel nearer to the
-    // curve than its distance, and no two parallels that are whole nearer to each other than the difference.
+    // Over random curves, zigzags among them: no bend tighter than the radius, no point of a parallel nearer
+    // to the curve than its distance, and no two parallels that are whole nearer to each other than the
+    // difference.
     void parallelsKeepTheirDistance() {
         constexpr double kRadiusM = 6.0;
         constexpr double kSpacingM = 3.0;
@@ -192,7 +197,8 @@ private slots:
                 Polyline here;
                 for (const GuideLine& line : lines) {
                     const Curve way = drivable(line);
-                    const QByteArray told = "round " + QByteArray::number(round) + ", parallel " + QByteArray::number(k);
+                    const QByteArray told =
+                        "round " + QByteArray::number(round) + ", parallel " + QByteArray::number(k);
                     VERIFY_TOLD(sharpestBend(way).si() <= (1.0 + 1e-5) / kRadiusM, told);
                     for (const CurveSample& sample : sampled(way, metres(0.004))) {
                         const Point point = sample.pose.position;

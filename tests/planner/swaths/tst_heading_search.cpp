@@ -49,13 +49,20 @@ private slots:
         QTest::addColumn<int>("tried");
         // 100 m x 50 m at 2.5 m: 20 along, 40 across, more at every angle between.
         const QString rectangle = QStringLiteral("POLYGON((0 0, 100 0, 100 50, 0 50, 0 0))");
-        QTest::newRow("fewest lie along the long side") << rectangle << 0.0 << "swath-count" << "1" << 0.0 << 20 << 180;
-        QTest::newRow("long side to the north") << rectangle << 90.0 << "swath-count" << "1" << 90.0 << 20 << 180;
-        QTest::newRow("turned by 30 degrees") << rectangle << 30.0 << "swath-count" << "1" << 30.0 << 20 << 180;
-        QTest::newRow("turned by 179 degrees") << rectangle << 179.0 << "swath-count" << "1" << 179.0 << 20 << 180;
-        QTest::newRow("turned by half a step more") << rectangle << 30.5 << "swath-count" << "0.5" << 30.5 << 20 << 360;
-        QTest::newRow("steps that do not divide half a circle") << rectangle << 14.0 << "swath-count" << "7" << 14.0 << 20 << 26;
-        // 100 m x 51 m: along, 21 swaths of 100 m; across, 40 of 51 m, which also cover all of it with less way.
+        QTest::newRow("fewest lie along the long side")
+            << rectangle << 0.0 << "swath-count" << "1" << 0.0 << 20 << 180;
+        QTest::newRow("long side to the north")
+            << rectangle << 90.0 << "swath-count" << "1" << 90.0 << 20 << 180;
+        QTest::newRow("turned by 30 degrees")
+            << rectangle << 30.0 << "swath-count" << "1" << 30.0 << 20 << 180;
+        QTest::newRow("turned by 179 degrees")
+            << rectangle << 179.0 << "swath-count" << "1" << 179.0 << 20 << 180;
+        QTest::newRow("turned by half a step more")
+            << rectangle << 30.5 << "swath-count" << "0.5" << 30.5 << 20 << 360;
+        QTest::newRow("steps that do not divide half a circle")
+            << rectangle << 14.0 << "swath-count" << "7" << 14.0 << 20 << 26;
+        // 100 m x 51 m: along, 21 swaths of 100 m; across, 40 of 51 m, which also cover all of it with less
+        // way.
         QTest::newRow("best coverage with the least way lies across")
             << "POLYGON((0 0, 100 0, 100 51, 0 51, 0 0))" << 37.0 << "coverage" << "1" << 127.0 << 40 << 180;
         // The paper: best coverage lies along or across an edge. A right triangle, 50 m high at 10 m: along
@@ -71,8 +78,10 @@ private slots:
         QFETCH(double, headingDeg);
         QFETCH(int, count);
         QFETCH(int, tried);
-        const MultiPolygon mainland = test::moved(test::polygonsFromWkt(wkt.toStdString()), degrees(turnedDeg), {300.0, -200.0});
-        const Settings settings = settingsOf({{&kObjective, objective.toStdString()}, {&kStep, stepDeg.toStdString()}});
+        const MultiPolygon mainland =
+            test::moved(test::polygonsFromWkt(wkt.toStdString()), degrees(turnedDeg), {300.0, -200.0});
+        const Settings settings =
+            settingsOf({{&kObjective, objective.toStdString()}, {&kStep, stepDeg.toStdString()}});
         const auto set = test::swathsBy(kBruteForceMethod, mainland, machineOf(2.5), settings, {});
         VERIFY_RESULT(set);
         COMPARE_WITHIN(between(set->heading, degrees(headingDeg)), 0.0, 1e-9);
@@ -87,7 +96,8 @@ private slots:
         constexpr std::uint64_t kSeed = 99;
         std::mt19937_64 random{kSeed};
         for (int i = 0; i < 60; ++i) {
-            const MultiPolygon mainland = test::randomPolygons(random, test::kShapes[static_cast<std::size_t>(i) % 5], 80.0);
+            const MultiPolygon mainland =
+                test::randomPolygons(random, test::kShapes[static_cast<std::size_t>(i) % 5], 80.0);
             for (const auto& [id, objective] : {std::pair{"swath-count", SwathObjective::Count},
                                                 {"swath-length", SwathObjective::Length},
                                                 {"coverage", SwathObjective::Coverage},
@@ -98,7 +108,11 @@ private slots:
                 const ScanLine scanLine{mainland, {.width = metres(6.0), .overlap = {}}};
                 for (int k = 0; k < 36; ++k) {
                     const HeadingFigures other = scanLine.figures(degrees(5.0 * k), objective);
-                    const QByteArray told = QStringLiteral("seed %1, field %2, %3").arg(kSeed).arg(i).arg(QLatin1String(id)).toUtf8();
+                    const QByteArray told = QStringLiteral("seed %1, field %2, %3")
+                                                .arg(kSeed)
+                                                .arg(i)
+                                                .arg(QLatin1String(id))
+                                                .toUtf8();
                     switch (objective) {
                         case SwathObjective::Count:
                             VERIFY_TOLD(other.count >= static_cast<int>(found->swaths.size()), told);
@@ -106,7 +120,8 @@ private slots:
                         case SwathObjective::Length:
                             // At equal coverage: what is missed comes on top.
                             VERIFY_TOLD((other.length + other.missed).si() >=
-                                            found->totalLength.si() + (1.0 - found->coverage) * area(mainland).si() / 6.0 - 1e-4,
+                                            found->totalLength.si() +
+                                                (1.0 - found->coverage) * area(mainland).si() / 6.0 - 1e-4,
                                         told);
                             break;
                         case SwathObjective::Coverage:
@@ -132,7 +147,8 @@ private slots:
         QFETCH(int, threads);
         const JobContext job{.stop = {}, .progress = {}, .threads = threads};
         const ScanLine square{{test::centredRectangle(50.0, 50.0)}, {.width = metres(2.5), .overlap = {}}};
-        for (const SwathObjective objective : {SwathObjective::Count, SwathObjective::Length, SwathObjective::Coverage}) {
+        for (const SwathObjective objective :
+             {SwathObjective::Count, SwathObjective::Length, SwathObjective::Coverage}) {
             const std::array eastFirst{degrees(45.0), degrees(0.0), degrees(90.0), degrees(180.0)};
             const auto east = bestHeading(square, eastFirst, objective, job);
             VERIFY_RESULT(east);
@@ -151,14 +167,16 @@ private slots:
         QTest::addColumn<HeadingFigures>("better");
         QTest::addColumn<HeadingFigures>("worse");
         const auto figures = [](int count, double length, double coverage) {
-            return HeadingFigures{.count = count, .length = metres(length), .coverage = coverage, .overlap = {}};
+            return HeadingFigures{
+                .count = count, .length = metres(length), .coverage = coverage, .overlap = {}};
         };
         const int count = static_cast<int>(SwathObjective::Count);
         const int length = static_cast<int>(SwathObjective::Length);
         const int coverage = static_cast<int>(SwathObjective::Coverage);
         QTest::newRow("fewer") << count << figures(3, 500, 0.8) << figures(4, 100, 1.0);
         QTest::newRow("as many, more covered") << count << figures(3, 500, 0.9) << figures(3, 100, 0.8);
-        QTest::newRow("as many, as much covered, shorter") << count << figures(3, 100, 0.9) << figures(3, 101, 0.9);
+        QTest::newRow("as many, as much covered, shorter")
+            << count << figures(3, 100, 0.9) << figures(3, 101, 0.9);
         QTest::newRow("shorter") << length << figures(9, 100, 0.8) << figures(3, 101, 1.0);
         QTest::newRow("as short, more covered") << length << figures(9, 100, 0.9) << figures(3, 100, 0.8);
         QTest::newRow("more covered") << coverage << figures(9, 900, 0.9) << figures(3, 100, 0.8);
@@ -176,18 +194,20 @@ private slots:
         QVERIFY(!isBetter(by, better, better));
     }
 
-    // 31.2 m hold twelve widths and 1.2 m: along, 1200 m leave 1.2 m to miss; across, 40 swaths of 31.2 m cover all of
-    // it with 1248 m. Less is no better where it leaves something out.
+    // 31.2 m hold twelve widths and 1.2 m: along, 1200 m leave 1.2 m to miss; across, 40 swaths of 31.2 m
+    // cover all of it with 1248 m. Less is no better where it leaves something out.
     void lengthsAreComparedAtEqualCoverage() {
-        const Settings settings = settingsOf({{&kObjective, "swath-length"}, {&kStep, "90"}, {&kLastPass, "gap"}, {&kPreferEdge, "0"}});
-        const auto set = test::swathsBy(kBruteForceMethod, {test::rectangle(100.0, 31.2)}, machineOf(2.5), settings, {});
+        const Settings settings = settingsOf(
+            {{&kObjective, "swath-length"}, {&kStep, "90"}, {&kLastPass, "gap"}, {&kPreferEdge, "0"}});
+        const auto set =
+            test::swathsBy(kBruteForceMethod, {test::rectangle(100.0, 31.2)}, machineOf(2.5), settings, {});
         VERIFY_RESULT(set);
         COMPARE_WITHIN(inDegrees(set->heading), 90.0, 1e-9);
         COMPARE_WITHIN(set->coverage, 1.0, 1e-9);
     }
 
-    // The last swath of `gap`: from half a width on it is laid, over the edge where there is room beyond it, and otherwise
-    // beside its neighbour; less is left.
+    // The last swath of `gap`: from half a width on it is laid, over the edge where there is room beyond it,
+    // and otherwise beside its neighbour; less is left.
     void theRestOfAGap_data() {
         QTest::addColumn<double>("heightM");
         QTest::addColumn<bool>("hasRoom");
@@ -206,7 +226,11 @@ private slots:
         QFETCH(int, count);
         QFETCH(double, uncoveredM);
         const ScanLine scanLine{{test::rectangle(100.0, heightM)},
-                                {.width = metres(2.5), .overlap = {}, .lastPass = LastPass::Gap, .anchor = {}, .overEdge = hasRoom}};
+                                {.width = metres(2.5),
+                                 .overlap = {},
+                                 .lastPass = LastPass::Gap,
+                                 .anchor = {},
+                                 .overEdge = hasRoom}};
         const SwathSet set = scanLine.swaths(degrees(0.0));
         QCOMPARE(static_cast<int>(set.swaths.size()), count);
         COMPARE_WITHIN(set.coverage, 1.0 - uncoveredM / heightM, 1e-9);
@@ -217,10 +241,14 @@ private slots:
         }
     }
 
-    // An AB line 1 m above the lower edge's first lane: below it there is 1 m, which is left, above 2 m, which is not.
+    // An AB line 1 m above the lower edge's first lane: below it there is 1 m, which is left, above 2 m,
+    // which is not.
     void theRestsBesideALine() {
         const ScanLine scanLine{{test::rectangle(100.0, 25.0 + 3.0)},
-                                {.width = metres(2.5), .overlap = {}, .lastPass = LastPass::Gap, .anchor = Point{0.0, 1.0 + 1.25}}};
+                                {.width = metres(2.5),
+                                 .overlap = {},
+                                 .lastPass = LastPass::Gap,
+                                 .anchor = Point{0.0, 1.0 + 1.25}}};
         const SwathSet set = scanLine.swaths(degrees(0.0));
         QCOMPARE(set.swaths.size(), std::size_t{11});
         COMPARE_WITHIN(set.swaths.front().start.y, 2.25, 1e-9);
@@ -244,10 +272,11 @@ private slots:
         QFETCH(QString, method);
         QFETCH(QString, angleDeg);
         QFETCH(double, headingDeg);
-        const MultiPolygon mainland =
-            test::moved(test::polygonsFromWkt("POLYGON((0 0, 60 0, 30 40, 0 0))"), degrees(25.0), {10.0, 20.0});
+        const MultiPolygon mainland = test::moved(test::polygonsFromWkt("POLYGON((0 0, 60 0, 30 40, 0 0))"),
+                                                  degrees(25.0), {10.0, 20.0});
         const auto& chosen = method == "fixed" ? kFixedHeadingMethod : kLongestEdgeMethod;
-        const auto set = test::swathsBy(chosen, mainland, machineOf(2.5), settingsOf({{&kAngle, angleDeg.toStdString()}}), {});
+        const auto set = test::swathsBy(chosen, mainland, machineOf(2.5),
+                                        settingsOf({{&kAngle, angleDeg.toStdString()}}), {});
         VERIFY_RESULT(set);
         COMPARE_WITHIN(inDegrees(set->heading), headingDeg, 1e-9);
     }
@@ -279,7 +308,8 @@ private slots:
         QFETCH(QString, overlap);
         QFETCH(double, fieldM);
         QFETCH(QString, where);
-        const MultiPolygon mainland = fieldM > 0.0 ? MultiPolygon{test::rectangle(fieldM, fieldM)} : MultiPolygon{};
+        const MultiPolygon mainland =
+            fieldM > 0.0 ? MultiPolygon{test::rectangle(fieldM, fieldM)} : MultiPolygon{};
         const Settings settings = settingsOf({{&kOverlap, overlap.toStdString()}});
         for (const auto* method : {&kBruteForceMethod, &kFixedHeadingMethod, &kLongestEdgeMethod}) {
             const auto set = test::swathsBy(*method, mainland, machineOf(widthM), settings, {});
@@ -295,8 +325,9 @@ private slots:
         stop.request_stop();
         for (const int threads : {1, 4}) {
             for (const auto* method : {&kBruteForceMethod, &kFixedHeadingMethod, &kLongestEdgeMethod}) {
-                const auto set = test::swathsBy(*method, {test::rectangle(100.0, 50.0)}, machineOf(2.5), {},
-                                             {.stop = stop.get_token(), .progress = {}, .threads = threads});
+                const auto set =
+                    test::swathsBy(*method, {test::rectangle(100.0, 50.0)}, machineOf(2.5), {},
+                                   {.stop = stop.get_token(), .progress = {}, .threads = threads});
                 QVERIFY(!set);
                 QCOMPARE(set.error().code, ErrorCode::Cancelled);
             }

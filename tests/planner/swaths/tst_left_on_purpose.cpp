@@ -13,13 +13,18 @@ namespace {
 
 using Given = std::initializer_list<std::pair<const Parameter*, std::string>>;
 
-Result<SwathSet> run(const Method<SwathGenerator>& method, const MultiPolygon& mainland, const Given& given, const GuideData& guides = {}) {
+Result<SwathSet> run(const Method<SwathGenerator>& method, const MultiPolygon& mainland, const Given& given,
+                     const GuideData& guides = {}) {
     Settings settings;
     for (const auto& [parameter, text] : given) {
         settings.setText(*parameter, text).value();
     }
-    return method.run(
-        {.field = test::anyField(), .mainland = mainland, .machine = test::agbot(), .settings = settings, .guides = &guides}, {});
+    return method.run({.field = test::anyField(),
+                       .mainland = mainland,
+                       .machine = test::agbot(),
+                       .settings = settings,
+                       .guides = &guides},
+                      {});
 }
 
 GuideData rowsAt(std::initializer_list<double> northings, double fromX, double toX) {
@@ -55,14 +60,15 @@ private slots:
 
     void otherLastPassesLeaveNothing() {
         for (const char* lastPass : {"overlap", "spread"}) {
-            const auto set = run(kFixedHeadingMethod, {test::rectangle(100.0, 31.0)}, {{&kLastPass, lastPass}});
+            const auto set =
+                run(kFixedHeadingMethod, {test::rectangle(100.0, 31.0)}, {{&kLastPass, lastPass}});
             VERIFY_RESULT(set);
             QVERIFY(set->leftOnPurpose.empty());
         }
     }
 
-    // Rows 4 m apart, between which a robot of 2.5 m drives: 1.5 m stays beside each row, and what is beyond its lanes
-    // at both edges: from 0 to 2.75 and from 17.25 to 20 m.
+    // Rows 4 m apart, between which a robot of 2.5 m drives: 1.5 m stays beside each row, and what is beyond
+    // its lanes at both edges: from 0 to 2.75 and from 17.25 to 20 m.
     void alleysOfRows() {
         const auto set = run(kRowsMethod, {test::rectangle(80.0, 20.0)}, {{&kRowsAt, "between"}},
                              rowsAt({2.0, 6.0, 10.0, 14.0, 18.0}, -10.0, 100.0));
@@ -72,14 +78,15 @@ private slots:
         COMPARE_WITHIN(area(set->leftOnPurpose).si(), 80.0 * (20.0 - 4.0 * 2.5), 1e-3);
     }
 
-    // A row that ends 30 m inside: its lane goes on, what lies ahead of it is not left on purpose. A notch from above
-    // ends the lane of the upper row: what lies behind it is nobody's lane.
+    // A row that ends 30 m inside: its lane goes on, what lies ahead of it is not left on purpose. A notch
+    // from above ends the lane of the upper row: what lies behind it is nobody's lane.
     void lanesGoOnUntilTheyLeaveTheMainland() {
         const auto set = run(kRowsMethod, {test::rectangle(80.0, 20.0)}, {}, rowsAt({5.0, 15.0}, 0.0, 50.0));
         VERIFY_RESULT(set);
         COMPARE_WITHIN(area(set->leftOnPurpose).si(), 80.0 * 15.0, 1e-3);
         const MultiPolygon notched{
-            {.outer = {{0, 0}, {80, 0}, {80, 20}, {70, 20}, {70, 10}, {60, 10}, {60, 20}, {0, 20}}, .holes = {}}};
+            {.outer = {{0, 0}, {80, 0}, {80, 20}, {70, 20}, {70, 10}, {60, 10}, {60, 20}, {0, 20}},
+             .holes = {}}};
         const auto cut = run(kRowsMethod, notched, {}, rowsAt({5.0, 15.0}, 0.0, 50.0));
         VERIFY_RESULT(cut);
         COMPARE_WITHIN(area(cut->leftOnPurpose).si(), 80.0 * 20.0 - 100.0 - 80.0 * 2.5 - 60.0 * 2.5, 1e-3);
@@ -87,14 +94,16 @@ private slots:
 
     // Skipped rows stay with their lanes.
     void skippedRows() {
-        const auto set = run(kRowsMethod, {test::rectangle(80.0, 20.0)}, {{&kSkipRows, "2"}}, rowsAt({5.0, 10.0, 15.0}, -5.0, 90.0));
+        const auto set = run(kRowsMethod, {test::rectangle(80.0, 20.0)}, {{&kSkipRows, "2"}},
+                             rowsAt({5.0, 10.0, 15.0}, -5.0, 90.0));
         VERIFY_RESULT(set);
         COMPARE_WITHIN(area(set->leftOnPurpose).si(), 80.0 * 15.0, 1e-3);
     }
 
     void noRowIsLeft() {
         const MultiPolygon mainland{test::rectangle(80.0, 20.0)};
-        const auto allSkipped = run(kRowsMethod, mainland, {{&kSkipRows, "1,2"}}, rowsAt({5.0, 10.0}, -5.0, 90.0));
+        const auto allSkipped =
+            run(kRowsMethod, mainland, {{&kSkipRows, "1,2"}}, rowsAt({5.0, 10.0}, -5.0, 90.0));
         QVERIFY(!allSkipped);
         QCOMPARE(allSkipped.error().where.text(), std::string{kSkipRows.key});
         const auto elsewhere = run(kRowsMethod, mainland, {}, rowsAt({500.0, 505.0}, -5.0, 90.0));
@@ -110,7 +119,10 @@ private slots:
         const MultiPolygon mainland{{.outer = {at(0, 0), at(100, 0), at(100, 31), at(0, 31)}, .holes = {}}};
         const auto geo = [&](Point point) {
             const GeoPoint place = field.frame().toGeo(point);
-            return QStringLiteral("%1 %2").arg(place.lonDeg, 0, 'f', 12).arg(place.latDeg, 0, 'f', 12).toStdString();
+            return QStringLiteral("%1 %2")
+                .arg(place.lonDeg, 0, 'f', 12)
+                .arg(place.latDeg, 0, 'f', 12)
+                .toStdString();
         };
         // One lane lies on 4.6 m, so that they reach from 0.85 m to 29.6 + 1.25 m.
         const std::string line = "LINESTRING (" + geo(at(-10, 4.6)) + ", " + geo(at(110, 4.6)) + ")";

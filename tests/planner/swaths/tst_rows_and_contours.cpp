@@ -16,12 +16,18 @@ namespace {
 
 using Given = std::initializer_list<std::pair<const Parameter*, std::string>>;
 
-Result<SwathSet> run(const Method<SwathGenerator>& method, const MultiPolygon& mainland, const GuideData& guides, const Given& given) {
+Result<SwathSet> run(const Method<SwathGenerator>& method, const MultiPolygon& mainland,
+                     const GuideData& guides, const Given& given) {
     Settings settings;
     for (const auto& [parameter, text] : given) {
         settings.setText(*parameter, text).value();
     }
-    return method.run({.field = test::anyField(), .mainland = mainland, .machine = test::agbot(), .settings = settings, .guides = &guides}, {});
+    return method.run({.field = test::anyField(),
+                       .mainland = mainland,
+                       .machine = test::agbot(),
+                       .settings = settings,
+                       .guides = &guides},
+                      {});
 }
 
 /// Six rows 3 m apart along x, from y = 0 to 15 and the fifth and sixth 6 m farther: a track lies between.
@@ -45,11 +51,15 @@ std::multiset<double> northings(const SwathSet& set) {
 }
 
 ElevationGrid gridOf(Bounds box, double cellM, const std::function<double(Point)>& height) {
-    ElevationGrid grid{.origin = box.min, .cellM = cellM, .columns = static_cast<std::size_t>(box.width() / cellM) + 2,
-                       .rows = static_cast<std::size_t>(box.height() / cellM) + 2, .heightsM = {}};
+    ElevationGrid grid{.origin = box.min,
+                       .cellM = cellM,
+                       .columns = static_cast<std::size_t>(box.width() / cellM) + 2,
+                       .rows = static_cast<std::size_t>(box.height() / cellM) + 2,
+                       .heightsM = {}};
     for (std::size_t row = 0; row < grid.rows; ++row) {
         for (std::size_t column = 0; column < grid.columns; ++column) {
-            grid.heightsM.push_back(height(grid.origin + cellM * Point{static_cast<double>(column), static_cast<double>(row)}));
+            grid.heightsM.push_back(
+                height(grid.origin + cellM * Point{static_cast<double>(column), static_cast<double>(row)}));
         }
     }
     return grid;
@@ -69,7 +79,8 @@ private slots:
         QTest::newRow("on them, but for two") << "on" << "2,5" << QList<double>{0, 6, 9, 21};
         // The track between the fourth and the fifth is no place to drive between two rows.
         QTest::newRow("between them") << "between" << "" << QList<double>{1.5, 4.5, 7.5, 19.5};
-        QTest::newRow("between them, not left of the second") << "between" << "2" << QList<double>{1.5, 7.5, 19.5};
+        QTest::newRow("between them, not left of the second")
+            << "between" << "2" << QList<double>{1.5, 7.5, 19.5};
     }
     void rowsAreDriven() {
         QFETCH(QString, at);
@@ -102,7 +113,8 @@ private slots:
 
     // On a cone the line of height h is a circle of radius 100 - h, uphill to its left: counter-clockwise.
     void contoursOfACone() {
-        const ElevationGrid cone = gridOf({{-60.0, -60.0}, {60.0, 60.0}}, 1.0, [](Point p) { return 100.0 - norm(p); });
+        const ElevationGrid cone =
+            gridOf({{-60.0, -60.0}, {60.0, 60.0}}, 1.0, [](Point p) { return 100.0 - norm(p); });
         const auto lines = contourLines(cone, 60.0);
         QCOMPARE(lines.size(), std::size_t{1});
         QCOMPARE(lines.front().front(), lines.front().back());
@@ -116,19 +128,22 @@ private slots:
 
     // On a plane every contour is a straight line; a saddle has two.
     void contoursOfAPlaneAndASaddle() {
-        const ElevationGrid plane = gridOf({{-50.0, -50.0}, {50.0, 50.0}}, 2.0, [](Point p) { return 0.1 * p.y; });
+        const ElevationGrid plane =
+            gridOf({{-50.0, -50.0}, {50.0, 50.0}}, 2.0, [](Point p) { return 0.1 * p.y; });
         const auto level = contourLines(plane, 0.11);
         QCOMPARE(level.size(), std::size_t{1});
         for (const Point& point : level.front()) {
             COMPARE_WITHIN(point.y, 1.1, 1e-9);
         }
         QVERIFY(level.front().front().x < level.front().back().x);
-        const ElevationGrid saddle = gridOf({{-50.0, -50.0}, {50.0, 50.0}}, 2.0, [](Point p) { return p.x * p.y; });
+        const ElevationGrid saddle =
+            gridOf({{-50.0, -50.0}, {50.0, 50.0}}, 2.0, [](Point p) { return p.x * p.y; });
         QCOMPARE(contourLines(saddle, 1.0).size(), std::size_t{2});
     }
 
     void unknownHeightsStayUnknown() {
-        ElevationGrid grid = gridOf({{0.0, 0.0}, {40.0, 40.0}}, 1.0, [](Point p) { return p.x < 10.0 ? std::nan("") : 5.0; });
+        ElevationGrid grid =
+            gridOf({{0.0, 0.0}, {40.0, 40.0}}, 1.0, [](Point p) { return p.x < 10.0 ? std::nan("") : 5.0; });
         const ElevationGrid even = smoothed(grid, metres(4.0));
         for (std::size_t i = 0; i < grid.heightsM.size(); ++i) {
             QCOMPARE(std::isfinite(even.heightsM[i]), std::isfinite(grid.heightsM[i]));
@@ -138,10 +153,12 @@ private slots:
         }
     }
 
-    // On a plane all of them are straight, level, and an operating width apart; on the slope of a cone they bend with it.
+    // On a plane all of them are straight, level, and an operating width apart; on the slope of a cone they
+    // bend with it.
     void swathsFollowTheContours() {
         GuideData guides;
-        guides.elevation = gridOf({{-210.0, -110.0}, {210.0, 110.0}}, 5.0, [](Point p) { return 0.05 * (p.y + 0.2 * p.x); });
+        guides.elevation =
+            gridOf({{-210.0, -110.0}, {210.0, 110.0}}, 5.0, [](Point p) { return 0.05 * (p.y + 0.2 * p.x); });
         const MultiPolygon mainland{test::centredRectangle(400.0, 200.0)};
         const auto plane = run(kContourMethod, mainland, guides, {});
         VERIFY_RESULT(plane);
@@ -149,19 +166,22 @@ private slots:
         QVERIFY2(plane->coverage > 0.99, qPrintable(QString::number(plane->coverage)));
         QVERIFY2(plane->overlap < 0.02 * area(mainland), qPrintable(QString::number(plane->overlap.si())));
 
-        guides.elevation = gridOf({{-210.0, -110.0}, {210.0, 110.0}}, 5.0, [](Point p) { return -0.05 * distance(p, {0.0, -600.0}); });
+        guides.elevation = gridOf({{-210.0, -110.0}, {210.0, 110.0}}, 5.0,
+                                  [](Point p) { return -0.05 * distance(p, {0.0, -600.0}); });
         const auto cone = run(kContourMethod, mainland, guides, {});
         VERIFY_RESULT(cone);
         QVERIFY2(cone->coverage > 0.985, qPrintable(QString::number(cone->coverage)));
         QVERIFY2(cone->overlap < 0.03 * area(mainland), qPrintable(QString::number(cone->overlap.si())));
         for (const Swath& swath : cone->swaths) {
             // Swaths run within 1 m of one height: 5 cm for each metre of the slope.
-            const double ends = std::abs(distance(swath.start, {0.0, -600.0}) - distance(swath.end, {0.0, -600.0}));
+            const double ends =
+                std::abs(distance(swath.start, {0.0, -600.0}) - distance(swath.end, {0.0, -600.0}));
             QVERIFY2(ends < 2.0 * 2.5, qPrintable(QString::number(ends)));
         }
     }
 
-    // Two slopes that meet in a hollow: no one family of lines follows both, and still nothing is left between them.
+    // Two slopes that meet in a hollow: no one family of lines follows both, and still nothing is left
+    // between them.
     void hollowsGetContoursOfTheirOwn() {
         GuideData guides;
         guides.elevation = gridOf({{-210.0, -160.0}, {210.0, 160.0}}, 5.0,

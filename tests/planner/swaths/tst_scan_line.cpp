@@ -34,7 +34,8 @@ public:
         const auto count = static_cast<unsigned>(points.size() + (close ? 1 : 0));
         GEOSCoordSequence* made = GEOSCoordSeq_create_r(context(), count, 2);
         for (unsigned i = 0; i < count; ++i) {
-            GEOSCoordSeq_setXY_r(context(), made, i, points[i % points.size()].x, points[i % points.size()].y);
+            GEOSCoordSeq_setXY_r(context(), made, i, points[i % points.size()].x,
+                                 points[i % points.size()].y);
         }
         return made;
     }
@@ -43,8 +44,9 @@ public:
         for (const Ring& hole : polygon.holes) {
             holes.push_back(GEOSGeom_createLinearRing_r(context(), sequence(hole, true)));
         }
-        return Geometry{GEOSGeom_createPolygon_r(context(), GEOSGeom_createLinearRing_r(context(), sequence(polygon.outer, true)),
-                                                 holes.data(), static_cast<unsigned>(holes.size()))};
+        return Geometry{GEOSGeom_createPolygon_r(
+            context(), GEOSGeom_createLinearRing_r(context(), sequence(polygon.outer, true)), holes.data(),
+            static_cast<unsigned>(holes.size()))};
     }
     static Geometry line(Point from, Point to) {
         return Geometry{GEOSGeom_createLineString_r(context(), sequence({from, to}, false))};
@@ -106,7 +108,8 @@ OracleFigures measured(const Oracle::Geometry& mainland, double mainlandM2, doub
     OracleFigures figures;
     std::vector<OracleSwath> swaths;
     for (const double y : tracks) {
-        const auto cut = Oracle::both(Oracle::line(at(headingRad, -farM, y), at(headingRad, farM, y)), mainland);
+        const auto cut =
+            Oracle::both(Oracle::line(at(headingRad, -farM, y), at(headingRad, farM, y)), mainland);
         for (int i = 0; i < GEOSGetNumGeometries_r(Oracle::context(), cut.get()); ++i) {
             const GEOSGeometry* part = GEOSGetGeometryN_r(Oracle::context(), cut.get(), i);
             const double lengthM = Oracle::length(part);
@@ -126,8 +129,9 @@ OracleFigures measured(const Oracle::Geometry& mainland, double mainlandM2, doub
     }
     const auto box = [&](const OracleSwath& swath) {
         const Point half = at(headingRad, 0.0, 0.5 * widthM);
-        return Oracle::polygon({.outer = {swath.start - half, swath.end - half, swath.end + half, swath.start + half},
-                                .holes = {}});
+        return Oracle::polygon(
+            {.outer = {swath.start - half, swath.end - half, swath.end + half, swath.start + half},
+             .holes = {}});
     };
     std::vector<Oracle::Geometry> boxes;
     std::vector<Oracle::Geometry> twice;
@@ -143,7 +147,8 @@ OracleFigures measured(const Oracle::Geometry& mainland, double mainlandM2, doub
         }
     }
     if (!boxes.empty()) {
-        figures.coverage = Oracle::area(Oracle::both(Oracle::unionOf(std::move(boxes)), mainland)) / mainlandM2;
+        figures.coverage =
+            Oracle::area(Oracle::both(Oracle::unionOf(std::move(boxes)), mainland)) / mainlandM2;
     }
     if (!twice.empty()) {
         figures.overlapM2 = Oracle::area(Oracle::both(Oracle::unionOf(std::move(twice)), mainland));
@@ -173,58 +178,65 @@ private slots:
         QTest::addColumn<double>("overlapM2");
         const QString exact = QStringLiteral("POLYGON((0 0, 100 0, 100 50, 0 50, 0 0))");
         const QString odd = QStringLiteral("POLYGON((0 0, 100 0, 100 51, 0 51, 0 0))");
-        QTest::newRow("rectangle that fits") << exact << 0.0 << 2.5 << 0.0 << false << 20 << 2000.0 << 1.0 << 0.0;
-        QTest::newRow("rectangle that fits, across") << exact << 90.0 << 2.5 << 0.0 << false << 40 << 2000.0 << 1.0 << 0.0;
-        QTest::newRow("rectangle that fits, backwards") << exact << 180.0 << 2.5 << 0.0 << false << 20 << 2000.0 << 1.0 << 0.0;
+        QTest::newRow("rectangle that fits")
+            << exact << 0.0 << 2.5 << 0.0 << false << 20 << 2000.0 << 1.0 << 0.0;
+        QTest::newRow("rectangle that fits, across")
+            << exact << 90.0 << 2.5 << 0.0 << false << 40 << 2000.0 << 1.0 << 0.0;
+        QTest::newRow("rectangle that fits, backwards")
+            << exact << 180.0 << 2.5 << 0.0 << false << 20 << 2000.0 << 1.0 << 0.0;
         // 21 x 2.5 m = 52.5 m on 51 m.
-        QTest::newRow("a metre too high: the last one overlaps") << odd << 0.0 << 2.5 << 0.0 << false << 21 << 2100.0 << 1.0
-                                                                 << 150.0;
-        QTest::newRow("a metre too high: spread over all") << odd << 0.0 << 2.5 << 0.0 << true << 21 << 2100.0 << 1.0 << 150.0;
+        QTest::newRow("a metre too high: the last one overlaps")
+            << odd << 0.0 << 2.5 << 0.0 << false << 21 << 2100.0 << 1.0 << 150.0;
+        QTest::newRow("a metre too high: spread over all")
+            << odd << 0.0 << 2.5 << 0.0 << true << 21 << 2100.0 << 1.0 << 150.0;
         QTest::newRow("a fraction of a millimetre too high counts")
-            << "POLYGON((0 0, 100 0, 100 50.0005, 0 50.0005, 0 0))" << 0.0 << 2.5 << 0.0 << false << 21 << 2100.0 << 1.0
-            << 249.95;
+            << "POLYGON((0 0, 100 0, 100 50.0005, 0 50.0005, 0 0))" << 0.0 << 2.5 << 0.0 << false << 21
+            << 2100.0 << 1.0 << 249.95;
         // Every 2 m: 23 gaps of 2 m and a last one of 1.5 m; 25 x 2.5 m = 62.5 m on 50 m.
-        QTest::newRow("neighbours overlap") << exact << 0.0 << 2.5 << 0.5 << false << 25 << 2500.0 << 1.0 << 1250.0;
+        QTest::newRow("neighbours overlap")
+            << exact << 0.0 << 2.5 << 0.5 << false << 25 << 2500.0 << 1.0 << 1250.0;
         // Section 100 - 2 y; centre lines at 5, 15 ... 45. Each strip misses 5 m x 10 m / 2 above its line.
-        QTest::newRow("triangle") << "POLYGON((0 0, 100 0, 0 50, 0 0))" << 0.0 << 10.0 << 0.0 << false << 5 << 250.0 << 0.95
-                                  << 0.0;
+        QTest::newRow("triangle") << "POLYGON((0 0, 100 0, 0 50, 0 0))" << 0.0 << 10.0 << 0.0 << false << 5
+                                  << 250.0 << 0.95 << 0.0;
         // Section 100 - y: 95 + 85 + 75 + 65; each of four strips misses 5 m x 5 m / 2.
-        QTest::newRow("trapezoid") << "POLYGON((0 0, 100 0, 80 40, 20 40, 0 0))" << 0.0 << 10.0 << 0.0 << false << 4 << 320.0
-                                   << 1.0 - 50.0 / 3200.0 << 0.0;
+        QTest::newRow("trapezoid") << "POLYGON((0 0, 100 0, 80 40, 20 40, 0 0))" << 0.0 << 10.0 << 0.0
+                                   << false << 4 << 320.0 << 1.0 - 50.0 / 3200.0 << 0.0;
         QTest::newRow("rectangular hole")
-            << "POLYGON((0 0, 100 0, 100 50, 0 50, 0 0), (40 20, 40 30, 60 30, 60 20, 40 20))" << 0.0 << 5.0 << 0.0 << false
-            << 12 << 8.0 * 100.0 + 4.0 * 40.0 << 1.0 << 0.0;
+            << "POLYGON((0 0, 100 0, 100 50, 0 50, 0 0), (40 20, 40 30, 60 30, 60 20, 40 20))" << 0.0 << 5.0
+            << 0.0 << false << 12 << 8.0 * 100.0 + 4.0 * 40.0 << 1.0 << 0.0;
         // The hole's upper half of 5 m lies in a strip whose centre line runs below it at 17.5: that strip
         // covers through the hole, which is not mainland.
         QTest::newRow("hole between two centre lines")
-            << "POLYGON((0 0, 100 0, 100 50, 0 50, 0 0), (40 18, 40 22, 60 22, 60 18, 40 18))" << 0.0 << 5.0 << 0.0 << false
-            << 10 << 1000.0 << 1.0 << 0.0;
+            << "POLYGON((0 0, 100 0, 100 50, 0 50, 0 0), (40 18, 40 22, 60 22, 60 18, 40 18))" << 0.0 << 5.0
+            << 0.0 << false << 10 << 1000.0 << 1.0 << 0.0;
         // One centre line at y = 22.5 meets the hole from 21 to 24: 20 m of its strip of 5 m less the hole
         // of 3 m is covered by nobody.
         QTest::newRow("hole smaller than its strip")
-            << "POLYGON((0 0, 100 0, 100 50, 0 50, 0 0), (40 21, 40 24, 60 24, 60 21, 40 21))" << 0.0 << 5.0 << 0.0 << false
-            << 11 << 980.0 << 1.0 - 40.0 / 4940.0 << 0.0;
-        QTest::newRow("L shape") << "POLYGON((0 0, 100 0, 100 20, 40 20, 40 50, 0 50, 0 0))" << 0.0 << 10.0 << 0.0 << false << 5
-                                 << 320.0 << 1.0 << 0.0;
-        QTest::newRow("L shape across") << "POLYGON((0 0, 100 0, 100 20, 40 20, 40 50, 0 50, 0 0))" << 90.0 << 10.0 << 0.0
-                                        << false << 10 << 320.0 << 1.0 << 0.0;
+            << "POLYGON((0 0, 100 0, 100 50, 0 50, 0 0), (40 21, 40 24, 60 24, 60 21, 40 21))" << 0.0 << 5.0
+            << 0.0 << false << 11 << 980.0 << 1.0 - 40.0 / 4940.0 << 0.0;
+        QTest::newRow("L shape") << "POLYGON((0 0, 100 0, 100 20, 40 20, 40 50, 0 50, 0 0))" << 0.0 << 10.0
+                                 << 0.0 << false << 5 << 320.0 << 1.0 << 0.0;
+        QTest::newRow("L shape across") << "POLYGON((0 0, 100 0, 100 20, 40 20, 40 50, 0 50, 0 0))" << 90.0
+                                        << 10.0 << 0.0 << false << 10 << 320.0 << 1.0 << 0.0;
         QTest::newRow("two parts beside each other share their tracks")
-            << "MULTIPOLYGON(((0 0, 40 0, 40 10, 0 10, 0 0)), ((60 0, 100 0, 100 10, 60 10, 60 0)))" << 0.0 << 5.0 << 0.0
-            << false << 4 << 160.0 << 1.0 << 0.0;
+            << "MULTIPOLYGON(((0 0, 40 0, 40 10, 0 10, 0 0)), ((60 0, 100 0, 100 10, 60 10, 60 0)))" << 0.0
+            << 5.0 << 0.0 << false << 4 << 160.0 << 1.0 << 0.0;
         QTest::newRow("tracks between two parts have no swath")
-            << "MULTIPOLYGON(((0 0, 100 0, 100 10, 0 10, 0 0)), ((0 30, 100 30, 100 40, 0 40, 0 30)))" << 0.0 << 5.0 << 0.0
-            << false << 4 << 400.0 << 1.0 << 0.0;
-        QTest::newRow("narrower than a swath") << "POLYGON((0 0, 100 0, 100 2, 0 2, 0 0))" << 0.0 << 2.5 << 0.0 << false << 1
-                                               << 100.0 << 1.0 << 0.0;
-        QTest::newRow("exactly one swath") << "POLYGON((0 0, 100 0, 100 2.5, 0 2.5, 0 0))" << 0.0 << 2.5 << 0.0 << false << 1
-                                           << 100.0 << 1.0 << 0.0;
+            << "MULTIPOLYGON(((0 0, 100 0, 100 10, 0 10, 0 0)), ((0 30, 100 30, 100 40, 0 40, 0 30)))" << 0.0
+            << 5.0 << 0.0 << false << 4 << 400.0 << 1.0 << 0.0;
+        QTest::newRow("narrower than a swath") << "POLYGON((0 0, 100 0, 100 2, 0 2, 0 0))" << 0.0 << 2.5
+                                               << 0.0 << false << 1 << 100.0 << 1.0 << 0.0;
+        QTest::newRow("exactly one swath") << "POLYGON((0 0, 100 0, 100 2.5, 0 2.5, 0 0))" << 0.0 << 2.5
+                                           << 0.0 << false << 1 << 100.0 << 1.0 << 0.0;
         // Three on 5.1 m: centre lines 1.25, 2.55, 3.85 when spread: every pair overlaps, nothing thrice.
-        QTest::newRow("three swaths spread over two widths") << "POLYGON((0 0, 100 0, 100 5.1, 0 5.1, 0 0))" << 0.0 << 2.5 << 0.0
-                                                             << true << 3 << 300.0 << 1.0 << 240.0;
+        QTest::newRow("three swaths spread over two widths")
+            << "POLYGON((0 0, 100 0, 100 5.1, 0 5.1, 0 0))" << 0.0 << 2.5 << 0.0 << true << 3 << 300.0 << 1.0
+            << 240.0;
         // A step of 0.5 m: five swaths reach over each place in the middle, but land counts once.
         // Height 5 m: centre lines 1.25, 1.75 ... 3.75; all but the outer 0.5 m on both sides twice or more.
-        QTest::newRow("places covered five times count once") << "POLYGON((0 0, 100 0, 100 5, 0 5, 0 0))" << 0.0 << 2.5 << 2.0
-                                                              << false << 6 << 600.0 << 1.0 << 400.0;
+        QTest::newRow("places covered five times count once")
+            << "POLYGON((0 0, 100 0, 100 5, 0 5, 0 0))" << 0.0 << 2.5 << 2.0 << false << 6 << 600.0 << 1.0
+            << 400.0;
     }
     void byHand() {
         QFETCH(QString, wkt);
@@ -239,9 +251,12 @@ private slots:
         // The same wherever the field lies and however it is turned.
         for (const double turnDeg : {0.0, 30.0, 137.0}) {
             for (const Point by : {Point{}, Point{1234.5, -987.6}}) {
-                const MultiPolygon mainland = test::moved(polygonsFromWkt(wkt.toStdString()), degrees(turnDeg), by);
-                const ScanLine scanLine{mainland, spacing(widthM, overlapM, spread ? LastPass::Spread : LastPass::Overlap)};
-                const HeadingFigures figures = scanLine.figures(degrees(headingDeg + turnDeg), SwathObjective::Coverage);
+                const MultiPolygon mainland =
+                    test::moved(polygonsFromWkt(wkt.toStdString()), degrees(turnDeg), by);
+                const ScanLine scanLine{
+                    mainland, spacing(widthM, overlapM, spread ? LastPass::Spread : LastPass::Overlap)};
+                const HeadingFigures figures =
+                    scanLine.figures(degrees(headingDeg + turnDeg), SwathObjective::Coverage);
                 QCOMPARE(figures.count, count);
                 COMPARE_WITHIN(figures.length.si(), lengthM, 1e-6);
                 COMPARE_WITHIN(figures.coverage, coverage, 1e-9);
@@ -256,14 +271,16 @@ private slots:
     }
 
     void swathsLieWhereTheyShould() {
-        const ScanLine scanLine{polygonsFromWkt("POLYGON((0 0, 100 0, 100 50, 0 50, 0 0), (40 20, 40 30, 60 30, 60 20, 40 20))"),
-                                spacing(5.0)};
+        const ScanLine scanLine{
+            polygonsFromWkt("POLYGON((0 0, 100 0, 100 50, 0 50, 0 0), (40 20, 40 30, 60 30, 60 20, 40 20))"),
+            spacing(5.0)};
         const SwathSet set = scanLine.swaths(degrees(0.0), SwathObjective::Coverage);
         QCOMPARE(set.swaths.size(), std::size_t{12});
         const auto check = [&](std::size_t i, Point start, Point end, int track) {
             const Swath& swath = set.swaths[i];
-            return distance(swath.start, start) < 1e-9 && distance(swath.end, end) < 1e-9 && swath.track == track &&
-                   swath.number == static_cast<int>(i) + 1 && swath.width == metres(5.0);
+            return distance(swath.start, start) < 1e-9 && distance(swath.end, end) < 1e-9 &&
+                   swath.track == track && swath.number == static_cast<int>(i) + 1 &&
+                   swath.width == metres(5.0);
         };
         QVERIFY(check(0, {0, 2.5}, {100, 2.5}, 0));
         QVERIFY(check(3, {0, 17.5}, {100, 17.5}, 3));
@@ -290,10 +307,12 @@ private slots:
     void theMovedSwathLiesOnTheBetterSide_data() {
         QTest::addColumn<QString>("wkt");
         QTest::addColumn<bool>("movedAtTheTop");
-        // A leg of 10 m width rises from the middle of a wide base: moving the swath at its top costs 1 m x 10 m.
-        QTest::newRow("narrow at the top") << "POLYGON((0 0, 100 0, 100 25, 60 25, 60 51, 50 51, 50 25, 0 25, 0 0))" << true;
-        QTest::newRow("narrow at the bottom") << "POLYGON((0 51, 0 26, 50 26, 50 0, 60 0, 60 26, 100 26, 100 51, 0 51))"
-                                              << false;
+        // A leg of 10 m width rises from the middle of a wide base: moving the swath at its top costs 1 m x
+        // 10 m.
+        QTest::newRow("narrow at the top")
+            << "POLYGON((0 0, 100 0, 100 25, 60 25, 60 51, 50 51, 50 25, 0 25, 0 0))" << true;
+        QTest::newRow("narrow at the bottom")
+            << "POLYGON((0 51, 0 26, 50 26, 50 0, 60 0, 60 26, 100 26, 100 51, 0 51))" << false;
     }
     void theMovedSwathLiesOnTheBetterSide() {
         QFETCH(QString, wkt);
@@ -327,7 +346,8 @@ private slots:
         QTest::addColumn<bool>("spread");
         for (const test::Shape shape : test::kShapes) {
             for (const bool spread : {false, true}) {
-                QTest::addRow("%s, last pass %s", test::shapeName(shape).data(), spread ? "spread" : "overlaps")
+                QTest::addRow("%s, last pass %s", test::shapeName(shape).data(),
+                              spread ? "spread" : "overlaps")
                     << static_cast<int>(shape) << spread;
             }
         }
@@ -340,7 +360,8 @@ private slots:
         std::mt19937_64 random{seed};
         for (int i = 0; i < kFields; ++i) {
             const double radiusM = test::uniform(random, 20.0, 200.0);
-            const MultiPolygon polygons = test::randomPolygons(random, static_cast<test::Shape>(shape), radiusM);
+            const MultiPolygon polygons =
+                test::randomPolygons(random, static_cast<test::Shape>(shape), radiusM);
             const double widthM = test::uniform(random, 0.04, 0.6) * radiusM;
             const double overlapM = random() % 2 == 0 ? 0.0 : test::uniform(random, 0.0, 0.7) * widthM;
             const double heading = test::uniform(random, 0.0, kPi);
@@ -351,7 +372,8 @@ private slots:
                                         .arg(overlapM, 0, 'g', 17)
                                         .arg(heading, 0, 'g', 17)
                                         .toUtf8();
-            const ScanLine scanLine{polygons, spacing(widthM, overlapM, spread ? LastPass::Spread : LastPass::Overlap)};
+            const ScanLine scanLine{polygons,
+                                    spacing(widthM, overlapM, spread ? LastPass::Spread : LastPass::Overlap)};
             const HeadingFigures ours = scanLine.figures(radians(heading), SwathObjective::Coverage);
 
             // Centre lines as a farmer would lay them out.
@@ -387,17 +409,22 @@ private slots:
             const double mainlandM2 = Oracle::area(mainland);
             OracleFigures best = measured(mainland, mainlandM2, heading, layouts[0], widthM, 5000.0);
             if (layouts.size() > 1) {
-                const OracleFigures other = measured(mainland, mainlandM2, heading, layouts[1], widthM, 5000.0);
+                const OracleFigures other =
+                    measured(mainland, mainlandM2, heading, layouts[1], widthM, 5000.0);
                 if (other.coverage > best.coverage + 1e-10 ||
                     (other.coverage > best.coverage - 1e-10 && other.overlapM2 < best.overlapM2)) {
                     best = other;
                 }
             }
-            VERIFY_TOLD(ours.count == best.count, told + QByteArray::number(ours.count) + " " + QByteArray::number(best.count));
-            VERIFY_TOLD(std::abs(ours.length.si() - best.lengthM) < 1e-6, told + QByteArray::number(ours.length.si() - best.lengthM));
-            VERIFY_TOLD(std::abs(ours.coverage - best.coverage) < 1e-9, told + QByteArray::number(ours.coverage - best.coverage));
-            VERIFY_TOLD(std::abs(ours.overlap.si() - best.overlapM2) < 1e-6 * std::max(1.0, mainlandM2 * 1e-3),
-                        told + QByteArray::number(ours.overlap.si() - best.overlapM2));
+            VERIFY_TOLD(ours.count == best.count,
+                        told + QByteArray::number(ours.count) + " " + QByteArray::number(best.count));
+            VERIFY_TOLD(std::abs(ours.length.si() - best.lengthM) < 1e-6,
+                        told + QByteArray::number(ours.length.si() - best.lengthM));
+            VERIFY_TOLD(std::abs(ours.coverage - best.coverage) < 1e-9,
+                        told + QByteArray::number(ours.coverage - best.coverage));
+            VERIFY_TOLD(
+                std::abs(ours.overlap.si() - best.overlapM2) < 1e-6 * std::max(1.0, mainlandM2 * 1e-3),
+                told + QByteArray::number(ours.overlap.si() - best.overlapM2));
 
             // Swaths: inside, in order, and the figures are theirs.
             const SwathSet set = scanLine.swaths(radians(heading), SwathObjective::Coverage);
@@ -407,7 +434,9 @@ private slots:
             for (std::size_t k = 0; k < set.swaths.size(); ++k) {
                 const Swath& swath = set.swaths[k];
                 lengthM += swath.length().si();
-                VERIFY_TOLD(GEOSCovers_r(Oracle::context(), grown.get(), Oracle::line(swath.start, swath.end).get()) == 1, told);
+                VERIFY_TOLD(GEOSCovers_r(Oracle::context(), grown.get(),
+                                         Oracle::line(swath.start, swath.end).get()) == 1,
+                            told);
                 VERIFY_TOLD(swath.number == static_cast<int>(k) + 1, told);
                 VERIFY_TOLD(k == 0 || swath.track >= set.swaths[k - 1].track, told);
                 VERIFY_TOLD(dot(swath.end - swath.start, direction(heading)) > 0.0, told);

@@ -12,14 +12,16 @@ class ShortSwathsTest : public QObject {
 private slots:
     void autoIsTheImplementsLength() {
         Settings settings;
-        COMPARE_WITHIN(minSwathLength(settings, test::agbot()).si(), test::agbot().spec().implement.length.si(), 0.0);
+        COMPARE_WITHIN(minSwathLength(settings, test::agbot()).si(),
+                       test::agbot().spec().implement.length.si(), 0.0);
         settings.setText(kMinLength, "3.5").value();
         COMPARE_WITHIN(minSwathLength(settings, test::agbot()).si(), 3.5, 0.0);
     }
 
     // Four swaths of 100 m and, on a step of 0.5 m, one of that length: it goes, and with it 1.25 m².
     void aShortSwathIsLeftOut() {
-        const MultiPolygon mainland{{.outer = {{0, 0}, {100, 0}, {100, 10}, {0.5, 10}, {0.5, 12.5}, {0, 12.5}}, .holes = {}}};
+        const MultiPolygon mainland{
+            {.outer = {{0, 0}, {100, 0}, {100, 10}, {0.5, 10}, {0.5, 12.5}, {0, 12.5}}, .holes = {}}};
         SwathSet set = test::swathsOf(mainland, 2.5, 0.0);
         QCOMPARE(set.swaths.size(), std::size_t{5});
         COMPARE_WITHIN(set.coverage, 1.0, 1e-9);

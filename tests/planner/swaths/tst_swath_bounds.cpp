@@ -1,6 +1,6 @@
 // How many swaths land can need at all: bounds from its height across the heading (its altitude, by which
-// Huang 2001, doi 10.1109/ROBOT.2001.932525, counts turns), its longest chord, its area and its boundary. None
-// of these is worked out by the planner.
+// Huang 2001, doi 10.1109/ROBOT.2001.932525, counts turns), its longest chord, its area and its boundary.
+// None of these is worked out by the planner.
 
 #include "planner/machine/machine_library.h"
 #include "planner/swaths/methods.h"
@@ -71,7 +71,8 @@ bool isConvexLand(const Polygon& polygon) {
 /// Every kind of generated land in one piece, then the real fields, parts one by one.
 std::vector<Land> allLand() {
     std::vector<Land> land;
-    for (const test::Shape shape : {test::Shape::Convex, test::Shape::Concave, test::Shape::Holes, test::Shape::Thin}) {
+    for (const test::Shape shape :
+         {test::Shape::Convex, test::Shape::Concave, test::Shape::Holes, test::Shape::Thin}) {
         std::mt19937_64 random{kSeed + static_cast<std::uint64_t>(shape)};
         for (int i = 0; i < 40; ++i) {
             land.push_back({QStringLiteral("%1, seed %2, field %3")
@@ -146,8 +147,9 @@ private slots:
                 const double steps = (heightM(land.polygon, headingRad) - widthM) / (widthM - overlapM);
                 const auto tracks = [&](double slack) {
                     // Left out is less than half a width.
-                    const double more = static_cast<LastPass>(lastPass) == LastPass::Gap ? std::floor(steps + 0.5 + slack)
-                                                                                         : std::ceil(steps + slack);
+                    const double more = static_cast<LastPass>(lastPass) == LastPass::Gap
+                                            ? std::floor(steps + 0.5 + slack)
+                                            : std::ceil(steps + slack);
                     return 1 + std::max(0, static_cast<int>(more));
                 };
                 const int count = scanLine.figures(radians(headingRad)).count;
@@ -173,7 +175,8 @@ private slots:
             const double areaM2 = area(land.polygon).si();
             for (int i = 0; i < 24; ++i) {
                 const HeadingFigures figures = scanLine.figures(radians(test::uniform(random, 0.0, kPi)));
-                const QByteArray told = land.name + QStringLiteral(", %1 m: %2 swaths").arg(widthM).arg(figures.count).toUtf8();
+                const QByteArray told =
+                    land.name + QStringLiteral(", %1 m: %2 swaths").arg(widthM).arg(figures.count).toUtf8();
                 VERIFY_TOLD(figures.count * widthM * chordM >= areaM2, told);
                 VERIFY_TOLD(figures.length.si() <= figures.count * chordM * (1.0 + kSlack), told);
                 if (isConvexLand(land.polygon)) {
@@ -183,16 +186,17 @@ private slots:
         }
     }
 
-    // Convex land of area A is nowhere narrower than it can be: its width is at most sqrt(sqrt(3) A) (Pál 1921;
-    // the equilateral triangle has just that), so that the fewest swaths grow with sqrt(A) / w, as the paper
-    // found of the time. From two widths on that is below A / w², what the paper's own tests ask for.
+    // Convex land of area A is nowhere narrower than it can be: its width is at most sqrt(sqrt(3) A) (Pál
+    // 1921; the equilateral triangle has just that), so that the fewest swaths grow with sqrt(A) / w, as the
+    // paper found of the time. From two widths on that is below A / w², what the paper's own tests ask for.
     void fewestByTheArea() {
         std::mt19937_64 random{kSeed + 2};
         for (const Land& land : convexLand()) {
             const double widthM = test::uniform(random, 1.0, 12.0);
             const double side = std::sqrt(area(land.polygon).si()) / widthM;
             const int fewest = fewestSwaths(land.polygon, widthM);
-            const QByteArray told = land.name + QStringLiteral(", %1 m: %2 swaths").arg(widthM).arg(fewest).toUtf8();
+            const QByteArray told =
+                land.name + QStringLiteral(", %1 m: %2 swaths").arg(widthM).arg(fewest).toUtf8();
             VERIFY_TOLD(fewest <= std::ceil(std::pow(3.0, 0.25) * side - kSlack), told);
             VERIFY_TOLD(side < 2.0 || fewest <= side * side, told);
             VERIFY_TOLD(fewest * widthM * longestChordM(land.polygon) >= area(land.polygon).si(), told);
@@ -201,15 +205,16 @@ private slots:
 
     void anEquilateralTriangleNeedsTheMost() {
         // 100 m high on each side; 40.5 swaths of it.
-        const Polygon triangle{.outer = {{0.0, 0.0}, {200.0 / std::sqrt(3.0), 0.0}, {100.0 / std::sqrt(3.0), 100.0}},
-                               .holes = {}};
+        const Polygon triangle{
+            .outer = {{0.0, 0.0}, {200.0 / std::sqrt(3.0), 0.0}, {100.0 / std::sqrt(3.0), 100.0}},
+            .holes = {}};
         const double widthM = 100.0 / 40.5;
         QCOMPARE(fewestSwaths(triangle, widthM), 41);
         COMPARE_WITHIN(std::pow(3.0, 0.25) * std::sqrt(area(triangle).si()) / widthM, 40.5, 1e-9);
     }
 
-    // Cauchy's formula: over all headings the mean height of convex land is its perimeter / pi. A whole number of
-    // swaths is less than one more than the height holds.
+    // Cauchy's formula: over all headings the mean height of convex land is its perimeter / pi. A whole
+    // number of swaths is less than one more than the height holds.
     void theMeanOverAllHeadingsByThePerimeter() {
         std::mt19937_64 random{kSeed + 3};
         constexpr int kHeadings = 720;
@@ -222,8 +227,10 @@ private slots:
             }
             const double mean = static_cast<double>(sum) / kHeadings;
             const double cauchy = perimeterM(land.polygon) / (kPi * widthM);
-            const QByteArray told = land.name + QStringLiteral(", %1 m: %2, %3").arg(widthM).arg(mean).arg(cauchy).toUtf8();
-            // The trapezium rule of a curve with bends is off by a hundred-thousandth at a quarter of a degree.
+            const QByteArray told =
+                land.name + QStringLiteral(", %1 m: %2, %3").arg(widthM).arg(mean).arg(cauchy).toUtf8();
+            // The trapezium rule of a curve with bends is off by a hundred-thousandth at a quarter of a
+            // degree.
             VERIFY_TOLD(mean >= cauchy * (1.0 - 1e-4), told);
             VERIFY_TOLD(mean <= cauchy * (1.0 + 1e-4) + 1.0, told);
         }

@@ -51,7 +51,8 @@ private slots:
         QTest::addColumn<QList<int>>("numbers");
         QTest::newRow("from the right") << "right" << QList<int>{1, 9, 17};
         QTest::newRow("from the left") << "left" << QList<int>{8, 16, 24};
-        // The sprayer's half, 12 m, ends between the fourth and the fifth from the left: 21 reaches beyond the edge.
+        // The sprayer's half, 12 m, ends between the fourth and the fifth from the left: 21 reaches beyond
+        // the edge.
         QTest::newRow("half way in") << "half" << QList<int>{5, 13, 21};
     }
     void everyEighth() {
@@ -75,8 +76,8 @@ private slots:
         QVERIFY(std::ranges::none_of(set.swaths, &Swath::tramline));
     }
 
-    // Next season the headland is wider and the boundary was surveyed again: the same AB line has its tramlines where
-    // they were, and whichever way it was drawn.
+    // Next season the headland is wider and the boundary was surveyed again: the same AB line has its
+    // tramlines where they were, and whichever way it was drawn.
     void anAbLineKeepsThemOverTheSeasons_data() {
         QTest::addColumn<QString>("start");
         QTest::addColumn<bool>("curve");
@@ -88,16 +89,25 @@ private slots:
     void anAbLineKeepsThemOverTheSeasons() {
         QFETCH(QString, start);
         QFETCH(bool, curve);
-        const Field field = Field::create(test::fieldSourceFromLocal({test::centredRectangle(300.0, 150.0)}, kCentre)).value();
+        const Field field =
+            Field::create(test::fieldSourceFromLocal({test::centredRectangle(300.0, 150.0)}, kCentre))
+                .value();
         const GeoPoint a = field.frame().toGeo(Point{-50.0, 3.0});
         const GeoPoint b = field.frame().toGeo(Point{60.0, 3.0});
-        const std::string line = QStringLiteral("LINESTRING (%1 %2, %3 %4)").arg(a.lonDeg, 0, 'f', 12).arg(a.latDeg, 0, 'f', 12)
-                                     .arg(b.lonDeg, 0, 'f', 12).arg(b.latDeg, 0, 'f', 12).toStdString();
-        const Settings settings = settingsOf({{&kLine, line}, {&kTramlineEvery, "4"}, {&kTramlineStart, start.toStdString()}});
+        const std::string line = QStringLiteral("LINESTRING (%1 %2, %3 %4)")
+                                     .arg(a.lonDeg, 0, 'f', 12)
+                                     .arg(a.latDeg, 0, 'f', 12)
+                                     .arg(b.lonDeg, 0, 'f', 12)
+                                     .arg(b.latDeg, 0, 'f', 12)
+                                     .toStdString();
+        const Settings settings =
+            settingsOf({{&kLine, line}, {&kTramlineEvery, "4"}, {&kTramlineStart, start.toStdString()}});
         const auto tramlines = [&](const MultiPolygon& mainland) {
             const Machine machine = drill(3.0);
-            const auto set = (curve ? kAbCurveMethod : kAbLineMethod)
-                                 .run({.field = field, .mainland = mainland, .machine = machine, .settings = settings}, {});
+            const auto set =
+                (curve ? kAbCurveMethod : kAbLineMethod)
+                    .run({.field = field, .mainland = mainland, .machine = machine, .settings = settings},
+                         {});
             SwathSet marked = set.value();
             markTramlines(marked, settings);
             return tramlinesAt(marked);
@@ -105,8 +115,9 @@ private slots:
         const std::set<long> first = tramlines({test::rectangle(280.0, 130.0, {-140.0, -65.0})});
         const std::set<long> second = tramlines({test::rectangle(270.0, 118.5, {-135.0, -58.2})});
         // On the line itself, or two widths beside it; 12 m apart. What is inside both is in both.
-        const std::set<long> wanted = start == "half" ? std::set<long>{-510, -390, -270, -150, -30, 90, 210, 330, 450, 570}
-                                                      : std::set<long>{-450, -330, -210, -90, 30, 150, 270, 390, 510};
+        const std::set<long> wanted =
+            start == "half" ? std::set<long>{-510, -390, -270, -150, -30, 90, 210, 330, 450, 570}
+                            : std::set<long>{-450, -330, -210, -90, 30, 150, 270, 390, 510};
         for (const long place : wanted) {
             QVERIFY2(first.contains(place), qPrintable(QString::number(place)));
             QVERIFY2(second.contains(place), qPrintable(QString::number(place)));

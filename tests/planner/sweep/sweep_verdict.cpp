@@ -231,7 +231,8 @@ SweepOutcome SweepBench::judged(const SweepChange& change, const Settings& setti
         if (tells(finding, change)) {
             outcome.verdict = std::max(outcome.verdict, SweepVerdict::Told);
         } else if (const auto had = standardKinds.find(std::string{kindId(finding)});
-                   had != standardKinds.end() && untold.at(std::string{kindId(finding)}) <= kAsMany * had->second) {
+                   had != standardKinds.end() &&
+                   untold.at(std::string{kindId(finding)}) <= kAsMany * had->second) {
             outcome.verdict = std::max(outcome.verdict, SweepVerdict::DefaultToo);
         } else if (outcome.verdict != SweepVerdict::Failed) {
             outcome.verdict = SweepVerdict::Failed;

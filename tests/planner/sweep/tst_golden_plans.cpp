@@ -1,5 +1,5 @@
-// Plans of ten fields as they were: what a change of the code moves, and by how much. Where plans are meant to change,
-// FURROW_WRITE_GOLDEN=1 writes them anew, and the difference of the file is part of that change.
+// Plans of ten fields as they were: what a change of the code moves, and by how much. Where plans are meant
+// to change, FURROW_WRITE_GOLDEN=1 writes them anew, and the difference of the file is part of that change.
 
 #include "planner/core/fingerprint.h"
 #include "planner/io/import/boundary_import.h"
@@ -43,7 +43,8 @@ constexpr GoldenCase kCases[] = {
 
 FieldSource sourceOf(const std::string& name, const Machine& machine) {
     const std::string path = FURROW_SOURCE_DIR "/resources/sample_fields/" + name + ".geojson";
-    return QFile::exists(QString::fromStdString(path)) ? readBoundaries(path).value().front() : test::sweepField(name, machine);
+    return QFile::exists(QString::fromStdString(path)) ? readBoundaries(path).value().front()
+                                                       : test::sweepField(name, machine);
 }
 
 /// Of where the path leads, in millimetres.
@@ -51,7 +52,8 @@ std::string pathMark(const Path& path) {
     std::string places;
     for (const PathSegment& segment : path.segments) {
         for (const PathSample& sample : segment.samples) {
-            places += std::format("{} {};", std::llround(1e3 * sample.position.x), std::llround(1e3 * sample.position.y));
+            places += std::format("{} {};", std::llround(1e3 * sample.position.x),
+                                  std::llround(1e3 * sample.position.y));
         }
     }
     return fingerprint(places);
@@ -59,9 +61,10 @@ std::string pathMark(const Path& path) {
 
 /// One line of the file, what people look at first.
 std::string figuresOf(const Plan& plan) {
-    return std::format("{} swaths\t{} segments\t{:.3f} m\t{:.2f} s\t{:.2f} m2 missed\t{} blocking\t{}", plan.swaths.swaths.size(),
-                       plan.path.segments.size(), plan.path.length().si(), plan.path.duration().si(),
-                       plan.audit.missed.value_or(Area{}).si(), plan.blockingCount(), pathMark(plan.path));
+    return std::format("{} swaths\t{} segments\t{:.3f} m\t{:.2f} s\t{:.2f} m2 missed\t{} blocking\t{}",
+                       plan.swaths.swaths.size(), plan.path.segments.size(), plan.path.length().si(),
+                       plan.path.duration().si(), plan.audit.missed.value_or(Area{}).si(),
+                       plan.blockingCount(), pathMark(plan.path));
 }
 
 std::map<QString, QString> golden() {
@@ -92,10 +95,10 @@ private slots:
         QFETCH(QString, field);
         QFETCH(QString, machine);
         const Machine driven = findMachine(machine.toStdString()).value();
-        const auto plan = makePlan(
-            {.field = std::make_shared<const Field>(Field::create(sourceOf(field.toStdString(), driven)).value()),
-             .machine = driven,
-             .settings = {}});
+        const auto plan = makePlan({.field = std::make_shared<const Field>(
+                                        Field::create(sourceOf(field.toStdString(), driven)).value()),
+                                    .machine = driven,
+                                    .settings = {}});
         VERIFY_RESULT(plan);
         const QString name = QString::fromUtf8(QTest::currentDataTag());
         made_[name] = QString::fromStdString(figuresOf(**plan));

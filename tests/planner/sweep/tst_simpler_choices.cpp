@@ -1,5 +1,5 @@
-// What promises time gives time: no simpler choice is quicker as driven than what the planner decides by itself, by more
-// than 0.5 %. Everyday on sample fields. Over others with
+// What promises time gives time: no simpler choice is quicker as driven than what the planner decides by
+// itself, by more than 0.5 %. Everyday on sample fields. Over others with
 //   FURROW_SIMPLER=I/N         the I-th of N shares of the shared fields, from 1
 //   FURROW_SIMPLER_MACHINE=M   the field robot, if it is not set
 //   FURROW_SIMPLER_OUT=FILE    where a line for each comparison is appended
@@ -35,10 +35,10 @@ struct Simpler {
     const char* simpler;
 };
 constexpr Simpler kSimpler[] = {
-    {"swaths.method", nullptr, "longest-edge"},      {"route.method", nullptr, "boustrophedon"},
-    {"route.method", nullptr, "snake"},              {"headland.corner", nullptr, "rounded"},
-    {"headland.corner", nullptr, "loop"},            {"headland.corner", nullptr, "reverse"},
-    {"headland.method", "per-edge", "constant"},     {"decomposition.heading", "per-cell", "common"},
+    {"swaths.method", nullptr, "longest-edge"},  {"route.method", nullptr, "boustrophedon"},
+    {"route.method", nullptr, "snake"},          {"headland.corner", nullptr, "rounded"},
+    {"headland.corner", nullptr, "loop"},        {"headland.corner", nullptr, "reverse"},
+    {"headland.method", "per-edge", "constant"}, {"decomposition.heading", "per-cell", "common"},
 };
 
 struct Bench {
@@ -66,7 +66,9 @@ const std::vector<FieldSource>& sourcesIn(const QString& file) {
 
 /// Nothing where no plan can be driven by it.
 std::optional<double> timeS(const std::shared_ptr<const Plan>& plan) {
-    return plan && plan->drivable() ? std::optional{timeForAll(plan->request.machine, plan->path, plan->audit).si()} : std::nullopt;
+    return plan && plan->drivable()
+               ? std::optional{timeForAll(plan->request.machine, plan->path, plan->audit).si()}
+               : std::nullopt;
 }
 
 std::string timeText(const std::optional<double>& time) {
@@ -91,7 +93,8 @@ void TestSimplerChoices::areNotQuicker_data() {
     if (share.isEmpty()) {
         for (const char* name : {"home_field", "bend", "slanted_field"}) {
             QTest::addRow("%s agbot", name)
-                << QStringLiteral(FURROW_SOURCE_DIR "/resources/sample_fields/%1.geojson").arg(name) << QString{} << "agbot";
+                << QStringLiteral(FURROW_SOURCE_DIR "/resources/sample_fields/%1.geojson").arg(name)
+                << QString{} << "agbot";
         }
         return;
     }
@@ -101,8 +104,9 @@ void TestSimplerChoices::areNotQuicker_data() {
     const auto count = static_cast<std::size_t>(share.section('/', 1, 1).toInt());
     for (std::size_t i = number - 1; i < fields.size(); i += count) {
         if (areaOf(fields[i]) >= kLeast) {
-            QTest::newRow(fields[i].id.c_str()) << file << QString::fromStdString(fields[i].id)
-                                                << qEnvironmentVariable("FURROW_SIMPLER_MACHINE", "field-robot");
+            QTest::newRow(fields[i].id.c_str())
+                << file << QString::fromStdString(fields[i].id)
+                << qEnvironmentVariable("FURROW_SIMPLER_MACHINE", "field-robot");
         }
     }
 }
@@ -111,7 +115,8 @@ void TestSimplerChoices::areNotQuicker() {
     QFETCH(QString, file);
     QFETCH(QString, id);
     QFETCH(QString, machine);
-    const auto source = pickField(sourcesIn(file), id.isEmpty() ? std::nullopt : std::optional{id.toStdString()});
+    const auto source =
+        pickField(sourcesIn(file), id.isEmpty() ? std::nullopt : std::optional{id.toStdString()});
     VERIFY_RESULT(source);
     const auto field = Field::create(*source);
     VERIFY_RESULT(field);
@@ -123,11 +128,13 @@ void TestSimplerChoices::areNotQuicker() {
     }
     std::string worse;
     for (const Simpler& each : kSimpler) {
-        const std::optional<double> chosen = each.chosen == nullptr ? byItself : timeS(bench.plan(each.key, each.chosen));
-        const std::optional<double> simpler = each.chosen == nullptr ? timeS(bench.plan(each.key, each.simpler)) : byItself;
-        const std::string row = std::format("{}\t{}\t{}\t{}\t{}\t{}\t{:.4f}\n", machine.toStdString(), QTest::currentDataTag(),
-                                            each.key, each.simpler, timeText(chosen), timeText(simpler),
-                                            chosen && simpler ? *chosen / *simpler : 0.0);
+        const std::optional<double> chosen =
+            each.chosen == nullptr ? byItself : timeS(bench.plan(each.key, each.chosen));
+        const std::optional<double> simpler =
+            each.chosen == nullptr ? timeS(bench.plan(each.key, each.simpler)) : byItself;
+        const std::string row = std::format("{}\t{}\t{}\t{}\t{}\t{}\t{:.4f}\n", machine.toStdString(),
+                                            QTest::currentDataTag(), each.key, each.simpler, timeText(chosen),
+                                            timeText(simpler), chosen && simpler ? *chosen / *simpler : 0.0);
         if (out.isOpen()) {
             out.write(row.c_str());
         }

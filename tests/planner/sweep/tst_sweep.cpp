@@ -39,8 +39,7 @@ namespace {
 
 /// What fails as long as it is not mended, by its row in this test. To be emptied: one that passes is a
 /// failure of the test.
-const std::vector<std::string> kKnownFailures{
-};
+const std::vector<std::string> kKnownFailures{};
 
 /// What once broke plans, on fields where it did.
 struct OnceBroken {

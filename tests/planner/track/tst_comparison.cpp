@@ -214,8 +214,8 @@ private slots:
     }
 
     // Last swath first, each the other way round: everything still finds its place; left becomes right.
-    // Forwards to a corner, back beside its own line and on forwards: the way between the samples before and after a
-    // change of gear is nobody's course.
+    // Forwards to a corner, back beside its own line and on forwards: the way between the samples before and
+    // after a change of gear is nobody's course.
     void changesOfGearAreFound() {
         Path path;
         double wayM = 0.0;

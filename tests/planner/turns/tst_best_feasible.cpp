@@ -1,10 +1,11 @@
-// The quickest turn that fits: never slower than what it is chosen from, and inside where there is little room.
+// The quickest turn that fits: never slower than what it is chosen from, and inside where there is little
+// room.
 
+#include "planner/geometry/curve_sampling.h"
 #include "planner/geometry/geos_bridge.h"
 #include "planner/turns/best_feasible.h"
 #include "planner/turns/dubins.h"
 #include "planner/turns/reeds_shepp.h"
-#include "planner/geometry/curve_sampling.h"
 #include "tests/planner/turns/turn_check.h"
 
 #include <QTest>
@@ -44,8 +45,8 @@ Machine machineOf(double radiusM, bool reverses = true) {
     return Machine::create(spec).value();
 }
 
-/// By hand: way by speed, and for each change of gear what is lost by braking from the one speed and speeding up to the
-/// other: v / a for a way that takes half of that at full speed.
+/// By hand: way by speed, and for each change of gear what is lost by braking from the one speed and speeding
+/// up to the other: v / a for a way that takes half of that at full speed.
 double secondsOf(const Curve& turn) {
     double sum = 0.0;
     for (std::size_t i = 0; i < turn.pieces.size(); ++i) {
@@ -59,7 +60,8 @@ double secondsOf(const Curve& turn) {
 }
 
 bool reverses(const Curve& turn) {
-    return std::ranges::any_of(turn.pieces, [](const CurvePiece& piece) { return piece.gear == Gear::Reverse; });
+    return std::ranges::any_of(turn.pieces,
+                               [](const CurvePiece& piece) { return piece.gear == Gear::Reverse; });
 }
 
 /// Whether the raised machine stays inside, give or take a centimetre, looked at every 5 cm.
@@ -69,7 +71,8 @@ bool fits(const Curve& turn, const MultiPolygon& inside, const Machine& machine)
     for (const CurvePiece& piece : turn.pieces) {
         const int steps = 1 + static_cast<int>(piece.length.si() / 0.05);
         for (int i = 0; i <= steps; ++i) {
-            Ring outline = placed(machine.turningFootprint(), advanced(pose, piece, piece.length * (static_cast<double>(i) / steps)));
+            Ring outline = placed(machine.turningFootprint(),
+                                  advanced(pose, piece, piece.length * (static_cast<double>(i) / steps)));
             outline.push_back(outline.front());
             if (!area.covers({outline})) {
                 return false;
@@ -91,7 +94,8 @@ private slots:
         QTest::addColumn<bool>("swaths");
         for (const bool reverses : {false, true}) {
             for (const bool swaths : {false, true}) {
-                QTest::addRow("%s, %s", reverses ? "both gears" : "forwards", swaths ? "swaths" : "any poses") << reverses << swaths;
+                QTest::addRow("%s, %s", reverses ? "both gears" : "forwards", swaths ? "swaths" : "any poses")
+                    << reverses << swaths;
             }
         }
     }
@@ -108,15 +112,19 @@ private slots:
             const Machine machine = machineOf(pair.radiusM, reverses);
             double quickestS = secondsOf(dubinsTurn(pair.from, pair.to, metres(pair.radiusM)));
             if (reverses) {
-                quickestS = std::min(quickestS, secondsOf(reedsSheppTurn(pair.from, pair.to, metres(pair.radiusM))));
+                quickestS =
+                    std::min(quickestS, secondsOf(reedsSheppTurn(pair.from, pair.to, metres(pair.radiusM))));
             }
             for (const Curve& turn : {kBestFeasibleMethod.run(pair.from, pair.to, machine),
-                                     feasibleConnection(Rig{open, machine}, pair.from, pair.to, {}, {})}) {
+                                      feasibleConnection(Rig{open, machine}, pair.from, pair.to, {}, {})}) {
                 const Pose end = test::driven(turn);
                 VERIFY_TOLD(distance(turn.start.position, pair.from.position) < 1e-9, told);
-                VERIFY_TOLD(distance(end.position, pair.to.position) < 1e-6 && test::headingGap(end, pair.to) < 1e-6, told);
+                VERIFY_TOLD(
+                    distance(end.position, pair.to.position) < 1e-6 && test::headingGap(end, pair.to) < 1e-6,
+                    told);
                 VERIFY_TOLD(secondsOf(turn) <= quickestS + 1e-6,
-                            told + " " + turn.type.data() + " " + QByteArray::number(secondsOf(turn)) + " s, not " + QByteArray::number(quickestS));
+                            told + " " + turn.type.data() + " " + QByteArray::number(secondsOf(turn)) +
+                                " s, not " + QByteArray::number(quickestS));
                 VERIFY_TOLD(reverses || !::reverses(turn), told);
                 backwards += ::reverses(turn) ? 1 : 0;
             }
@@ -124,13 +132,15 @@ private slots:
         QCOMPARE(backwards > 0, reverses);
     }
 
-    // From one swath to the next, 2.5 m beside it, in a strip of a width between the swaths' ends and the edge.
+    // From one swath to the next, 2.5 m beside it, in a strip of a width between the swaths' ends and the
+    // edge.
     void inANarrowHeadland_data() {
         QTest::addColumn<double>("depthM");
         QTest::addColumn<bool>("reverses");
         QTest::addColumn<bool>("dubinsFits");
-        // Dubins' turn between swaths 2.5 m apart with a radius of 4 m is a bulb: the middle of its large arc lies
-        // sqrt(8² - (4 + 1.25)²) = 6.04 m ahead, and the nose's outer corner goes round it at hypot(3, 4 + 1) = 5.83 m.
+        // Dubins' turn between swaths 2.5 m apart with a radius of 4 m is a bulb: the middle of its large arc
+        // lies sqrt(8² - (4 + 1.25)²) = 6.04 m ahead, and the nose's outer corner goes round it at hypot(3, 4
+        // + 1) = 5.83 m.
         QTest::newRow("wide") << 12.0 << true << true;
         QTest::newRow("wide, forwards") << 12.0 << false << true;
         QTest::newRow("too narrow for a bulb") << 10.0 << true << false;
@@ -155,7 +165,8 @@ private slots:
         QCOMPARE(feasibleConnection(rig, from, to, {}, {}), turn);
     }
 
-    // What cannot reverse and has no room leaves the field: the quickest turn of free space, so that it can be told.
+    // What cannot reverse and has no room leaves the field: the quickest turn of free space, so that it can
+    // be told.
     void whereNothingFits() {
         const Machine machine = machineOf(4.0, false);
         const MultiPolygon strip{test::rectangle(40.0, 6.0)};

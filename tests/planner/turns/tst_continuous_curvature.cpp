@@ -82,10 +82,10 @@ private slots:
         // A single turn by an angle a is a / k + k / rate long. Its end, driven by hand below.
         for (const double a : {1.25, 0.5 * kPi, kPi}) {
             const Curve turn{.type = "test",
-                            .start = pose(0, 0, 0),
-                            .pieces = {{metres(5.0), {}, Curvature::fromSi(0.25)},
-                                       {metres((a - 1.25) * 4.0), Curvature::fromSi(0.25)},
-                                       {metres(5.0), Curvature::fromSi(0.25), {}}}};
+                             .start = pose(0, 0, 0),
+                             .pieces = {{metres(5.0), {}, Curvature::fromSi(0.25)},
+                                        {metres((a - 1.25) * 4.0), Curvature::fromSi(0.25)},
+                                        {metres(5.0), Curvature::fromSi(0.25), {}}}};
             const Pose end = driven(turn);
             // Run-outs that the word's second turn, by nothing, needs.
             const Pose goal{end.position + 20.0 * direction(end.heading.si()), end.heading};

@@ -52,7 +52,8 @@ double circleLineCircle(const Pose& from, const Pose& to, double radiusM, int fi
         heading = from.heading.si();  // one circle: any tangent will do, so leave it at once
         return radiusM * turned(from.heading.si(), to.heading.si(), firstSide);
     }
-    return radiusM * (turned(from.heading.si(), heading, firstSide) + turned(heading, to.heading.si(), lastSide)) +
+    return radiusM *
+               (turned(from.heading.si(), heading, firstSide) + turned(heading, to.heading.si(), lastSide)) +
            tangentM;
 }
 
@@ -74,8 +75,9 @@ double threeCircles(const Pose& from, const Pose& to, double radiusM, int side) 
         const Point out = middle - last;
         const double headingIn = std::atan2(in.y, in.x) + side * 0.5 * kPi;
         const double headingOut = std::atan2(out.y, out.x) + side * 0.5 * kPi;
-        const double length = radiusM * (turned(from.heading.si(), headingIn, side) + turned(headingIn, headingOut, -side) +
-                                         turned(headingOut, to.heading.si(), side));
+        const double length =
+            radiusM * (turned(from.heading.si(), headingIn, side) + turned(headingIn, headingOut, -side) +
+                       turned(headingOut, to.heading.si(), side));
         shortest = std::min(shortest, length);
     }
     return shortest;
@@ -125,8 +127,9 @@ Pair randomPair(std::mt19937_64& random) {
     const double radiusM = test::uniform(random, 0.5, 12.0);
     const double reachM = radiusM * (random() % 2 == 0 ? 2.0 : 12.0);
     const auto randomPose = [&] {
-        return Pose{.position = {test::uniform(random, -reachM, reachM), test::uniform(random, -reachM, reachM)},
-                    .heading = radians(test::uniform(random, 0.0, 2.0 * kPi))};
+        return Pose{
+            .position = {test::uniform(random, -reachM, reachM), test::uniform(random, -reachM, reachM)},
+            .heading = radians(test::uniform(random, 0.0, 2.0 * kPi))};
     };
     const Pose from = randomPose();
     return {from, randomPose(), radiusM};
@@ -160,21 +163,29 @@ private slots:
         const double r = 2.1;
         QTest::newRow("already there") << pose(3, 4, 30) << pose(3, 4, 30) << r << 0.0;
         QTest::newRow("straight ahead") << pose(0, 0, 0) << pose(17.5, 0, 0) << r << 17.5;
-        QTest::newRow("straight ahead at an angle") << pose(1, 1, 45) << pose(4, 4, 45) << r << 3.0 * std::sqrt(2.0);
+        QTest::newRow("straight ahead at an angle")
+            << pose(1, 1, 45) << pose(4, 4, 45) << r << 3.0 * std::sqrt(2.0);
         QTest::newRow("quarter turn to the left") << pose(0, 0, 0) << pose(r, r, 90) << r << 0.5 * kPi * r;
         QTest::newRow("quarter turn to the right") << pose(0, 0, 0) << pose(r, -r, -90) << r << 0.5 * kPi * r;
-        QTest::newRow("three quarters on one circle") << pose(0, 0, 0) << pose(-r, r, 270) << r << 1.5 * kPi * r;
-        QTest::newRow("run-out and quarter turn") << pose(0, 0, 0) << pose(r + 5, r, 90) << r << 5.0 + 0.5 * kPi * r;
-        QTest::newRow("U turn of exactly two radii") << pose(0, 0, 90) << pose(-2 * r, 0, -90) << r << kPi * r;
-        QTest::newRow("U turn of exactly two radii to the right") << pose(0, 0, 90) << pose(2 * r, 0, -90) << r << kPi * r;
-        QTest::newRow("U turn with a straight piece") << pose(0, 0, 90) << pose(10, 0, -90) << r << kPi * r + 10.0 - 2.0 * r;
+        QTest::newRow("three quarters on one circle")
+            << pose(0, 0, 0) << pose(-r, r, 270) << r << 1.5 * kPi * r;
+        QTest::newRow("run-out and quarter turn")
+            << pose(0, 0, 0) << pose(r + 5, r, 90) << r << 5.0 + 0.5 * kPi * r;
+        QTest::newRow("U turn of exactly two radii")
+            << pose(0, 0, 90) << pose(-2 * r, 0, -90) << r << kPi * r;
+        QTest::newRow("U turn of exactly two radii to the right")
+            << pose(0, 0, 90) << pose(2 * r, 0, -90) << r << kPi * r;
+        QTest::newRow("U turn with a straight piece")
+            << pose(0, 0, 90) << pose(10, 0, -90) << r << kPi * r + 10.0 - 2.0 * r;
         QTest::newRow("U turn with swath ends 3 m apart along the heading")
             << pose(0, 0, 90) << pose(2 * r, 3, -90) << r << kPi * r + 3.0;
         // S curve between parallel lines 2 R apart and 2 R on: two quarter circles.
-        QTest::newRow("two quarter circles as an S") << pose(0, 0, 0) << pose(2 * r, 2 * r, 0) << r << kPi * r;
-        // Turning round on the spot: the outer arcs' circles meet the middle one in an equilateral triangle of
-        // 2 R: pi/3 + 5 pi/3 + pi/3 = 7 pi/3.
-        QTest::newRow("about face on the spot") << pose(0, 0, 0) << pose(0, 0, 180) << r << 7.0 / 3.0 * kPi * r;
+        QTest::newRow("two quarter circles as an S")
+            << pose(0, 0, 0) << pose(2 * r, 2 * r, 0) << r << kPi * r;
+        // Turning round on the spot: the outer arcs' circles meet the middle one in an equilateral triangle
+        // of 2 R: pi/3 + 5 pi/3 + pi/3 = 7 pi/3.
+        QTest::newRow("about face on the spot")
+            << pose(0, 0, 0) << pose(0, 0, 180) << r << 7.0 / 3.0 * kPi * r;
         // Omega: the outer circles' centres lie at -R and w + R, 2 R + w apart; the middle one's is 2 R from
         // both, so with cos a = (2 R + w) / 4 R the outer arcs turn a each and the middle one pi + 2 a.
         for (const double w : {0.5, 1.25, 2.5, 4.0}) {
@@ -187,10 +198,10 @@ private slots:
         // Behind, the same heading, far away: a half circle, the line back, another half circle; the two
         // centres lie beside the poses, so that the line is as long as they are apart.
         QTest::newRow("to a place behind") << pose(0, 0, 0) << pose(-50, 0, 0) << r << 2.0 * kPi * r + 50.0;
-        QTest::newRow("far from the origin") << pose(5e4, -5e4, 90) << pose(5e4 + 10, -5e4, -90) << r
-                                             << kPi * r + 10.0 - 2.0 * r;
-        QTest::newRow("headings several circles off") << pose(0, 0, 450) << pose(10, 0, 630) << r
-                                                      << kPi * r + 10.0 - 2.0 * r;
+        QTest::newRow("far from the origin")
+            << pose(5e4, -5e4, 90) << pose(5e4 + 10, -5e4, -90) << r << kPi * r + 10.0 - 2.0 * r;
+        QTest::newRow("headings several circles off")
+            << pose(0, 0, 450) << pose(10, 0, 630) << r << kPi * r + 10.0 - 2.0 * r;
     }
     void lengthsByHand() {
         QFETCH(Pose, from);
@@ -214,10 +225,13 @@ private slots:
             const Curve turn = dubinsTurn(pair.from, pair.to, metres(pair.radiusM));
             const Pose end = driven(turn);
             VERIFY_TOLD(distance(end.position, pair.to.position) < 1e-6, told(i, pair));
-            VERIFY_TOLD(std::abs(std::remainder(end.heading.si() - pair.to.heading.si(), 2.0 * kPi)) < 1e-6, told(i, pair));
+            VERIFY_TOLD(std::abs(std::remainder(end.heading.si() - pair.to.heading.si(), 2.0 * kPi)) < 1e-6,
+                        told(i, pair));
             // The planner's own way of driving pieces ends at the same place.
-            VERIFY_TOLD(distance(turn.end().position, end.position) < 1e-9 * (1.0 + 100.0 * pair.radiusM), told(i, pair));
-            VERIFY_TOLD(std::abs(headingDifference(turn.end().heading, end.heading).si()) < 1e-9, told(i, pair));
+            VERIFY_TOLD(distance(turn.end().position, end.position) < 1e-9 * (1.0 + 100.0 * pair.radiusM),
+                        told(i, pair));
+            VERIFY_TOLD(std::abs(headingDifference(turn.end().heading, end.heading).si()) < 1e-9,
+                        told(i, pair));
         }
     }
 
@@ -230,10 +244,13 @@ private slots:
             for (const CurvePiece& piece : turn.pieces) {
                 VERIFY_TOLD(piece.gear == Gear::Forward && piece.length.si() > 0.0, told(i, pair));
                 VERIFY_TOLD(std::abs(piece.curvature.si()) <= 1.0 / pair.radiusM, told(i, pair));
-                VERIFY_TOLD(piece.curvature.si() == 0.0 || piece.length.si() < 2.0 * kPi * pair.radiusM, told(i, pair));
+                VERIFY_TOLD(piece.curvature.si() == 0.0 || piece.length.si() < 2.0 * kPi * pair.radiusM,
+                            told(i, pair));
             }
-            VERIFY_TOLD(std::abs((turn.length() - dubinsLength(pair.from, pair.to, metres(pair.radiusM))).si()) < 1e-9,
-                     told(i, pair));
+            VERIFY_TOLD(
+                std::abs((turn.length() - dubinsLength(pair.from, pair.to, metres(pair.radiusM))).si()) <
+                    1e-9,
+                told(i, pair));
         }
     }
 
@@ -244,8 +261,10 @@ private slots:
             const double ours = dubinsLength(pair.from, pair.to, metres(pair.radiusM)).si();
             VERIFY_TOLD(ours >= distance(pair.from.position, pair.to.position) - 1e-9, told(i, pair));
             const double compass = shortestByCompass(pair.from, pair.to, pair.radiusM);
-            VERIFY_TOLD(std::abs(ours - compass) < 1e-6,
-                     told(i, pair) + QStringLiteral(": %1, by compass %2").arg(ours, 0, 'g', 15).arg(compass, 0, 'g', 15).toUtf8());
+            VERIFY_TOLD(std::abs(ours - compass) < 1e-6, told(i, pair) + QStringLiteral(": %1, by compass %2")
+                                                                             .arg(ours, 0, 'g', 15)
+                                                                             .arg(compass, 0, 'g', 15)
+                                                                             .toUtf8());
         }
     }
 
@@ -261,9 +280,11 @@ private slots:
                         const Curve turn = dubinsTurn(pair.from, pair.to, metres(r));
                         const Pose end = driven(turn);
                         VERIFY_TOLD(distance(end.position, pair.to.position) < 1e-6, told(checked, pair));
-                        // The compass takes exact fits of 0 for full circles now and then: never shorter than ours.
+                        // The compass takes exact fits of 0 for full circles now and then: never shorter than
+                        // ours.
                         const double ours = turn.length().si();
-                        VERIFY_TOLD(ours <= shortestByCompass(pair.from, pair.to, r) + 1e-6, told(checked, pair));
+                        VERIFY_TOLD(ours <= shortestByCompass(pair.from, pair.to, r) + 1e-6,
+                                    told(checked, pair));
                         ++checked;
                     }
                 }
@@ -280,14 +301,16 @@ private slots:
             const Length there = dubinsLength(pair.from, pair.to, radius);
             const Pose back{.position = pair.to.position, .heading = pair.to.heading + radians(kPi)};
             const Pose home{.position = pair.from.position, .heading = pair.from.heading + radians(kPi)};
-            VERIFY_TOLD(std::abs((there - dubinsLength(back, home, radius)).si()) < 1e-9 * (1.0 + there.si()), told(i, pair));
+            VERIFY_TOLD(std::abs((there - dubinsLength(back, home, radius)).si()) < 1e-9 * (1.0 + there.si()),
+                        told(i, pair));
             // And so is the mirror image.
             const auto mirrored = [](const Pose& p) {
                 return Pose{.position = {p.position.x, -p.position.y}, .heading = -p.heading};
             };
-            VERIFY_TOLD(std::abs((there - dubinsLength(mirrored(pair.from), mirrored(pair.to), radius)).si()) <
-                         1e-9 * (1.0 + there.si()),
-                     told(i, pair));
+            VERIFY_TOLD(
+                std::abs((there - dubinsLength(mirrored(pair.from), mirrored(pair.to), radius)).si()) <
+                    1e-9 * (1.0 + there.si()),
+                told(i, pair));
         }
     }
 
@@ -322,8 +345,9 @@ private slots:
         QFETCH(double, x);
         QFETCH(double, y);
         QFETCH(double, headingDeg);
-        const CurvePiece piece{.length = metres(wayM), .curvature = Curvature::fromSi(curvature),
-                              .gear = forward ? Gear::Forward : Gear::Reverse};
+        const CurvePiece piece{.length = metres(wayM),
+                               .curvature = Curvature::fromSi(curvature),
+                               .gear = forward ? Gear::Forward : Gear::Reverse};
         const Pose end = advanced(pose(0, 0, 0), piece, metres(wayM));
         COMPARE_WITHIN(end.position.x, x, 1e-12 * (1.0 + wayM));
         COMPARE_WITHIN(end.position.y, y, 1e-12 * (1.0 + wayM));

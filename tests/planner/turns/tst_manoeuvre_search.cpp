@@ -1,9 +1,9 @@
 // Ways of several moves: checked as any driver would, by moving the machine's outline along them inside GEOS.
 
+#include "planner/geometry/curve_sampling.h"
 #include "planner/geometry/geos_bridge.h"
 #include "planner/turns/manoeuvre_search.h"
 #include "planner/turns/turn_method.h"
-#include "planner/geometry/curve_sampling.h"
 #include "tests/planner/turns/turn_check.h"
 #include "tests/support/field_generator.h"
 #include "tests/support/wkt.h"
@@ -75,14 +75,18 @@ double reversedM(const Curve& turn) {
 
 /// A room with a tolerance all around it.
 struct Walls {
-    explicit Walls(const MultiPolygon& inside) : area{dilated(inside, kTolerance, metres(0.001), {}).value()} {}
+    explicit Walls(const MultiPolygon& inside)
+        : area{dilated(inside, kTolerance, metres(0.001), {}).value()} {}
     PreparedArea area;
 
-    bool hold(const Ring& footprint, const Pose& pose) const { return area.covers({closed(placed(footprint, pose))}); }
+    bool hold(const Ring& footprint, const Pose& pose) const {
+        return area.covers({closed(placed(footprint, pose))});
+    }
 };
 
 /// What is wrong with a way; empty where nothing is.
-QByteArray faultOf(const Curve& way, const Pose& from, const Pose& to, const Machine& machine, const Walls& walls) {
+QByteArray faultOf(const Curve& way, const Pose& from, const Pose& to, const Machine& machine,
+                   const Walls& walls) {
     if (way.type != kCombinedTurn) {
         return "its type";
     }
@@ -118,7 +122,8 @@ QByteArray faultOf(const Curve& way, const Pose& from, const Pose& to, const Mac
     return {};
 }
 
-std::optional<Curve> found(const MultiPolygon& inside, const Machine& machine, const Pose& from, const Pose& to) {
+std::optional<Curve> found(const MultiPolygon& inside, const Machine& machine, const Pose& from,
+                           const Pose& to) {
     return searchManoeuvre(Rig{inside, machine}, from, to, {}, {});
 }
 
@@ -149,18 +154,21 @@ private slots:
         QVERIFY2(fault.isEmpty(), fault);
         // A string pulled tight round the block is shorter.
         const double stringM = 2.0 * std::hypot(10.0, 6.0) + 10.0;
-        QVERIFY2(way->length().si() > stringM && way->length().si() < 1.5 * stringM, qPrintable(QString::number(way->length().si())));
+        QVERIFY2(way->length().si() > stringM && way->length().si() < 1.5 * stringM,
+                 qPrintable(QString::number(way->length().si())));
         QVERIFY(reverses || reversedM(*way) == 0.0);
     }
 
     // What drives dearly is gone round: here the half of the field with the shorter way.
     void dearPlacesAreGoneRound() {
-        const MultiPolygon inside = room("POLYGON((0 0, 40 0, 40 20, 0 20, 0 0), (15 5, 15 16, 25 16, 25 5, 15 5))");
+        const MultiPolygon inside =
+            room("POLYGON((0 0, 40 0, 40 20, 0 20, 0 0), (15 5, 15 16, 25 16, 25 5, 15 5))");
         const Pose from = test::pose(5, 8, 0);
         const Pose to = test::pose(35, 8, 0);
         const auto passesBelow = [](const Curve& way) {
             return std::ranges::any_of(sampled(way, metres(0.01)), [](const CurveSample& sample) {
-                return sample.pose.position.x > 18.0 && sample.pose.position.x < 22.0 && sample.pose.position.y < 5.0;
+                return sample.pose.position.x > 18.0 && sample.pose.position.x < 22.0 &&
+                       sample.pose.position.y < 5.0;
             });
         };
         const auto shortest = found(inside, robot(), from, to);
@@ -184,8 +192,8 @@ private slots:
         QVERIFY(!found(inside, forwardRobot(), from, to).has_value());
     }
 
-    // A U of two fields 300 m long that hang together at its far end, 310 m away, and through a gap that is too narrow for
-    // the 2.5 m behind the tractor: the grid would lead through that.
+    // A U of two fields 300 m long that hang together at its far end, 310 m away, and through a gap that is
+    // too narrow for the 2.5 m behind the tractor: the grid would lead through that.
     void farRound_data() {
         QTest::addColumn<double>("gapM");
         QTest::newRow("no gap") << 0.0;
@@ -204,7 +212,8 @@ private slots:
         const QByteArray fault = faultOf(*way, from, to, withDrill(), Walls{inside});
         QVERIFY2(fault.isEmpty(), fault);
         // To the far end and back, at least.
-        QVERIFY2(way->length().si() > 550.0 && way->length().si() < 900.0, qPrintable(QString::number(way->length().si())));
+        QVERIFY2(way->length().si() > 550.0 && way->length().si() < 900.0,
+                 qPrintable(QString::number(way->length().si())));
     }
 
     // Two centimetres from the edge any bend swings a corner out of the field.
@@ -231,7 +240,8 @@ private slots:
 
     void nothingWhereThereIsNoWay_data() {
         QTest::addColumn<QString>("wkt");
-        QTest::newRow("two rooms") << "MULTIPOLYGON(((0 0, 20 0, 20 20, 0 20, 0 0)), ((25 0, 45 0, 45 20, 25 20, 25 0)))";
+        QTest::newRow("two rooms")
+            << "MULTIPOLYGON(((0 0, 20 0, 20 20, 0 20, 0 0)), ((25 0, 45 0, 45 20, 25 20, 25 0)))";
         QTest::newRow("a door that is too narrow")
             << "POLYGON((0 0, 20 0, 20 9.5, 25 9.5, 25 0, 45 0, 45 20, 25 20, 25 10.5, 20 10.5, 20 20, 0 20, 0 0))";
     }
@@ -247,7 +257,8 @@ private slots:
         std::stop_source stop;
         stop.request_stop();
         const Rig rig{room(kRoundABlock), robot()};
-        QVERIFY(!searchManoeuvre(rig, test::pose(5, 10, 0), test::pose(35, 10, 0), {}, {.stop = stop.get_token()}));
+        QVERIFY(!searchManoeuvre(rig, test::pose(5, 10, 0), test::pose(35, 10, 0), {},
+                                 {.stop = stop.get_token()}));
     }
 
     void inRandomRooms_data() {
@@ -272,7 +283,8 @@ private slots:
         std::mt19937_64 random{seed};
         int ways = 0;
         for (int i = 0; i < 10; ++i) {
-            const MultiPolygon inside = test::randomPolygons(random, static_cast<test::Shape>(shape), test::uniform(random, 12.0, 40.0));
+            const MultiPolygon inside = test::randomPolygons(random, static_cast<test::Shape>(shape),
+                                                             test::uniform(random, 12.0, 40.0));
             const Rig rig{inside, driven};
             const Walls walls{inside};
             const PreparedArea exact{inside};
@@ -281,7 +293,8 @@ private slots:
                 for (int attempt = 0; attempt < 2000; ++attempt) {
                     const double x = test::uniform(random, box.min.x, box.max.x);
                     const double y = test::uniform(random, box.min.y, box.max.y);
-                    const Pose pose{.position = {x, y}, .heading = radians(test::uniform(random, 0.0, 2.0 * kPi))};
+                    const Pose pose{.position = {x, y},
+                                    .heading = radians(test::uniform(random, 0.0, 2.0 * kPi))};
                     if (exact.covers({closed(placed(footprint, pose))})) {
                         return std::optional{pose};
                     }
@@ -299,7 +312,10 @@ private slots:
                 if (way) {
                     ++ways;
                     const QByteArray fault = faultOf(*way, *from, *to, driven, walls);
-                    VERIFY_TOLD(fault.isEmpty(), QStringLiteral("seed %1, room %2, way %3: ").arg(seed).arg(i).arg(k).toUtf8() + fault);
+                    VERIFY_TOLD(
+                        fault.isEmpty(),
+                        QStringLiteral("seed %1, room %2, way %3: ").arg(seed).arg(i).arg(k).toUtf8() +
+                            fault);
                 }
             }
         }

@@ -184,9 +184,9 @@ private slots:
         }
     }
 
-    // Square to each other but for rounding, or nearly so: the level of the other end lies millions of metres away, and no
-    // turn goes there. A run-out is at most twice the way between the ends and the straight after it thrice; their arcs
-    // are less than eight circles.
+    // Square to each other but for rounding, or nearly so: the level of the other end lies millions of metres
+    // away, and no turn goes there. A run-out is at most twice the way between the ends and the straight
+    // after it thrice; their arcs are less than eight circles.
     void neverFarAway_data() { properties_data(); }
     void neverFarAway() {
         QFETCH(const Case*, turn);
@@ -194,10 +194,12 @@ private slots:
         for (int i = 0; i < 20'000; ++i) {
             PosePair pair = randomPair(random);
             const double across = (i % 2 == 0 ? 0.5 : -0.5) * kPi;
-            const double by = std::pow(10.0, std::uniform_real_distribution<double>{-12.0, 0.0}(random)) * (i % 4 < 2 ? 1.0 : -1.0);
+            const double by = std::pow(10.0, std::uniform_real_distribution<double>{-12.0, 0.0}(random)) *
+                              (i % 4 < 2 ? 1.0 : -1.0);
             pair.to.heading = pair.from.heading + radians(across + by);
             const Curve found = turn->drive(pair.from, pair.to, metres(pair.radiusM));
-            const double mostM = 5.0 * distance(pair.from.position, pair.to.position) + 16.0 * kPi * pair.radiusM;
+            const double mostM =
+                5.0 * distance(pair.from.position, pair.to.position) + 16.0 * kPi * pair.radiusM;
             VERIFY_TOLD(found.length().si() < mostM, told(kSeed, i, pair));
         }
     }

@@ -18,7 +18,8 @@ namespace {
 constexpr double kPi = std::numbers::pi;
 constexpr double kTrailingM = 5.0;
 
-/// 2 m wide, 3 m ahead of its axle and 1 m behind; the implement is 4 m wide, 1 m long, its middle 2 m behind.
+/// 2 m wide, 3 m ahead of its axle and 1 m behind; the implement is 4 m wide, 1 m long, its middle 2 m
+/// behind.
 Machine mounted() {
     MachineSpec spec;
     spec.tractor.width = metres(2.0);
@@ -90,10 +91,11 @@ private slots:
         COMPARE_WITHIN(rig.outsideM(Rig::inLine(test::pose(x, y, headingDeg))), outsideM, 1e-9);
     }
 
-    // A corner of the field that reaches 0.3 m into the tractor's right side, while all corners of the machine are
-    // inside.
+    // A corner of the field that reaches 0.3 m into the tractor's right side, while all corners of the
+    // machine are inside.
     void aCornerOfTheFieldInTheSide() {
-        const MultiPolygon bend{{.outer = {{0, 0}, {20, 0}, {20, 10}, {10, 10}, {10, 20}, {0, 20}}, .holes = {}}};
+        const MultiPolygon bend{
+            {.outer = {{0, 0}, {20, 0}, {20, 10}, {10, 10}, {10, 20}, {0, 20}}, .holes = {}}};
         const Rig rig{bend, mounted()};
         const Point nose = direction(0.75 * kPi);
         const Point left{-nose.y, nose.x};
@@ -103,8 +105,9 @@ private slots:
         COMPARE_WITHIN(rig.outsideM(Rig::inLine(away)), 0.0, 1e-9);
     }
 
-    // An obstacle cuts the front of the tractor off from corner to side: all its own corners and those of the machine
-    // touch each other's sides and nothing more. The middle of its long side, (12, 10), is a metre from front and side.
+    // An obstacle cuts the front of the tractor off from corner to side: all its own corners and those of the
+    // machine touch each other's sides and nothing more. The middle of its long side, (12, 10), is a metre
+    // from front and side.
     void anEdgeFromCornerToSide() {
         const MultiPolygon wedged{{.outer = square().front().outer, .holes = {{{13, 11}, {13, 9}, {11, 9}}}}};
         const Rig rig{wedged, mounted()};
@@ -144,9 +147,12 @@ private slots:
         const RigState from{.tractor = start, .implement = start.heading + degrees(angleDeg)};
         const auto after = rig.driven(from, piece(wayM, 0.0));
         QVERIFY(after.has_value());
-        COMPARE_WITHIN(distance(after->tractor.position, start.position + wayM * direction(start.heading.si())), 0.0, 1e-9);
+        COMPARE_WITHIN(
+            distance(after->tractor.position, start.position + wayM * direction(start.heading.si())), 0.0,
+            1e-9);
         const double angle = wrapped(after->implement.si() - after->tractor.heading.si());
-        const double expected = 2.0 * std::atan(std::tan(0.5 * degrees(angleDeg).si()) * std::exp(-wayM / kTrailingM));
+        const double expected =
+            2.0 * std::atan(std::tan(0.5 * degrees(angleDeg).si()) * std::exp(-wayM / kTrailingM));
         COMPARE_WITHIN(angle, expected, 1e-9);
         if (std::abs(angleDeg) < 2.0) {
             COMPARE_WITHIN(angle / degrees(angleDeg).si(), std::exp(-wayM / kTrailingM), 1e-4);
@@ -164,8 +170,9 @@ private slots:
         COMPARE_WITHIN(back->implement.si(), from.implement.si(), 1e-9);
     }
 
-    // In a circle for long: the hitch runs on a circle of radius r, at right angles to it the implement's axle, so
-    // that sin(angle) = L / r. A hitch h behind the axle has r² = R² + h² and moves atan(h / R) off the nose.
+    // In a circle for long: the hitch runs on a circle of radius r, at right angles to it the implement's
+    // axle, so that sin(angle) = L / r. A hitch h behind the axle has r² = R² + h² and moves atan(h / R) off
+    // the nose.
     void roundACircle_data() {
         QTest::addColumn<double>("radiusM");
         QTest::addColumn<double>("hitchM");
@@ -180,8 +187,7 @@ private slots:
         QFETCH(double, radiusM);
         QFETCH(double, hitchM);
         const Rig rig{open(), trailed(hitchM)};
-        const auto after =
-            rig.driven(Rig::inLine(test::pose(0.0, 0.0, 70.0)), piece(200.0, 1.0 / radiusM));
+        const auto after = rig.driven(Rig::inLine(test::pose(0.0, 0.0, 70.0)), piece(200.0, 1.0 / radiusM));
         QVERIFY(after.has_value());
         const double angle = wrapped(after->tractor.heading.si() - after->implement.si());
         const double r = std::hypot(radiusM, hitchM);
@@ -196,9 +202,13 @@ private slots:
         QVERIFY(rig.driven(from, piece(6.9, 0.0)).has_value());
         QVERIFY(!rig.driven(from, piece(7.1, 0.0)).has_value());
         // Back again before the end does not help.
-        const Curve outAndBack{.type = "made", .start = from.tractor, .pieces = {piece(8.0, 0.0), piece(8.0, 0.0, Gear::Reverse)}};
+        const Curve outAndBack{.type = "made",
+                               .start = from.tractor,
+                               .pieces = {piece(8.0, 0.0), piece(8.0, 0.0, Gear::Reverse)}};
         QVERIFY(!rig.driven(from, outAndBack).has_value());
-        const Curve inside{.type = "made", .start = from.tractor, .pieces = {piece(5.0, 0.0), piece(3.0, 0.2, Gear::Reverse)}};
+        const Curve inside{.type = "made",
+                           .start = from.tractor,
+                           .pieces = {piece(5.0, 0.0), piece(3.0, 0.2, Gear::Reverse)}};
         const auto after = rig.driven(from, inside);
         QVERIFY(after.has_value());
         const Pose end = test::driven(inside);
@@ -207,8 +217,8 @@ private slots:
         QCOMPARE(after->implement, after->tractor.heading);
     }
 
-    // However few places are looked at, and whatever is known to begin with, what is driven is what stays inside when
-    // every centimetre is looked at; what is outside by a millimetre or two may go either way.
+    // However few places are looked at, and whatever is known to begin with, what is driven is what stays
+    // inside when every centimetre is looked at; what is outside by a millimetre or two may go either way.
     void likeLookingEverywhere_data() {
         QTest::addColumn<Machine>("machine");
         QTest::newRow("mounted") << mounted();
@@ -222,14 +232,17 @@ private slots:
         int stopped = 0;
         for (std::uint64_t seed = 1; seed <= 60; ++seed) {
             std::mt19937_64 random{seed};
-            const MultiPolygon field = test::randomPolygons(random, test::kShapes[seed % test::kShapes.size()], test::uniform(random, 40.0, 120.0));
+            const MultiPolygon field = test::randomPolygons(
+                random, test::kShapes[seed % test::kShapes.size()], test::uniform(random, 40.0, 120.0));
             const Rig rig{field, machine};
             const Bounds box = bounds(field);
             for (int i = 0; i < 60; ++i) {
-                const RigState from = Rig::inLine(test::pose(test::uniform(random, box.min.x, box.max.x), test::uniform(random, box.min.y, box.max.y),
+                const RigState from = Rig::inLine(test::pose(test::uniform(random, box.min.x, box.max.x),
+                                                             test::uniform(random, box.min.y, box.max.y),
                                                              test::uniform(random, 0.0, 2.0 * kPi)));
                 const double curvature = i % 3 == 0 ? test::uniform(random, -0.25, 0.25) : 0.0;
-                const CurvePiece way = piece(test::uniform(random, 0.05, 25.0), curvature, i % 2 == 0 ? Gear::Forward : Gear::Reverse);
+                const CurvePiece way = piece(test::uniform(random, 0.05, 25.0), curvature,
+                                             i % 2 == 0 ? Gear::Forward : Gear::Reverse);
                 if (rig.outsideM(from) > 0.0) {
                     continue;
                 }
@@ -238,7 +251,11 @@ private slots:
                     outsideM = std::max(outsideM, rig.outsideM(at));
                     return true;
                 });
-                const QByteArray told = QStringLiteral("seed %1, way %2, outside by %3 mm").arg(seed).arg(i).arg(1e3 * outsideM).toUtf8();
+                const QByteArray told = QStringLiteral("seed %1, way %2, outside by %3 mm")
+                                            .arg(seed)
+                                            .arg(i)
+                                            .arg(1e3 * outsideM)
+                                            .toUtf8();
                 for (const FootprintRoom& known : {FootprintRoom{}, rig.roomAt(from)}) {
                     const auto after = rig.driven(from, way, metres(1e-3), known);
                     if (outsideM < kSurelyInsideM) {

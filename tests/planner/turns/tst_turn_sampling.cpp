@@ -1,5 +1,5 @@
-#include "planner/turns/dubins.h"
 #include "planner/geometry/curve_sampling.h"
+#include "planner/turns/dubins.h"
 #include "tests/support/result_check.h"
 
 #include <cmath>
@@ -45,21 +45,24 @@ private slots:
         QFETCH(double, toleranceM);
         const double angle = degrees(turnedDeg).si();
         const Curve turn{.type = "test",
-                        .start = pose(0, 0, 0),
-                        .pieces = {{.length = metres(std::abs(radiusM) * angle),
-                                    .curvature = Curvature::fromSi(1.0 / radiusM)}}};
+                         .start = pose(0, 0, 0),
+                         .pieces = {{.length = metres(std::abs(radiusM) * angle),
+                                     .curvature = Curvature::fromSi(1.0 / radiusM)}}};
         const auto samples = sampled(turn, metres(toleranceM));
         QVERIFY(samples.size() >= 2);
         // The arc begins at the origin towards +x around (0, radius): its points are known exactly.
         const Point centre{0.0, radiusM};
         double worstM = 0.0;
         for (std::size_t i = 0; i + 1 < samples.size(); ++i) {
-            COMPARE_WITHIN(distance(samples[i].pose.position, centre), std::abs(radiusM), 1e-9 * (1.0 + std::abs(radiusM)));
+            COMPARE_WITHIN(distance(samples[i].pose.position, centre), std::abs(radiusM),
+                           1e-9 * (1.0 + std::abs(radiusM)));
             for (int k = 1; k < 8; ++k) {
                 const double way = samples[i].way.si() + (samples[i + 1].way - samples[i].way).si() * k / 8.0;
                 const double a = way / std::abs(radiusM);
-                const Point onArc = std::abs(radiusM) * Point{std::sin(a), (radiusM > 0 ? 1.0 : -1.0) * (1.0 - std::cos(a))};
-                worstM = std::max(worstM, distanceToSegment(onArc, samples[i].pose.position, samples[i + 1].pose.position));
+                const Point onArc =
+                    std::abs(radiusM) * Point{std::sin(a), (radiusM > 0 ? 1.0 : -1.0) * (1.0 - std::cos(a))};
+                worstM = std::max(
+                    worstM, distanceToSegment(onArc, samples[i].pose.position, samples[i + 1].pose.position));
             }
         }
         QVERIFY2(worstM <= toleranceM * (1.0 + 1e-6) + 1e-12, qPrintable(QString::number(worstM)));
@@ -102,7 +105,8 @@ private slots:
         const auto samples = sampled(turn, kChordTolerance);
         double way = 0.0;
         for (const CurvePiece& piece : turn.pieces) {
-            const auto at = std::ranges::find_if(samples, [&](const CurveSample& s) { return std::abs(s.way.si() - way) < 1e-9; });
+            const auto at = std::ranges::find_if(
+                samples, [&](const CurveSample& s) { return std::abs(s.way.si() - way) < 1e-9; });
             QVERIFY(at != samples.end());
             QCOMPARE(at->curvature.si(), piece.curvature.si());
             way += piece.length.si();
@@ -127,9 +131,9 @@ private slots:
         QFETCH(double, to);
         QFETCH(bool, forward);
         const CurvePiece piece{.length = metres(lengthM),
-                              .curvature = Curvature::fromSi(from),
-                              .endCurvature = Curvature::fromSi(to),
-                              .gear = forward ? Gear::Forward : Gear::Reverse};
+                               .curvature = Curvature::fromSi(from),
+                               .endCurvature = Curvature::fromSi(to),
+                               .gear = forward ? Gear::Forward : Gear::Reverse};
         const Curve turn{.type = "test", .start = pose(3, 4, 50), .pieces = {piece}};
         const auto samples = sampled(turn, kChordTolerance);
         for (std::size_t i = 0; i + 1 < samples.size(); ++i) {
@@ -139,7 +143,8 @@ private slots:
             for (int k = 1; k < 8; ++k) {
                 const Length way = samples[i].way + (samples[i + 1].way - samples[i].way) * (k / 8.0);
                 const Point on = advanced(turn.start, piece, way).position;
-                const double apartM = distanceToSegment(on, samples[i].pose.position, samples[i + 1].pose.position);
+                const double apartM =
+                    distanceToSegment(on, samples[i].pose.position, samples[i + 1].pose.position);
                 QVERIFY2(apartM <= kChordTolerance.si(), qPrintable(QString::number(apartM)));
             }
         }

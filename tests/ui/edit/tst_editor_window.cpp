@@ -34,7 +34,8 @@ private slots:
         QTRY_VERIFY(session_->farm()->hasField());
         ready();
         // 300 by 200.5 m.
-        QTRY_VERIFY(session_->shown()->plan() && std::abs(session_->shown()->plan()->field().area().si() - 60150.0) < 5.0);
+        QTRY_VERIFY(session_->shown()->plan() &&
+                    std::abs(session_->shown()->plan()->field().area().si() - 60150.0) < 5.0);
         // The first point is chosen and moved, then a number of it is typed.
         map()->forceActiveFocus();
         key(Qt::Key_Space);
@@ -64,7 +65,10 @@ private slots:
         const double area = session_->shown()->plan()->field().area().si();
         const QPoint out = quarter.y() < middle().y() ? QPoint{0, -40} : QPoint{0, 40};
         drag(quarter, quarter + out);
-        QTRY_VERIFY_WITH_TIMEOUT(session_->shown()->plan() && std::abs(session_->shown()->plan()->field().area().si() / area - (height + 40.0) / height) < 0.005, 30000);
+        QTRY_VERIFY_WITH_TIMEOUT(
+            session_->shown()->plan() && std::abs(session_->shown()->plan()->field().area().si() / area -
+                                                  (height + 40.0) / height) < 0.005,
+            30000);
         QCOMPARE(editor()->selection().kind, Selection::Kind::Edge);
         QTRY_VERIFY(shows(QStringLiteral("inspector")));
         ready();
@@ -88,20 +92,27 @@ private slots:
         enter(QStringLiteral("inspector.number.2"), QStringLiteral("60m"));
         QTRY_COMPARE(source().edgeHeadlands.size(), std::size_t{1});
         QCOMPARE(source().edgeHeadlands.front().width.si(), 60.0);
-        QTRY_VERIFY_WITH_TIMEOUT(session_->shown()->plan() && session_->shown()->plan()->headland.mainlandRatio < before - 0.02, 30000);
+        QTRY_VERIFY_WITH_TIMEOUT(
+            session_->shown()->plan() && session_->shown()->plan()->headland.mainlandRatio < before - 0.02,
+            30000);
         ready();
         picture(QStringLiteral("edge-headland"));
         // The others keep theirs.
         QVERIFY(session_->shown()->plan()->headland.width.si() > 59.0);
         const QPoint c = cornerOnMap(2);
         clickAt(b + (c - b) / 4);
-        QTRY_VERIFY(item(QStringLiteral("inspector.number.2")) && item(QStringLiteral("inspector.number.2"))->property("value").toDouble() < 59.0);
-        QVERIFY(std::abs(item(QStringLiteral("inspector.number.2"))->property("value").toDouble() - elsewhere) < 0.01);
+        QTRY_VERIFY(item(QStringLiteral("inspector.number.2")) &&
+                    item(QStringLiteral("inspector.number.2"))->property("value").toDouble() < 59.0);
+        QVERIFY(std::abs(item(QStringLiteral("inspector.number.2"))->property("value").toDouble() -
+                         elsewhere) < 0.01);
         clickAt(a + (b - a) / 4);
         QTRY_VERIFY(shows(QStringLiteral("inspector.headlandAsElsewhere")));
         click(QStringLiteral("inspector.headlandAsElsewhere"));
         QTRY_VERIFY(source().edgeHeadlands.empty());
-        QTRY_VERIFY_WITH_TIMEOUT(session_->shown()->plan() && std::abs(session_->shown()->plan()->headland.mainlandRatio - before) < 1e-9, 30000);
+        QTRY_VERIFY_WITH_TIMEOUT(
+            session_->shown()->plan() &&
+                std::abs(session_->shown()->plan()->headland.mainlandRatio - before) < 1e-9,
+            30000);
     }
     /// While a corner is dragged, and after it was let go until the plan is there.
     void theOutlineStaysWithTheHandle() {
@@ -116,21 +127,25 @@ private slots:
         QTest::mouseMove(window_, from);
         QTest::mousePress(window_, Qt::LeftButton, Qt::AltModifier, from);
         for (int i = 1; i <= 8; ++i) {
-            QTest::mouseEvent(QTest::MouseMove, window_, Qt::NoButton, Qt::AltModifier, from + (to - from) * i / 8);
+            QTest::mouseEvent(QTest::MouseMove, window_, Qt::NoButton, Qt::AltModifier,
+                              from + (to - from) * i / 8);
         }
         for (const bool held : {true, false}) {
             const QImage picture = window_->grabWindow();
             QDir{}.mkpath(QStringLiteral(FURROW_SCREENSHOT_DIR));
-            picture.save(QStringLiteral(FURROW_SCREENSHOT_DIR "/drag-%1.png").arg(held ? QStringLiteral("held") : QStringLiteral("let-go")));
+            picture.save(QStringLiteral(FURROW_SCREENSHOT_DIR "/drag-%1.png")
+                             .arg(held ? QStringLiteral("held") : QStringLiteral("let-go")));
             QVERIFY2(isBoundary(picture, (cornerOnMap(1) + beside) / 2), held ? "dragged" : "let go");
-            QVERIFY2(!isBoundary(picture, (from + beside) / 2), held ? "dragged, where it was" : "let go, where it was");
+            QVERIFY2(!isBoundary(picture, (from + beside) / 2),
+                     held ? "dragged, where it was" : "let go, where it was");
             if (held) {
                 QTest::mouseRelease(window_, Qt::LeftButton, Qt::AltModifier, to);
             }
         }
         ready();
         const QImage picture = window_->grabWindow();
-        QVERIFY(isBoundary(picture, (cornerOnMap(1) + beside) / 2) && !isBoundary(picture, (from + beside) / 2));
+        QVERIFY(isBoundary(picture, (cornerOnMap(1) + beside) / 2) &&
+                !isBoundary(picture, (from + beside) / 2));
     }
     void theMapStillMovesBesideTheField() {
         DRAW_FIELD();
@@ -151,7 +166,8 @@ private slots:
         QFETCH(int, sample);
         QFETCH(double, width);
         if (sample < 0) {
-            session_->opener()->addDrawn({{58.25, 22.5}, {58.25, 22.5136}, {58.2572, 22.5136}, {58.2572, 22.5}});
+            session_->opener()->addDrawn(
+                {{58.25, 22.5}, {58.25, 22.5136}, {58.2572, 22.5136}, {58.2572, 22.5}});
         } else {
             session_->opener()->openSample(sample);
         }
@@ -169,23 +185,34 @@ private slots:
         }
         qInfo("%lld plans; %s", static_cast<long long>(plans.count()), qPrintable(frames.text()));
         QTest::mouseRelease(window_, Qt::LeftButton, {}, from + QPoint{-59, -29});
-        QTRY_COMPARE_WITH_TIMEOUT(session_->shown()->plan()->field().source().parts == source().parts, true, 30000);
+        QTRY_COMPARE_WITH_TIMEOUT(session_->shown()->plan()->field().source().parts == source().parts, true,
+                                  30000);
         QCOMPARE(steps(), before + 1);
     }
     void aSwathIsInspected() {
         DRAW_FIELD();
-        const Swath& swath = session_->shown()->plan()->swaths.swaths[session_->shown()->plan()->swaths.swaths.size() / 2];
-        clickAt(onMap(coordinate(session_->shown()->plan()->field().frame().toGeo(0.5 * (swath.start + swath.end)))));
+        const Swath& swath =
+            session_->shown()->plan()->swaths.swaths[session_->shown()->plan()->swaths.swaths.size() / 2];
+        clickAt(onMap(
+            coordinate(session_->shown()->plan()->field().frame().toGeo(0.5 * (swath.start + swath.end)))));
         QTRY_VERIFY(shows(QStringLiteral("inspector")));
-        QVERIFY(item(QStringLiteral("inspector.title"))->property("text").toString().startsWith(QStringLiteral("Swath")));
+        QVERIFY(item(QStringLiteral("inspector.title"))
+                    ->property("text")
+                    .toString()
+                    .startsWith(QStringLiteral("Swath")));
         picture(QStringLiteral("swath"));
     }
     void theMenuUndoes() {
         DRAW_FIELD();
         click(QStringLiteral("bar.Edit"));
         QTRY_VERIFY(shows(QStringLiteral("command.undo.item")));
-        QTRY_VERIFY(item(QStringLiteral("command.undo.item"))->property("text").toString().contains(QStringLiteral("Add field")));
-        QTRY_COMPARE(item(QStringLiteral("command.undo.item"))->parentItem()->parentItem()->parentItem()->opacity(), 1.0);
+        QTRY_VERIFY(item(QStringLiteral("command.undo.item"))
+                        ->property("text")
+                        .toString()
+                        .contains(QStringLiteral("Add field")));
+        QTRY_COMPARE(
+            item(QStringLiteral("command.undo.item"))->parentItem()->parentItem()->parentItem()->opacity(),
+            1.0);
         picture(QStringLiteral("menu"));
         click(QStringLiteral("command.undo.item"));
         QTRY_VERIFY(!session_->farm()->hasField());
@@ -214,7 +241,11 @@ private slots:
         key(Qt::Key_Escape);
         QTRY_COMPARE(editor()->tool(), FieldEditor::Tool::Select);
         key(Qt::Key_F1);
-        QTRY_VERIFY(engine_->rootObjects().first()->findChild<QObject*>(QStringLiteral("keysDialog"))->property("opened").toBool());
+        QTRY_VERIFY(engine_->rootObjects()
+                        .first()
+                        ->findChild<QObject*>(QStringLiteral("keysDialog"))
+                        ->property("opened")
+                        .toBool());
         picture(QStringLiteral("keys"));
         key(Qt::Key_Escape);
     }

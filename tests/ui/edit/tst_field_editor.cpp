@@ -92,14 +92,16 @@ private slots:
         bench.session.document()->undo();
         QVERIFY(distance(bench.corner(1), before) < 1e-6);
     }
-    /// Dragged to 2 m beside the line on which its corner is right: there it catches, but not while Alt is held.
+    /// Dragged to 2 m beside the line on which its corner is right: there it catches, but not while Alt is
+    /// held.
     void aDraggedVertexCatchesRightAngles() {
         Bench bench;
         const Point from = bench.corner(1);
         const Point anchor = bench.corner(0);
         const Point beyond = bench.corner(3);
         const Point left = (1.0 / distance(anchor, beyond)) * Point{anchor.y - beyond.y, beyond.x - anchor.x};
-        const Point on = anchor + (std::abs(dot(from - anchor, left)) + 40.0) * (dot(from - anchor, left) > 0 ? left : -1.0 * left);
+        const Point on = anchor + (std::abs(dot(from - anchor, left)) + 40.0) *
+                                      (dot(from - anchor, left) > 0 ? left : -1.0 * left);
         const Point aside = on + (2.0 / distance(anchor, beyond)) * (beyond - anchor);
         bench.drag(from, aside);
         QVERIFY(distance(bench.corner(1), on) < 0.01);
@@ -114,7 +116,8 @@ private slots:
         const Point out = (25.0 / distance(a, b)) * Point{(b - a).y, -(b - a).x};
         bench.drag(middle, middle + out);
         const Point moved = bench.corner(1) - bench.corner(0);
-        QVERIFY2(std::abs(cross(moved, b - a)) / norm(moved) / norm(b - a) < 1e-6, "it is parallel to what it was");
+        QVERIFY2(std::abs(cross(moved, b - a)) / norm(moved) / norm(b - a) < 1e-6,
+                 "it is parallel to what it was");
         COMPARE_WITHIN(distanceToSegment(middle, bench.corner(0), bench.corner(1)), 25.0, 1e-3);
         QCOMPARE(bench.editor.selection().kind, Selection::Kind::Edge);
     }
@@ -174,21 +177,28 @@ private slots:
         bench.editor.setTool(FieldEditor::Tool::Gate);
         bench.editor.click(bench.at(0.5 * (bench.corner(0) + bench.corner(1)) + Point{0, 3}));
         QCOMPARE(bench.source().gates.size(), std::size_t{1});
-        QVERIFY2(distanceToSegment(bench.editor.shape()->gates.front(), bench.corner(0), bench.corner(1)) < 1e-3,
-                 "a gate lies on the boundary");
+        QVERIFY2(
+            distanceToSegment(bench.editor.shape()->gates.front(), bench.corner(0), bench.corner(1)) < 1e-3,
+            "a gate lies on the boundary");
         bench.draw(FieldEditor::Tool::Guide, {{-100, -50}, {100, 50}});
-        QTRY_VERIFY_WITH_TIMEOUT(bench.session.shown()->plan() && bench.session.shown()->plan()->field().source().gates.size() == 1, kPatienceMs);
+        QTRY_VERIFY_WITH_TIMEOUT(bench.session.shown()->plan() &&
+                                     bench.session.shown()->plan()->field().source().gates.size() == 1,
+                                 kPatienceMs);
         QTRY_COMPARE_WITH_TIMEOUT(bench.session.planning()->state(), PlanState::Ready, kPatienceMs);
         // 200 m to the east and 100 m to the north.
-        QTRY_VERIFY_WITH_TIMEOUT(std::abs(bench.session.shown()->plan()->swaths.heading.si() - std::atan2(100.0, 200.0)) < 1e-3, kPatienceMs);
+        QTRY_VERIFY_WITH_TIMEOUT(
+            std::abs(bench.session.shown()->plan()->swaths.heading.si() - std::atan2(100.0, 200.0)) < 1e-3,
+            kPatienceMs);
         QCOMPARE(bench.session.shown()->plan()->field().source().obstacles.size(), std::size_t{1});
-        bench.editor.select({.kind = Selection::Kind::Guide, .outline = {OutlineKind::Guide, 0, 0}, .index = 0});
+        bench.editor.select(
+            {.kind = Selection::Kind::Guide, .outline = {OutlineKind::Guide, 0, 0}, .index = 0});
         bench.editor.deleteSelection();
         QVERIFY(bench.editor.shape()->find({OutlineKind::Guide, 0, 0}) == nullptr);
         for (int i = 0; i < 5; ++i) {
             bench.session.document()->undo();
         }
-        QVERIFY(bench.source().obstacles.empty() && bench.source().gates.empty() && bench.source().parts.front().holes.empty());
+        QVERIFY(bench.source().obstacles.empty() && bench.source().gates.empty() &&
+                bench.source().parts.front().holes.empty());
     }
     void splitLinesAreDrawnMovedAndDeleted() {
         Bench bench;
@@ -206,8 +216,10 @@ private slots:
         QCOMPARE(bench.steps(), steps + 1);
         QVERIFY(distance(bench.editor.shape()->find(second)->points[1], {0, 90}) < 1e-3);
         // The field is 412 m wide: what is planned is cut in four.
-        QTRY_VERIFY_WITH_TIMEOUT(bench.session.shown()->plan() && !bench.session.shown()->isDraft() &&
-                                     bench.session.shown()->plan()->request.settings == bench.session.planning()->settings(), kPatienceMs);
+        QTRY_VERIFY_WITH_TIMEOUT(
+            bench.session.shown()->plan() && !bench.session.shown()->isDraft() &&
+                bench.session.shown()->plan()->request.settings == bench.session.planning()->settings(),
+            kPatienceMs);
         QVERIFY(bench.session.shown()->plan()->cells.cells.size() >= 4);
         // A point of three can go, then the line goes with either end.
         bench.editor.deleteSelection();
@@ -237,7 +249,8 @@ private slots:
         bench.editor.click(bench.at(0.5 * (bench.corner(0) + bench.corner(1))));
         bench.editor.clearSelection();
         using Kind = Selection::Kind;
-        for (const Kind kind : {Kind::Vertex, Kind::Obstacle, Kind::Guide, Kind::Split, Kind::Gate, Kind::Vertex}) {
+        for (const Kind kind :
+             {Kind::Vertex, Kind::Obstacle, Kind::Guide, Kind::Split, Kind::Gate, Kind::Vertex}) {
             bench.editor.selectNextShape(1);
             QCOMPARE(bench.editor.selection().kind, kind);
         }
@@ -251,7 +264,10 @@ private slots:
         bench.draw(FieldEditor::Tool::Guide, {{-100, -50}, {100, 50}});
         QTRY_COMPARE_WITH_TIMEOUT(bench.session.planning()->state(), PlanState::Ready, kPatienceMs);
         bench.drag({100, 50}, {100, 80}, true);
-        QTRY_VERIFY_WITH_TIMEOUT(!bench.session.shown()->isDraft() && std::abs(bench.session.shown()->plan()->swaths.heading.si() - std::atan2(130.0, 200.0)) < 1e-3, kPatienceMs);
+        QTRY_VERIFY_WITH_TIMEOUT(
+            !bench.session.shown()->isDraft() && std::abs(bench.session.shown()->plan()->swaths.heading.si() -
+                                                          std::atan2(130.0, 200.0)) < 1e-3,
+            kPatienceMs);
     }
     void theSwathsFollowAnEdge() {
         Bench bench;
@@ -259,7 +275,10 @@ private slots:
         bench.click(bench.corner(1) + 0.3 * way);
         QVERIFY(bench.inspector.isEdge());
         bench.editor.guideAlongEdge();
-        QTRY_VERIFY_WITH_TIMEOUT(bench.session.shown()->plan() && std::abs(std::sin(bench.session.shown()->plan()->swaths.heading.si() - std::atan2(way.y, way.x))) < 1e-6, kPatienceMs);
+        QTRY_VERIFY_WITH_TIMEOUT(bench.session.shown()->plan() &&
+                                     std::abs(std::sin(bench.session.shown()->plan()->swaths.heading.si() -
+                                                       std::atan2(way.y, way.x))) < 1e-6,
+                                 kPatienceMs);
     }
     void drawnByHand() {
         Session session;
@@ -282,7 +301,8 @@ private slots:
         const std::size_t points = session.document()->project()->field()->source->parts.front().outer.size();
         QVERIFY2(points > 10 && points < 60, "as many as two metres of tolerance need");
         QTRY_COMPARE_WITH_TIMEOUT(session.planning()->state(), PlanState::Ready, kPatienceMs);
-        COMPARE_WITHIN(session.shown()->plan()->field().area().si(), std::numbers::pi * 150.0 * 150.0, 2000.0);
+        COMPARE_WITHIN(session.shown()->plan()->field().area().si(), std::numbers::pi * 150.0 * 150.0,
+                       2000.0);
     }
     void edgesAreTyped() {
         Bench bench;
@@ -332,7 +352,8 @@ private slots:
         QCOMPARE(bench.inspector.data(bench.inspector.index(row), Inspector::NumberRole).toDouble(), 18.0);
         bench.inspector.setNumber(row, 24.0);
         QCOMPARE(bench.source().edgeHeadlands.size(), std::size_t{1});
-        QVERIFY(bench.source().edgeHeadlands.front() == (EdgeHeadland{.part = 0, .ring = 0, .edge = 0, .width = metres(24.0)}));
+        QVERIFY(bench.source().edgeHeadlands.front() ==
+                (EdgeHeadland{.part = 0, .ring = 0, .edge = 0, .width = metres(24.0)}));
         bench.session.document()->undo();
         QCOMPARE(bench.source().edgeHeadlands.front().width.si(), 18.0);
         bench.editor.clearEdgeHeadland();
@@ -359,10 +380,12 @@ private slots:
             QVERIFY(!bench.inspector.sentence().isEmpty());
             seen << bench.inspector.title().section(QLatin1Char(' '), 0, 0);
         }
-        QVERIFY(seen.contains(QStringLiteral("Swath")) && seen.contains(QStringLiteral("Turn")) && seen.contains(QStringLiteral("Headland")));
+        QVERIFY(seen.contains(QStringLiteral("Swath")) && seen.contains(QStringLiteral("Turn")) &&
+                seen.contains(QStringLiteral("Headland")));
         // Clicking on a swath finds it.
         const Swath& swath = plan.swaths.swaths[plan.swaths.swaths.size() / 2];
-        const Point middle = bench.editor.frame()->toLocal(plan.field().frame().toGeo(0.5 * (swath.start + swath.end)));
+        const Point middle =
+            bench.editor.frame()->toLocal(plan.field().frame().toGeo(0.5 * (swath.start + swath.end)));
         bench.editor.hover({.place = bench.editor.frame()->toGeo(middle), .reach = metres(0.5)});
         bench.editor.click({.place = bench.editor.frame()->toGeo(middle), .reach = metres(0.5)});
         QCOMPARE(bench.inspector.title(), QStringLiteral("Swath %1").arg(swath.number));

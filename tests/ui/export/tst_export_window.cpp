@@ -15,7 +15,9 @@ class TestExportWindow : public test::WindowTest {
 
 private:
     bool shown(const char* name) const { return item(name) != nullptr && item(name)->isVisible(); }
-    void setTheme(int mode) { engine_->singletonInstance<QObject*>("Furrow.Controls", "Theme")->setProperty("forced", mode); }
+    void setTheme(int mode) {
+        engine_->singletonInstance<QObject*>("Furrow.Controls", "Theme")->setProperty("forced", mode);
+    }
     StickExport& stick() const { return *session_->exporter()->stick(); }
     void openOn(const QTemporaryDir& folder) {
         plugIn(folder.path());
@@ -25,7 +27,8 @@ private:
         click("export.onStick");
         QTRY_VERIFY(shown("stick.terminal"));
         // Not the one of an earlier run.
-        stick().setTerminal(static_cast<int>(stick().terminalNames().indexOf(QStringLiteral("Another ISOBUS terminal"))));
+        stick().setTerminal(
+            static_cast<int>(stick().terminalNames().indexOf(QStringLiteral("Another ISOBUS terminal"))));
         QTRY_VERIFY(shown("stick.row.0"));
     }
     /// A folder that is listed like a stick, as long as it is there.
@@ -34,7 +37,8 @@ private:
             if (!QFile::exists(path)) {
                 return {};
             }
-            return {{path, QStringLiteral("FIELDS"), QStringLiteral("%1 · FAT32 · 14.9 GB free of 15.6 GB").arg(path)}};
+            return {{path, QStringLiteral("FIELDS"),
+                     QStringLiteral("%1 · FAT32 · 14.9 GB free of 15.6 GB").arg(path)}};
         });
     }
     static QByteArray contentsOf(const QString& path) {
@@ -58,9 +62,11 @@ private slots:
         click("export.write");
         QTRY_COMPARE(stick().state(), StickExport::State::Done);
         QTRY_VERIFY(shown("stick.message"));
-        QVERIFY(item("stick.message")->property("text").toString().startsWith(QStringLiteral("Safe to unplug")));
+        QVERIFY(
+            item("stick.message")->property("text").toString().startsWith(QStringLiteral("Safe to unplug")));
         picture(QStringLiteral("stick-done"));
-        QCOMPARE(contentsOf(folder.filePath(QStringLiteral("TASKDATA_backup_1/TASKDATA.XML"))), QByteArray{"the old one"});
+        QCOMPARE(contentsOf(folder.filePath(QStringLiteral("TASKDATA_backup_1/TASKDATA.XML"))),
+                 QByteArray{"the old one"});
         QVERIFY(contentsOf(folder.filePath(QStringLiteral("TASKDATA/TASKDATA.XML"))).contains("<PFD"));
         click("export.close");
         QTRY_VERIFY(!shown("stick.message"));
@@ -95,9 +101,11 @@ private slots:
         QVERIFY(item("stick.shows")->property("text").toString().contains(QStringLiteral("recorded path")));
         click("export.write");
         QTRY_COMPARE(stick().state(), StickExport::State::Done);
-        const QStringList fields = QDir{folder.filePath(QStringLiteral("AgOpenGPS/Fields"))}.entryList(QDir::Dirs | QDir::NoDotAndDotDot);
+        const QStringList fields = QDir{folder.filePath(QStringLiteral("AgOpenGPS/Fields"))}.entryList(
+            QDir::Dirs | QDir::NoDotAndDotDot);
         QCOMPARE(fields.size(), 1);
-        QVERIFY(QFile::exists(folder.filePath(QStringLiteral("AgOpenGPS/Fields/%1/RecPath.txt").arg(fields.first()))));
+        QVERIFY(QFile::exists(
+            folder.filePath(QStringLiteral("AgOpenGPS/Fields/%1/RecPath.txt").arg(fields.first()))));
         picture(QStringLiteral("stick-agopengps"));
     }
 

@@ -52,7 +52,8 @@ private slots:
         QTRY_COMPARE(started.load(), 1);
         int last = 0;
         for (int i = 1; i <= 20; ++i) {
-            runner.submit([&last, i](const JobContext&) -> JobRunner::Delivery { return [&last, i] { last = i; }; });
+            runner.submit(
+                [&last, i](const JobContext&) -> JobRunner::Delivery { return [&last, i] { last = i; }; });
         }
         QTRY_COMPARE(last, 20);
         QCOMPARE(dropped.load(), 0);
@@ -66,8 +67,9 @@ private slots:
         runner.submit(blocking(release, started, delivered));
         QTRY_COMPARE(started.load(), 1);
         for (int i = 0; i < 5; ++i) {
-            runner.submit([&later](const JobContext&) -> JobRunner::Delivery { return [&later] { ++later; }; },
-                          JobRunner::Replace::WhenDone);
+            runner.submit(
+                [&later](const JobContext&) -> JobRunner::Delivery { return [&later] { ++later; }; },
+                JobRunner::Replace::WhenDone);
         }
         release = true;
         QTRY_COMPARE(later, 1);

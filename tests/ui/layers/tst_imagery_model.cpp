@@ -32,9 +32,10 @@ private slots:
     void initTestCase() {
         for (const char* name : {"a", "b", "c"}) {
             paths_ << folder_.filePath(QStringLiteral("%1.tif").arg(QLatin1String{name}));
-            QVERIFY(writeTiff(paths_.back(), {.width = 300, .height = 300, .epsg = 4326,
-                                              .affine = {5.0, 1e-5, 0.0, 52.0, 0.0, -1e-5}},
-                              3, [](int band, int x, int) { return 40.0 * band + x % 100; }));
+            QVERIFY(writeTiff(
+                paths_.back(),
+                {.width = 300, .height = 300, .epsg = 4326, .affine = {5.0, 1e-5, 0.0, 52.0, 0.0, -1e-5}}, 3,
+                [](int band, int x, int) { return 40.0 * band + x % 100; }));
         }
     }
     void layersAreAddedOrderedAndUndone() {

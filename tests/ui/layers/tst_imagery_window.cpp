@@ -20,7 +20,9 @@ class TestImageryWindow : public WindowTest {
     /// Some 200 m of a meadow at the middle of zone 34, green, with a red square of 10 m in its middle.
     static bool writeMeadow(const QString& path) {
         constexpr double kNorthM = 6465000.0;
-        const RasterShape shape{.width = 401, .height = 401, .epsg = 32634,
+        const RasterShape shape{.width = 401,
+                                .height = 401,
+                                .epsg = 32634,
                                 .affine = {500000.0 - 100.25, 0.5, 0.0, kNorthM + 100.25, 0.0, -0.5},
                                 .options = {"TILED=YES"}};
         return writeTiff(path, shape, 3, [](int band, int x, int y) {
@@ -62,7 +64,8 @@ private slots:
     void aGeoTiffIsDrawnAtItsPlace() {
         const QTemporaryDir folder;
         addMeadow(folder);
-        // 21 degrees east is the middle of the zone; the latitude of northing 6465 km by the series of the meridian arc.
+        // 21 degrees east is the middle of the zone; the latitude of northing 6465 km by the series of the
+        // meridian arc.
         double latDeg = 58.3;
         for (int i = 0; i < 20; ++i) {
             latDeg += (6465000.0 - northingOnMeridian(latDeg)) / 111400.0;
@@ -75,7 +78,11 @@ private slots:
             QTRY_VERIFY(isDrawn());
             const QPointF place = map()->mapToScene(camera()->position(middle));
             QTRY_VERIFY2(QLineF(middleOfRed(), place).length() < 1.0,
-                         qPrintable(QStringLiteral("%1 %2, not %3 %4").arg(middleOfRed().x()).arg(middleOfRed().y()).arg(place.x()).arg(place.y())));
+                         qPrintable(QStringLiteral("%1 %2, not %3 %4")
+                                        .arg(middleOfRed().x())
+                                        .arg(middleOfRed().y())
+                                        .arg(place.x())
+                                        .arg(place.y())));
         }
         picture(QStringLiteral("imagery-close"));
     }
@@ -83,10 +90,12 @@ private slots:
         const QTemporaryDir folder;
         addMeadow(folder);
         QVERIFY(session_->document()->canUndo());
-        const QGeoCoordinate meadow = session_->imagery()->areaOf(0).center().atDistanceAndAzimuth(60.0, 90.0);
+        const QGeoCoordinate meadow =
+            session_->imagery()->areaOf(0).center().atDistanceAndAzimuth(60.0, 90.0);
         QTRY_VERIFY(isDrawn() && colourAt(meadow) == QColor(30, 210, 30));
         click(QStringLiteral("layersTool"));
-        QTRY_VERIFY(item(QStringLiteral("imagery.0.shown")) != nullptr && item(QStringLiteral("imagery.0.shown"))->isVisible());
+        QTRY_VERIFY(item(QStringLiteral("imagery.0.shown")) != nullptr &&
+                    item(QStringLiteral("imagery.0.shown"))->isVisible());
         picture(QStringLiteral("layers"));
         session_->imagery()->setOpacity(0, 0.5, true);
         session_->imagery()->setOpacity(0, 0.4, true);
@@ -131,7 +140,10 @@ private slots:
         file.close();
         session_->imagery()->addUrls({QUrl::fromLocalFile(file.fileName())});
         QTRY_VERIFY(item(QStringLiteral("imageryNotice"))->isVisible());
-        QVERIFY(item(QStringLiteral("imageryNotice.text"))->property("text").toString().startsWith(QStringLiteral("broken.mbtiles: ")));
+        QVERIFY(item(QStringLiteral("imageryNotice.text"))
+                    ->property("text")
+                    .toString()
+                    .startsWith(QStringLiteral("broken.mbtiles: ")));
         QCOMPARE(session_->imagery()->count(), 0);
         picture(QStringLiteral("imagery-refused"));
         click(QStringLiteral("imageryNotice.close"));
@@ -146,7 +158,8 @@ private slots:
         session_->opener()->startNew();
         QTRY_COMPARE(session_->imagery()->count(), 0);
         // The file is missing: the layer stays, says so, and is written again.
-        QVERIFY(QFile::rename(folder.filePath(QStringLiteral("meadow.tif")), folder.filePath(QStringLiteral("m.tif"))));
+        QVERIFY(QFile::rename(folder.filePath(QStringLiteral("meadow.tif")),
+                              folder.filePath(QStringLiteral("m.tif"))));
         session_->opener()->open(folder.filePath(QStringLiteral("farm.furrow")));
         QTRY_COMPARE(session_->imagery()->count(), 1);
         QTRY_COMPARE(state(), ImageryModel::State::Failed);
@@ -161,7 +174,9 @@ private slots:
     }
     void nothingIsFetchedBeforeItIsTurnedOn() {
         // What an earlier run fetched would not be asked for again.
-        QDir{QStandardPaths::writableLocation(QStandardPaths::GenericCacheLocation) + QStringLiteral("/QtLocation")}.removeRecursively();
+        QDir{QStandardPaths::writableLocation(QStandardPaths::GenericCacheLocation) +
+             QStringLiteral("/QtLocation")}
+            .removeRecursively();
         QTcpServer server;
         QVERIFY(server.listen(QHostAddress::LocalHost));
         QStringList asked;
@@ -171,7 +186,8 @@ private slots:
                 asked << QString::fromLatin1(socket->readAll().split('\r').first());
             });
         });
-        item(QStringLiteral("mapPage"))->setProperty("onlineServer", QStringLiteral("http://127.0.0.1:%1/").arg(server.serverPort()));
+        item(QStringLiteral("mapPage"))
+            ->setProperty("onlineServer", QStringLiteral("http://127.0.0.1:%1/").arg(server.serverPort()));
         camera()->centreOn(QGeoCoordinate{58.2515, 22.5035}, 15.0, false);
         camera()->panBy(50.0, 20.0);
         QVERIFY(!window_->grabWindow().isNull());
@@ -187,8 +203,8 @@ private slots:
         click(QStringLiteral("layer.online"));
         QTRY_VERIFY(item(QStringLiteral("onlineMap")) == nullptr);
     }
-    /// Prints what a frame costs while the map is panned, in processor time of all threads, and what of it which layer;
-    /// and the memory it takes to have seen all of an image (FURROW_IMAGERY names another).
+    /// Prints what a frame costs while the map is panned, in processor time of all threads, and what of it
+    /// which layer; and the memory it takes to have seen all of an image (FURROW_IMAGERY names another).
     void whatPanningCosts() {
         const QTemporaryDir folder;
         QVERIFY(writeMeadow(folder.filePath(QStringLiteral("meadow.tif"))));
@@ -205,27 +221,32 @@ private slots:
                 camera()->panBy(i % 2 == 0 ? 7.0 : -6.0, i % 4 < 2 ? 3.0 : -3.0);
                 QVERIFY(frame.wait());
             }
-            qInfo("%-28s %5.1f ms a frame", what, 1e3 * static_cast<double>(std::clock() - begin) / CLOCKS_PER_SEC / kFrames);
+            qInfo("%-28s %5.1f ms a frame", what,
+                  1e3 * static_cast<double>(std::clock() - begin) / CLOCKS_PER_SEC / kFrames);
         };
         session_->planning()->machine()->setNumber(0, 2.5);
         session_->opener()->addDrawn({{58.25, 22.5}, {58.25, 22.5136}, {58.2572, 22.5136}, {58.2572, 22.5}});
         QTRY_COMPARE_WITH_TIMEOUT(session_->planning()->state(), PlanState::Ready, 60000);
         QQuickItem* layers = item(QStringLiteral("layerSwitches"));
         cost("64 ha, 2.5 m, everything");
-        for (const char* layer : {"numbers", "directions", "findings", "turns", "swaths", "headland", "boundary"}) {
+        for (const char* layer :
+             {"numbers", "directions", "findings", "turns", "swaths", "headland", "boundary"}) {
             layers->setProperty(layer, false);
             cost(qPrintable(QStringLiteral("without %1 too").arg(QLatin1String{layer})));
         }
-        for (const char* layer : {"numbers", "directions", "findings", "turns", "swaths", "headland", "boundary"}) {
+        for (const char* layer :
+             {"numbers", "directions", "findings", "turns", "swaths", "headland", "boundary"}) {
             layers->setProperty(layer, true);
         }
         camera()->centreOn(camera()->center(), 18.5, false);
         cost("close, everything");
         const QString naip = qEnvironmentVariable(
-            "FURROW_IMAGERY", QStringLiteral(FURROW_SHARED_DATA_DIR "/basemap/raster/naip_nd_20140720_5m_4band.tif"));
+            "FURROW_IMAGERY",
+            QStringLiteral(FURROW_SHARED_DATA_DIR "/basemap/raster/naip_nd_20140720_5m_4band.tif"));
         const bool real = QFile::exists(naip);
         session_->opener()->startNew();
-        session_->opener()->openUrls({QUrl::fromLocalFile(real ? naip : folder.filePath(QStringLiteral("meadow.tif")))});
+        session_->opener()->openUrls(
+            {QUrl::fromLocalFile(real ? naip : folder.filePath(QStringLiteral("meadow.tif")))});
         QTRY_COMPARE(session_->imagery()->count(), 1);
         QTRY_COMPARE(state(), ImageryModel::State::Ready);
         camera()->centreOn(session_->imagery()->areaOf(0).center(), 15.0, false);
@@ -241,7 +262,8 @@ private slots:
                 const QGeoCoordinate corner = area.bottomLeft();
                 QSignalSpy frame{window_, &QQuickWindow::frameSwapped};
                 camera()->centreOn({corner.latitude() + area.height() * (i / kAcross + 0.5) / kAcross,
-                                    corner.longitude() + area.width() * (i % kAcross + 0.5) / kAcross}, zoom, false);
+                                    corner.longitude() + area.width() * (i % kAcross + 0.5) / kAcross},
+                                   zoom, false);
                 QVERIFY(frame.wait());
             }
             QTRY_VERIFY(isDrawn());

@@ -54,12 +54,25 @@ private slots:
         QTest::newRow("square") << MapRings{square(0, 0, 10)} << 100.0;
         QTest::newRow("triangle on its tip") << MapRings{{{0, 0}, {10, 0}, {5, 8}}} << 40.0;
         QTest::newRow("square with a hole") << MapRings{square(0, 0, 10), square(2, 3, 4)} << 84.0;
-        QTest::newRow("island in a hole") << MapRings{square(0, 0, 10), square(2, 2, 6), square(4, 4, 2)} << 68.0;
-        QTest::newRow("two squares that share an edge") << MapRings{square(0, 0, 10), square(10, 0, 10)} << 200.0;
+        QTest::newRow("island in a hole")
+            << MapRings{square(0, 0, 10), square(2, 2, 6), square(4, 4, 2)} << 68.0;
+        QTest::newRow("two squares that share an edge")
+            << MapRings{square(0, 0, 10), square(10, 0, 10)} << 200.0;
         QTest::newRow("hole on the boundary") << MapRings{square(0, 0, 10), square(0, 3, 4)} << 84.0;
         QTest::newRow("the same ring twice") << MapRings{square(0, 0, 10), square(0, 0, 10)} << 0.0;
         QTest::newRow("bend") << MapRings{{{0, 0}, {10, 0}, {10, 4}, {4, 4}, {4, 10}, {0, 10}}} << 64.0;
-        QTest::newRow("comb") << MapRings{{{0, 0}, {7, 0}, {7, 5}, {6, 5}, {6, 1}, {4, 1}, {4, 5}, {3, 5}, {3, 1}, {1, 1}, {1, 5}, {0, 5}}}
+        QTest::newRow("comb") << MapRings{{{0, 0},
+                                           {7, 0},
+                                           {7, 5},
+                                           {6, 5},
+                                           {6, 1},
+                                           {4, 1},
+                                           {4, 5},
+                                           {3, 5},
+                                           {3, 1},
+                                           {1, 1},
+                                           {1, 5},
+                                           {0, 5}}}
                               << 7.0 + 3 * 4.0;
     }
     void fills() {
@@ -80,7 +93,8 @@ private slots:
             for (int i = 0; i < corners; ++i) {
                 const double angle = 2.0 * std::numbers::pi * i / corners;
                 const double radius = 200.0 + 800.0 * random.generateDouble();
-                star.push_back({static_cast<float>(radius * std::cos(angle)), static_cast<float>(radius * std::sin(angle))});
+                star.push_back({static_cast<float>(radius * std::cos(angle)),
+                                static_cast<float>(radius * std::sin(angle))});
             }
             const double expected = ringArea(star);
             const double filled = filledArea(evenOddTriangles({star}));
@@ -92,7 +106,8 @@ private slots:
         std::vector<MapPoint> circle;
         for (int i = 0; i < 10000; ++i) {
             const double angle = 2.0 * std::numbers::pi * i / 10000;
-            circle.push_back({static_cast<float>(1e4 * std::cos(angle)), static_cast<float>(1e4 * std::sin(angle))});
+            circle.push_back(
+                {static_cast<float>(1e4 * std::cos(angle)), static_cast<float>(1e4 * std::sin(angle))});
         }
         QVERIFY(evenOddTriangles({circle}).size() <= 6 * 10000);
     }

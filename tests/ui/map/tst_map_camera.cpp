@@ -62,7 +62,8 @@ private slots:
         QVERIFY(corner.x() >= 99.9 && corner.y() >= 59.9);
         QVERIFY(opposite.x() <= 960.1 && opposite.y() <= 680.1);
         // One of the two directions is filled.
-        QVERIFY(std::abs(opposite.x() - corner.x() - 860.0) < 0.5 || std::abs(opposite.y() - corner.y() - 620.0) < 0.5);
+        QVERIFY(std::abs(opposite.x() - corner.x() - 860.0) < 0.5 ||
+                std::abs(opposite.y() - corner.y() - 620.0) < 0.5);
     }
     void fitsAcrossTheAntimeridian() {
         MapCamera camera;
@@ -85,7 +86,8 @@ private slots:
         std::vector<MapPoint> arc;
         for (int i = 0; i <= 900; ++i) {
             const double angle = i * 0.1 * 3.14159265 / 180.0;
-            arc.push_back({static_cast<float>(1000.0 * std::cos(angle)), static_cast<float>(1000.0 * std::sin(angle))});
+            arc.push_back(
+                {static_cast<float>(1000.0 * std::cos(angle)), static_cast<float>(1000.0 * std::sin(angle))});
         }
         const std::vector<MapPoint> fewer = simplified(arc, 1.0F);
         QVERIFY(fewer.size() >= 8 && fewer.size() < 40);

@@ -18,7 +18,10 @@ std::shared_ptr<const Plan> planOf(double widthDeg, double heightDeg,
     for (const auto& [key, value] : given) {
         applySetting(settings, key, value).value();
     }
-    const GeoRing ring{{22.5, 58.25}, {22.5 + widthDeg, 58.25}, {22.5 + widthDeg, 58.25 + heightDeg}, {22.5, 58.25 + heightDeg}};
+    const GeoRing ring{{22.5, 58.25},
+                       {22.5 + widthDeg, 58.25},
+                       {22.5 + widthDeg, 58.25 + heightDeg},
+                       {22.5, 58.25 + heightDeg}};
     const auto field = Field::create({.id = "f",
                                       .name = "F",
                                       .origin = {},
@@ -26,7 +29,9 @@ std::shared_ptr<const Plan> planOf(double widthDeg, double heightDeg,
                                       .obstacles = {},
                                       .gates = {},
                                       .boundaryAccuracy = {}});
-    return makePlan({.field = std::make_shared<const Field>(field.value()), .machine = machineLibrary().front(), .settings = settings})
+    return makePlan({.field = std::make_shared<const Field>(field.value()),
+                     .machine = machineLibrary().front(),
+                     .settings = settings})
         .value();
 }
 
@@ -60,9 +65,10 @@ private slots:
     }
     // Four corners for each chord: curves have many, and tramlines are drawn once more.
     void curvesAndTramlines() {
-        const auto plan = planOf(0.01, 0.004, {{"swaths.method", "ab-curve"},
-                                               {"swaths.line", "LINESTRING (22.501 58.251, 22.505 58.252, 22.509 58.251)"},
-                                               {"swaths.tramline_every", "8"}});
+        const auto plan = planOf(0.01, 0.004,
+                                 {{"swaths.method", "ab-curve"},
+                                  {"swaths.line", "LINESTRING (22.501 58.251, 22.505 58.252, 22.509 58.251)"},
+                                  {"swaths.tramline_every", "8"}});
         const PlanGeometry geometry = planGeometry(*plan);
         std::size_t chords = 0;
         std::size_t tramlineChords = 0;
@@ -97,7 +103,8 @@ private slots:
             const MapPoint a = mesh[i];
             const MapPoint b = mesh[i + 1];
             const MapPoint c = mesh[i + 2];
-            twice += std::abs((double{b.x} - a.x) * (double{c.y} - a.y) - (double{c.x} - a.x) * (double{b.y} - a.y));
+            twice += std::abs((double{b.x} - a.x) * (double{c.y} - a.y) -
+                              (double{c.x} - a.x) * (double{b.y} - a.y));
         }
         return 0.5 * twice;
     }
@@ -108,8 +115,10 @@ private slots:
         const double unit = geometry.unitsPerMetre * geometry.unitsPerMetre;
         const AuditReport& audit = plan->audit;
         QVERIFY(std::abs(areaOf(geometry.covered) / unit - audit.covered->si()) < 0.01 * audit.covered->si());
-        QVERIFY(std::abs(areaOf(geometry.missed) / unit - audit.missed->si()) < 0.01 * audit.missed->si() + 1.0);
-        QVERIFY(std::abs(areaOf(geometry.overlap) / unit - audit.overlap->si()) < 0.02 * audit.overlap->si() + 1.0);
+        QVERIFY(std::abs(areaOf(geometry.missed) / unit - audit.missed->si()) <
+                0.01 * audit.missed->si() + 1.0);
+        QVERIFY(std::abs(areaOf(geometry.overlap) / unit - audit.overlap->si()) <
+                0.02 * audit.overlap->si() + 1.0);
         QVERIFY(std::abs(areaOf(geometry.wheels) / unit - audit.oftenDrivenShare * audit.workable.si()) <
                 0.02 * audit.oftenDrivenShare * audit.workable.si() + 1.0);
         QVERIFY(audit.oftenDrivenShare > 0.0 && audit.overlap->si() > 0.0);
@@ -136,10 +145,17 @@ private slots:
         QVERIFY(last <= 2);
     }
     void brokenBoundaryIsDrawnAsFarAsItGoes() {
-        FieldSource source{.id = "x", .name = "x", .origin = {}, .parts = {}, .obstacles = {}, .gates = {}, .boundaryAccuracy = {}};
+        FieldSource source{.id = "x",
+                           .name = "x",
+                           .origin = {},
+                           .parts = {},
+                           .obstacles = {},
+                           .gates = {},
+                           .boundaryAccuracy = {}};
         QVERIFY(outlineGeometry(source, {}).rings.empty());
-        source.parts = {{.outer = {{22.5, 58.25}, {22.51, 58.26}, {22.51, 58.25}, {22.5, 58.26}}, .holes = {}},
-                        {.outer = {{std::nan(""), 1.0}, {2.0, 2.0}, {3.0, 1.0}}, .holes = {}}};
+        source.parts = {
+            {.outer = {{22.5, 58.25}, {22.51, 58.26}, {22.51, 58.25}, {22.5, 58.26}}, .holes = {}},
+            {.outer = {{std::nan(""), 1.0}, {2.0, 2.0}, {3.0, 1.0}}, .holes = {}}};
         const PlanGeometry geometry = outlineGeometry(source, GeoPoint{.lonDeg = 22.505, .latDeg = 58.255});
         QCOMPARE(geometry.rings.size(), std::size_t{1});
         QCOMPARE(geometry.findings.size(), std::size_t{1});

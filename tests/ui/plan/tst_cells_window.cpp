@@ -23,7 +23,9 @@ class TestCellsWindow : public EditorWindowTest {
 
     CellSteps& cells() const { return *session_->planning()->cells(); }
     QString text(const char* name) const { return item(QLatin1String{name})->property("text").toString(); }
-    const CellGeometry* drawn() const { return item(QStringLiteral("cellLayer"))->property("drawing").value<CellDrawing>().geometry().get(); }
+    const CellGeometry* drawn() const {
+        return item(QStringLiteral("cellLayer"))->property("drawing").value<CellDrawing>().geometry().get();
+    }
 
     /// 230 m wide, with nine ponds in slanting rows that cut it in 28.
     static QByteArray ponds() {
@@ -31,7 +33,8 @@ class TestCellsWindow : public EditorWindowTest {
             constexpr double kDegrees = 1.0 / 111320.0;
             QJsonArray points;
             for (const auto& [x, y] : corners) {
-                points << QJsonArray{22.5 + x * kDegrees / std::cos(58.25 * std::numbers::pi / 180.0), 58.25 + y * kDegrees};
+                points << QJsonArray{22.5 + x * kDegrees / std::cos(58.25 * std::numbers::pi / 180.0),
+                                     58.25 + y * kDegrees};
             }
             points << points.first();
             return points;
@@ -44,10 +47,13 @@ class TestCellsWindow : public EditorWindowTest {
                 rings << ring({{x, y}, {x, y + 14}, {x + 14, y + 14}, {x + 14, y}});
             }
         }
-        return QJsonDocument{QJsonObject{{QStringLiteral("type"), QStringLiteral("Feature")},
-                                         {QStringLiteral("properties"), QJsonObject{{QStringLiteral("name"), QStringLiteral("Nine ponds")}}},
-                                         {QStringLiteral("geometry"), QJsonObject{{QStringLiteral("type"), QStringLiteral("Polygon")},
-                                                                                  {QStringLiteral("coordinates"), rings}}}}}
+        return QJsonDocument{
+            QJsonObject{
+                {QStringLiteral("type"), QStringLiteral("Feature")},
+                {QStringLiteral("properties"),
+                 QJsonObject{{QStringLiteral("name"), QStringLiteral("Nine ponds")}}},
+                {QStringLiteral("geometry"), QJsonObject{{QStringLiteral("type"), QStringLiteral("Polygon")},
+                                                         {QStringLiteral("coordinates"), rings}}}}}
             .toJson();
     }
     void openPonds(const char* method) {
@@ -58,9 +64,11 @@ class TestCellsWindow : public EditorWindowTest {
         session_->opener()->open(file.fileName());
         QTRY_VERIFY_WITH_TIMEOUT(session_->farm()->hasField(), 30000);
         Settings settings = session_->planning()->settings();
-        QVERIFY(applySetting(settings, "headland.driven", "false") && applySetting(settings, "decomposition.method", method));
-        session_->document()->change([] { return QStringLiteral("Settings"); },
-                                     withPlan(*session_->document()->project(), session_->planning()->machine()->machine(), settings));
+        QVERIFY(applySetting(settings, "headland.driven", "false") &&
+                applySetting(settings, "decomposition.method", method));
+        session_->document()->change(
+            [] { return QStringLiteral("Settings"); },
+            withPlan(*session_->document()->project(), session_->planning()->machine()->machine(), settings));
         ready();
     }
     void openStep() {
@@ -83,7 +91,9 @@ private slots:
         const DecompositionHistory& history = session_->shown()->plan()->cells.history;
         const int count = static_cast<int>(history.steps.size());
         QVERIFY(count >= 3);
-        const auto cellsAfter = [&](int step) { return QStringLiteral("%1 cells").arg(history.steps[static_cast<std::size_t>(step)].cells); };
+        const auto cellsAfter = [&](int step) {
+            return QStringLiteral("%1 cells").arg(history.steps[static_cast<std::size_t>(step)].cells);
+        };
         openStep();
         QVERIFY(text("cells.summary").startsWith(QStringLiteral("Cut: ") + cellsAfter(0)));
         QVERIFY(text("cells.summary").contains(QStringLiteral("joined: ") + cellsAfter(count - 1)));
@@ -93,14 +103,18 @@ private slots:
         // With the mouse: as cut, then on to the last one.
         click(QStringLiteral("cells.show"));
         QTRY_VERIFY(item(QStringLiteral("cellLayer"))->isVisible());
-        QCOMPARE(text("cells.current"), QStringLiteral("Step 1 of %1: ").arg(count) + text("cells.summary").section(QStringLiteral(": "), 1).section(QStringLiteral(" →"), 0, 0));
+        QCOMPARE(
+            text("cells.current"),
+            QStringLiteral("Step 1 of %1: ").arg(count) +
+                text("cells.summary").section(QStringLiteral(": "), 1).section(QStringLiteral(" →"), 0, 0));
         QCOMPARE(text("cells.join"), QStringLiteral("As cut."));
         QVERIFY(drawn() != nullptr && drawn()->joined.empty());
         picture(QStringLiteral("cells2_cut_%1").arg(QLatin1String{QTest::currentDataTag()}));
         QVERIFY(!item(QStringLiteral("cells.previous"))->isEnabled());
         // What has no swath goes to a neighbour before anything is joined.
         int first = 1;
-        while (first < count && !(history.steps[static_cast<std::size_t>(first)].cost < history.steps[static_cast<std::size_t>(first) - 1].cost)) {
+        while (first < count && !(history.steps[static_cast<std::size_t>(first)].cost <
+                                  history.steps[static_cast<std::size_t>(first) - 1].cost)) {
             ++first;
         }
         QVERIFY(first + 1 < count);
@@ -109,7 +123,8 @@ private slots:
             QCOMPARE(cells().current(), step);
         }
         QVERIFY(text("cells.current").contains(cellsAfter(first)));
-        QVERIFY(text("cells.join").startsWith(QStringLiteral("The two marked cells become one: that saves ")));
+        QVERIFY(
+            text("cells.join").startsWith(QStringLiteral("The two marked cells become one: that saves ")));
         QVERIFY(!drawn()->joined.empty());
         picture(QStringLiteral("cells3_joined_%1").arg(QLatin1String{QTest::currentDataTag()}));
 

@@ -5,12 +5,15 @@
 
 using namespace furrow;
 
-/// What leaves the window is a finished plan of what the panels show, and nothing else: by buttons, menu and keys.
+/// What leaves the window is a finished plan of what the panels show, and nothing else: by buttons, menu and
+/// keys.
 class TestStaleWindow : public test::EditorWindowTest {
     Q_OBJECT
 
 private:
-    QString textOf(const QString& name) const { return item(name) == nullptr ? QString{} : item(name)->property("text").toString(); }
+    QString textOf(const QString& name) const {
+        return item(name) == nullptr ? QString{} : item(name)->property("text").toString();
+    }
     bool writable() const { return item(QStringLiteral("export.write"))->isEnabled(); }
     /// Another machine by keys, and planning is stopped before it is done.
     void changeMachineAndStop() {
@@ -38,9 +41,11 @@ private slots:
         QVERIFY(before->request.machine == session_->planning()->machine()->machine());
         changeMachineAndStop();
         QCOMPARE(session_->shown()->plan(), before);
-        QVERIFY2(textOf(QStringLiteral("statusText")).startsWith(QStringLiteral("Out of date")), qPrintable(textOf(QStringLiteral("statusText"))));
+        QVERIFY2(textOf(QStringLiteral("statusText")).startsWith(QStringLiteral("Out of date")),
+                 qPrintable(textOf(QStringLiteral("statusText"))));
         QTRY_VERIFY(shows(QStringLiteral("results.outOfDate")));
-        QCOMPARE(session_->planning()->steps()->index(2).data(StepsModel::StatusRole).toInt(), static_cast<int>(StepsModel::Status::Old));
+        QCOMPARE(session_->planning()->steps()->index(2).data(StepsModel::StatusRole).toInt(),
+                 static_cast<int>(StepsModel::Status::Old));
         picture(QStringLiteral("stale-window"));
         openExport();
         QVERIFY(shows(QStringLiteral("export.refusal")));
@@ -80,7 +85,8 @@ private slots:
         DRAW_FIELD();
         changeMachineAndStop();
         key(Qt::Key_K, Qt::ControlModifier);
-        QTRY_VERIFY(item(QStringLiteral("palette.field")) != nullptr && item(QStringLiteral("palette.field"))->hasActiveFocus());
+        QTRY_VERIFY(item(QStringLiteral("palette.field")) != nullptr &&
+                    item(QStringLiteral("palette.field"))->hasActiveFocus());
         type(QStringLiteral("export the plan"));
         key(Qt::Key_Return);
         QTRY_VERIFY(shows(QStringLiteral("export.refusal")));
@@ -100,7 +106,8 @@ private slots:
         QVERIFY(shows(QStringLiteral("export.refusal")));
         QTRY_VERIFY_WITH_TIMEOUT(isFinished(session_->planning()->state()), 30000);
         QTRY_VERIFY(writable());
-        QVERIFY2(textOf(QStringLiteral("export.details")).contains(QStringLiteral("7.5 m wide")), qPrintable(textOf(QStringLiteral("export.details"))));
+        QVERIFY2(textOf(QStringLiteral("export.details")).contains(QStringLiteral("7.5 m wide")),
+                 qPrintable(textOf(QStringLiteral("export.details"))));
     }
 
     void whatIsWrittenIsNamed() {
@@ -108,23 +115,28 @@ private slots:
         session_->farm()->renamePlan(QStringLiteral("Spring drilling"), QStringLiteral("2027"));
         const QTemporaryDir folder;
         openExport();
-        QCOMPARE(textOf(QStringLiteral("export.heading")), QStringLiteral("Field 1 · Spring drilling · 2027"));
+        QCOMPARE(textOf(QStringLiteral("export.heading")),
+                 QStringLiteral("Field 1 · Spring drilling · 2027"));
         const QString details = textOf(QStringLiteral("export.details"));
         const Machine& machine = session_->planning()->machine()->machine();
         QVERIFY2(details.contains(QString::fromStdString(machine.name())), qPrintable(details));
-        QVERIFY2(details.contains(QLocale{}.toString(machine.operatingWidth().si(), 'f', 1) + QStringLiteral(" m wide")), qPrintable(details));
+        QVERIFY2(details.contains(QLocale{}.toString(machine.operatingWidth().si(), 'f', 1) +
+                                  QStringLiteral(" m wide")),
+                 qPrintable(details));
         QVERIFY2(details.contains(QStringLiteral("planned ")), qPrintable(details));
         item(QStringLiteral("export.folder"))->setProperty("text", folder.filePath(QStringLiteral("out")));
         click(QStringLiteral("export.write"));
         QTRY_COMPARE(session_->exporter()->state(), ExportModel::State::Done);
-        QVERIFY(textOf(QStringLiteral("export.written")).startsWith(QStringLiteral("Field 1 · Spring drilling · 2027")));
+        QVERIFY(textOf(QStringLiteral("export.written"))
+                    .startsWith(QStringLiteral("Field 1 · Spring drilling · 2027")));
         click(QStringLiteral("export.onStick"));
         session_->exporter()->stick()->addFolder(QUrl::fromLocalFile(folder.path()));
         QTRY_VERIFY(writable());
         click(QStringLiteral("export.write"));
         QTRY_COMPARE(session_->exporter()->stick()->state(), StickExport::State::Done);
         QTRY_VERIFY(shows(QStringLiteral("stick.writtenPlan")));
-        QVERIFY(textOf(QStringLiteral("stick.writtenPlan")).startsWith(QStringLiteral("Field 1 · Spring drilling · 2027")));
+        QVERIFY(textOf(QStringLiteral("stick.writtenPlan"))
+                    .startsWith(QStringLiteral("Field 1 · Spring drilling · 2027")));
         picture(QStringLiteral("export-named"));
     }
 
@@ -137,7 +149,8 @@ private slots:
         session_->farm()->renameField(QStringLiteral("Pond Field"));
         QTRY_VERIFY_WITH_TIMEOUT(isFinished(session_->planning()->state()), 30000);
         openExport();
-        QVERIFY2(textOf(QStringLiteral("export.folder")).contains(QStringLiteral("Pond Field")), qPrintable(textOf(QStringLiteral("export.folder"))));
+        QVERIFY2(textOf(QStringLiteral("export.folder")).contains(QStringLiteral("Pond Field")),
+                 qPrintable(textOf(QStringLiteral("export.folder"))));
     }
 
     void aDraftIsNotExported() {
@@ -170,16 +183,21 @@ private slots:
     void aBlockingFindingIsAProblemEverywhere() {
         DRAW_FIELD();
         QCOMPARE(session_->planning()->state(), PlanState::Ready);
-        QCOMPARE(session_->planning()->steps()->index(7).data(StepsModel::StatusRole).toInt(), static_cast<int>(StepsModel::Status::Good));
+        QCOMPARE(session_->planning()->steps()->index(7).data(StepsModel::StatusRole).toInt(),
+                 static_cast<int>(StepsModel::Status::Good));
         // Without a headland there is no room to turn inside.
         ParameterModel* headland = session_->planning()->steps()->parameters(QStringLiteral("headland"));
         headland->setNumber(headlandRow(*headland), 1.0);
         QTRY_COMPARE_WITH_TIMEOUT(session_->planning()->state(), PlanState::Problems, 30000);
         const int problems = session_->planning()->problemCount();
         QVERIFY(problems > 0);
-        const QString said = problems == 1 ? QStringLiteral("1 problem") : QStringLiteral("%1 problems").arg(QLocale{}.toString(problems));
-        QVERIFY2(textOf(QStringLiteral("statusText")).startsWith(said), qPrintable(textOf(QStringLiteral("statusText"))));
-        const auto step = [this](int row, int role) { return session_->planning()->steps()->index(row).data(role); };
+        const QString said = problems == 1 ? QStringLiteral("1 problem")
+                                           : QStringLiteral("%1 problems").arg(QLocale{}.toString(problems));
+        QVERIFY2(textOf(QStringLiteral("statusText")).startsWith(said),
+                 qPrintable(textOf(QStringLiteral("statusText"))));
+        const auto step = [this](int row, int role) {
+            return session_->planning()->steps()->index(row).data(role);
+        };
         QCOMPARE(step(6, StepsModel::StatusRole).toInt(), static_cast<int>(StepsModel::Status::Warning));
         QCOMPARE(step(7, StepsModel::StatusRole).toInt(), static_cast<int>(StepsModel::Status::Warning));
         QCOMPARE(step(7, StepsModel::ChoiceRole).toString(), said);
@@ -205,7 +223,8 @@ private slots:
 private:
     static int headlandRow(const ParameterModel& model) {
         for (int row = 0; row < model.rowCount(); ++row) {
-            if (model.index(row).data(ParameterModel::KeyRole).toString() == QStringLiteral("headland.width_m")) {
+            if (model.index(row).data(ParameterModel::KeyRole).toString() ==
+                QStringLiteral("headland.width_m")) {
                 return row;
             }
         }

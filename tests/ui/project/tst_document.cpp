@@ -32,8 +32,9 @@ private slots:
     /// After undoing, every kind of change leaves an equal project; after redoing, the changed one.
     void everyChangeIsUndone_data() {
         QTest::addColumn<int>("change");
-        const char* names[] = {"another source", "another plan", "fields added", "field removed", "obstacle removed",
-                               "gate removed", "plan copied", "plan removed", "field renamed", "plan renamed"};
+        const char* names[] = {"another source",   "another plan", "fields added", "field removed",
+                               "obstacle removed", "gate removed", "plan copied",  "plan removed",
+                               "field renamed",    "plan renamed"};
         for (int i = 0; i < static_cast<int>(std::size(names)); ++i) {
             QTest::newRow(names[i]) << i;
         }
@@ -59,8 +60,12 @@ private slots:
         }();
         QVERIFY(!(changed == before));
         Document document;
-        document.begin({.base = std::make_shared<const Project>(before), .steps = {}, .done = 0, .file = {},
-                        .savedFingerprint = {}, .saved = 0});
+        document.begin({.base = std::make_shared<const Project>(before),
+                        .steps = {},
+                        .done = 0,
+                        .file = {},
+                        .savedFingerprint = {},
+                        .saved = 0});
         document.change([] { return QStringLiteral("Change"); }, changed);
         QVERIFY(*document.project() == changed);
         QVERIFY(document.isModified());
@@ -90,7 +95,8 @@ private slots:
     }
     /// Its AB line and its split lines lie in the field they were drawn in.
     void aNewFieldTakesMachineAndSettingsButNoPlaces() {
-        const Project first = withSplits(showing(sampleProject(), 0, 0), {{{22.5, 58.251}, {22.507, 58.251}}});
+        const Project first =
+            withSplits(showing(sampleProject(), 0, 0), {{{22.5, 58.251}, {22.507, 58.251}}});
         QVERIFY(first.plan().settings.isSet(**findParameter("decomposition.split")));
         const Project project = withFields(first, {sampleSource()});
         QCOMPARE(widthOf(project), 24.5);
@@ -101,13 +107,15 @@ private slots:
     void draggingIsOneChange() {
         Document document;
         for (int i = 1; i <= 20; ++i) {
-            document.change([] { return QStringLiteral("Width"); }, withWidth(*document.project(), i), QStringLiteral("w"),
-                            Document::Follows::More);
+            document.change([] { return QStringLiteral("Width"); }, withWidth(*document.project(), i),
+                            QStringLiteral("w"), Document::Follows::More);
             QVERIFY(document.isDragging());
         }
-        document.change([] { return QStringLiteral("Width"); }, withWidth(*document.project(), 21), QStringLiteral("w"));
+        document.change([] { return QStringLiteral("Width"); }, withWidth(*document.project(), 21),
+                        QStringLiteral("w"));
         QVERIFY(!document.isDragging());
-        document.change([] { return QStringLiteral("Width"); }, withWidth(*document.project(), 40), QStringLiteral("w"));
+        document.change([] { return QStringLiteral("Width"); }, withWidth(*document.project(), 40),
+                        QStringLiteral("w"));
         QCOMPARE(document.history().steps.size(), std::size_t{2});
         document.undo();
         QCOMPARE(widthOf(*document.project()), 21.0);
@@ -118,7 +126,8 @@ private slots:
     void draggingBackIsNoChange() {
         Document document;
         const Project before = *document.project();
-        document.change([] { return QStringLiteral("Width"); }, withWidth(before, 5), QStringLiteral("w"), Document::Follows::More);
+        document.change([] { return QStringLiteral("Width"); }, withWidth(before, 5), QStringLiteral("w"),
+                        Document::Follows::More);
         document.change([] { return QStringLiteral("Width"); }, before, QStringLiteral("w"));
         QVERIFY(!document.canUndo());
         QVERIFY(!document.isModified());
@@ -127,18 +136,25 @@ private slots:
     }
     void anotherChangeEndsADrag() {
         Document document;
-        document.change([] { return QStringLiteral("Width"); }, withWidth(*document.project(), 5), QStringLiteral("w"), Document::Follows::More);
-        document.change([] { return QStringLiteral("Field"); }, withFields(*document.project(), {sampleSource()}));
+        document.change([] { return QStringLiteral("Width"); }, withWidth(*document.project(), 5),
+                        QStringLiteral("w"), Document::Follows::More);
+        document.change([] { return QStringLiteral("Field"); },
+                        withFields(*document.project(), {sampleSource()}));
         document.undo();
-        document.change([] { return QStringLiteral("Width"); }, withWidth(*document.project(), 6), QStringLiteral("w"), Document::Follows::More);
+        document.change([] { return QStringLiteral("Width"); }, withWidth(*document.project(), 6),
+                        QStringLiteral("w"), Document::Follows::More);
         QCOMPARE(document.history().steps.size(), std::size_t{2});
         document.undo();
         QCOMPARE(widthOf(*document.project()), 5.0);
     }
     void lookingIsNoChange() {
         Document document;
-        document.begin({.base = std::make_shared<const Project>(sampleProject()), .steps = {}, .done = 0, .file = {},
-                        .savedFingerprint = {}, .saved = 0});
+        document.begin({.base = std::make_shared<const Project>(sampleProject()),
+                        .steps = {},
+                        .done = 0,
+                        .file = {},
+                        .savedFingerprint = {},
+                        .saved = 0});
         QSignalSpy changed{&document, &Document::projectChanged};
         document.look(showing(*document.project(), 0, 1));
         QCOMPARE(changed.count(), 1);

@@ -48,7 +48,8 @@ struct Desk {
         return opened && files.open(path, std::move(*opened));
     }
     void step(int number) {
-        document.change([number] { return QStringLiteral("Step %1").arg(number); }, numbered(*document.project(), number));
+        document.change([number] { return QStringLiteral("Step %1").arg(number); },
+                        numbered(*document.project(), number));
     }
 };
 
@@ -156,7 +157,8 @@ private slots:
     void workWithoutANameComesBackToo() {
         {
             Desk desk{journals_};
-            desk.document.change([] { return QStringLiteral("Add"); }, withFields(*desk.document.project(), {sampleSource()}));
+            desk.document.change([] { return QStringLiteral("Add"); },
+                                 withFields(*desk.document.project(), {sampleSource()}));
         }
         {
             Desk desk{journals_};
@@ -169,7 +171,9 @@ private slots:
         QVERIFY2(!desk.files.recover(), "it was not wanted");
     }
     void nothingDoneLeavesNothingBehind() {
-        { Desk desk{journals_}; }
+        {
+            Desk desk{journals_};
+        }
         QVERIFY(QDir{journals_}.isEmpty());
     }
     /// The file was changed by another program after a crash with unsaved changes.
@@ -224,10 +228,12 @@ private slots:
         QTRY_VERIFY(!desk.document.isModified());
         QCOMPARE(desk.files.trouble(), ProjectFiles::Trouble::None);
     }
-    /// A program that edits and saves all the time is killed at random moments: the file is whole and holds what
-    /// was saved last or later, and what the journal was asked to keep is there. FURROW_KILLS sets how often.
+    /// A program that edits and saves all the time is killed at random moments: the file is whole and holds
+    /// what was saved last or later, and what the journal was asked to keep is there. FURROW_KILLS sets how
+    /// often.
     void aKillLosesNothing() {
-        const int kills = qEnvironmentVariableIsSet("FURROW_KILLS") ? qEnvironmentVariableIntValue("FURROW_KILLS") : 10;
+        const int kills =
+            qEnvironmentVariableIsSet("FURROW_KILLS") ? qEnvironmentVariableIntValue("FURROW_KILLS") : 10;
         const quint32 seed = QRandomGenerator::global()->generate();
         QRandomGenerator random{seed};
         int savedSoFar = 0;
@@ -269,7 +275,8 @@ private slots:
             QVERIFY2(numberOf(*desk.document.project()) >= std::max(saved, kept), told.constData());
             keptSoFar = std::max(keptSoFar, kept);
         }
-        qInfo("killed %d times, the last save at step %d, the last journal at %d", kills, savedSoFar, keptSoFar);
+        qInfo("killed %d times, the last save at step %d, the last journal at %d", kills, savedSoFar,
+              keptSoFar);
         QVERIFY2(keptSoFar > 0, "the program was never given the time to do anything");
     }
 };
@@ -283,15 +290,15 @@ static int editUntilKilled() {
     }
     int number = numberOf(*desk.document.project());
     if (desk.document.project()->fields.empty()) {
-        desk.document.change([] { return QStringLiteral("Add"); }, withFields(*desk.document.project(), {sampleSource()}));
+        desk.document.change([] { return QStringLiteral("Add"); },
+                             withFields(*desk.document.project(), {sampleSource()}));
     }
     const auto tell = [](const char* what, int value) {
         std::printf("%s %d.\n", what, value);
         std::fflush(stdout);
     };
-    QObject::connect(&desk.files, &ProjectFiles::saved, [&] {
-        tell("saved", numberOf(readProject(path.toStdU16String())->project));
-    });
+    QObject::connect(&desk.files, &ProjectFiles::saved,
+                     [&] { tell("saved", numberOf(readProject(path.toStdU16String())->project)); });
     while (number < 90'000) {
         desk.step(++number);
         if (number % 3 == 0) {

@@ -24,7 +24,9 @@ class TestLanguageWindow : public WindowTest {
         }
         return names;
     }
-    QString result(int step) const { return session_->planning()->steps()->index(step).data(StepsModel::ResultRole).toString(); }
+    QString result(int step) const {
+        return session_->planning()->steps()->index(step).data(StepsModel::ResultRole).toString();
+    }
     void begin(Display::Units units = Display::Metric) {
         QSettings{}.remove(QStringLiteral("display"));
         display().setLanguage(QStringLiteral("en"));
@@ -96,7 +98,8 @@ class TestLanguageWindow : public WindowTest {
         const QRegularExpression unit{QStringLiteral("(?:^|\\d[ \u00a0])(?:%1)(?=$|[^\\w/²])").arg(units)};
         QStringList found = texts().filter(unit);
         // The names of machines stay as they are.
-        found.removeIf([this](const QString& text) { return text.contains(session_->planning()->machine()->name()); });
+        found.removeIf(
+            [this](const QString& text) { return text.contains(session_->planning()->machine()->name()); });
         return found;
     }
 
@@ -177,7 +180,8 @@ private slots:
                 wrong << state + QStringLiteral(": ") + text;
             }
         };
-        for (const char* step : {"field", "machine", "headland", "swaths", "decomposition", "route", "path"}) {
+        for (const char* step :
+             {"field", "machine", "headland", "swaths", "decomposition", "route", "path"}) {
             // One open at a time: closed, they all fit the window. The first is open from the start.
             const QString header = QStringLiteral("step.") + QString::fromLatin1(step);
             if (qstrcmp(step, "field") != 0) {
@@ -192,7 +196,8 @@ private slots:
         QTRY_VERIFY(isShown(QStringLiteral("keysDialog.close")));
         check(QStringLiteral("keys"));
         click(QStringLiteral("keysDialog.close"));
-        QTRY_VERIFY(item(QStringLiteral("keysDialog.close")) == nullptr || !item(QStringLiteral("keysDialog.close"))->isVisible());
+        QTRY_VERIFY(item(QStringLiteral("keysDialog.close")) == nullptr ||
+                    !item(QStringLiteral("keysDialog.close"))->isVisible());
         key(Qt::Key_Comma, Qt::ControlModifier);
         QTRY_VERIFY(isShown(QStringLiteral("preferences.units")));
         check(QStringLiteral("preferences"));
@@ -224,21 +229,30 @@ private slots:
             }
             return all;
         }();
-        // As the computer, English, Deutsch, Nederlands, Français, Español, Português (Brasil), Português (Portugal).
-        QSignalSpy renamed{session_->planning()->steps()->parameters(QStringLiteral("headland")), &QAbstractItemModel::dataChanged};
+        // As the computer, English, Deutsch, Nederlands, Français, Español, Português (Brasil), Português
+        // (Portugal).
+        QSignalSpy renamed{session_->planning()->steps()->parameters(QStringLiteral("headland")),
+                           &QAbstractItemModel::dataChanged};
         choose(QStringLiteral("preferences.language"), 2);
         QCOMPARE(display().language(), QStringLiteral("de"));
         QVERIFY(!renamed.isEmpty());
-        QTRY_COMPARE(steps(), (QStringList{"Schlag", "Maschine", "Vorgewende", "Teilflächen", "Spuren", "Fahrroute", "Wendungen", "Prüfung"}));
+        QTRY_COMPARE(steps(), (QStringList{"Schlag", "Maschine", "Vorgewende", "Teilflächen", "Spuren",
+                                           "Fahrroute", "Wendungen", "Prüfung"}));
         QVERIFY2(result(2).contains(QStringLiteral("Innenfläche")), qPrintable(result(2)));
-        QVERIFY2(session_->planning()->statusText().startsWith(QStringLiteral("Plan fertig")), qPrintable(session_->planning()->statusText()));
+        QVERIFY2(session_->planning()->statusText().startsWith(QStringLiteral("Plan fertig")),
+                 qPrintable(session_->planning()->statusText()));
         for (int row = 0; row < session_->findings()->rowCount(); ++row) {
             const QString german = session_->findings()->index(row).data(FindingsModel::TextRole).toString();
             QVERIFY2(german != findings.value(row), qPrintable(german));
         }
         QVERIFY(item(QStringLiteral("bar.Datei")) != nullptr);
-        QCOMPARE(session_->figures()->index(0).data(FiguresModel::LabelRole).toString(), QStringLiteral("Fläche"));
-        QVERIFY(session_->figures()->index(0).data(FiguresModel::ValueRole).toString().startsWith(QStringLiteral("5,4")));
+        QCOMPARE(session_->figures()->index(0).data(FiguresModel::LabelRole).toString(),
+                 QStringLiteral("Fläche"));
+        QVERIFY(session_->figures()
+                    ->index(0)
+                    .data(FiguresModel::ValueRole)
+                    .toString()
+                    .startsWith(QStringLiteral("5,4")));
         picture(QStringLiteral("language_de"));
         choose(QStringLiteral("preferences.language"), 4);
         QTRY_COMPARE(steps().value(2), QStringLiteral("Fourrière"));
@@ -249,7 +263,8 @@ private slots:
     void whatIsWrongWithImageryFollows() {
         begin();
         session_->imagery()->add({QStringLiteral("/nowhere/meadow.tif")});
-        QTRY_COMPARE(session_->imagery()->message(), QStringLiteral("meadow.tif: There is no such file or folder"));
+        QTRY_COMPARE(session_->imagery()->message(),
+                     QStringLiteral("meadow.tif: There is no such file or folder"));
         choose(QStringLiteral("preferences.language"), 2);
         QTRY_COMPARE(textOf(QStringLiteral("imageryNotice.text")),
                      QStringLiteral("meadow.tif: Diese Datei oder diesen Ordner gibt es nicht"));
@@ -270,10 +285,12 @@ private slots:
         begin();
         openSample(QStringLiteral("Slanted Field"));
         const auto before = session_->document()->project();
-        QCOMPARE(session_->figures()->index(0).data(FiguresModel::ValueRole).toString(), QStringLiteral("5.4 ha"));
+        QCOMPARE(session_->figures()->index(0).data(FiguresModel::ValueRole).toString(),
+                 QStringLiteral("5.4 ha"));
         choose(QStringLiteral("preferences.units"), 2);
         // 5.4 ha are 13.3 acres.
-        QTRY_COMPARE(session_->figures()->index(0).data(FiguresModel::ValueRole).toString(), QStringLiteral("13.3 ac"));
+        QTRY_COMPARE(session_->figures()->index(0).data(FiguresModel::ValueRole).toString(),
+                     QStringLiteral("13.3 ac"));
         QVERIFY2(result(2).contains(QStringLiteral(" ft")), qPrintable(result(2)));
         QVERIFY2(result(1).contains(QStringLiteral(" mph")), qPrintable(result(1)));
         QCOMPARE(session_->document()->project(), before);
@@ -310,7 +327,8 @@ private slots:
         type(typed);
         QTRY_VERIFY(!item(field + QStringLiteral(".complaint"))->isVisible());
         key(Qt::Key_Return);
-        QTRY_VERIFY(std::abs(session_->planning()->machine()->machine().operatingWidth().si() - metresWide) < 1e-9);
+        QTRY_VERIFY(std::abs(session_->planning()->machine()->machine().operatingWidth().si() - metresWide) <
+                    1e-9);
         QTRY_COMPARE(textOf(field), shownAfter);
     }
 };

@@ -31,7 +31,8 @@ int rowOf(const ParameterModel& model, const QString& key) {
 /// The place of a method in its stage's list.
 int methodIndex(std::string_view stageId, std::string_view methodId) {
     const auto stage = std::ranges::find(stages(), stageId, &StageInfo::id);
-    return static_cast<int>(std::ranges::find(stage->methods, methodId, &MethodInfo::id) - stage->methods.begin());
+    return static_cast<int>(std::ranges::find(stage->methods, methodId, &MethodInfo::id) -
+                            stage->methods.begin());
 }
 
 QVariant roleOf(const ParameterModel& model, const QString& key, int role) {
@@ -47,7 +48,8 @@ void moveVertex(Session& session, std::size_t vertex, const QGeoCoordinate& plac
     const Project& project = *session.document()->project();
     FieldSource source = *project.field()->source;
     source.parts.front().outer[vertex] = geoPoint(place);
-    session.document()->change([] { return QStringLiteral("Move"); }, withSource(project, std::move(source)), QStringLiteral("vertex"),
+    session.document()->change([] { return QStringLiteral("Move"); }, withSource(project, std::move(source)),
+                               QStringLiteral("vertex"),
                                finished ? Document::Follows::Nothing : Document::Follows::More);
 }
 
@@ -84,13 +86,14 @@ private slots:
         QAbstractItemModelTester exporter{session.exporter()};
         std::vector<std::unique_ptr<QAbstractItemModelTester>> parameters;
         for (const char* step : {"field", "headland", "swaths", "decomposition", "route", "path"}) {
-            parameters.push_back(
-                std::make_unique<QAbstractItemModelTester>(session.planning()->steps()->parameters(QLatin1String{step})));
+            parameters.push_back(std::make_unique<QAbstractItemModelTester>(
+                session.planning()->steps()->parameters(QLatin1String{step})));
         }
         session.opener()->addDrawn(rectangle());
         QTRY_COMPARE_WITH_TIMEOUT(session.planning()->state(), PlanState::Ready, kPatienceMs);
         ParameterModel* headland = session.planning()->steps()->parameters(QStringLiteral("headland"));
-        headland->setChoice(rowOf(*headland, QStringLiteral("headland.method")), methodIndex("headland", "none"));
+        headland->setChoice(rowOf(*headland, QStringLiteral("headland.method")),
+                            methodIndex("headland", "none"));
         QTRY_COMPARE_WITH_TIMEOUT(session.shown()->plan()->headland.width.si(), 0.0, kPatienceMs);
         session.opener()->startNew();
         QCOMPARE(session.figures()->rowCount(), 0);
@@ -111,9 +114,12 @@ private slots:
         // It is shown at once, whatever the plan takes.
         QCOMPARE(opened.count(), 1);
         QVERIFY(session.shown()->drawing().bounds().contains(QGeoCoordinate{58.2515, 22.5035}));
-        const auto step = [&session](int role) { return session.planning()->steps()->index(0).data(role).toString(); };
+        const auto step = [&session](int role) {
+            return session.planning()->steps()->index(0).data(role).toString();
+        };
         QCOMPARE(step(StepsModel::ChoiceRole), QStringLiteral("Field 1"));
-        QVERIFY2(step(StepsModel::ResultRole).startsWith(QStringLiteral("16.")), qPrintable(step(StepsModel::ResultRole)));
+        QVERIFY2(step(StepsModel::ResultRole).startsWith(QStringLiteral("16.")),
+                 qPrintable(step(StepsModel::ResultRole)));
         QTRY_COMPARE_WITH_TIMEOUT(session.planning()->state(), PlanState::Ready, kPatienceMs);
         QCOMPARE(opened.count(), 2);
         QVERIFY(!session.shown()->drawing().isEmpty());
@@ -127,7 +133,9 @@ private slots:
         QTRY_COMPARE_WITH_TIMEOUT(session.planning()->state(), PlanState::Ready, kPatienceMs);
         ParameterModel* headland = session.planning()->steps()->parameters(QStringLiteral("headland"));
         const QString width = QStringLiteral("headland.width_m");
-        QVERIFY(roleOf(*headland, width, ParameterModel::AutoTextRole).toString().startsWith(QStringLiteral("auto · ")));
+        QVERIFY(roleOf(*headland, width, ParameterModel::AutoTextRole)
+                    .toString()
+                    .startsWith(QStringLiteral("auto · ")));
         headland->setNumber(rowOf(*headland, width), 30.0);
         QTRY_COMPARE_WITH_TIMEOUT(session.shown()->plan()->headland.width.si(), 30.0, kPatienceMs);
         QCOMPARE(roleOf(*headland, width, ParameterModel::AutoTextRole).toString(), QString{});
@@ -137,7 +145,9 @@ private slots:
         QTRY_COMPARE_WITH_TIMEOUT(session.shown()->plan()->headland.passes, 2, kPatienceMs);
         QVERIFY(!roleOf(*headland, width, ParameterModel::AutoTextRole).toString().isEmpty());
         headland->setAuto(rowOf(*headland, QStringLiteral("headland.passes")));
-        QTRY_VERIFY_WITH_TIMEOUT(session.planning()->settings() == Settings{} || session.shown()->plan()->headland.passes != 2, kPatienceMs);
+        QTRY_VERIFY_WITH_TIMEOUT(
+            session.planning()->settings() == Settings{} || session.shown()->plan()->headland.passes != 2,
+            kPatienceMs);
     }
     void directionsAreBearings_data() {
         QTest::addColumn<double>("bearing");
@@ -158,7 +168,10 @@ private slots:
         QVERIFY(row >= 0);
         swaths->setNumber(row, bearing);
         QCOMPARE(swaths->data(swaths->index(row), ParameterModel::ValueRole).toDouble(), bearing);
-        QTRY_VERIFY_WITH_TIMEOUT(session.shown()->plan() && std::abs(inDegrees(session.shown()->plan()->swaths.heading) - degreesFromEast) < 1e-6, kPatienceMs);
+        QTRY_VERIFY_WITH_TIMEOUT(
+            session.shown()->plan() &&
+                std::abs(inDegrees(session.shown()->plan()->swaths.heading) - degreesFromEast) < 1e-6,
+            kPatienceMs);
     }
     // Also over a choice that was made before.
     void anOperationBringsItsDefaults() {
@@ -198,7 +211,8 @@ private slots:
         moveVertex(session, 1, last, true);
         QTRY_VERIFY_WITH_TIMEOUT(session.shown()->plan()->field().area().si() > before * 1.2, kPatienceMs);
         const std::vector<WorldPoint>& ring = session.shown()->drawing().geometry()->rings.front().points;
-        QVERIFY(std::ranges::any_of(ring, [&](WorldPoint p) { return coordinate(p).distanceTo(last) < 0.01; }));
+        QVERIFY(
+            std::ranges::any_of(ring, [&](WorldPoint p) { return coordinate(p).distanceTo(last) < 0.01; }));
     }
     void aDragShowsDraftsAndTheWholePlanWhenItIsLetGo() {
         Session session;
@@ -247,7 +261,8 @@ private slots:
         session.opener()->chooseField(1);
         QTRY_COMPARE_WITH_TIMEOUT(session.planning()->state(), PlanState::Ready, kPatienceMs);
         QCOMPARE(session.farm()->fieldName(), QStringLiteral("South"));
-        session.opener()->open(written(folder, QStringLiteral("two.geojson"), twoFields()), QStringLiteral("a"));
+        session.opener()->open(written(folder, QStringLiteral("two.geojson"), twoFields()),
+                               QStringLiteral("a"));
         QTRY_COMPARE_WITH_TIMEOUT(session.farm()->fieldName(), QStringLiteral("North"), kPatienceMs);
     }
     void allOfThemCanBeOpened() {
@@ -269,12 +284,21 @@ private slots:
     void severalFilesAreOpenedAtOnce() {
         const QTemporaryDir folder;
         Session session;
-        Project farm = withFields(Project::empty(), {FieldSource{.id = "1", .name = "Barn", .origin = {},
-            .parts = {{.outer = {{22.5, 58.25}, {22.507, 58.25}, {22.507, 58.2535}}, .holes = {}}},
-            .obstacles = {}, .gates = {}, .boundaryAccuracy = {}, .repairs = {}}});
+        Project farm = withFields(
+            Project::empty(),
+            {FieldSource{
+                .id = "1",
+                .name = "Barn",
+                .origin = {},
+                .parts = {{.outer = {{22.5, 58.25}, {22.507, 58.25}, {22.507, 58.2535}}, .holes = {}}},
+                .obstacles = {},
+                .gates = {},
+                .boundaryAccuracy = {},
+                .repairs = {}}});
         const QString project = folder.filePath(QStringLiteral("farm.furrow"));
         QVERIFY(writeProject(farm, project.toStdU16String()).has_value());
-        const QUrl boundaries = QUrl::fromLocalFile(written(folder, QStringLiteral("two.geojson"), twoFields()));
+        const QUrl boundaries =
+            QUrl::fromLocalFile(written(folder, QStringLiteral("two.geojson"), twoFields()));
         QVERIFY(session.opener()->isProjectFile(QUrl::fromLocalFile(project)));
         QVERIFY(!session.opener()->isProjectFile(boundaries));
         session.opener()->openUrls({boundaries, QUrl::fromLocalFile(project)});
@@ -291,12 +315,14 @@ private slots:
         QTRY_COMPARE_WITH_TIMEOUT(session.planning()->state(), PlanState::Ready, kPatienceMs);
         session.farm()->addPlan(QStringLiteral("Harvest"));
         session.planning()->machine()->setLibraryIndex(4);
-        QTRY_COMPARE_WITH_TIMEOUT(session.shown()->plan()->request.machine.name(), session.planning()->machine()->library().at(4).toStdString(), kPatienceMs);
+        QTRY_COMPARE_WITH_TIMEOUT(session.shown()->plan()->request.machine.name(),
+                                  session.planning()->machine()->library().at(4).toStdString(), kPatienceMs);
         session.farm()->renamePlan(QStringLiteral("Oats"), QStringLiteral("2027"));
         QCOMPARE(session.farm()->plans().at(1), QStringLiteral("Oats · 2027"));
         session.farm()->setCurrentPlan(0);
         QCOMPARE(session.planning()->machine()->libraryIndex(), 0);
-        QTRY_COMPARE_WITH_TIMEOUT(session.shown()->plan()->request.machine.name(), session.planning()->machine()->library().at(0).toStdString(), kPatienceMs);
+        QTRY_COMPARE_WITH_TIMEOUT(session.shown()->plan()->request.machine.name(),
+                                  session.planning()->machine()->library().at(0).toStdString(), kPatienceMs);
         session.farm()->removePlan();
         QCOMPARE(session.farm()->plans().size(), 1);
         QCOMPARE(session.planning()->machine()->libraryIndex(), 4);
@@ -309,7 +335,8 @@ private slots:
             QAbstractItemModelTester tester{&recent};
             recent.keepIn(list);
             for (int i = 0; i < 12; ++i) {
-                recent.add(written(folder, QStringLiteral("%1.furrow").arg(i), QStringLiteral("x")), Project::empty());
+                recent.add(written(folder, QStringLiteral("%1.furrow").arg(i), QStringLiteral("x")),
+                           Project::empty());
             }
             recent.add(folder.filePath(QStringLiteral("5.furrow")), Project::empty());
             QCOMPARE(recent.count(), 10);
@@ -351,8 +378,10 @@ private slots:
         QTRY_COMPARE_WITH_TIMEOUT(session.planning()->state(), PlanState::Ready, kPatienceMs);
         const std::size_t swaths = session.shown()->plan()->swaths.swaths.size();
         for (int row = 0; row < session.planning()->machine()->rowCount(); ++row) {
-            if (session.planning()->machine()->data(session.planning()->machine()->index(row), MachineModel::KeyRole).toString() ==
-                QStringLiteral("operating_width_m")) {
+            if (session.planning()
+                    ->machine()
+                    ->data(session.planning()->machine()->index(row), MachineModel::KeyRole)
+                    .toString() == QStringLiteral("operating_width_m")) {
                 session.planning()->machine()->setNumber(row, 6.0);
             }
         }
@@ -393,7 +422,8 @@ private slots:
         QCOMPARE(session.planning()->state(), PlanState::Planning);
         QVERIFY(!session.exporter()->refusal().isEmpty());
         QTRY_VERIFY_WITH_TIMEOUT(isFinished(session.planning()->state()), kPatienceMs);
-        QCOMPARE(session.shown()->plan()->request.machine.name(), session.planning()->machine()->machine().name());
+        QCOMPARE(session.shown()->plan()->request.machine.name(),
+                 session.planning()->machine()->machine().name());
     }
     void anotherPlanOfTheFieldIsNotTheOneThatIsShown() {
         Session session;
@@ -466,17 +496,32 @@ private slots:
         session.opener()->addDrawn(rectangle());
         QTRY_COMPARE_WITH_TIMEOUT(session.planning()->state(), PlanState::Ready, kPatienceMs);
         Plan plan = *session.shown()->plan();
-        plan.findings = {{.severity = Severity::Blocking, .kind = kind, .place = {}, .text = "There is something.", .suggestion = {}},
-                         {.severity = Severity::Note, .kind = FindingKind::HeadlandNotWorked, .place = {}, .text = "And this.", .suggestion = {}}};
+        plan.findings = {{.severity = Severity::Blocking,
+                          .kind = kind,
+                          .place = {},
+                          .text = "There is something.",
+                          .suggestion = {}},
+                         {.severity = Severity::Note,
+                          .kind = FindingKind::HeadlandNotWorked,
+                          .place = {},
+                          .text = "And this.",
+                          .suggestion = {}}};
         StepsModel steps;
-        steps.show({.field = &plan.field(), .machine = plan.request.machine, .settings = plan.request.settings, .plan = &plan,
+        steps.show({.field = &plan.field(),
+                    .machine = plan.request.machine,
+                    .settings = plan.request.settings,
+                    .plan = &plan,
                     .state = PlanState::Problems});
         for (int row = 0; row < steps.rowCount(); ++row) {
             const QString id = steps.index(row).data(StepsModel::StepIdRole).toString();
             const bool warned = id == step || id == QStringLiteral("check");
             QCOMPARE(steps.index(row).data(StepsModel::StatusRole).toInt(),
                      static_cast<int>(warned ? StepsModel::Status::Warning : StepsModel::Status::Good));
-            QCOMPARE(steps.index(row).data(StepsModel::ResultRole).toString().contains(QStringLiteral("1 problem")), id == step);
+            QCOMPARE(steps.index(row)
+                         .data(StepsModel::ResultRole)
+                         .toString()
+                         .contains(QStringLiteral("1 problem")),
+                     id == step);
         }
         QCOMPARE(steps.index(7).data(StepsModel::ChoiceRole).toString(), QStringLiteral("1 problem"));
         QCOMPARE(steps.index(7).data(StepsModel::ResultRole).toString(), QStringLiteral("1 note"));

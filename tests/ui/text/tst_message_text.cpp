@@ -23,25 +23,45 @@ private slots:
         QTest::addColumn<QString>("rings");
         QTest::addColumn<QString>("ring");
         // 3.5 m are 11.48 ft.
-        QTest::newRow("English") << "en" << false << "Headland pass 4 leaves the field by 3.5 m." << "2 rings ran the wrong way round and were turned" << "1 ring ran the wrong way round and was turned";
-        QTest::newRow("English, imperial") << "en" << true << "Headland pass 4 leaves the field by 11.5 ft." << "2 rings ran the wrong way round and were turned" << "1 ring ran the wrong way round and was turned";
-        QTest::newRow("German") << "de" << false << "Vorgewendespur 4 verlässt den Schlag um 3,5 m." << "2 Ringe liefen falsch herum und wurden umgedreht" << "1 Ring lief falsch herum und wurde umgedreht";
-        QTest::newRow("Dutch, imperial") << "nl" << true << "Kopakkergang 4 komt 11,5 ft buiten het perceel." << "2 ringen liepen verkeerd om en zijn omgekeerd" << "1 ring liep verkeerd om en is omgekeerd";
-        QTest::newRow("French") << "fr" << false << "Tour de fourrière 4 sort de la parcelle de 3,5 m." << "2 contours tournaient à l'envers et ont été retournés" << "1 contour tournait à l'envers et a été retourné";
-        QTest::newRow("Spanish") << "es" << false << "Pasada de cabecera 4 sale 3,5 m de la parcela." << "2 anillos iban al revés y se han invertido" << "1 anillo iba al revés y se ha invertido";
-        QTest::newRow("Portuguese of Brazil") << "pt_BR" << false << "Passada de cabeceira 4 sai 3,5 m do talhão." << "2 anéis estavam ao contrário e foram invertidos" << "1 anel estava ao contrário e foi invertido";
-        QTest::newRow("Portuguese of Portugal") << "pt_PT" << false << "Passada de cabeceira 4 sai 3,5 m do talhão." << "2 anéis estavam ao contrário e foram invertidos" << "1 anel estava ao contrário e foi invertido";
+        QTest::newRow("English") << "en" << false << "Headland pass 4 leaves the field by 3.5 m."
+                                 << "2 rings ran the wrong way round and were turned"
+                                 << "1 ring ran the wrong way round and was turned";
+        QTest::newRow("English, imperial") << "en" << true << "Headland pass 4 leaves the field by 11.5 ft."
+                                           << "2 rings ran the wrong way round and were turned"
+                                           << "1 ring ran the wrong way round and was turned";
+        QTest::newRow("German") << "de" << false << "Vorgewendespur 4 verlässt den Schlag um 3,5 m."
+                                << "2 Ringe liefen falsch herum und wurden umgedreht"
+                                << "1 Ring lief falsch herum und wurde umgedreht";
+        QTest::newRow("Dutch, imperial")
+            << "nl" << true << "Kopakkergang 4 komt 11,5 ft buiten het perceel."
+            << "2 ringen liepen verkeerd om en zijn omgekeerd" << "1 ring liep verkeerd om en is omgekeerd";
+        QTest::newRow("French") << "fr" << false << "Tour de fourrière 4 sort de la parcelle de 3,5 m."
+                                << "2 contours tournaient à l'envers et ont été retournés"
+                                << "1 contour tournait à l'envers et a été retourné";
+        QTest::newRow("Spanish") << "es" << false << "Pasada de cabecera 4 sale 3,5 m de la parcela."
+                                 << "2 anillos iban al revés y se han invertido"
+                                 << "1 anillo iba al revés y se ha invertido";
+        QTest::newRow("Portuguese of Brazil")
+            << "pt_BR" << false << "Passada de cabeceira 4 sai 3,5 m do talhão."
+            << "2 anéis estavam ao contrário e foram invertidos"
+            << "1 anel estava ao contrário e foi invertido";
+        QTest::newRow("Portuguese of Portugal")
+            << "pt_PT" << false << "Passada de cabeceira 4 sai 3,5 m do talhão."
+            << "2 anéis estavam ao contrário e foram invertidos"
+            << "1 anel estava ao contrário e foi invertido";
     }
     void shows() {
         QFETCH(QString, language);
         QFETCH(bool, imperial);
         Display::instance().force(language, imperial ? Display::Imperial : Display::Metric);
-        QString outside = shown(message("{} leaves the field by {:.1f} m.", message("headland pass {}", 4).capitalised(), 3.5));
+        QString outside = shown(
+            message("{} leaves the field by {:.1f} m.", message("headland pass {}", 4).capitalised(), 3.5));
         // The number and its unit do not part at the end of a line.
         QCOMPARE(outside.count(QChar{QChar::Nbsp}), 1);
         QTEST(outside.replace(QChar{QChar::Nbsp}, QLatin1Char(' ')), "outside");
         const auto rings = [](int count) {
-            return shown(counted("{} ring ran the wrong way round and was turned", "{} rings ran the wrong way round and were turned", count));
+            return shown(counted("{} ring ran the wrong way round and was turned",
+                                 "{} rings ran the wrong way round and were turned", count));
         };
         QTEST(rings(2), "rings");
         QTEST(rings(1), "ring");
@@ -50,8 +70,10 @@ private slots:
     void wordsStayAsTheyAre() {
         Display::instance().force(QStringLiteral("de"), Display::Metric);
         // A field that somebody called "%1 swath" is neither filled in nor translated.
-        QCOMPARE(shown(message("several fields are called '{}'", "%1 swath")), QStringLiteral("mehrere Schläge heißen „%1 swath“"));
-        QCOMPARE(shown(message("the field has no boundary")), QStringLiteral("der Schlag hat keine Feldgrenze"));
+        QCOMPARE(shown(message("several fields are called '{}'", "%1 swath")),
+                 QStringLiteral("mehrere Schläge heißen „%1 swath“"));
+        QCOMPARE(shown(message("the field has no boundary")),
+                 QStringLiteral("der Schlag hat keine Feldgrenze"));
         QCOMPARE(shown(Message{"fields/West.shp"}), QStringLiteral("fields/West.shp"));
     }
 

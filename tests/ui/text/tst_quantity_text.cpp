@@ -11,7 +11,8 @@ class TestQuantityText : public QObject {
     Q_OBJECT
 
     static void use(const char* language, bool imperial) {
-        Display::instance().force(QString::fromLatin1(language), imperial ? Display::Imperial : Display::Metric);
+        Display::instance().force(QString::fromLatin1(language),
+                                  imperial ? Display::Imperial : Display::Metric);
     }
 
 private slots:
@@ -25,8 +26,10 @@ private slots:
         QTest::addColumn<QuantityText::Kind>("kind");
         QTest::addColumn<bool>("imperial");
         QTest::addColumn<bool>("ok");
-        QTest::addColumn<double>("value");  // in SI units; a foot is 0.3048 m, a mile 1609.344 m, an acre 4046.8564224 m²
-        const auto row = [](const char* name, const char* text, QuantityText::Kind kind, bool imperial, double value) {
+        QTest::addColumn<double>(
+            "value");  // in SI units; a foot is 0.3048 m, a mile 1609.344 m, an acre 4046.8564224 m²
+        const auto row = [](const char* name, const char* text, QuantityText::Kind kind, bool imperial,
+                            double value) {
             QTest::newRow(name) << QString::fromUtf8(text) << kind << imperial << true << value;
         };
         const auto refused = [](const char* name, const char* text, QuantityText::Kind kind) {
@@ -81,7 +84,8 @@ private slots:
         const std::optional<double> read = QuantityText::parsed(text, kind);
         QCOMPARE(read.has_value(), ok);
         if (ok) {
-            QVERIFY2(std::abs(*read - value) < 1e-9 * std::max(1.0, std::abs(value)), qPrintable(QString::number(*read, 'g', 17)));
+            QVERIFY2(std::abs(*read - value) < 1e-9 * std::max(1.0, std::abs(value)),
+                     qPrintable(QString::number(*read, 'g', 17)));
         }
     }
 
@@ -111,7 +115,8 @@ private slots:
         for (const bool imperial : {false, true}) {
             for (const char* language : {"en", "de", "fr"}) {
                 use(language, imperial);
-                for (const auto kind : {QuantityText::Number, QuantityText::Length, QuantityText::Area, QuantityText::Speed, QuantityText::Angle}) {
+                for (const auto kind : {QuantityText::Number, QuantityText::Length, QuantityText::Area,
+                                        QuantityText::Speed, QuantityText::Angle}) {
                     const double value = 1234.5 * fields.unitSize(kind);
                     const QString text = fields.text(value, kind, 2);
                     const auto read = QuantityText::parsed(text, kind);
@@ -127,11 +132,14 @@ private slots:
         const QuantityText fields;
         use("en", false);
         QVERIFY(fields.complaint(QStringLiteral("12"), QuantityText::Length, 0.0, 20.0, 1).isEmpty());
-        QVERIFY(fields.complaint(QStringLiteral("wide"), QuantityText::Length, 0.0, 20.0, 1).contains(QStringLiteral("7.3 m")));
-        QCOMPARE(fields.complaint(QStringLiteral("21"), QuantityText::Length, 0.0, 20.0, 1), QStringLiteral("Type something from 0 m to 20 m."));
+        QVERIFY(fields.complaint(QStringLiteral("wide"), QuantityText::Length, 0.0, 20.0, 1)
+                    .contains(QStringLiteral("7.3 m")));
+        QCOMPARE(fields.complaint(QStringLiteral("21"), QuantityText::Length, 0.0, 20.0, 1),
+                 QStringLiteral("Type something from 0 m to 20 m."));
         use("de", true);
         // 20 m are 65.6 ft.
-        QCOMPARE(fields.complaint(QStringLiteral("66"), QuantityText::Length, 0.0, 20.0, 1), QStringLiteral("Etwas von 0 ft bis 65,6 ft eintippen."));
+        QCOMPARE(fields.complaint(QStringLiteral("66"), QuantityText::Length, 0.0, 20.0, 1),
+                 QStringLiteral("Etwas von 0 ft bis 65,6 ft eintippen."));
         QVERIFY(fields.complaint(QStringLiteral("65,6"), QuantityText::Length, 0.0, 20.0, 1).isEmpty());
     }
 
@@ -171,7 +179,8 @@ private slots:
             for (double room = 0.01; room < 1e7; room *= 1.37) {
                 const double length = bar.roundLengthBelow(room);
                 // From one mile down to 5000 feet the steps are not those of either unit.
-                QVERIFY2(length <= room * (1.0 + 1e-9) && length >= room / 2.51, qPrintable(QString::number(room)));
+                QVERIFY2(length <= room * (1.0 + 1e-9) && length >= room / 2.51,
+                         qPrintable(QString::number(room)));
             }
         }
     }

@@ -43,14 +43,17 @@ QString joined(const QString& literal) {
     for (auto each = piece.globalMatch(literal); each.hasNext();) {
         text += each.next().captured(1);
     }
-    return text.replace(QStringLiteral("\\\""), QStringLiteral("\"")).replace(QStringLiteral("\\\\"), QStringLiteral("\\"));
+    return text.replace(QStringLiteral("\\\""), QStringLiteral("\""))
+        .replace(QStringLiteral("\\\\"), QStringLiteral("\\"));
 }
 
 /// A source file without comments, includes and raw strings.
 QString code(const QString& path) {
     QString text = readAll(path);
     text.remove(QRegularExpression{QString::fromUtf8("^\\s*#.*$"), QRegularExpression::MultilineOption});
-    text.replace(QRegularExpression{QString::fromUtf8("R\"(\\w*)\\(.*?\\)\\1\""), QRegularExpression::DotMatchesEverythingOption}, QStringLiteral("\"\""));
+    text.replace(QRegularExpression{QString::fromUtf8("R\"(\\w*)\\(.*?\\)\\1\""),
+                                    QRegularExpression::DotMatchesEverythingOption},
+                 QStringLiteral("\"\""));
     text.remove(QRegularExpression{QString::fromUtf8("(?<![:\"])//[^\\n]*")});
     return text;
 }
@@ -81,7 +84,10 @@ QList<Entry> entriesOf(const QString& path) {
         if (name == u"name") {
             context = xml.readElementText();
         } else if (name == u"message") {
-            entries.push_back({.context = context, .source = {}, .numerus = xml.attributes().value(u"numerus") == u"yes", .forms = {}});
+            entries.push_back({.context = context,
+                               .source = {},
+                               .numerus = xml.attributes().value(u"numerus") == u"yes",
+                               .forms = {}});
         } else if (name == u"source") {
             entries.back().source = xml.readElementText();
         } else if (name == u"translation") {
@@ -113,16 +119,17 @@ QStringList placeholders(const QString& text) {
 
 /// Parts of the planner that only the command line and other programs speak through.
 bool isForPrograms(const QString& file) {
-    static const QStringList parts{"/evaluation/",    "/report/",       "/track/",      "/io/tracks/",  "_tracks.",     "/formats/logs/",
-                                   "/track_reader",   "/written_path",  "/rosbag_",     "/kml_writer",  "/gpx_writer",  "/dxf_writer",
-                                   "/guidance_lines", "/nav_path",      "/path_csv",    "/field_files", "/core/message",
-                                   "/settings_file"};
+    static const QStringList parts{
+        "/evaluation/",    "/report/",      "/track/",   "/io/tracks/",  "_tracks.",      "/formats/logs/",
+        "/track_reader",   "/written_path", "/rosbag_",  "/kml_writer",  "/gpx_writer",   "/dxf_writer",
+        "/guidance_lines", "/nav_path",     "/path_csv", "/field_files", "/core/message", "/settings_file"};
     return std::ranges::any_of(parts, [&file](const QString& part) { return file.contains(part); });
 }
 
 /// Literals that are no sentences: ids, file contents, names of makers, what only the command line says.
 bool isNoText(const QString& text) {
-    static const QRegularExpression none{QString::fromUtf8("^(\\+proj|POLYGON|MULTIPOLYGON|LINESTRING|geojson json|xml zip|shp zip|gml xml|wkt txt|tif png|log nmea|csv |# |SELECT|INSERT|CREATE|PRAGMA|std_msgs|\\{:016|.*\\\\n| or $|plans cannot be written as|furrow-cli|Part \\{|transform|header|type:|EPSG|QGC|.* json$|\\+|-|map_frame|builtin|geometry_msgs|nav_msgs/|float|string |int|uint|.*ros2msg|byte|A\\+ |AB \\{|Headland \\{|Tramline \\{|\\{\\} [AB]|Swath \\{|ArduPilot Rover, |Case IH|CHC |Claas |Deutz|FJ |John Deere|Massey|M\\\\u00fcller|New Holland|Raven|Topcon|Trimble|Valtra|ESRI Shape|.*--field-id|the table holds)")};
+    static const QRegularExpression none{QString::fromUtf8(
+        "^(\\+proj|POLYGON|MULTIPOLYGON|LINESTRING|geojson json|xml zip|shp zip|gml xml|wkt txt|tif png|log nmea|csv |# |SELECT|INSERT|CREATE|PRAGMA|std_msgs|\\{:016|.*\\\\n| or $|plans cannot be written as|furrow-cli|Part \\{|transform|header|type:|EPSG|QGC|.* json$|\\+|-|map_frame|builtin|geometry_msgs|nav_msgs/|float|string |int|uint|.*ros2msg|byte|A\\+ |AB \\{|Headland \\{|Tramline \\{|\\{\\} [AB]|Swath \\{|ArduPilot Rover, |Case IH|CHC |Claas |Deutz|FJ |John Deere|Massey|M\\\\u00fcller|New Holland|Raven|Topcon|Trimble|Valtra|ESRI Shape|.*--field-id|the table holds)")};
     return none.match(text).hasMatch();
 }
 
@@ -145,19 +152,24 @@ QMap<QString, bool> plannerTexts() {
         for (auto each = plural.globalMatch(text); each.hasNext();) {
             const auto match = each.next();
             counted << joined(match.captured(1)) << joined(match.captured(2));
-            texts.insert(QString::fromStdString(messageKey(joined(match.captured(2)).toStdString(), true)), true);
+            texts.insert(QString::fromStdString(messageKey(joined(match.captured(2)).toStdString(), true)),
+                         true);
         }
         for (auto each = literal.globalMatch(text); each.hasNext();) {
             const auto match = each.next();
             const QString said = joined(match.captured(0));
-            const QString before = text.mid(std::max<qsizetype>(0, match.capturedStart() - 24), std::min<qsizetype>(24, match.capturedStart()));
+            const QString before = text.mid(std::max<qsizetype>(0, match.capturedStart() - 24),
+                                            std::min<qsizetype>(24, match.capturedStart()));
             const bool isName = named.match(before).hasMatch();
-            if (counted.contains(said) || isNoText(said) || id.match(before).hasMatch() || (!isName && !words.match(said).hasMatch()) ||
+            if (counted.contains(said) || isNoText(said) || id.match(before).hasMatch() ||
+                (!isName && !words.match(said).hasMatch()) ||
                 (!isName && !letters.match(QString{said}.remove(QStringLiteral("{}"))).hasMatch())) {
                 continue;
             }
             static const QRegularExpression pattern{QString::fromUtf8("\\{(:[^{}]*)?\\}")};
-            const QString key = pattern.match(said).hasMatch() ? QString::fromStdString(messageKey(said.toStdString(), false)) : said;
+            const QString key = pattern.match(said).hasMatch()
+                                    ? QString::fromStdString(messageKey(said.toStdString(), false))
+                                    : said;
             if (!key.isEmpty() && !onlyPlaces.match(key).hasMatch()) {
                 texts.insert(key, texts.value(key, false));
             }
@@ -173,7 +185,8 @@ QMap<QString, bool> plannerTexts() {
     }
     const auto add = [&texts](std::string_view text) {
         const QString key = QString::fromUtf8(text.data(), static_cast<qsizetype>(text.size()));
-        if (!key.isEmpty() && !isNoText(key) && key.contains(QRegularExpression{QStringLiteral("[a-z]{2,}")})) {
+        if (!key.isEmpty() && !isNoText(key) &&
+            key.contains(QRegularExpression{QStringLiteral("[a-z]{2,}")})) {
             texts.insert(key, texts.value(key, false));
         }
     };
@@ -209,7 +222,8 @@ QMap<QString, bool> plannerTexts() {
 /// As planner_texts.h lists them.
 QMap<QString, bool> listedTexts() {
     QMap<QString, bool> texts;
-    static const QRegularExpression line{QString::fromUtf8("QT_TRANSLATE_(N_)?NOOP\\(\"Planner\", (\"(?:[^\"\\\\]|\\\\.)*\")\\)")};
+    static const QRegularExpression line{
+        QString::fromUtf8("QT_TRANSLATE_(N_)?NOOP\\(\"Planner\", (\"(?:[^\"\\\\]|\\\\.)*\")\\)")};
     const QString all = readAll(kTexts);
     for (auto each = line.globalMatch(all); each.hasNext();) {
         const auto match = each.next();
@@ -224,8 +238,10 @@ void writeTexts(const QMap<QString, bool>& texts) {
     QString text = old.left(old.indexOf(QLatin1Char('{')) + 2);
     for (auto each = texts.begin(); each != texts.end(); ++each) {
         QString escaped = each.key();
-        escaped.replace(QLatin1String{"\\"}, QLatin1String{"\\\\"}).replace(QLatin1String{"\""}, QLatin1String{"\\\""});
-        text += QStringLiteral("    %1(\"Planner\", \"%2\"),\n").arg(QLatin1String{each.value() ? "QT_TRANSLATE_N_NOOP" : "QT_TRANSLATE_NOOP"}, escaped);
+        escaped.replace(QLatin1String{"\\"}, QLatin1String{"\\\\"})
+            .replace(QLatin1String{"\""}, QLatin1String{"\\\""});
+        text += QStringLiteral("    %1(\"Planner\", \"%2\"),\n")
+                    .arg(QLatin1String{each.value() ? "QT_TRANSLATE_N_NOOP" : "QT_TRANSLATE_NOOP"}, escaped);
     }
     if (file.open(QIODevice::WriteOnly)) {
         file.write((text + QStringLiteral("};\n")).toUtf8());
@@ -263,8 +279,10 @@ private slots:
                 gone << each.key();
             }
         }
-        QVERIFY2(missing.isEmpty(), qPrintable(QStringLiteral("not in planner_texts.h, ") + shortList(missing)));
-        QVERIFY2(gone.isEmpty(), qPrintable(QStringLiteral("no longer said by the planner, ") + shortList(gone)));
+        QVERIFY2(missing.isEmpty(),
+                 qPrintable(QStringLiteral("not in planner_texts.h, ") + shortList(missing)));
+        QVERIFY2(gone.isEmpty(),
+                 qPrintable(QStringLiteral("no longer said by the planner, ") + shortList(gone)));
     }
 
     void messagesArePatternsOfMessage() {
@@ -301,7 +319,8 @@ private slots:
         QSet<QString> there;
         for (const Entry& entry : entries) {
             there << entry.context + QLatin1Char('\n') + entry.source;
-            const bool complete = entry.finished && entry.forms.size() == (entry.numerus ? 2 : 1) && !entry.forms.contains(QString{});
+            const bool complete = entry.finished && entry.forms.size() == (entry.numerus ? 2 : 1) &&
+                                  !entry.forms.contains(QString{});
             bool samePlaces = complete;
             for (const QString& form : entry.forms) {
                 // Where one is meant, the number may be left to the words.
@@ -346,7 +365,8 @@ private slots:
             QCOMPARE(entry.forms.size(), 2);
             englishPlurals << entry.source;
         }
-        static const QRegularExpression said{QString::fromUtf8("\\b(?:qsTr|tr|QT_TR_NOOP)\\(\\s*(%1)\\s*([,)])").arg(kLiteral)};
+        static const QRegularExpression said{
+            QString::fromUtf8("\\b(?:qsTr|tr|QT_TR_NOOP)\\(\\s*(%1)\\s*([,)])").arg(kLiteral)};
         QStringList missing;
         int count = 0;
         for (const QString& folder : {QStringLiteral("/ui"), QStringLiteral("/app/window")}) {
@@ -355,7 +375,8 @@ private slots:
                 for (auto each = said.globalMatch(text); each.hasNext();) {
                     const QString source = joined(each.next().captured(1));
                     ++count;
-                    if (!known.contains(source) || (source.contains(QLatin1String{"%n"}) && !englishPlurals.contains(source))) {
+                    if (!known.contains(source) ||
+                        (source.contains(QLatin1String{"%n"}) && !englishPlurals.contains(source))) {
                         missing << file.section(QLatin1Char('/'), -1) + QStringLiteral(": ") + source;
                     }
                 }
@@ -366,18 +387,21 @@ private slots:
     }
 
     void nothingIsSaidInOneLanguageOnly() {
-        static const QRegularExpression shown{QString::fromUtf8("\\b(?:text|title|hint|name|label|message|description|keywords|placeholderText|Accessible\\.name|Accessible\\.description)\\s*:\\s*\"([^\"]*)\"")};
+        static const QRegularExpression shown{QString::fromUtf8(
+            "\\b(?:text|title|hint|name|label|message|description|keywords|placeholderText|Accessible\\.name|Accessible\\.description)\\s*:\\s*\"([^\"]*)\"")};
         // Names of icons are in small letters, with no blank.
         static const QRegularExpression words{QStringLiteral("[A-Z][a-z]|[a-z] [a-z]")};
         static const QRegularExpression literal{kLiteral};
         static const QRegularExpression sentence{QStringLiteral("[A-Za-z]{2,} [a-z]{2,}")};
-        static const QRegularExpression around{QString::fromUtf8("(?:\\btr|QT_TR_NOOP|translate|shown|qWarning|qFatal|QML_UNCREATABLE|fputs|printf|add|property|toLatin1|static_assert|contains|QLatin1String|\\.what =|\\.remedy =)\\s*[({]?\\s*$")};
+        static const QRegularExpression around{QString::fromUtf8(
+            "(?:\\btr|QT_TR_NOOP|translate|shown|qWarning|qFatal|QML_UNCREATABLE|fputs|printf|add|property|toLatin1|static_assert|contains|QLatin1String|\\.what =|\\.remedy =)\\s*[({]?\\s*$")};
         QStringList wrong;
         for (const QString& file : filesIn(QStringLiteral("/ui"), {"*.qml"})) {
             const QString text = code(file);
             for (auto each = shown.globalMatch(text); each.hasNext();) {
                 const QString said = each.next().captured(1);
-                if (words.match(said).hasMatch() && said != QLatin1String{"Inter"} && said != QLatin1String{"Furrow"}) {
+                if (words.match(said).hasMatch() && said != QLatin1String{"Inter"} &&
+                    said != QLatin1String{"Furrow"}) {
                     wrong << file.section(QLatin1Char('/'), -1) + QStringLiteral(": ") + said;
                 }
             }
@@ -387,7 +411,8 @@ private slots:
             for (auto each = literal.globalMatch(text); each.hasNext();) {
                 const auto match = each.next();
                 const QString said = joined(match.captured(0));
-                const QString before = text.mid(std::max<qsizetype>(0, match.capturedStart() - 40), std::min<qsizetype>(40, match.capturedStart()));
+                const QString before = text.mid(std::max<qsizetype>(0, match.capturedStart() - 40),
+                                                std::min<qsizetype>(40, match.capturedStart()));
                 if (sentence.match(said).hasMatch() && !around.match(before).hasMatch()) {
                     wrong << file.section(QLatin1Char('/'), -1) + QStringLiteral(": ") + said;
                 }
@@ -398,24 +423,31 @@ private slots:
 
     void fieldTermsAreThoseOfTheGlossary_data() {
         QTest::addColumn<QString>("term");
-        QTest::addColumn<QStringList>("words");  // de, nl, fr, es, pt_BR: beginnings that other forms of the word share
-        const auto row = [](const char* term, const QStringList& words) { QTest::newRow(term) << QString::fromLatin1(term) << words; };
+        QTest::addColumn<QStringList>(
+            "words");  // de, nl, fr, es, pt_BR: beginnings that other forms of the word share
+        const auto row = [](const char* term, const QStringList& words) {
+            QTest::newRow(term) << QString::fromLatin1(term) << words;
+        };
         row("\\bheadland\\b(?!\\.)", {"vorgewende", "kopakker", "fourrière", "cabecera", "cabeceira"});
         row("\\bmainland", {"innenfläche", "binnenakker", "plein champ", "interior", "interior"});
         row("\\bobstacle", {"hindernis", "obstakel", "obstacle", "obstáculo", "obstáculo"});
         // "Direction of the swaths" is a term of its own.
         row("(?<!direction of the )\\bswath", {"spur", "werkgang", "passage", "pasada", "passada"});
-        row("direction of the swaths", {"fahrtrichtung", "rijrichting", "orientation", "dirección", "direção"});
+        row("direction of the swaths",
+            {"fahrtrichtung", "rijrichting", "orientation", "dirección", "direção"});
         row("\\boperating width", {"arbeitsbreite", "werkbreedte", "largeur", "ancho", "largura"});
-        row("\\bturning radius", {"wenderadius", "draaistraal", "rayon de braquage", "radio de giro", "raio de giro"});
+        row("\\bturning radius",
+            {"wenderadius", "draaistraal", "rayon de braquage", "radio de giro", "raio de giro"});
         row("\\btramline", {"fahrgasse", "spuitsp", "pulvérisateur", "calle", "rastro"});
         row("\\bguidance line", {"leitlinie", "stuurlijn", "de guidage", "de guiado", "de orientação"});
         row("\\btractor", {"schlepper", "trekker", "tracteur", "tractor", "trator"});
         row("\\bgate", {"zufahrt", "inrit", "entrée", "entrada", "entrada"});
         row("\\bterminal", {"terminal", "terminal", "console|terminal", "terminal", "termina"});
         row("\\bfindings?\\b", {"hinweis", "bevinding", "remarque", "aviso", "aviso"});
-        row("three-point turn", {"dreipunktwendung", "steekbocht", "demi-tour en trois temps", "giro en tres puntos", "manobra em três pontos"});
-        row("fishtail", {"schwalbenschwanz", "vissenstaart", "queue de poisson", "cola de pez", "rabo de peixe"});
+        row("three-point turn", {"dreipunktwendung", "steekbocht", "demi-tour en trois temps",
+                                 "giro en tres puntos", "manobra em três pontos"});
+        row("fishtail",
+            {"schwalbenschwanz", "vissenstaart", "queue de poisson", "cola de pez", "rabo de peixe"});
     }
     void fieldTermsAreThoseOfTheGlossary() {
         QFETCH(QString, term);
@@ -430,7 +462,8 @@ private slots:
                 if (inSource.match(entry.source).hasMatch()) {
                     ++seen;
                     if (!wanted.match(entry.forms.join(QLatin1Char(' '))).hasMatch()) {
-                        wrong << entry.source + QStringLiteral(" -> ") + entry.forms.join(QStringLiteral(" / "));
+                        wrong << entry.source + QStringLiteral(" -> ") +
+                                     entry.forms.join(QStringLiteral(" / "));
                     }
                 }
             }

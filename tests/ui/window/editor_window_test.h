@@ -5,10 +5,10 @@
 namespace furrow::test {
 
 /// Begins with a field that is drawn. Goes on only with one: what follows looks at it.
-#define DRAW_FIELD() \
-    drawField();     \
+#define DRAW_FIELD()                                                   \
+    drawField();                                                       \
     if (QTest::currentTestFailed() || !session_->shown()->hasPlan()) { \
-        return;      \
+        return;                                                        \
     }
 
 /// Drawing and changing a field in the whole window.
@@ -19,10 +19,12 @@ protected:
     const FieldSource& source() const { return *session_->document()->project()->field()->source; }
     /// What there is now is planned, and drawn.
     void ready() const {
-        QTRY_VERIFY_WITH_TIMEOUT(session_->shown()->plan() && !session_->shown()->isDraft() && !session_->shown()->isBehind() &&
-                                     session_->shown()->plan()->request.settings == session_->planning()->settings() &&
-                                     session_->shown()->plan()->request.machine == session_->planning()->machine()->machine() &&
-                                     isFinished(session_->planning()->state()), 30000);
+        QTRY_VERIFY_WITH_TIMEOUT(
+            session_->shown()->plan() && !session_->shown()->isDraft() && !session_->shown()->isBehind() &&
+                session_->shown()->plan()->request.settings == session_->planning()->settings() &&
+                session_->shown()->plan()->request.machine == session_->planning()->machine()->machine() &&
+                isFinished(session_->planning()->state()),
+            30000);
     }
     std::size_t steps() const { return session_->document()->history().steps.size(); }
     QPoint middle() const { return middleOf(*map()); }
@@ -31,7 +33,8 @@ protected:
         camera()->centreOn(QGeoCoordinate{58.2515, 22.5035}, 16.0, false);
         key(Qt::Key_B);
         QTRY_VERIFY(item(QStringLiteral("drawingHint"))->isVisible());
-        for (const QPoint corner : {QPoint{-200, -150}, QPoint{200, -150}, QPoint{200, 150}, QPoint{-200, 150}}) {
+        for (const QPoint corner :
+             {QPoint{-200, -150}, QPoint{200, -150}, QPoint{200, 150}, QPoint{-200, 150}}) {
             clickAt(middle() + corner);
         }
         key(Qt::Key_Return);

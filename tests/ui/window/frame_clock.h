@@ -17,14 +17,17 @@ namespace furrow::test {
 class FrameClock {
 public:
     explicit FrameClock(QQuickWindow& window) : window_{window} {
-        connection_ = QObject::connect(&window, &QQuickWindow::frameSwapped, &window, [this] {
-            // The thread that draws tells it.
-            const std::scoped_lock lock{mutex_};
-            if (sinceLast_.isValid()) {
-                gapsMs_.push_back(static_cast<double>(sinceLast_.nsecsElapsed()) / 1e6);
-            }
-            sinceLast_.start();
-        }, Qt::DirectConnection);
+        connection_ = QObject::connect(
+            &window, &QQuickWindow::frameSwapped, &window,
+            [this] {
+                // The thread that draws tells it.
+                const std::scoped_lock lock{mutex_};
+                if (sinceLast_.isValid()) {
+                    gapsMs_.push_back(static_cast<double>(sinceLast_.nsecsElapsed()) / 1e6);
+                }
+                sinceLast_.start();
+            },
+            Qt::DirectConnection);
         whole_.start();
     }
     ~FrameClock() { QObject::disconnect(connection_); }
@@ -49,7 +52,8 @@ public:
     }
     QString text() const {
         const std::scoped_lock lock{mutex_};
-        return QStringLiteral("%1 moves in %2 ms; a move takes the window %3 ms, at most %4 ms; %5 frames, between them %6 ms, 95 % in %7 ms, at most %8 ms")
+        return QStringLiteral(
+                   "%1 moves in %2 ms; a move takes the window %3 ms, at most %4 ms; %5 frames, between them %6 ms, 95 % in %7 ms, at most %8 ms")
             .arg(handledMs_.size())
             .arg(whole_.elapsed())
             .arg(share(handledMs_, 0.5), 0, 'f', 1)

@@ -11,8 +11,8 @@ class TestAccessWindow : public WindowTest {
     Q_OBJECT
 
     static bool isControl(const QQuickItem& item) {
-        return item.inherits("QQuickAbstractButton") || item.inherits("QQuickTextInput") || item.inherits("QQuickSlider") ||
-               item.inherits("QQuickComboBox");
+        return item.inherits("QQuickAbstractButton") || item.inherits("QQuickTextInput") ||
+               item.inherits("QQuickSlider") || item.inherits("QQuickComboBox");
     }
     /// Every control that is seen below an item.
     static void collect(QQuickItem* below, std::vector<QQuickItem*>& controls) {
@@ -30,7 +30,10 @@ class TestAccessWindow : public WindowTest {
         }
     }
     static QString described(const QQuickItem& item) {
-        return QStringLiteral("%1 \"%2\" %3x%4").arg(QLatin1String{item.metaObject()->className()}, item.objectName()).arg(item.width()).arg(item.height());
+        return QStringLiteral("%1 \"%2\" %3x%4")
+            .arg(QLatin1String{item.metaObject()->className()}, item.objectName())
+            .arg(item.width())
+            .arg(item.height());
     }
     void check(const char* page) {
         std::vector<QQuickItem*> controls;
@@ -49,8 +52,12 @@ class TestAccessWindow : public WindowTest {
                 small << described(*control);
             }
         }
-        QVERIFY2(unnamed.isEmpty(), qPrintable(QStringLiteral("%1, without a name: %2").arg(QLatin1String{page}, unnamed.join(QStringLiteral("; ")))));
-        QVERIFY2(small.isEmpty(), qPrintable(QStringLiteral("%1, too small: %2").arg(QLatin1String{page}, small.join(QStringLiteral("; ")))));
+        QVERIFY2(unnamed.isEmpty(),
+                 qPrintable(QStringLiteral("%1, without a name: %2")
+                                .arg(QLatin1String{page}, unnamed.join(QStringLiteral("; ")))));
+        QVERIFY2(small.isEmpty(),
+                 qPrintable(QStringLiteral("%1, too small: %2")
+                                .arg(QLatin1String{page}, small.join(QStringLiteral("; ")))));
     }
 
 private slots:
@@ -59,7 +66,10 @@ private slots:
         openSample(QStringLiteral("Home Field"));
         check("plan");
         for (int row = 0; row < session_->planning()->steps()->rowCount(); ++row) {
-            const QString step = session_->planning()->steps()->data(session_->planning()->steps()->index(row), StepsModel::StepIdRole).toString();
+            const QString step = session_->planning()
+                                     ->steps()
+                                     ->data(session_->planning()->steps()->index(row), StepsModel::StepIdRole)
+                                     .toString();
             item(QStringLiteral("stepsPanel"))->setProperty("openStep", step);
             waitForRest(*item(QStringLiteral("step.") + step));
             check(qPrintable(step));
@@ -74,7 +84,8 @@ private slots:
         check("keys");
         key(Qt::Key_Escape);
         click(QStringLiteral("exportButton"));
-        QTRY_VERIFY(item(QStringLiteral("export.write")) != nullptr && item(QStringLiteral("export.write"))->isVisible());
+        QTRY_VERIFY(item(QStringLiteral("export.write")) != nullptr &&
+                    item(QStringLiteral("export.write"))->isVisible());
         check("export");
         key(Qt::Key_Escape);
     }
@@ -86,14 +97,17 @@ private slots:
         int steps = 0;
         do {
             reached << window_->activeFocusItem()->objectName();
-            QVERIFY2(window_->activeFocusItem()->isVisible(), qPrintable(described(*window_->activeFocusItem())));
+            QVERIFY2(window_->activeFocusItem()->isVisible(),
+                     qPrintable(described(*window_->activeFocusItem())));
             key(Qt::Key_Tab);
             ++steps;
         } while (window_->activeFocusItem() != first && steps < 200);
         QVERIFY2(steps < 200, "the tab key runs in no circle");
-        for (const char* name : {"openButton", "exportButton", "searchButton", "themeSwitch", "drawTool", "layersTool",
-                                 "step.headland", "editLayer", "finding.0"}) {
-            QVERIFY2(reached.contains(QLatin1String{name}), qPrintable(QStringLiteral("%1 is not among %2").arg(QLatin1String{name}, QStringList{reached.values()}.join(u' '))));
+        for (const char* name : {"openButton", "exportButton", "searchButton", "themeSwitch", "drawTool",
+                                 "layersTool", "step.headland", "editLayer", "finding.0"}) {
+            QVERIFY2(reached.contains(QLatin1String{name}),
+                     qPrintable(QStringLiteral("%1 is not among %2")
+                                    .arg(QLatin1String{name}, QStringList{reached.values()}.join(u' '))));
         }
     }
     void theTourIsTakenAndLeft() {

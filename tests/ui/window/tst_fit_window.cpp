@@ -5,7 +5,8 @@
 
 using namespace furrow;
 
-/// The window lies on the screen that it starts on, whatever it was on before, and what it holds can be reached.
+/// The window lies on the screen that it starts on, whatever it was on before, and what it holds can be
+/// reached.
 class TestFitWindow : public test::WindowTest {
     Q_OBJECT
 
@@ -32,7 +33,8 @@ private:
     /// What the user sees of an item is not outside of the window.
     bool isReachable(const QString& name) const {
         const QQuickItem* found = item(name);
-        return found != nullptr && found->isVisible() && QRect(QPoint{}, window_->size()).contains(middleOf(*found));
+        return found != nullptr && found->isVisible() &&
+               QRect(QPoint{}, window_->size()).contains(middleOf(*found));
     }
     /// Resizes and waits until the map has its place.
     void become(QSize size) {
@@ -52,14 +54,18 @@ private slots:
         const QMargins title{1, 30, 1, 1};
         QTest::newRow("it fits") << QRect{100, 60, 900, 600} << laptop << none << QRect{100, 60, 900, 600};
         QTest::newRow("too large") << QRect{0, 0, 1440, 900} << laptop << none << QRect{0, 0, 1366, 728};
-        QTest::newRow("too large with its frame") << QRect{0, 0, 1440, 900} << laptop << title << QRect{1, 30, 1364, 697};
-        QTest::newRow("twice as large") << QRect{0, 0, 2880, 1800} << QRect{0, 0, 1440, 860} << none << QRect{0, 0, 1440, 860};
-        QTest::newRow("a screen that is gone") << QRect{2000, 300, 1200, 700} << laptop << none << QRect{166, 28, 1200, 700};
-        QTest::newRow("above and left") << QRect{-50, -20, 1000, 700} << laptop << title << QRect{1, 30, 1000, 697};
-        QTest::newRow("the second screen") << QRect{1500, 100, 1000, 700} << QRect{1366, 0, 1920, 1080} << none
-                                           << QRect{1500, 100, 1000, 700};
-        QTest::newRow("below a bar at the top") << QRect{0, 0, 1000, 600} << QRect{0, 40, 1366, 728} << none
-                                                << QRect{0, 40, 1000, 600};
+        QTest::newRow("too large with its frame")
+            << QRect{0, 0, 1440, 900} << laptop << title << QRect{1, 30, 1364, 697};
+        QTest::newRow("twice as large")
+            << QRect{0, 0, 2880, 1800} << QRect{0, 0, 1440, 860} << none << QRect{0, 0, 1440, 860};
+        QTest::newRow("a screen that is gone")
+            << QRect{2000, 300, 1200, 700} << laptop << none << QRect{166, 28, 1200, 700};
+        QTest::newRow("above and left")
+            << QRect{-50, -20, 1000, 700} << laptop << title << QRect{1, 30, 1000, 697};
+        QTest::newRow("the second screen") << QRect{1500, 100, 1000, 700} << QRect{1366, 0, 1920, 1080}
+                                           << none << QRect{1500, 100, 1000, 700};
+        QTest::newRow("below a bar at the top")
+            << QRect{0, 0, 1000, 600} << QRect{0, 40, 1366, 728} << none << QRect{0, 40, 1000, 600};
     }
     void whatIsWantedIsFitted() {
         QFETCH(QRect, wanted);
@@ -79,7 +85,8 @@ private slots:
     void itStartsOnTheScreen() {
         QFETCH(QRect, remembered);
         startWith(remembered);
-        QTRY_VERIFY2(screen().contains(window_->geometry()), qPrintable(QStringLiteral("%1 x %2").arg(window_->width()).arg(window_->height())));
+        QTRY_VERIFY2(screen().contains(window_->geometry()),
+                     qPrintable(QStringLiteral("%1 x %2").arg(window_->width()).arg(window_->height())));
         QVERIFY(window_->minimumWidth() <= screen().width() && window_->minimumHeight() <= screen().height());
     }
 
@@ -97,7 +104,9 @@ private slots:
         become(size);
         for (const char* button : {"empty.open", "empty.draw", "openButton"}) {
             // The button of the bar gives way where there is little room.
-            QTRY_VERIFY2(isReachable(QLatin1String{button}) || (size.width() < 720 && qstrcmp(button, "openButton") == 0), button);
+            QTRY_VERIFY2(isReachable(QLatin1String{button}) ||
+                             (size.width() < 720 && qstrcmp(button, "openButton") == 0),
+                         button);
         }
         picture(QStringLiteral("fit-%1-empty").arg(name));
         key(Qt::Key_K, Qt::ControlModifier);
@@ -105,7 +114,8 @@ private slots:
         picture(QStringLiteral("fit-%1-palette").arg(name));
         key(Qt::Key_Escape);
         QTRY_VERIFY(!isReachable(QStringLiteral("palette.row.1")));
-        session_->opener()->openSample(static_cast<int>(session_->opener()->sampleNames().indexOf(QStringLiteral("Slanted Field"))));
+        session_->opener()->openSample(
+            static_cast<int>(session_->opener()->sampleNames().indexOf(QStringLiteral("Slanted Field"))));
         QTRY_VERIFY_WITH_TIMEOUT(isFinished(session_->planning()->state()), 20000);
         for (const char* button : {"exportButton", "undoButton", "statusChip", "scaleBar", "stepsPanel"}) {
             QTRY_VERIFY2(isReachable(QLatin1String{button}), button);
@@ -121,7 +131,8 @@ private slots:
         key(Qt::Key_Escape);
         QTRY_VERIFY(!isReachable(QStringLiteral("export.write")));
         key(Qt::Key_F1);
-        QTRY_VERIFY(item(QStringLiteral("keysDialog.close")) != nullptr && item(QStringLiteral("keysDialog.close"))->hasActiveFocus());
+        QTRY_VERIFY(item(QStringLiteral("keysDialog.close")) != nullptr &&
+                    item(QStringLiteral("keysDialog.close"))->hasActiveFocus());
         waitForRest(*item(QStringLiteral("keysDialog.close")));
         picture(QStringLiteral("fit-%1-keys").arg(name));
         for (int i = 0; i < 5; ++i) {
@@ -131,7 +142,8 @@ private slots:
         click(QStringLiteral("keysDialog.close"));
         QTRY_VERIFY(!isReachable(QStringLiteral("keysDialog.close")));
         key(Qt::Key_Comma, Qt::ControlModifier);
-        QTRY_VERIFY(item(QStringLiteral("preferences.close")) != nullptr && item(QStringLiteral("preferences.close"))->isVisible());
+        QTRY_VERIFY(item(QStringLiteral("preferences.close")) != nullptr &&
+                    item(QStringLiteral("preferences.close"))->isVisible());
         waitForRest(*item(QStringLiteral("preferences.close")));
         item(QStringLiteral("preferences.close"))->forceActiveFocus(Qt::TabFocusReason);
         QTRY_VERIFY(isReachable(QStringLiteral("preferences.close")));
@@ -143,7 +155,8 @@ private slots:
         QTRY_VERIFY(isReachable(QStringLiteral("step.check")));
         picture(QStringLiteral("fit-%1-check").arg(name));
         key(Qt::Key_Space);
-        QTRY_VERIFY(isReachable(QStringLiteral("figure.Area")) || isReachable(QStringLiteral("finding.0")) || isReachable(QStringLiteral("noFindings")));
+        QTRY_VERIFY(isReachable(QStringLiteral("figure.Area")) || isReachable(QStringLiteral("finding.0")) ||
+                    isReachable(QStringLiteral("noFindings")));
     }
 };
 

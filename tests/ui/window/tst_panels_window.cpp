@@ -10,14 +10,16 @@
 using namespace furrow;
 using namespace furrow::test;
 
-/// Every panel, dialog and notice fits into the window. With FURROW_PICTURES set they are opened in every size, theme
-/// and some languages, for people to look at the pictures.
+/// Every panel, dialog and notice fits into the window. With FURROW_PICTURES set they are opened in every
+/// size, theme and some languages, for people to look at the pictures.
 class TestPanelsWindow : public EditorWindowTest {
     Q_OBJECT
 
     QString name_;
 
-    QObject* found(const char* name) const { return engine_->rootObjects().first()->findChild<QObject*>(QLatin1String{name}); }
+    QObject* found(const char* name) const {
+        return engine_->rootObjects().first()->findChild<QObject*>(QLatin1String{name});
+    }
     void shot(const char* what) { picture(QStringLiteral("panel-%1-%2").arg(QLatin1String{what}, name_)); }
     /// Opens a dialog by a command, takes its picture, and closes it.
     void dialog(const char* command, const char* name) {
@@ -26,8 +28,8 @@ class TestPanelsWindow : public EditorWindowTest {
         QVERIFY2(dialog != nullptr, name);
         QTRY_VERIFY2(dialog->property("opened").toBool(), name);
         QTRY_COMPARE(dialog->property("opacity").toDouble(), 1.0);
-        const QRectF place{dialog->property("x").toDouble(), dialog->property("y").toDouble(), dialog->property("width").toDouble(),
-                           dialog->property("height").toDouble()};
+        const QRectF place{dialog->property("x").toDouble(), dialog->property("y").toDouble(),
+                           dialog->property("width").toDouble(), dialog->property("height").toDouble()};
         QVERIFY2(QRectF(0.0, 0.0, window_->width(), window_->height()).contains(place), name);
         shot(name);
         QMetaObject::invokeMethod(dialog, "close");
@@ -71,19 +73,31 @@ private slots:
 
         // Three layers: a picture, heights, and one whose file is gone; and something that is none.
         const QTemporaryDir folder;
-        const auto raster = [&folder](const char* name, int bands, GDALDataType type, const std::function<double(int, int, int)>& value) {
-            return writeTiff(folder.filePath(QLatin1String{name}), {.width = 300, .height = 300, .epsg = 4326,
-                                                                    .affine = {22.499, 3e-5, 0.0, 58.2545, 0.0, -2e-5}, .type = type},
+        const auto raster = [&folder](const char* name, int bands, GDALDataType type,
+                                      const std::function<double(int, int, int)>& value) {
+            return writeTiff(folder.filePath(QLatin1String{name}),
+                             {.width = 300,
+                              .height = 300,
+                              .epsg = 4326,
+                              .affine = {22.499, 3e-5, 0.0, 58.2545, 0.0, -2e-5},
+                              .type = type},
                              bands, value);
         };
-        const auto colour = [](int band, int x, int y) { return 60.0 + 40.0 * band + (x / 20 + y / 20) % 2 * 30.0; };
-        QVERIFY(raster("Aerial photo May 2026.tif", 3, GDT_Byte, colour) && raster("gone.tif", 3, GDT_Byte, colour) &&
-                raster("heights.tif", 1, GDT_Float32, [](int, int x, int y) { return 20.0 * std::sin(x / 60.0) + y / 20.0; }));
-        session_->imagery()->add({folder.filePath(QStringLiteral("heights.tif")), folder.filePath(QStringLiteral("gone.tif")),
+        const auto colour = [](int band, int x, int y) {
+            return 60.0 + 40.0 * band + (x / 20 + y / 20) % 2 * 30.0;
+        };
+        QVERIFY(raster("Aerial photo May 2026.tif", 3, GDT_Byte, colour) &&
+                raster("gone.tif", 3, GDT_Byte, colour) &&
+                raster("heights.tif", 1, GDT_Float32,
+                       [](int, int x, int y) { return 20.0 * std::sin(x / 60.0) + y / 20.0; }));
+        session_->imagery()->add({folder.filePath(QStringLiteral("heights.tif")),
+                                  folder.filePath(QStringLiteral("gone.tif")),
                                   folder.filePath(QStringLiteral("Aerial photo May 2026.tif"))});
         QTRY_COMPARE(session_->imagery()->count(), 3);
         QVERIFY(QFile::remove(folder.filePath(QStringLiteral("gone.tif"))));
-        QTRY_VERIFY(session_->imagery()->data(session_->imagery()->index(1), ImageryModel::StateRole).value<ImageryModel::State>() == ImageryModel::State::Failed);
+        QTRY_VERIFY(session_->imagery()
+                        ->data(session_->imagery()->index(1), ImageryModel::StateRole)
+                        .value<ImageryModel::State>() == ImageryModel::State::Failed);
         click(QStringLiteral("layersTool"));
         QTRY_VERIFY(shows(QStringLiteral("layersPanel")));
         QTRY_VERIFY(session_->imagery()->store().isIdle());

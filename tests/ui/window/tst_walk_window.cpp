@@ -11,8 +11,8 @@
 using namespace furrow;
 using namespace furrow::test;
 
-/// What a new user does, from nothing to files for the terminal. With FURROW_PICTURES set it is done in every size,
-/// theme and some languages, for people to look at the pictures.
+/// What a new user does, from nothing to files for the terminal. With FURROW_PICTURES set it is done in every
+/// size, theme and some languages, for people to look at the pictures.
 class TestWalkWindow : public EditorWindowTest {
     Q_OBJECT
 
@@ -21,7 +21,12 @@ class TestWalkWindow : public EditorWindowTest {
     QString name_;
     int number_ = 0;
 
-    void step(const char* what) { picture(QStringLiteral("walk-%1-%2-%3").arg(name_).arg(++number_, 2, 10, QLatin1Char{'0'}).arg(QLatin1String{what})); }
+    void step(const char* what) {
+        picture(QStringLiteral("walk-%1-%2-%3")
+                    .arg(name_)
+                    .arg(++number_, 2, 10, QLatin1Char{'0'})
+                    .arg(QLatin1String{what}));
+    }
     void beginAs(QSize size, int colours) {
         begin(size);
         engine_->singletonInstance<QObject*>("Furrow.Controls", "Theme")->setProperty("forced", colours);
@@ -39,8 +44,10 @@ private slots:
         QTest::addColumn<int>("colours");
         QTest::addColumn<QString>("language");
         QTest::addColumn<int>("units");
-        const auto row = [](const char* name, QSize size, Colours colours, const char* language = "en", furrow::Display::Units units = furrow::Display::Metric) {
-            QTest::newRow(name) << size << static_cast<int>(colours) << QString::fromLatin1(language) << static_cast<int>(units);
+        const auto row = [](const char* name, QSize size, Colours colours, const char* language = "en",
+                            furrow::Display::Units units = furrow::Display::Metric) {
+            QTest::newRow(name) << size << static_cast<int>(colours) << QString::fromLatin1(language)
+                                << static_cast<int>(units);
         };
         row("1440-light", {1440, 900}, Colours::Light);
         if (!qEnvironmentVariableIsSet("FURROW_PICTURES")) {
@@ -80,7 +87,12 @@ private slots:
         click(QStringLiteral("machine.library"));
         key(Qt::Key_Down);
         key(Qt::Key_Down);
-        QTRY_COMPARE(item(QStringLiteral("machine.library"))->property("popup").value<QObject*>()->property("opacity").toDouble(), 1.0);
+        QTRY_COMPARE(item(QStringLiteral("machine.library"))
+                         ->property("popup")
+                         .value<QObject*>()
+                         ->property("opacity")
+                         .toDouble(),
+                     1.0);
         step("machines");
         key(Qt::Key_Return);
         QTRY_COMPARE(session_->planning()->machine()->libraryIndex(), 2);
@@ -148,7 +160,10 @@ private slots:
         clickAt(centre + QPoint{-150, 100});
         clickAt(centre + QPoint{-150, -100});
         key(Qt::Key_Return);
-        QTRY_VERIFY_WITH_TIMEOUT(session_->shown()->plan() && std::abs(std::cos(session_->shown()->plan()->swaths.heading.si())) < 0.01, 30000);
+        QTRY_VERIFY_WITH_TIMEOUT(
+            session_->shown()->plan() &&
+                std::abs(std::cos(session_->shown()->plan()->swaths.heading.si())) < 0.01,
+            30000);
         ready();
         step("ab-line");
 
@@ -187,7 +202,8 @@ private slots:
         const QString path = folder.filePath(QStringLiteral("Home farm.furrow"));
         session_->files()->saveAs(QUrl::fromLocalFile(path));
         QTRY_VERIFY(!session_->document()->isModified());
-        QTRY_COMPARE(item(QStringLiteral("projectName"))->property("text").toString(), QStringLiteral("Home farm"));
+        QTRY_COMPARE(item(QStringLiteral("projectName"))->property("text").toString(),
+                     QStringLiteral("Home farm"));
         QVERIFY(!shows(QStringLiteral("modifiedMark")));
         step("saved");
 
@@ -233,7 +249,8 @@ private slots:
         const QTemporaryDir folder;
         session_->keepIn(folder.filePath(QStringLiteral("kept")));
         camera()->centreOn(QGeoCoordinate{58.2515, 22.5035}, 16.0, false);
-        const auto drawn = [this](Qt::Key tool, const std::vector<std::pair<const char*, const char*>>& ways) {
+        const auto drawn = [this](Qt::Key tool,
+                                  const std::vector<std::pair<const char*, const char*>>& ways) {
             map()->forceActiveFocus();
             key(tool);
             QTRY_VERIFY(shows(QStringLiteral("drawingHint")));
@@ -279,7 +296,8 @@ private slots:
         QCOMPARE(source().edgeHeadlands.front().width.si(), 30.0);
         ready();
 
-        // The view lies where the field begins, its upper left corner: the obstacle goes to the lower right of that.
+        // The view lies where the field begins, its upper left corner: the obstacle goes to the lower right
+        // of that.
         map()->forceActiveFocus();
         key(Qt::Key_Escape);
         QTRY_VERIFY(!editor()->hasSelection());
@@ -287,7 +305,8 @@ private slots:
         for (const Qt::Key way : {Qt::Key_Right, Qt::Key_Right, Qt::Key_Down, Qt::Key_Down}) {
             key(way);
         }
-        QTRY_VERIFY(camera()->center().longitude() > begun.longitude() && camera()->center().latitude() < begun.latitude());
+        QTRY_VERIFY(camera()->center().longitude() > begun.longitude() &&
+                    camera()->center().latitude() < begun.latitude());
         drawn(Qt::Key_O, {{"30", "90"}, {"30", "180"}, {"30", "270"}});
         QTRY_COMPARE(source().obstacles.size(), std::size_t{1});
         ready();

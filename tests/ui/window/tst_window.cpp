@@ -45,7 +45,8 @@ private slots:
         click(QStringLiteral("drawTool"));
         QTRY_VERIFY(item(QStringLiteral("drawingHint"))->isVisible());
         const QPoint middle = middleOf(*map());
-        for (const QPoint offset : {QPoint{-200, -150}, QPoint{220, -140}, QPoint{200, 160}, QPoint{-190, 150}}) {
+        for (const QPoint offset :
+             {QPoint{-200, -150}, QPoint{220, -140}, QPoint{200, 160}, QPoint{-190, 150}}) {
             QTest::mouseMove(window_, middle + offset);
             QTest::mouseClick(window_, Qt::LeftButton, {}, middle + offset);
         }
@@ -54,7 +55,8 @@ private slots:
         QTRY_COMPARE(session_->planning()->state(), PlanState::Ready);
         QCOMPARE(session_->shown()->plan()->field().vertexCount(), std::size_t{4});
         // 400 by 300 pixels at zoom 16 and 58.25 north (1.257 m a pixel).
-        QVERIFY(std::abs(inHectares(session_->shown()->plan()->field().area()) - 0.5 * (420 + 390) * 300 * 1.257 * 1.257 / 1e4) < 0.5);
+        QVERIFY(std::abs(inHectares(session_->shown()->plan()->field().area()) -
+                         0.5 * (420 + 390) * 300 * 1.257 * 1.257 / 1e4) < 0.5);
     }
     void escapeGivesDrawingUp() {
         click(QStringLiteral("drawTool"));
@@ -78,11 +80,13 @@ private slots:
             QTRY_VERIFY(editor()->isDragging());
         }
         QTest::mouseRelease(window_, Qt::LeftButton, {}, from + outwards / 6);
-        QTRY_VERIFY(session_->shown()->plan() && session_->shown()->plan()->field().area().si() > before * 1.01);
+        QTRY_VERIFY(session_->shown()->plan() &&
+                    session_->shown()->plan()->field().area().si() > before * 1.01);
         QTRY_COMPARE(session_->planning()->state(), PlanState::Ready);
         QCOMPARE(camera()->center(), centre);
     }
-    /// Prints how evenly frames come and how far the plan is behind while a vertex of the largest sample is dragged.
+    /// Prints how evenly frames come and how far the plan is behind while a vertex of the largest sample is
+    /// dragged.
     void draggingAVertexOfALargeField() {
         openSample(QStringLiteral("Great Field"));
         const PlanGeometry& geometry = *session_->shown()->drawing().geometry();
@@ -98,10 +102,13 @@ private slots:
             frames.move(from + inwards * i / (3 * kMoves));
         }
         const double used = 1e3 * static_cast<double>(std::clock() - begin) / CLOCKS_PER_SEC;
-        qInfo("%lld drafts, %.0f ms of processor time; %s", static_cast<long long>(plans.count()), used, qPrintable(frames.text()));
+        qInfo("%lld drafts, %.0f ms of processor time; %s", static_cast<long long>(plans.count()), used,
+              qPrintable(frames.text()));
         QTest::mouseRelease(window_, Qt::LeftButton, {}, from + inwards / 3);
         QVERIFY(frames.frames() > 0);
-        QTRY_VERIFY_WITH_TIMEOUT(session_->shown()->hasPlan() && !session_->shown()->isDraft() && session_->planning()->state() == PlanState::Ready, 60000);
+        QTRY_VERIFY_WITH_TIMEOUT(session_->shown()->hasPlan() && !session_->shown()->isDraft() &&
+                                     session_->planning()->state() == PlanState::Ready,
+                                 60000);
     }
     void theMapIsPannedAndZoomed() {
         openSample(QStringLiteral("Home Field"));
@@ -122,7 +129,8 @@ private slots:
         openSample(QStringLiteral("Home Field"));
         const QTemporaryDir folder;
         click(QStringLiteral("exportButton"));
-        QTRY_VERIFY(item(QStringLiteral("export.folder")) != nullptr && item(QStringLiteral("export.folder"))->isVisible());
+        QTRY_VERIFY(item(QStringLiteral("export.folder")) != nullptr &&
+                    item(QStringLiteral("export.folder"))->isVisible());
         item(QStringLiteral("export.folder"))->setProperty("text", folder.filePath(QStringLiteral("out")));
         QTRY_VERIFY(item(QStringLiteral("export.folder"))->isEnabled());
         click(QStringLiteral("export.write"));
@@ -131,7 +139,8 @@ private slots:
         QFile summary{folder.filePath(QStringLiteral("out/summary.json"))};
         QVERIFY(summary.open(QIODevice::ReadOnly));
         const QJsonObject root = QJsonDocument::fromJson(summary.readAll()).object();
-        QCOMPARE(root.value(u"swaths").toObject().value(u"count").toInt(), static_cast<int>(session_->shown()->plan()->swaths.swaths.size()));
+        QCOMPARE(root.value(u"swaths").toObject().value(u"count").toInt(),
+                 static_cast<int>(session_->shown()->plan()->swaths.swaths.size()));
     }
     void aFindingIsShownOnTheMap() {
         openSample(QStringLiteral("Three Ponds"));
@@ -166,8 +175,12 @@ private slots:
         for (const char* name : {"North", "South"}) {
             QFile file{folder.filePath(QStringLiteral("%1.geojson").arg(QLatin1String{name}))};
             QVERIFY(file.open(QIODevice::WriteOnly));
-            file.write(QStringLiteral(R"({"type": "Feature", "properties": {"name": "%1"}, "geometry": {"type": "Polygon", "coordinates":
-                [[[22.5, 58.25], [22.503, 58.25], [22.503, 58.252], [22.5, 58.252], [22.5, 58.25]]]}})").arg(QLatin1String{name}).toUtf8());
+            file.write(
+                QStringLiteral(
+                    R"({"type": "Feature", "properties": {"name": "%1"}, "geometry": {"type": "Polygon", "coordinates":
+                [[[22.5, 58.25], [22.503, 58.25], [22.503, 58.252], [22.5, 58.252], [22.5, 58.25]]]}})")
+                    .arg(QLatin1String{name})
+                    .toUtf8());
             urls << QUrl::fromLocalFile(file.fileName());
         }
         dropped.setUrls(urls);
@@ -187,7 +200,8 @@ private slots:
         QTRY_VERIFY(item(QStringLiteral("problemCard"))->isVisible());
         picture(QStringLiteral("failed"));
     }
-    /// Prints how evenly frames come while the headland of a 64 ha field is dragged; how fast is not for a test.
+    /// Prints how evenly frames come while the headland of a 64 ha field is dragged; how fast is not for a
+    /// test.
     void draggingTheHeadlandKeepsDrawing_data() {
         QTest::addColumn<double>("widthM");
         QTest::newRow("12 m") << 12.0;
@@ -211,7 +225,8 @@ private slots:
             frames.move(left + QPoint{20 + i, 0});
         }
         qInfo("%zu swaths, %zu path points, %lld plans; %s", session_->shown()->plan()->swaths.swaths.size(),
-              session_->shown()->drawing().geometry()->pathPoints, static_cast<long long>(plans.count()), qPrintable(frames.text()));
+              session_->shown()->drawing().geometry()->pathPoints, static_cast<long long>(plans.count()),
+              qPrintable(frames.text()));
         QTest::mouseRelease(window_, Qt::LeftButton, {}, left + QPoint{139, 0});
         QVERIFY(frames.frames() > 0);
         QTRY_VERIFY_WITH_TIMEOUT(plans.count() > 0, 30000);

@@ -62,7 +62,9 @@ protected:
     }
     /// Items made by views are children in the scene only.
     QQuickItem* item(const QString& name) const { return below(window_->contentItem(), name); }
-    QPoint middleOf(const QQuickItem& of) const { return of.mapToScene({of.width() / 2.0, of.height() / 2.0}).toPoint(); }
+    QPoint middleOf(const QQuickItem& of) const {
+        return of.mapToScene({of.width() / 2.0, of.height() / 2.0}).toPoint();
+    }
     /// Steps open and close in motion: a click must not go where the item was.
     void waitForRest(const QQuickItem& moving) const {
         QPoint last{-1, -1};
@@ -77,7 +79,9 @@ protected:
     QQuickItem* map() const { return item(QStringLiteral("editLayer")); }
     FieldEditor* editor() const { return qobject_cast<EditLayer*>(map())->editor(); }
     MapCamera* camera() const { return qobject_cast<EditLayer*>(map())->camera(); }
-    QPoint onMap(const QGeoCoordinate& place) const { return map()->mapToScene(camera()->position(place)).toPoint(); }
+    QPoint onMap(const QGeoCoordinate& place) const {
+        return map()->mapToScene(camera()->position(place)).toPoint();
+    }
     void openSample(const QString& name) {
         const auto index = static_cast<int>(session_->opener()->sampleNames().indexOf(name));
         QVERIFY2(index >= 0, qPrintable(name));
@@ -88,7 +92,9 @@ protected:
         QDir{}.mkpath(QStringLiteral(FURROW_SCREENSHOT_DIR));
         QVERIFY(window_->grabWindow().save(QStringLiteral(FURROW_SCREENSHOT_DIR "/%1.png").arg(name)));
     }
-    void key(int key, Qt::KeyboardModifiers modifiers = {}) const { QTest::keyClick(window_, static_cast<Qt::Key>(key), modifiers); }
+    void key(int key, Qt::KeyboardModifiers modifiers = {}) const {
+        QTest::keyClick(window_, static_cast<Qt::Key>(key), modifiers);
+    }
     void type(const QString& text) const {
         for (const QChar letter : text) {
             QTest::keyClick(window_, letter.toLatin1());

@@ -11,15 +11,16 @@ namespace furrow {
 
 namespace {
 
-constexpr std::array<std::string_view, 9> kFiles = {
-    "field.txt",   "boundary.txt", "headland.txt", "headlines.txt", "tracklines.txt",
-    "ablines.txt", "curvelines.txt", "recpath.txt", "flags.txt"};
+constexpr std::array<std::string_view, 9> kFiles = {"field.txt",      "boundary.txt",   "headland.txt",
+                                                    "headlines.txt",  "tracklines.txt", "ablines.txt",
+                                                    "curvelines.txt", "recpath.txt",    "flags.txt"};
 
 /// Other files are called Field.txt, too.
 bool holdsField(const Result<FileFolder>& folder) {
-    return folder && std::ranges::any_of(folder->called("field.txt"), [&folder](const FileFolder::Entry* entry) {
-        return folder->read(*entry).value_or("").contains("StartFix");
-    });
+    return folder &&
+           std::ranges::any_of(folder->called("field.txt"), [&folder](const FileFolder::Entry* entry) {
+               return folder->read(*entry).value_or("").contains("StartFix");
+           });
 }
 
 }  // namespace
@@ -34,7 +35,8 @@ Recognition recogniseAgOpenGps(const ChosenFile& chosen) {
 
 Result<ImportedFields> readAgOpenGpsFields(const ChosenFile& chosen, const JobContext& job) {
     if (chosen.holdsFiles() && holdsField(chosen.inside())) {
-        const auto path = chosen.isFolder() ? std::filesystem::absolute(chosen.path()).lexically_normal() : chosen.path();
+        const auto path =
+            chosen.isFolder() ? std::filesystem::absolute(chosen.path()).lexically_normal() : chosen.path();
         return readAgOpenGpsFolder(*chosen.inside(), path.stem().string(), job);
     }
     return readAgOpenGpsFolder(*chosen.beside(), chosen.folderAround().filename().string(), job);

@@ -90,7 +90,9 @@ public:
 
 private:
     ReceivedContent& begin(const std::string& name) {
-        all_.push_back({.file = folder_ + "/" + name, .repeatsFirst = false, .winding = ReceivedContent::Winding::OuterLeft});
+        all_.push_back({.file = folder_ + "/" + name,
+                        .repeatsFirst = false,
+                        .winding = ReceivedContent::Winding::OuterLeft});
         return all_.back();
     }
 
@@ -129,9 +131,11 @@ private:
     /// The program tells inside from outside by the headings, from the point before to the point after.
     static bool headingsFit(const std::vector<Pose>& ring) {
         for (std::size_t i = 0; i < ring.size(); ++i) {
-            const Point along = ring[(i + 1) % ring.size()].place - ring[(i + ring.size() - 1) % ring.size()].place;
+            const Point along =
+                ring[(i + 1) % ring.size()].place - ring[(i + ring.size() - 1) % ring.size()].place;
             const double bearing = std::atan2(along.x, along.y);
-            if (norm(along) > 0.1 && std::abs(std::remainder(ring[i].heading - bearing, kTwoPi)) > kHeadingSlackRad) {
+            if (norm(along) > 0.1 &&
+                std::abs(std::remainder(ring[i].heading - bearing, kTwoPi)) > kHeadingSlackRad) {
                 return false;
             }
         }
@@ -154,7 +158,8 @@ private:
         ReceivedContent& found = begin(name);
         Rows rows{file->second};
         rows.is(title);
-        ReceivedArea area{.kind = kind, .name = std::filesystem::path{folder_}.filename().string(), .rings = {}};
+        ReceivedArea area{
+            .kind = kind, .name = std::filesystem::path{folder_}.filename().string(), .rings = {}};
         bool first = true;
         bool headings = true;
         while (!rows.atEnd() && !rows.bad()) {
@@ -208,10 +213,11 @@ private:
             const std::vector<Pose> curve = poses(rows);
             rows.check(mode == 2 ? curve.empty() : mode == 4 && curve.size() >= 2);
             names.names.push_back(name);
-            found.lines.push_back({.name = name,
-                                   .points = mode == 4 ? geo(curve)
-                                                       : GeoRing{plane_->toGeo({a[0], a[1]}), plane_->toGeo({b[0], b[1]})},
-                                   .widthM = std::nullopt});
+            found.lines.push_back(
+                {.name = name,
+                 .points = mode == 4 ? geo(curve)
+                                     : GeoRing{plane_->toGeo({a[0], a[1]}), plane_->toGeo({b[0], b[1]})},
+                 .widthM = std::nullopt});
         }
         found.names.push_back(std::move(names));
         finish(rows, found);

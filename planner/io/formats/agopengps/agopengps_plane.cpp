@@ -20,7 +20,8 @@ double metresPerDegreeOfLongitude(double latDeg) {
 
 AgOpenGpsPlane::AgOpenGpsPlane(GeoPoint origin) : origin_{origin} {
     const double a = inRadians(origin.latDeg);
-    mPerDegLat_ = 111132.92 - 559.82 * std::cos(2.0 * a) + 1.175 * std::cos(4.0 * a) - 0.0023 * std::cos(6.0 * a);
+    mPerDegLat_ =
+        111132.92 - 559.82 * std::cos(2.0 * a) + 1.175 * std::cos(4.0 * a) - 0.0023 * std::cos(6.0 * a);
 }
 
 Point AgOpenGpsPlane::toLocal(GeoPoint point) const {

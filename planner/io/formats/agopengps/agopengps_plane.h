@@ -5,9 +5,9 @@
 
 namespace furrow {
 
-/// The plane in metres in which AgOpenGPS 6 keeps a field: degrees times the length of a degree, that of latitude
-/// at the origin and that of longitude at each point's own latitude (read from the program's behaviour, version
-/// 6.8.4). It is sheared a little, so headings have to be taken from points in it.
+/// The plane in metres in which AgOpenGPS 6 keeps a field: degrees times the length of a degree, that of
+/// latitude at the origin and that of longitude at each point's own latitude (read from the program's
+/// behaviour, version 6.8.4). It is sheared a little, so headings have to be taken from points in it.
 class AgOpenGpsPlane {
 public:
     explicit AgOpenGpsPlane(GeoPoint origin);

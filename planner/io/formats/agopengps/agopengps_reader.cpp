@@ -45,7 +45,8 @@ public:
     /// Nothing where it is no count that a file can hold.
     std::optional<std::size_t> count() {
         const auto next = number();
-        const bool good = next && *next >= 0.0 && *next <= static_cast<double>(kMostPoints) && *next == std::floor(*next);
+        const bool good =
+            next && *next >= 0.0 && *next <= static_cast<double>(kMostPoints) && *next == std::floor(*next);
         return good ? std::optional{static_cast<std::size_t>(*next)} : std::nullopt;
     }
     /// East and north; what follows on the line is not needed.
@@ -88,7 +89,8 @@ public:
         }
         const auto start = startFix(*text);
         if (!start) {
-            return std::unexpected(inputRefused(message("{}, Field.txt", name_), "the line after StartFix is no place",
+            return std::unexpected(inputRefused(message("{}, Field.txt", name_),
+                                                "the line after StartFix is no place",
                                                 "it needs latitude and longitude, as in 52.09,5.66"));
         }
         plane_ = AgOpenGpsPlane{*start};
@@ -115,7 +117,8 @@ public:
 
 private:
     void tell(std::string_view file, Message text) {
-        imported_.notes.push_back({std::move(text), file.empty() ? Message{name_} : message("{}, {}", name_, file)});
+        imported_.notes.push_back(
+            {std::move(text), file.empty() ? Message{name_} : message("{}, {}", name_, file)});
     }
 
     std::optional<GeoPoint> startFix(std::string_view text) {
@@ -185,7 +188,8 @@ private:
             }
             if (points->size() < 3) {
                 if (!points->empty()) {
-                    tell("Boundary.txt", message("left out: {} {}", 1, Message{"rings with fewer than three corners"}));
+                    tell("Boundary.txt",
+                         message("left out: {} {}", 1, Message{"rings with fewer than three corners"}));
                 }
                 continue;
             }
@@ -222,11 +226,13 @@ private:
         while (const auto count = lines.count()) {
             const auto points = lines.points(*count);
             if (!points) {
-                tell("Headland.txt", message("the headland is left out: line {} is damaged", lines.lineNumber()));
+                tell("Headland.txt",
+                     message("the headland is left out: line {} is damaged", lines.lineNumber()));
                 return;
             }
             if (points->size() >= 3) {
-                mainland.outer.empty() ? mainland.outer = placed(*points) : mainland.holes.emplace_back(placed(*points));
+                mainland.outer.empty() ? mainland.outer = placed(*points)
+                                       : mainland.holes.emplace_back(placed(*points));
             }
         }
         if (!mainland.outer.empty()) {
@@ -248,7 +254,8 @@ private:
     }
 
     void addCurve(std::string_view name, const std::vector<Point>& points) {
-        content_.lines.push_back({.kind = GuidanceKind::Curve, .name = std::string{name}, .points = placed(points)});
+        content_.lines.push_back(
+            {.kind = GuidanceKind::Curve, .name = std::string{name}, .points = placed(points)});
     }
 
     void readTrackLines(std::string_view text) {
@@ -293,8 +300,8 @@ private:
             const auto heading = numberIn(parts[1]);
             const auto east = numberIn(parts[2]);
             const auto north = numberIn(parts[3]);
-            const bool good = heading && std::isfinite(*heading) && east && std::abs(*east) < kFarthestM && north &&
-                              std::abs(*north) < kFarthestM;
+            const bool good = heading && std::isfinite(*heading) && east && std::abs(*east) < kFarthestM &&
+                              north && std::abs(*north) < kFarthestM;
             if (!good) {
                 tell("ABLines.txt", message("line {} is left out: it is damaged", lines.lineNumber()));
                 continue;
@@ -355,7 +362,8 @@ private:
         const std::size_t count = lines.count().value_or(0);
         for (std::size_t i = 0; i < count; ++i) {
             const auto line = lines.line();
-            const std::vector<std::string_view> parts = line ? partsOf(*line) : std::vector<std::string_view>{};
+            const std::vector<std::string_view> parts =
+                line ? partsOf(*line) : std::vector<std::string_view>{};
             constexpr std::string_view kGreen = "1";
             if (parts.size() < 8 || parts[5] != kGreen) {
                 continue;
@@ -363,7 +371,8 @@ private:
             const auto lat = numberIn(parts[0]);
             const auto lon = numberIn(parts[1]);
             if (lat && lon && isOnEarth({*lon, *lat})) {
-                content_.field.gates.push_back({.name = std::string{parts[7]}, .position = {*lon, *lat}, .width = {}});
+                content_.field.gates.push_back(
+                    {.name = std::string{parts[7]}, .position = {*lon, *lat}, .width = {}});
             }
         }
     }
@@ -381,7 +390,8 @@ Result<ImportedFields> readAgOpenGps(const std::string& name, const AgOpenGpsFil
     return FolderReader{name, file}.read();
 }
 
-Result<ImportedFields> readAgOpenGpsFolder(const FileFolder& folder, const std::string& name, const JobContext& job) {
+Result<ImportedFields> readAgOpenGpsFolder(const FileFolder& folder, const std::string& name,
+                                           const JobContext& job) {
     ImportedFields all;
     Error first;
     for (const FileFolder::Entry& entry : folder.entries()) {
@@ -397,9 +407,9 @@ Result<ImportedFields> readAgOpenGpsFolder(const FileFolder& folder, const std::
             return found != nullptr && text ? std::optional{*std::move(text)} : std::nullopt;
         };
         const std::size_t slash = entry.folder.rfind('/');
-        const std::string field = entry.folder.empty()              ? name
-                                  : slash == std::string::npos      ? entry.folder
-                                                                    : entry.folder.substr(slash + 1);
+        const std::string field = entry.folder.empty()         ? name
+                                  : slash == std::string::npos ? entry.folder
+                                                               : entry.folder.substr(slash + 1);
         auto read = readAgOpenGps(field, file);
         if (!read) {
             first = first.what.empty() ? read.error() : first;

@@ -95,10 +95,11 @@ public:
         } else {
             addPath({}, "RecPath.txt", made);
         }
-        for (const auto& [name, text] : {std::pair{"Headlines.txt", "$HeadLines\r\n"},
-                                         std::pair{"Contour.txt", "$Contour\r\n"}, std::pair{"Sections.txt", ""},
-                                         std::pair{"Tram.txt", "$Tram\r\n0\r\n0\r\n"}}) {
-            made.files.push_back({std::filesystem::path{folder_} / name, [text] { return std::string{text}; }});
+        for (const auto& [name, text] :
+             {std::pair{"Headlines.txt", "$HeadLines\r\n"}, std::pair{"Contour.txt", "$Contour\r\n"},
+              std::pair{"Sections.txt", ""}, std::pair{"Tram.txt", "$Tram\r\n0\r\n0\r\n"}}) {
+            made.files.push_back(
+                {std::filesystem::path{folder_} / name, [text] { return std::string{text}; }});
         }
     }
 
@@ -136,13 +137,15 @@ private:
         put(std::move(lines), "Field.txt", made);
     }
 
-    /// Each with the heading from the point before to the point after: the program judges from these what is inside.
+    /// Each with the heading from the point before to the point after: the program judges from these what is
+    /// inside.
     static void addRing(TextLines& lines, const std::vector<Point>& ring) {
         lines.add("{}", ring.size());
         for (std::size_t i = 0; i < ring.size(); ++i) {
             const Point before = ring[(i + ring.size() - 1) % ring.size()];
             const Point after = ring[(i + 1) % ring.size()];
-            lines.add("{},{},{:.5f}", shortMetres(ring[i].x), shortMetres(ring[i].y), bearingRad(before, after));
+            lines.add("{},{},{:.5f}", shortMetres(ring[i].x), shortMetres(ring[i].y),
+                      bearingRad(before, after));
         }
     }
 
@@ -220,7 +223,8 @@ private:
                 continue;
             }
             const bool straight = points.size() == 2;
-            const std::vector<Point> curve = straight ? std::vector<Point>{} : densified(points, kCurveSpacingM, false);
+            const std::vector<Point> curve =
+                straight ? std::vector<Point>{} : densified(points, kCurveSpacingM, false);
             Point sum{};
             for (std::size_t i = 1; i < curve.size(); ++i) {
                 const Point step = curve[i] - curve[i - 1];
@@ -267,8 +271,8 @@ private:
                 .working = working};
     }
 
-    /// About a metre apart, also on straights, which a plan tells by their ends; the ends of every segment among them,
-    /// cut where the gear changes.
+    /// About a metre apart, also on straights, which a plan tells by their ends; the ends of every segment
+    /// among them, cut where the gear changes.
     std::vector<std::vector<PathPoint>> forwardStretches(const Plan& plan, int& reversed) const {
         std::vector<std::vector<PathPoint>> stretches(1);
         for (const PathSegment& segment : plan.path.segments) {
@@ -301,7 +305,8 @@ private:
             const double gapM = i == 0 ? 0.0 : samples[i].sM - samples[i - 1].sM;
             const auto inserted = static_cast<int>(std::ceil(gapM / kPathSpacingM)) - 1;
             for (int k = 1; k <= inserted; ++k) {
-                points.push_back(between(samples[i - 1], samples[i], k / (inserted + 1.0), segment.implementDown));
+                points.push_back(
+                    between(samples[i - 1], samples[i], k / (inserted + 1.0), segment.implementDown));
                 lastM = samples[i - 1].sM + gapM * k / (inserted + 1.0);
             }
             if (samples[i].sM - lastM >= kPathSpacingM || i + 1 == samples.size()) {
@@ -318,9 +323,9 @@ private:
         lines.add("{}", points.size());
         for (std::size_t i = 0; i < points.size(); ++i) {
             const std::size_t from = std::min(i, points.size() - 2);
-            lines.add("{},{},{:.3f},{:.1f},{}", shortMetres(points[i].place.x), shortMetres(points[i].place.y),
-                      bearingRad(points[from].place, points[from + 1].place), points[i].speedMps * 3.6,
-                      points[i].working ? "True" : "False");
+            lines.add("{},{},{:.3f},{:.1f},{}", shortMetres(points[i].place.x),
+                      shortMetres(points[i].place.y), bearingRad(points[from].place, points[from + 1].place),
+                      points[i].speedMps * 3.6, points[i].working ? "True" : "False");
         }
         put(std::move(lines), name.c_str(), made);
     }
@@ -368,9 +373,10 @@ Result<FormatFiles> writeAgOpenGps(const ExportJob& job) {
         }
         if (content.field.parts.size() > 1) {
             made.notes.push_back(message(
-                job.plan == nullptr ? "AgOpenGPS keeps one outline to a field: the {} parts of '{}' are fields of their own."
-                                    : "AgOpenGPS keeps one outline to a field: the {} parts of '{}' are fields of their "
-                                      "own, and the whole path is in the first.",
+                job.plan == nullptr
+                    ? "AgOpenGPS keeps one outline to a field: the {} parts of '{}' are fields of their own."
+                    : "AgOpenGPS keeps one outline to a field: the {} parts of '{}' are fields of their "
+                      "own, and the whole path is in the first.",
                 content.field.parts.size(), content.field.name));
         }
     }

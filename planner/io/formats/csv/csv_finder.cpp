@@ -13,7 +13,8 @@ namespace furrow {
 
 namespace {
 
-/// Rings between brackets: "POLYGON ((1 2, 3 4, ...), (...))"; with `multi` each pair of outer brackets is a polygon.
+/// Rings between brackets: "POLYGON ((1 2, 3 4, ...), (...))"; with `multi` each pair of outer brackets is a
+/// polygon.
 std::vector<GeoPolygon> polygonsIn(std::string_view wkt) {
     const int ringDepth = wkt.starts_with("MULTI") ? 3 : 2;
     std::vector<GeoPolygon> polygons;
@@ -44,7 +45,8 @@ std::vector<GeoPolygon> polygonsIn(std::string_view wkt) {
             endPoint();
             if (depth == ringDepth && !polygons.empty()) {
                 GeoPolygon& polygon = polygons.back();
-                (polygon.outer.empty() ? polygon.outer : polygon.holes.emplace_back()) = std::exchange(ring, {});
+                (polygon.outer.empty() ? polygon.outer : polygon.holes.emplace_back()) =
+                    std::exchange(ring, {});
             }
             --depth;
         } else if (depth == ringDepth && letter == ',') {
@@ -63,14 +65,17 @@ void readBoundaries(std::string_view text, ReceivedContent& found) {
     nextLine(text);
     for (std::size_t number = 2; !text.empty(); ++number) {
         const std::vector<std::string> cells = quotedCellsOf(nextLine(text), ',');
-        std::vector<GeoPolygon> polygons = cells.size() == 3 ? polygonsIn(cells[2]) : std::vector<GeoPolygon>{};
+        std::vector<GeoPolygon> polygons =
+            cells.size() == 3 ? polygonsIn(cells[2]) : std::vector<GeoPolygon>{};
         if (polygons.empty()) {
             found.faults.push_back(badLine(number));
             return;
         }
         for (GeoPolygon& polygon : polygons) {
-            found.areas.push_back(
-                {.kind = ReceivedArea::Kind::Field, .name = cells[1], .rings = std::move(polygon), .statedM2 = std::nullopt});
+            found.areas.push_back({.kind = ReceivedArea::Kind::Field,
+                                   .name = cells[1],
+                                   .rings = std::move(polygon),
+                                   .statedM2 = std::nullopt});
         }
     }
 }
@@ -92,7 +97,8 @@ void readPathTable(std::string_view text, ReceivedContent& found) {
         const std::vector<std::string_view> cells = cellsOf(nextLine(text), ',');
         std::vector<double> values;
         for (const std::size_t column : at) {
-            if (const auto value = cells.size() == names.size() ? decimalIn(cells[column]) : std::optional<double>{}) {
+            if (const auto value =
+                    cells.size() == names.size() ? decimalIn(cells[column]) : std::optional<double>{}) {
                 values.push_back(*value);
             }
         }

@@ -145,7 +145,8 @@ std::optional<Layout> yieldMonitorLayout(std::string_view firstLine) {
         value[i] = *number;
     }
     constexpr double kEpochAtLeastS = 1e8;
-    if (!isOnEarth({value[0], value[1]}) || value[3] < kEpochAtLeastS || value[4] < 0.0 || value[4] > 3600.0) {
+    if (!isOnEarth({value[0], value[1]}) || value[3] < kEpochAtLeastS || value[4] < 0.0 ||
+        value[4] > 3600.0) {
         return std::nullopt;
     }
     Layout layout{.separator = ',', .yieldMonitor = true};
@@ -371,7 +372,8 @@ Recognition recogniseTrackTable(const ChosenFile& chosen) {
 
 Result<TrackFile> readTrackTable(const ChosenFile& chosen, const JobContext& job) {
     const auto text = fileBytes(chosen.path());
-    return text ? tableTracks(withoutByteOrderMark(*text), chosen.path().string(), job) : std::unexpected(text.error());
+    return text ? tableTracks(withoutByteOrderMark(*text), chosen.path().string(), job)
+                : std::unexpected(text.error());
 }
 
 }  // namespace furrow

@@ -78,8 +78,8 @@ Result<std::vector<VectorFeature>> fieldsFromRows(const std::vector<VectorFeatur
 }
 
 // What only machines record, and what loggers do too; letters of a column's name, small.
-constexpr std::string_view kWorkColumns[] = {"flow", "moisture", "yield", "yld", "curvature", "implement", "workstate",
-                                             "loadid", "grainflow"};
+constexpr std::string_view kWorkColumns[] = {"flow",      "moisture",  "yield",  "yld",      "curvature",
+                                             "implement", "workstate", "loadid", "grainflow"};
 constexpr std::string_view kLogColumns[] = {"time", "speed", "velocity", "heading", "course", "bearing"};
 
 // A walk round a field comes back to within this share of its length.
@@ -91,7 +91,8 @@ bool hasColumnOf(const VectorFile& file, std::span<const std::string_view> words
         for (const char letter : inSmallLetters(column)) {
             letters += letter >= 'a' && letter <= 'z' ? std::string(1, letter) : std::string{};
         }
-        return std::ranges::any_of(words, [&letters](std::string_view word) { return letters.starts_with(word); });
+        return std::ranges::any_of(words,
+                                   [&letters](std::string_view word) { return letters.starts_with(word); });
     });
 }
 
@@ -119,10 +120,9 @@ Result<void> readTable(VectorFile& file, const std::string& name) {
         for (std::size_t i = 0; i < file.features.size(); ++i) {
             const std::string wkt = firstAttribute(file.features[i], kWktNames);
             if (!file.features[i].hasGeometry() && !wkt.empty()) {
-                return std::unexpected(
-                    inputRefused(message("{}, row {}", name, i + 1),
-                                 message("'{}' is not well-known text", wkt.substr(0, 40)),
-                                 "write POLYGON((lon lat, lon lat, ...))"));
+                return std::unexpected(inputRefused(message("{}, row {}", name, i + 1),
+                                                    message("'{}' is not well-known text", wkt.substr(0, 40)),
+                                                    "write POLYGON((lon lat, lon lat, ...))"));
             }
         }
         return {};

@@ -7,9 +7,9 @@
 
 namespace furrow {
 
-/// Of a table: where its rows have no shape, but longitude and latitude, rings are made of them. Rows of one id and
-/// part follow each other, and where the ring changes within them a hole begins. InputRefused: a shape or a place
-/// that is none, neither kind of columns.
+/// Of a table: where its rows have no shape, but longitude and latitude, rings are made of them. Rows of one
+/// id and part follow each other, and where the ring changes within them a hole begins. InputRefused: a shape
+/// or a place that is none, neither kind of columns.
 Result<void> readTable(VectorFile& file, const std::string& name);
 
 }  // namespace furrow

@@ -48,9 +48,10 @@ public:
         constexpr std::string_view kCode = "_EPSG";
         const std::size_t at = file.path.rfind(kCode);
         const std::size_t end = file.path.rfind('.');
-        const auto epsg = at == std::string::npos || end < at
-                              ? std::nullopt
-                              : decimalIn(std::string_view{file.path}.substr(at + kCode.size(), end - at - kCode.size()));
+        const auto epsg =
+            at == std::string::npos || end < at
+                ? std::nullopt
+                : decimalIn(std::string_view{file.path}.substr(at + kCode.size(), end - at - kCode.size()));
         found_.namesCrs = epsg.has_value();
         const UtmZone zone{.epsg = static_cast<int>(epsg.value_or(0.0))};
         DrawingPairs pairs{file.bytes};
@@ -75,7 +76,8 @@ public:
             } else if (inside && pairs.is(8) && layer.empty()) {
                 layer = pairs.value();
             } else if (entity == "VERTEX" && !places_.empty() && (pairs.is(10) || pairs.is(20))) {
-                (pairs.is(10) ? places_.back().first : places_.back().second) = decimalIn(pairs.value()).value_or(kNan);
+                (pairs.is(10) ? places_.back().first : places_.back().second) =
+                    decimalIn(pairs.value()).value_or(kNan);
             }
         }
         if (!ended || inside) {
@@ -111,8 +113,8 @@ private:
             found_.lines.push_back({.name = layer, .points = std::move(points), .widthM = std::nullopt});
         } else {
             found_.areas.push_back({.kind = layer == "BOUNDARY" || layer == "HOLE" ? ReceivedArea::Kind::Field
-                                            : layer == "OBSTACLE"                  ? ReceivedArea::Kind::Obstacle
-                                                                                   : ReceivedArea::Kind::Other,
+                                            : layer == "OBSTACLE" ? ReceivedArea::Kind::Obstacle
+                                                                  : ReceivedArea::Kind::Other,
                                     .name = layer,
                                     .rings = {.outer = std::move(points), .holes = {}},
                                     .statedM2 = std::nullopt});

@@ -45,7 +45,7 @@ public:
     }
 
     std::string text() const {
-        constexpr std::pair<const char*, int> kLayers[] = {{"BOUNDARY", 30}, {"HOLE", 1},   {"OBSTACLE", 1},
+        constexpr std::pair<const char*, int> kLayers[] = {{"BOUNDARY", 30}, {"HOLE", 1},  {"OBSTACLE", 1},
                                                            {"HEADLAND", 3},  {"SWATH", 7}, {"PATH", 5}};
         std::string head;
         const auto add = [&head](int code, std::string_view value) {

@@ -147,9 +147,9 @@ Result<void> checkGeoJson(std::string_view text, const std::string& name, bool o
                          "a coordinate is not a number", "give each point as [longitude, latitude]"));
     }
     if (!opened && check.brokeOff()) {
-        return std::unexpected(readFailed(
-            message("{}, {}", name, lineAndColumn(text, check.brokeOffAt())),
-            "this is not JSON from here on", "the file may be cut off or damaged; export it again"));
+        return std::unexpected(readFailed(message("{}, {}", name, lineAndColumn(text, check.brokeOffAt())),
+                                          "this is not JSON from here on",
+                                          "the file may be cut off or damaged; export it again"));
     }
     return {};
 }

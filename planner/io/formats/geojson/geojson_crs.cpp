@@ -46,14 +46,17 @@ public:
         return true;
     }
     /// What is no JSON is told elsewhere; GDAL reads some of it all the same.
-    bool parse_error(std::size_t, const std::string&, const nlohmann::detail::exception&) override { return false; }
+    bool parse_error(std::size_t, const std::string&, const nlohmann::detail::exception&) override {
+        return false;
+    }
 
 private:
     enum class Place { Root, Features, Feature, Geometries, Geometry, Other };
 
     bool isCrs() const {
         return !places_.empty() && (key_ == "crs" || key_ == "coordRefSys") &&
-               (places_.back() == Place::Root || places_.back() == Place::Feature || places_.back() == Place::Geometry);
+               (places_.back() == Place::Root || places_.back() == Place::Feature ||
+                places_.back() == Place::Geometry);
     }
 
     Place placeBelow(bool isArray) const {
@@ -128,7 +131,9 @@ private:
 
 std::string wordIn(const Json& object, const char* key) {
     const auto member = object.is_object() ? object.find(key) : object.end();
-    return member == object.end() ? std::string{} : member->is_string() ? member->get<std::string>() : member->dump();
+    return member == object.end() ? std::string{}
+           : member->is_string()  ? member->get<std::string>()
+                                  : member->dump();
 }
 
 bool isLink(const Json& crs) {
@@ -152,8 +157,9 @@ std::string nameIn(const Json& crs) {
 }
 
 Error refused(const Found& found, const std::string& name, Message what, Message remedy) {
-    return inputRefused(found.feature == 0 ? Message{name} : message("{}, {}", name, message("feature {}", found.feature)),
-                        std::move(what), std::move(remedy));
+    return inputRefused(
+        found.feature == 0 ? Message{name} : message("{}, {}", name, message("feature {}", found.feature)),
+        std::move(what), std::move(remedy));
 }
 
 /// The name of a system that is known.
@@ -162,15 +168,15 @@ Result<std::string> knownName(const Found& found, const std::string& name) {
     if (isLink(found.value)) {
         const Json properties = found.value.value("properties", Json{});
         const std::string href = wordIn(properties, "href");
-        return std::unexpected(refused(
-            found, name,
-            message("its coordinate system would have to be fetched from '{}'", href.empty() ? wordIn(properties, "url") : href),
-            kRemedy));
+        return std::unexpected(refused(found, name,
+                                       message("its coordinate system would have to be fetched from '{}'",
+                                               href.empty() ? wordIn(properties, "url") : href),
+                                       kRemedy));
     }
     std::string called = nameIn(found.value);
     if (!isKnownSystem(called)) {
-        return std::unexpected(
-            refused(found, name, message("its coordinate system '{}' is not known", called.substr(0, 200)), kRemedy));
+        return std::unexpected(refused(
+            found, name, message("its coordinate system '{}' is not known", called.substr(0, 200)), kRemedy));
     }
     return called;
 }

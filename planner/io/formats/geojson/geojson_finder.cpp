@@ -37,7 +37,8 @@ public:
     FeatureContent(const ExportJob& job, ReceivedContent& found) : job_{job}, found_{found} {}
 
     void take(const json& document) {
-        if (textOf(memberOf(document, "type")) != "FeatureCollection" || !memberOf(document, "features").is_array()) {
+        if (textOf(memberOf(document, "type")) != "FeatureCollection" ||
+            !memberOf(document, "features").is_array()) {
             found_.faults.push_back(isNot("FeatureCollection"));
             return;
         }
@@ -74,9 +75,10 @@ private:
             if (kind == "swath") {
                 swaths_.numbers.push_back(wholeOf(memberOf(properties, "order")));
             }
-            found_.lines.push_back({.name = kind == "swath" ? "swath" : name,
-                                    .points = lonLat(coordinates),
-                                    .widthM = width.is_number() ? std::optional{width.get<double>()} : std::nullopt});
+            found_.lines.push_back(
+                {.name = kind == "swath" ? "swath" : name,
+                 .points = lonLat(coordinates),
+                 .widthM = width.is_number() ? std::optional{width.get<double>()} : std::nullopt});
         } else if (type == "Polygon" || type == "MultiPolygon") {
             addAreas(kind, name, type == "Polygon" ? json::array({coordinates}) : coordinates,
                      kind == "field" ? memberOf(properties, "area_m2") : json{});
@@ -85,7 +87,8 @@ private:
         }
     }
 
-    void addAreas(const std::string& kind, const std::string& name, const json& polygons, const json& stated) {
+    void addAreas(const std::string& kind, const std::string& name, const json& polygons,
+                  const json& stated) {
         for (const json& polygon : polygons) {
             found_.areas.push_back({.kind = kind == "field"      ? ReceivedArea::Kind::Field
                                             : kind == "obstacle" ? ReceivedArea::Kind::Obstacle
@@ -115,8 +118,8 @@ private:
 std::vector<ReceivedContent> findGeoJson(std::span<const FileInMemory> files, const ExportJob& job) {
     std::vector<ReceivedContent> all;
     for (const FileInMemory& file : files) {
-        ReceivedContent& found =
-            all.emplace_back(ReceivedContent{.file = file.path, .winding = ReceivedContent::Winding::OuterLeft});
+        ReceivedContent& found = all.emplace_back(
+            ReceivedContent{.file = file.path, .winding = ReceivedContent::Winding::OuterLeft});
         const json document = json::parse(file.bytes, nullptr, false);
         if (document.is_discarded()) {
             found.faults.push_back(isNot("JSON"));

@@ -62,7 +62,10 @@ void addFieldFeatures(const FieldSource& source, Area area, Json& features) {
     const auto add = [&features](std::string_view kind, Json properties, Json geometry) {
         features.push_back(geoJsonFeature(kind, std::move(properties), std::move(geometry)));
     };
-    add("field", {{"id", source.id}, {"name", source.name}, {"area_m2", area.si()},
+    add("field",
+        {{"id", source.id},
+         {"name", source.name},
+         {"area_m2", area.si()},
          {"boundary_accuracy_m", source.boundaryAccuracy.si()}},
         polygonGeometry(source.parts));
     for (const Obstacle& obstacle : source.obstacles) {

@@ -61,10 +61,10 @@ private:
 
     std::size_t cellOf(std::size_t swath) const {
         const auto& cells = plan_.cells.cells;
-        return static_cast<std::size_t>(std::ranges::find_if(cells, [swath](const Cell& cell) {
-                                            return std::ranges::binary_search(cell.swaths, swath);
-                                        }) -
-                                        cells.begin());
+        return static_cast<std::size_t>(
+            std::ranges::find_if(
+                cells, [swath](const Cell& cell) { return std::ranges::binary_search(cell.swaths, swath); }) -
+            cells.begin());
     }
 
     void addCells() {
@@ -134,10 +134,12 @@ private:
         MultiPolygon written;
         for (const Polygon& polygon : plan_.leftOnPurpose) {
             // As it was drawn, to the last digit, wherever that can be read again.
-            std::ranges::move(survivesWriting(polygon) ? MultiPolygon{polygon} : plain({polygon}), std::back_inserter(written));
+            std::ranges::move(survivesWriting(polygon) ? MultiPolygon{polygon} : plain({polygon}),
+                              std::back_inserter(written));
         }
         for (const Polygon& polygon : written) {
-            add("left_on_purpose", {{"area_m2", area(polygon).si()}}, polygonGeometry({frame_.toGeo(polygon)}));
+            add("left_on_purpose", {{"area_m2", area(polygon).si()}},
+                polygonGeometry({frame_.toGeo(polygon)}));
         }
     }
 
@@ -147,19 +149,21 @@ private:
         const Point rim{1.0, 1.0};
         const Point low = box.min - rim;
         const Point high = box.max + rim;
-        return intersection(polygons, {{.outer = {low, {high.x, low.y}, high, {low.x, high.y}}, .holes = {}}}, {}, grid);
+        return intersection(polygons, {{.outer = {low, {high.x, low.y}, high, {low.x, high.y}}, .holes = {}}},
+                            {}, grid);
     }
 
     /// Still sound when it is read in longitude and latitude, into whatever frame.
     bool survivesWriting(const Polygon& polygon) const {
         const GeoPolygon geo = frame_.toGeo(polygon);
         const auto frame = LocalFrame::centredOn(geo.outer.front());
-        const auto invalid = frame ? findInvalidPlace({frame->toLocal(geo)}, {}) : std::unexpected(frame.error());
+        const auto invalid =
+            frame ? findInvalidPlace({frame->toLocal(geo)}, {}) : std::unexpected(frame.error());
         return invalid && !*invalid;
     }
 
-    /// Traced outlines touch and cross themselves by centimetres and have hairs that rounding turns inside out, which
-    /// other programs refuse: on the finest grid that leaves none of these.
+    /// Traced outlines touch and cross themselves by centimetres and have hairs that rounding turns inside
+    /// out, which other programs refuse: on the finest grid that leaves none of these.
     MultiPolygon plain(const MultiPolygon& traced) const {
         MultiPolygon written;
         for (const Polygon& polygon : traced) {
@@ -167,7 +171,8 @@ private:
             MultiPolygon best = mended ? *mended : MultiPolygon{polygon};
             for (const Length grid : kPlain) {
                 auto onGrid = mended ? snapped(*mended, grid) : mended;
-                if (onGrid && std::ranges::all_of(*onGrid, [this](const Polygon& piece) { return survivesWriting(piece); })) {
+                if (onGrid && std::ranges::all_of(
+                                  *onGrid, [this](const Polygon& piece) { return survivesWriting(piece); })) {
                     best = *std::move(onGrid);
                     break;
                 }

@@ -91,7 +91,9 @@ private:
 class LayerContent {
 public:
     LayerContent(sqlite3* database, std::string table, ReceivedContent& found)
-        : table_{std::move(table)}, found_{found}, rows_{prepared(database, ("SELECT * FROM \"" + table_ + "\"").c_str())} {}
+        : table_{std::move(table)},
+          found_{found},
+          rows_{prepared(database, ("SELECT * FROM \"" + table_ + "\"").c_str())} {}
 
     void take(const std::string& geometryColumn) {
         ReceivedNumbers order;
@@ -149,7 +151,8 @@ private:
         if (geometry.line.size() == 1) {
             found_.points.push_back(geometry.line.front());
         } else if (!geometry.line.empty()) {
-            found_.lines.push_back({.name = name, .points = std::move(geometry.line), .widthM = decimalIn(value("width_m"))});
+            found_.lines.push_back(
+                {.name = name, .points = std::move(geometry.line), .widthM = decimalIn(value("width_m"))});
         }
     }
 
@@ -166,8 +169,8 @@ std::vector<ReceivedContent> findGeoPackage(std::span<const FileInMemory> files,
         ReceivedContent& found = all.emplace_back(ReceivedContent{.file = file.path});
         std::string bytes = file.bytes;
         const SqliteDatabase database = databaseIn(bytes);
-        const SqliteStatement layers =
-            prepared(database.get(), "SELECT table_name, column_name, srs_id, z, m FROM gpkg_geometry_columns");
+        const SqliteStatement layers = prepared(
+            database.get(), "SELECT table_name, column_name, srs_id, z, m FROM gpkg_geometry_columns");
         if (!layers) {
             found.faults.push_back(isNot("GeoPackage"));
             continue;

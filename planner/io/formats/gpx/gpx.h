@@ -7,8 +7,8 @@
 
 namespace furrow {
 
-/// path.gpx (version 1.1): the path as a track with a segment between two changes of gear, a route with a point at
-/// each end of each swath, gates as waypoints. Fields alone are tracks that end where they begin.
+/// path.gpx (version 1.1): the path as a track with a segment between two changes of gear, a route with a
+/// point at each end of each swath, gates as waypoints. Fields alone are tracks that end where they begin.
 FormatWriter writeGpx;
 ContentFinder findGpx;
 

@@ -16,7 +16,8 @@ namespace {
 constexpr double kNan = std::numeric_limits<double>::quiet_NaN();
 
 GeoPoint gpxPoint(pugi::xml_node node) {
-    return {decimalIn(node.attribute("lon").value()).value_or(kNan), decimalIn(node.attribute("lat").value()).value_or(kNan)};
+    return {decimalIn(node.attribute("lon").value()).value_or(kNan),
+            decimalIn(node.attribute("lat").value()).value_or(kNan)};
 }
 
 /// Waypoints, then routes, then tracks: the schema's order.
@@ -35,7 +36,8 @@ std::optional<Message> wrongOrder(pugi::xml_node gpx) {
 
 void takeGpx(std::string_view bytes, bool ofPlan, ReceivedContent& found) {
     pugi::xml_document document;
-    const pugi::xml_node gpx = document.load_buffer(bytes.data(), bytes.size()) ? document.child("gpx") : pugi::xml_node{};
+    const pugi::xml_node gpx =
+        document.load_buffer(bytes.data(), bytes.size()) ? document.child("gpx") : pugi::xml_node{};
     if (!gpx || std::string_view{gpx.attribute("version").value()} != "1.1") {
         found.faults.push_back(isNot("GPX 1.1"));
         return;

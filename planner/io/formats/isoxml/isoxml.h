@@ -6,7 +6,8 @@
 
 namespace furrow {
 
-/// TASKDATA.XML in any spelling, its folder, or a zip with or without a folder. A file has to say that it is task data.
+/// TASKDATA.XML in any spelling, its folder, or a zip with or without a folder. A file has to say that it is
+/// task data.
 FormatRecogniser recogniseIsoxml;
 FieldReader readIsoxmlFields;
 

@@ -1,6 +1,7 @@
 #pragma once
 
-// What the numbers of ISO 11783-10 mean that are read and written here (Annex D; xs:enumeration of the schemas).
+// What the numbers of ISO 11783-10 mean that are read and written here (Annex D; xs:enumeration of the
+// schemas).
 
 namespace furrow::isoxml {
 

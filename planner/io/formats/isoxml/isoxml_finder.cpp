@@ -66,7 +66,8 @@ private:
 
     void checkIds(pugi::xml_node root) {
         std::set<std::string> ids;
-        for (const char* path : {"//CTR/@A", "//FRM/@A", "//PFD/@A", "//GGP/@A", "//GPN/@A", "//TSK/@A", "//LGP/@A"}) {
+        for (const char* path :
+             {"//CTR/@A", "//FRM/@A", "//PFD/@A", "//GGP/@A", "//GPN/@A", "//TSK/@A", "//LGP/@A"}) {
             for (const pugi::xpath_node& each : root.select_nodes(path)) {
                 const std::string id = each.attribute().value();
                 if (!ids.insert(id).second) {
@@ -74,7 +75,8 @@ private:
                 }
             }
         }
-        for (const char* path : {"//PFD/@E", "//PFD/@F", "//FRM/@I", "//GAN/@A", "//TSK/@C", "//TSK/@D", "//TSK/@E"}) {
+        for (const char* path :
+             {"//PFD/@E", "//PFD/@F", "//FRM/@I", "//GAN/@A", "//TSK/@C", "//TSK/@D", "//TSK/@E"}) {
             for (const pugi::xpath_node& each : root.select_nodes(path)) {
                 if (!ids.contains(each.attribute().value())) {
                     fault("{} is referred to and not there", each.attribute().value());
@@ -85,7 +87,8 @@ private:
 
     /// The list of links beside it is named in it, and links each field once, to something else each time.
     void checkLinks(pugi::xml_node root, const std::string& path) {
-        const std::string listPath = path.substr(0, path.size() - std::string_view{"TASKDATA.XML"}.size()) + "LINKLIST.XML";
+        const std::string listPath =
+            path.substr(0, path.size() - std::string_view{"TASKDATA.XML"}.size()) + "LINKLIST.XML";
         const auto list = std::ranges::find(files_, listPath, &FileInMemory::path);
         const bool isNamed = std::ranges::any_of(root.children("AFE"), [](pugi::xml_node file) {
             return std::string_view{file.attribute("A").value()} == "LINKLIST.XML";
@@ -140,11 +143,11 @@ private:
     void addArea(pugi::xml_node node) {
         const std::string_view type = node.attribute("A").value();
         ReceivedArea area{.kind = type == "1"   ? ReceivedArea::Kind::Field
-                               : type == "6" ? ReceivedArea::Kind::Obstacle
-                                             : ReceivedArea::Kind::Other,
-                       .name = node.attribute("B").value(),
-                       .rings = {},
-                       .statedM2 = node.attribute("C").as_double()};
+                                  : type == "6" ? ReceivedArea::Kind::Obstacle
+                                                : ReceivedArea::Kind::Other,
+                          .name = node.attribute("B").value(),
+                          .rings = {},
+                          .statedM2 = node.attribute("C").as_double()};
         if (!isV4_ && node.attribute("A").as_int() > 8) {
             fault(kNotKnown, std::format("PLN A={}", type));
         }
@@ -183,8 +186,9 @@ private:
             const bool right = kind == "1"   ? kinds == "67"
                                : kind == "2" ? kinds == "6" && !pattern.attribute("G").empty()
                                : kind == "3" ? isCurve()
-                               : kind == "4" ? (kinds == "8" && !pattern.attribute("H").empty()) || kinds == "867"
-                                             : false;
+                               : kind == "4"
+                                   ? (kinds == "8" && !pattern.attribute("H").empty()) || kinds == "867"
+                                   : false;
             if (!right) {
                 fault("'{}' is of kind {} and its points are of kinds {}", name, kind, kinds.substr(0, 20));
             }
@@ -209,11 +213,13 @@ private:
         }
         checkArea(field, before, number);
         for (const pugi::xml_node point : field.children("PNT")) {
-            found_.points.push_back({degrees(point.attribute("D").value()), degrees(point.attribute("C").value())});
+            found_.points.push_back(
+                {degrees(point.attribute("D").value()), degrees(point.attribute("C").value())});
         }
         for (const pugi::xml_node line : field.children("LSG")) {
             lines.names.emplace_back(line.attribute("B").value());
-            found_.lines.push_back({.name = lines.names.back(), .points = pointsOf(line), .widthM = widthM(line)});
+            found_.lines.push_back(
+                {.name = lines.names.back(), .points = pointsOf(line), .widthM = widthM(line)});
         }
         for (const pugi::xml_node group : field.children("GGP")) {
             if (!isV4_) {
@@ -258,13 +264,16 @@ private:
         double inside = buffersM2(number);
         for (std::size_t i = firstArea; i < found_.areas.size(); ++i) {
             const ReceivedArea& area = found_.areas[i];
-            const bool isHeadland = area.kind == ReceivedArea::Kind::Other && area.name.starts_with("Headland");
-            (area.kind == ReceivedArea::Kind::Field ? most : inside) += isHeadland ? 0.0 : area.statedM2.value_or(0.0);
+            const bool isHeadland =
+                area.kind == ReceivedArea::Kind::Other && area.name.starts_with("Headland");
+            (area.kind == ReceivedArea::Kind::Field ? most : inside) +=
+                isHeadland ? 0.0 : area.statedM2.value_or(0.0);
         }
         const double stated = field.attribute("D").as_double();
         constexpr double kShare = 0.005;
         if (stated > (1.0 + kShare) * most + 6.0 || stated < most - inside - kShare * most - 6.0) {
-            fault("'{}' is said to have {:.0f} m², and has {:.0f} m²", field.attribute("C").value(), stated, most);
+            fault("'{}' is said to have {:.0f} m², and has {:.0f} m²", field.attribute("C").value(), stated,
+                  most);
         }
     }
 

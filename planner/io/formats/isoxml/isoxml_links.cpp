@@ -22,9 +22,9 @@ constexpr std::string_view kUuids = "1";
 bool isUuid(std::string_view text) {
     constexpr std::string_view kShape = "hhhhhhhh-hhhh-hhhh-hhhh-hhhhhhhhhhhh";
     return text.size() == kShape.size() && std::ranges::equal(text, kShape, [](char letter, char shape) {
-        const bool digit = (letter >= '0' && letter <= '9') || (letter >= 'a' && letter <= 'f');
-        return shape == 'h' ? digit : letter == shape;
-    });
+               const bool digit = (letter >= '0' && letter <= '9') || (letter >= 'a' && letter <= 'f');
+               return shape == 'h' ? digit : letter == shape;
+           });
 }
 
 /// Without its braces, in small letters.
@@ -53,12 +53,12 @@ std::string fieldUuid(const FieldSource& field) {
         return id;
     }
     const GeoPoint middle = middleOf(field.parts);
-    const std::string text = std::format("{}\n{}\n{:.0f}\n{:.0f}", field.id, field.name, middle.lonDeg * 100.0,
-                                         middle.latDeg * 100.0);
+    const std::string text = std::format("{}\n{}\n{:.0f}\n{:.0f}", field.id, field.name,
+                                         middle.lonDeg * 100.0, middle.latDeg * 100.0);
     const std::uint64_t high = hashed(text, 0);
     const std::uint64_t low = hashed(text, 0x9e3779b97f4a7c15ULL);
-    return std::format("{:08x}-{:04x}-8{:03x}-{:04x}-{:012x}", high >> 32U, (high >> 16U) & 0xFFFFU, high & 0xFFFU,
-                       0x8000U | ((low >> 48U) & 0x3FFFU), low & 0xFFFFFFFFFFFFULL);
+    return std::format("{:08x}-{:04x}-8{:03x}-{:04x}-{:012x}", high >> 32U, (high >> 16U) & 0xFFFFU,
+                       high & 0xFFFU, 0x8000U | ((low >> 48U) & 0x3FFFU), low & 0xFFFFFFFFFFFFULL);
 }
 
 std::string isoxmlLinkList(std::span<const FieldContent> fields) {

@@ -29,7 +29,8 @@ using namespace isoxml;
 
 constexpr int kMostParts = 64;
 
-// A headland polygon whose outer ring has this share of the boundary's area is the strip, not what it encloses.
+// A headland polygon whose outer ring has this share of the boundary's area is the strip, not what it
+// encloses.
 constexpr double kStripShare = 0.98;
 
 constexpr const char* kCorrectIt = "correct it, or remove the hole or obstacle from the file";
@@ -89,14 +90,16 @@ private:
     void tell(Message text) { notes_.push_back({std::move(text), where_}); }
 
     void refuse(Message what, Message remedy) {
-        refusal_ = refusal_ ? refusal_ : std::optional{inputRefused(where_, std::move(what), std::move(remedy))};
+        refusal_ =
+            refusal_ ? refusal_ : std::optional{inputRefused(where_, std::move(what), std::move(remedy))};
     }
 
     std::optional<GeoPoint> pointOf(pugi::xml_node node) {
         const auto lat = plainDecimalIn(attribute(node, "C"));
         const auto lon = plainDecimalIn(attribute(node, "D"));
         if (!lat || !lon || std::abs(*lat) > 90.0 || std::abs(*lon) > 180.0) {
-            badPlace_ = message("'{}', '{}' is no latitude and longitude", attribute(node, "C"), attribute(node, "D"));
+            badPlace_ = message("'{}', '{}' is no latitude and longitude", attribute(node, "C"),
+                                attribute(node, "D"));
             tell(message("{}; what it belongs to was left out", badPlace_));
             return std::nullopt;
         }
@@ -155,12 +158,14 @@ private:
     /// A part for each outer ring; holes in the part that they begin in.
     static std::vector<GeoPolygon> joined(Rings rings) {
         for (GeoRing& hole : rings.holes) {
-            const auto around = std::ranges::find_if(
-                rings.polygons, [&hole](const GeoPolygon& polygon) { return contains(polygon.outer, hole.front()); });
+            const auto around = std::ranges::find_if(rings.polygons, [&hole](const GeoPolygon& polygon) {
+                return contains(polygon.outer, hole.front());
+            });
             if (around != rings.polygons.end()) {
                 around->holes.push_back(std::move(hole));
             } else if (!rings.polygons.empty()) {
-                rings.polygons.front().holes.push_back(std::move(hole));  // where the check of the field says what is wrong
+                rings.polygons.front().holes.push_back(
+                    std::move(hole));  // where the check of the field says what is wrong
             }
         }
         return std::move(rings.polygons);
@@ -198,10 +203,10 @@ private:
             }
         }
         if (openRings_ > 0) {
-            field_.field.repairs.push_back({.text = counted("{} ring did not end where it began and was closed",
-                                                            "{} rings did not end where they began and were closed",
-                                                            openRings_),
-                                            .where = "the boundary"});
+            field_.field.repairs.push_back(
+                {.text = counted("{} ring did not end where it began and was closed",
+                                 "{} rings did not end where they began and were closed", openRings_),
+                 .where = "the boundary"});
         }
     }
 
@@ -215,14 +220,17 @@ private:
             addMainland(polygonsOf(node, false));
             return;
         }
-        const bool blocks = std::ranges::any_of(kInTheWay, [kind](const char* other) { return kind == other; });
+        const bool blocks =
+            std::ranges::any_of(kInTheWay, [kind](const char* other) { return kind == other; });
         if (!blocks && kind != kOtherArea && kind != kRoad) {
             skip("polygons of a kind that is not used");
             return;
         }
         for (GeoPolygon& outline : polygonsOf(node, true)) {
-            field_.field.obstacles.push_back(
-                {.name = std::string{attribute(node, "B")}, .outline = std::move(outline), .passable = !blocks, .buffer = {}});
+            field_.field.obstacles.push_back({.name = std::string{attribute(node, "B")},
+                                              .outline = std::move(outline),
+                                              .passable = !blocks,
+                                              .buffer = {}});
         }
     }
 
@@ -232,8 +240,8 @@ private:
             whole += geodesicArea({.outer = part.outer, .holes = {}});
         }
         for (GeoPolygon& polygon : polygons) {
-            const bool isStrip =
-                !polygon.holes.empty() && geodesicArea({.outer = polygon.outer, .holes = {}}) > kStripShare * whole;
+            const bool isStrip = !polygon.holes.empty() &&
+                                 geodesicArea({.outer = polygon.outer, .holes = {}}) > kStripShare * whole;
             if (!isStrip) {
                 field_.mainland.push_back(std::move(polygon));
                 continue;
@@ -244,8 +252,8 @@ private:
         }
     }
 
-    void addAround(std::span<const GeoPoint> points, std::span<const GeoRing> lines, Length buffer, pugi::xml_node node,
-                   const JobContext& job) {
+    void addAround(std::span<const GeoPoint> points, std::span<const GeoRing> lines, Length buffer,
+                   pugi::xml_node node, const JobContext& job) {
         const std::string name{attribute(node, "B")};
         auto outlines = outlinesAround(points, lines, buffer, message("{}, obstacle {}", where_, name), job);
         if (!outlines) {
@@ -263,7 +271,8 @@ private:
         if (points.empty()) {
             refuse(badPlace_.empty() ? Message{"an obstacle has no shape"} : badPlace_, kCorrectIt);
         } else {
-            addAround({}, {&points, 1}, 0.5 * millimetres(attribute(node, "C")).value_or(Length{}), node, job);
+            addAround({}, {&points, 1}, 0.5 * millimetres(attribute(node, "C")).value_or(Length{}), node,
+                      job);
         }
     }
 
@@ -277,7 +286,8 @@ private:
         } else if (attribute(node, "A") != kFieldAccess) {
             skip("points that are no gates");
         } else if (const auto place = pointOf(node)) {
-            field_.field.gates.push_back({.name = std::string{attribute(node, "B")}, .position = *place, .width = {}});
+            field_.field.gates.push_back(
+                {.name = std::string{attribute(node, "B")}, .position = *place, .width = {}});
         }
     }
 
@@ -304,7 +314,9 @@ private:
         }
         std::string_view name = attribute(pattern, "B");
         name = name.empty() ? attribute(group, "B") : name;
-        GuidanceLine read{.name = std::string{name}, .points = points, .width = millimetres(attribute(line, "C")),
+        GuidanceLine read{.name = std::string{name},
+                          .points = points,
+                          .width = millimetres(attribute(line, "C")),
                           .repeats = attribute(pattern, "E") != kNone};
         if (const auto heading = plainDecimalIn(attribute(pattern, "G"))) {
             read.bearing = degrees(*heading);
@@ -314,7 +326,8 @@ private:
         } else if (kind == kAPlus && read.bearing) {
             read.kind = GuidanceKind::APlus;
             read.points.resize(1);
-        } else if ((kind == kCurve || kind == kSpiral || kind == kAb || kind == kAPlus) && points.size() >= 2) {
+        } else if ((kind == kCurve || kind == kSpiral || kind == kAb || kind == kAPlus) &&
+                   points.size() >= 2) {
             read.kind = points.size() == 2 && kind != kCurve ? GuidanceKind::AbLine : GuidanceKind::Curve;
         } else if (kind == kPivot && readPivot(pattern, line, read)) {
             read.kind = GuidanceKind::Pivot;
@@ -329,7 +342,9 @@ private:
     static bool readPivot(pugi::xml_node pattern, pugi::xml_node line, GuidanceLine& read) {
         read.radius = millimetres(attribute(pattern, "H"));
         read.clockwise = attribute(pattern, "D") == kClockwise;
-        const auto rank = [](std::string_view kind) { return kind == kCentre ? 0 : kind == kReferenceA ? 1 : 2; };
+        const auto rank = [](std::string_view kind) {
+            return kind == kCentre ? 0 : kind == kReferenceA ? 1 : 2;
+        };
         std::vector<std::pair<int, GeoPoint>> ranked;
         std::size_t i = 0;
         for (const pugi::xml_node node : line.children("PNT")) {
@@ -366,8 +381,9 @@ private:
                            });
                 });
             });
-            const bool outside = std::ranges::none_of(
-                parts, [&obstacle](const GeoPolygon& part) { return meet(part.outer, obstacle.outline.outer); });
+            const bool outside = std::ranges::none_of(parts, [&obstacle](const GeoPolygon& part) {
+                return meet(part.outer, obstacle.outline.outer);
+            });
             if (twin) {
                 skip("obstacles that are holes already");
             } else if (outside && !parts.empty()) {
@@ -401,7 +417,8 @@ Result<std::unique_ptr<pugi::xml_document>> parsed(std::string_view xml, const s
 using Documents = std::vector<std::unique_ptr<pugi::xml_document>>;
 
 /// The files that task data refers to, those with fields.
-Result<Documents> partsOf(pugi::xml_node root, const std::string& where, const IsoxmlPart& part, std::vector<Note>& notes) {
+Result<Documents> partsOf(pugi::xml_node root, const std::string& where, const IsoxmlPart& part,
+                          std::vector<Note>& notes) {
     Documents documents;
     int parts = 0;
     for (const pugi::xml_node reference : root.children("XFR")) {
@@ -470,8 +487,8 @@ Result<ImportedFields> readIsoxml(std::string_view xml, const std::string& where
         }
     }
     if (imported.fields.empty() && imported.looseLines.empty()) {
-        const bool named = std::ranges::any_of(
-            roots, [](pugi::xml_node from) { return !from.child("PFD").empty(); });
+        const bool named =
+            std::ranges::any_of(roots, [](pugi::xml_node from) { return !from.child("PFD").empty(); });
         return std::unexpected(inputRefused(
             where,
             named ? "the fields in this task data have neither boundary nor guidance line"

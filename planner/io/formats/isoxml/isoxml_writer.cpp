@@ -158,7 +158,8 @@ private:
             }
             addPolygon(node, kFieldBoundary, name, {.outer = source.parts[i].outer, .holes = {}});
             for (const GeoRing& hole : source.parts[i].holes) {
-                addPolygon(node, kObstacleArea, polygonNames.unique("Hole", "Hole"), {.outer = hole, .holes = {}});
+                addPolygon(node, kObstacleArea, polygonNames.unique("Hole", "Hole"),
+                           {.outer = hole, .holes = {}});
             }
         }
     }
@@ -184,7 +185,8 @@ private:
         }
     }
 
-    /// Version 4. A group of its own for each line: there are terminals that take the first line of a group only.
+    /// Version 4. A group of its own for each line: there are terminals that take the first line of a group
+    /// only.
     void addPattern(pugi::xml_node field, const GuidanceLine& guidance, const std::string& name) {
         ++patterns_;
         pugi::xml_node group = field.append_child("GGP");
@@ -221,9 +223,12 @@ private:
         addWidth(line, guidance);
         const auto last = guidance.points.size() - 1;
         for (std::size_t i = 0; i < guidance.points.size(); ++i) {
-            const char* type = guidance.kind == GuidanceKind::Pivot
-                                   ? (i == 0 ? kCentre : i == 1 ? kReferenceA : kReferenceB)
-                                   : (i == 0 ? kReferenceA : i == last ? kReferenceB : kGuidancePoint);
+            const char* type = guidance.kind == GuidanceKind::Pivot ? (i == 0   ? kCentre
+                                                                       : i == 1 ? kReferenceA
+                                                                                : kReferenceB)
+                                                                    : (i == 0      ? kReferenceA
+                                                                       : i == last ? kReferenceB
+                                                                                   : kGuidancePoint);
             addPoint(line, type, guidance.points[i]);
         }
     }
@@ -244,8 +249,8 @@ private:
     int patterns_ = 0;
 };
 
-std::string taskData(std::span<const FieldContent> fields, IsoxmlVersion version, const ExportOptions& options,
-                     bool withLinks) {
+std::string taskData(std::span<const FieldContent> fields, IsoxmlVersion version,
+                     const ExportOptions& options, bool withLinks) {
     TaskData data{version, options};
     if (withLinks) {
         data.addLinkList();
@@ -262,18 +267,20 @@ FormatFiles writeVersion(const ExportJob& job, IsoxmlVersion version) {
     FormatFiles made;
     if (text.size() > kOldTerminalsBytes) {
         made.notes.push_back(message("The task data has {:.1f} MB; old terminals take at most 2 MB.",
-                                         static_cast<double>(text.size()) / 1e6));
+                                     static_cast<double>(text.size()) / 1e6));
     }
     made.files.push_back({"TASKDATA/TASKDATA.XML", [text = std::move(text)] { return text; }});
     if (version == IsoxmlVersion::V4) {
-        made.files.push_back({"TASKDATA/LINKLIST.XML", [links = isoxmlLinkList(job.fields)] { return links; }});
+        made.files.push_back(
+            {"TASKDATA/LINKLIST.XML", [links = isoxmlLinkList(job.fields)] { return links; }});
     }
     return made;
 }
 
 }  // namespace
 
-std::string isoxmlText(std::span<const FieldContent> fields, IsoxmlVersion version, const ExportOptions& options) {
+std::string isoxmlText(std::span<const FieldContent> fields, IsoxmlVersion version,
+                       const ExportOptions& options) {
     return taskData(fields, version, options, false);
 }
 

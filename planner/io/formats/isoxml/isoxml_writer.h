@@ -20,7 +20,8 @@ enum class IsoxmlVersion { V3, V4 };
 /// decimals (0.1 mm).
 /// With `ExportOptions::task` each field is in a planned task, too, which names its lines.
 /// Cost: linear in the points. Does not fail.
-std::string isoxmlText(std::span<const FieldContent> fields, IsoxmlVersion version, const ExportOptions& options = {});
+std::string isoxmlText(std::span<const FieldContent> fields, IsoxmlVersion version,
+                       const ExportOptions& options = {});
 
 /// The same of a plan, in version 4.
 std::string isoxmlTaskData(const Plan& plan);

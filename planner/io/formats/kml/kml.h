@@ -4,8 +4,9 @@
 
 namespace furrow {
 
-/// plan.kml: folders Boundaries (outer ring first), Obstacles, Gates, Headland, Swaths (or Lines, without a plan)
-/// and Path, in nine decimals. Each placemark says in its data what it is, so that it is read back as that.
+/// plan.kml: folders Boundaries (outer ring first), Obstacles, Gates, Headland, Swaths (or Lines, without a
+/// plan) and Path, in nine decimals. Each placemark says in its data what it is, so that it is read back as
+/// that.
 FormatWriter writeKml;
 /// The same zipped, with doc.kml in it.
 FormatWriter writeKmz;

@@ -20,7 +20,8 @@ constexpr double kNan = std::numeric_limits<double>::quiet_NaN();
 GeoPoint tupleOf(std::string_view text) {
     const std::vector<std::string_view> numbers = cellsOf(text, ',');
     const bool flat = numbers.size() == 2 || (numbers.size() == 3 && decimalIn(numbers[2]) == 0.0);
-    return {flat ? decimalIn(numbers[0]).value_or(kNan) : kNan, flat ? decimalIn(numbers[1]).value_or(kNan) : kNan};
+    return {flat ? decimalIn(numbers[0]).value_or(kNan) : kNan,
+            flat ? decimalIn(numbers[1]).value_or(kNan) : kNan};
 }
 
 GeoRing coordinatesOf(pugi::xml_node node) {
@@ -67,11 +68,11 @@ private:
         const auto stated = decimalIn(data(mark, "area_m2"));
         for (const pugi::xml_node polygon : shapes.children("Polygon")) {
             ReceivedArea area{.kind = kind == "field"      ? ReceivedArea::Kind::Field
-                                   : kind == "obstacle" ? ReceivedArea::Kind::Obstacle
-                                                        : ReceivedArea::Kind::Other,
-                           .name = name,
-                           .rings = {},
-                           .statedM2 = several ? std::nullopt : stated};
+                                      : kind == "obstacle" ? ReceivedArea::Kind::Obstacle
+                                                           : ReceivedArea::Kind::Other,
+                              .name = name,
+                              .rings = {},
+                              .statedM2 = several ? std::nullopt : stated};
             area.rings.outer = coordinatesOf(polygon.child("outerBoundaryIs").child("LinearRing"));
             for (const pugi::xml_node hole : polygon.children("innerBoundaryIs")) {
                 area.rings.holes.push_back(coordinatesOf(hole.child("LinearRing")));
@@ -103,8 +104,8 @@ private:
 std::vector<ReceivedContent> findKml(std::span<const FileInMemory> files, const ExportJob&) {
     std::vector<ReceivedContent> all;
     for (const FileInMemory& file : files) {
-        ReceivedContent& found =
-            all.emplace_back(ReceivedContent{.file = file.path, .winding = ReceivedContent::Winding::OuterLeft});
+        ReceivedContent& found = all.emplace_back(
+            ReceivedContent{.file = file.path, .winding = ReceivedContent::Winding::OuterLeft});
         if (!file.path.ends_with(".kmz")) {
             KmlContent{found}.take(file.bytes);
             continue;

@@ -24,7 +24,6 @@ constexpr std::array<std::int64_t, 4> kCommands = {kWaypoint, 178, 181, 194};
 constexpr double kAbsolute = 0.0;
 constexpr double kRelative = 3.0;
 
-
 void addMission(const json& mission, ReceivedContent& found) {
     ReceivedNumbers items{.first = 1, .numbers = {}};
     ReceivedPath path;
@@ -33,12 +32,14 @@ void addMission(const json& mission, ReceivedContent& found) {
     for (const json& item : memberOf(mission, "items")) {
         const json& command = memberOf(item, "command");
         const json& parameters = memberOf(item, "params");
-        const bool known = command.is_number_integer() && std::ranges::contains(kCommands, command.get<std::int64_t>());
+        const bool known =
+            command.is_number_integer() && std::ranges::contains(kCommands, command.get<std::int64_t>());
         if (!known || parameters.size() != 7) {
             found.faults.push_back(badLine(items.numbers.size() + 1));
             break;
         }
-        items.numbers.push_back(static_cast<std::int64_t>(numberAt(json::array({memberOf(item, "doJumpId")}), 0)));
+        items.numbers.push_back(
+            static_cast<std::int64_t>(numberAt(json::array({memberOf(item, "doJumpId")}), 0)));
         if (command.get<std::int64_t>() == kWaypoint) {
             path.samples.push_back({.geo = {numberAt(parameters, 5), numberAt(parameters, 4)}});
         }
@@ -85,7 +86,8 @@ std::vector<ReceivedContent> findWaypoints(std::span<const FileInMemory> files, 
             }
             constexpr std::size_t kColumns = 12;
             const bool isHome = number == 2;
-            const bool good = cells.size() == kColumns && values.size() == kColumns && values[1] == (isHome ? 1.0 : 0.0) &&
+            const bool good = cells.size() == kColumns && values.size() == kColumns &&
+                              values[1] == (isHome ? 1.0 : 0.0) &&
                               values[2] == (isHome ? kAbsolute : kRelative) &&
                               std::ranges::contains(kCommands, static_cast<std::int64_t>(values[3]));
             if (!good) {

@@ -83,8 +83,8 @@ std::vector<MissionItem> missionOf(const Plan& plan) {
 std::vector<Message> notesOn(const std::vector<MissionItem>& items) {
     std::vector<Message> notes{"Relay 1 is on where the implement works."};
     if (items.size() > kManyItems) {
-        notes.push_back(message(
-            "The mission has {} items; controllers without a memory card hold about {}.", items.size(), kManyItems));
+        notes.push_back(message("The mission has {} items; controllers without a memory card hold about {}.",
+                                items.size(), kManyItems));
     }
     return notes;
 }
@@ -183,7 +183,8 @@ Result<FormatFiles> writeGroundStationPlan(const ExportJob& job) {
           {"globalPlanAltitudeMode", 1},
           {"plannedHomePosition", Json::array({home.latDeg, home.lonDeg, 0.0})},
           {"items", std::move(items)}}},
-        {"geoFence", {{"version", 2}, {"circles", Json::array()}, {"polygons", fencesOf(plan.field().source())}}},
+        {"geoFence",
+         {{"version", 2}, {"circles", Json::array()}, {"polygons", fencesOf(plan.field().source())}}},
         {"rallyPoints", {{"version", 2}, {"points", Json::array()}}}};
     FormatFiles made{{}, notesOn(mission)};
     made.files.push_back({"plan.plan", [text = document.dump(1) + "\n"] { return text; }});

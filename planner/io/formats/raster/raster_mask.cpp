@@ -20,12 +20,12 @@ constexpr double kSmallestM2 = 100.0;
 }  // namespace
 
 Recognition recogniseRaster(const ChosenFile& chosen) {
-    constexpr std::array<std::string_view, 5> kMagic = {std::string_view{"II*\0", 4}, std::string_view{"MM\0*", 4},
-                                                        std::string_view{"II+\0", 4}, std::string_view{"MM\0+", 4},
-                                                        std::string_view{"\x89PNG", 4}};
+    constexpr std::array<std::string_view, 5> kMagic = {
+        std::string_view{"II*\0", 4}, std::string_view{"MM\0*", 4}, std::string_view{"II+\0", 4},
+        std::string_view{"MM\0+", 4}, std::string_view{"\x89PNG", 4}};
     const bool known = chosen.start() && std::ranges::any_of(kMagic, [&chosen](std::string_view magic) {
-        return chosen.start()->starts_with(magic);
-    });
+                           return chosen.start()->starts_with(magic);
+                       });
     return known ? Recognition::Likely : Recognition::No;
 }
 

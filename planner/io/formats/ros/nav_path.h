@@ -23,13 +23,14 @@ struct NavPath {
     std::string topic;
     std::vector<NavPose> poses;
 
-    /// When it counts as recorded: with its first pose. A nanosecond later, because in MCAP a chunk whose first time
-    /// is 0 has no messages.
+    /// When it counts as recorded: with its first pose. A nanosecond later, because in MCAP a chunk whose
+    /// first time is 0 has no messages.
     std::int64_t recordedNs() const { return poses.front().stampNs + 1; }
 };
 
 /// "/coverage_path" with the whole path. The message does not say which gear: where the path reverses, each
-/// stretch in one gear follows as a message of its own on "/coverage_path/forward" or "/coverage_path/reverse".
+/// stretch in one gear follows as a message of its own on "/coverage_path/forward" or
+/// "/coverage_path/reverse".
 std::vector<NavPath> navPaths(const Plan& plan);
 
 /// nav_msgs/msg/Path in little-endian CDR, frame "map", with its four bytes of encapsulation.

@@ -19,8 +19,9 @@ ContentFinder findRosbag;
 FormatWriter writeNavPathYaml;
 ContentFinder findNavPathYaml;
 
-/// compute_coverage_path_goal.yaml: a goal of opennav_coverage (ComputeCoveragePath) with the plan's headland,
-/// heading and order, in metres of the frame "map". Its planner makes swaths and turns of its own from it.
+/// compute_coverage_path_goal.yaml: a goal of opennav_coverage (ComputeCoveragePath) with the plan's
+/// headland, heading and order, in metres of the frame "map". Its planner makes swaths and turns of its own
+/// from it.
 FormatWriter writeCoverageGoal;
 ContentFinder findCoverageGoal;
 

@@ -36,7 +36,8 @@ struct PathMessage {
 ReceivedPath pathOf(std::string_view cdr, bool whole, ReceivedContent& found) {
     ReceivedPath path{.samples = {}, .isWhole = whole};
     ByteReader encapsulation{cdr};
-    const bool littleEndian = encapsulation.integer<std::uint8_t>() == 0 && encapsulation.integer<std::uint8_t>() == 1;
+    const bool littleEndian =
+        encapsulation.integer<std::uint8_t>() == 0 && encapsulation.integer<std::uint8_t>() == 1;
     ByteReader reader{cdr.substr(std::min<std::size_t>(4, cdr.size()))};
     const auto header = [&reader, &found] {
         reader.align(4);
@@ -74,7 +75,8 @@ ReceivedPath pathOf(std::string_view cdr, bool whole, ReceivedContent& found) {
 std::vector<PathMessage> messagesOfDatabase(std::string& bytes, std::vector<std::string>& kept) {
     const SqliteDatabase database = databaseIn(bytes);
     const SqliteStatement rows =
-        prepared(database.get(), "SELECT name, data FROM messages JOIN topics ON topics.id = topic_id ORDER BY timestamp");
+        prepared(database.get(),
+                 "SELECT name, data FROM messages JOIN topics ON topics.id = topic_id ORDER BY timestamp");
     std::vector<std::string> topics;
     while (rows && sqlite3_step(rows.get()) == SQLITE_ROW) {
         topics.emplace_back(textAt(rows.get(), 0));
@@ -125,7 +127,8 @@ void messagesOfRecords(std::string_view records, std::vector<std::pair<std::uint
 
 double numberAfter(std::string_view text, std::string_view name) {
     const std::size_t at = text.find(name);
-    const std::string_view rest = at == std::string_view::npos ? std::string_view{} : text.substr(at + name.size());
+    const std::string_view rest =
+        at == std::string_view::npos ? std::string_view{} : text.substr(at + name.size());
     return decimalIn(rest.substr(0, rest.find_first_of(",}"))).value_or(std::nan(""));
 }
 
@@ -151,7 +154,8 @@ std::vector<ReceivedContent> findRosbag(std::span<const FileInMemory> files, con
         std::string bytes = file.bytes;
         std::vector<std::string> data;
         std::vector<PathMessage> messages;
-        const bool framed = bytes.starts_with(kMcapMagic) && bytes.ends_with(kMcapMagic) && bytes.size() >= 16;
+        const bool framed =
+            bytes.starts_with(kMcapMagic) && bytes.ends_with(kMcapMagic) && bytes.size() >= 16;
         if (isDatabase) {
             messages = messagesOfDatabase(bytes, data);
         } else if (framed) {
@@ -186,7 +190,8 @@ std::vector<ReceivedContent> findNavPathYaml(std::span<const FileInMemory> files
             const std::string_view line = nextLine(text);
             if (line.starts_with("- header:")) {
                 path.samples.push_back(
-                    {.isLocal = true, .timeS = numberAfter(line, "sec: ") + 1e-9 * numberAfter(line, "nanosec: ")});
+                    {.isLocal = true,
+                     .timeS = numberAfter(line, "sec: ") + 1e-9 * numberAfter(line, "nanosec: ")});
             } else if (line.starts_with("    position:") && !path.samples.empty()) {
                 path.samples.back().local = {numberAfter(line, "x: "), numberAfter(line, "y: ")};
             } else if (line.starts_with("    orientation:") && !path.samples.empty()) {

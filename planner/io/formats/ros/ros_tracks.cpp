@@ -265,8 +265,10 @@ Recognition recogniseRosbag(const ChosenFile& chosen) {
     if (chosen.isDirectory()) {
         return bagFilesIn(chosen.path()).empty() ? Recognition::No : Recognition::Certain;
     }
-    const bool known = chosen.start() && (chosen.start()->starts_with(kMcapMagic) || chosen.start()->starts_with(kSqliteMagic) ||
-                                          chosen.start()->starts_with(kRos1Magic) || isBagFile(chosen.path()));
+    const bool known =
+        chosen.start() &&
+        (chosen.start()->starts_with(kMcapMagic) || chosen.start()->starts_with(kSqliteMagic) ||
+         chosen.start()->starts_with(kRos1Magic) || isBagFile(chosen.path()));
     return known ? Recognition::Certain : Recognition::No;
 }
 

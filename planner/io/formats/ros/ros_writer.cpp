@@ -21,9 +21,10 @@ namespace {
 FileToWrite frameFile(const Plan& plan) {
     const LocalFrame& frame = plan.field().frame();
     return {"map_frame.yaml", [frame] {
-                return std::format("# The frame \"map\": metres east and north of this place, in this projection.\n"
-                                   "frame_id: map\norigin: {{lat: {:.9f}, lon: {:.9f}}}\nproj: \"{}\"\n",
-                                   frame.centre().latDeg, frame.centre().lonDeg, frame.projString());
+                return std::format(
+                    "# The frame \"map\": metres east and north of this place, in this projection.\n"
+                    "frame_id: map\norigin: {{lat: {:.9f}, lon: {:.9f}}}\nproj: \"{}\"\n",
+                    frame.centre().latDeg, frame.centre().lonDeg, frame.projString());
             }};
 }
 
@@ -36,7 +37,8 @@ void noteReversing(const std::vector<NavPath>& paths, FormatFiles& made) {
 }
 
 bool insertTopics(sqlite3* database, const std::vector<NavTopic>& topics) {
-    const SqliteStatement addTopic = prepared(database, "INSERT INTO topics VALUES (?, ?, 'nav_msgs/msg/Path', 'cdr', '')");
+    const SqliteStatement addTopic =
+        prepared(database, "INSERT INTO topics VALUES (?, ?, 'nav_msgs/msg/Path', 'cdr', '')");
     const SqliteStatement addMessage =
         prepared(database, "INSERT INTO messages (topic_id, timestamp, data) VALUES (?, ?, ?)");
     for (std::size_t i = 0; i < topics.size(); ++i) {
@@ -76,10 +78,11 @@ Result<std::string> databaseOf(const std::vector<NavPath>& paths) {
     const std::unique_ptr<unsigned char, decltype(&sqlite3_free)> bytes{
         good ? sqlite3_serialize(database.get(), "main", &size, 0) : nullptr, &sqlite3_free};
     if (!bytes) {
-        return std::unexpected(Error{.code = ErrorCode::WriteFailed,
-                                     .what = message("the recording cannot be made: {}", sqlite3_errmsg(database.get())),
-                                     .where = "rosbag2",
-                                     .remedy = "choose the format rosbag2-mcap"});
+        return std::unexpected(
+            Error{.code = ErrorCode::WriteFailed,
+                  .what = message("the recording cannot be made: {}", sqlite3_errmsg(database.get())),
+                  .where = "rosbag2",
+                  .remedy = "choose the format rosbag2-mcap"});
     }
     return std::string{reinterpret_cast<const char*>(bytes.get()), static_cast<std::size_t>(size)};
 }
@@ -110,9 +113,8 @@ Result<FormatFiles> writeRosbagSqlite(const ExportJob& job) {
     const std::vector<NavPath> paths = navPaths(*job.plan);
     return databaseOf(paths).transform([&](std::string database) {
         FormatFiles made;
-        made.files.push_back({"rosbag2_sqlite3/metadata.yaml", [text = bagMetadata(paths, "sqlite3", "path_0.db3")] {
-                                  return text;
-                              }});
+        made.files.push_back({"rosbag2_sqlite3/metadata.yaml",
+                              [text = bagMetadata(paths, "sqlite3", "path_0.db3")] { return text; }});
         made.files.push_back(
             {"rosbag2_sqlite3/path_0.db3", [database = std::move(database)] { return database; }});
         made.files.push_back(frameFile(*job.plan));
@@ -145,7 +147,8 @@ Result<FormatFiles> writeNavPathYaml(const ExportJob& job) {
         std::format_to(std::back_inserter(text), line, std::forward<Values>(values)...);
     };
     const auto stamp = [](const NavPose& pose) {
-        return std::format("{{sec: {}, nanosec: {}}}", pose.stampNs / 1'000'000'000, pose.stampNs % 1'000'000'000);
+        return std::format("{{sec: {}, nanosec: {}}}", pose.stampNs / 1'000'000'000,
+                           pose.stampNs % 1'000'000'000);
     };
     add("header:\n  stamp: {}\n  frame_id: map\nposes:\n", stamp(path.poses.front()));
     for (const NavPose& pose : path.poses) {
@@ -166,8 +169,9 @@ Result<FormatFiles> writeCoverageGoal(const ExportJob& job) {
     const Plan& plan = *job.plan;
     FormatFiles made;
     if (plan.field().boundary().size() > 1) {
-        made.notes.push_back(message("A goal of opennav_coverage has one outline: {} of {} parts are left out.",
-                                         plan.field().boundary().size() - 1, plan.field().boundary().size()));
+        made.notes.push_back(
+            message("A goal of opennav_coverage has one outline: {} of {} parts are left out.",
+                    plan.field().boundary().size() - 1, plan.field().boundary().size()));
     }
     const bool driven = plan.headland.width > metres(0.0);
     std::string text = std::format(
@@ -189,18 +193,19 @@ Result<FormatFiles> writeCoverageGoal(const ExportJob& job) {
             order += std::format("{}{}", order.empty() ? "" : ", ", step.swath);
         }
     }
-    std::format_to(std::back_inserter(text),
-                   "headland_mode: {{mode: CONSTANT, width: {:.4f}}}\n"
-                   "swath_mode: {{objective: LENGTH, mode: SET_ANGLE, best_angle: {:.9f}, step_angle: 0.017453}}\n"
-                   "route_mode: {{mode: {}, spiral_n: 4, custom_order: [{}]}}\n"
-                   "path_mode: {{mode: {}, continuity_mode: {}, turn_point_distance: 0.1}}\n",
-                   plan.headland.width.si(), plan.swaths.heading.si(),
-                   route == "boustrophedon" ? "BOUSTROPHEDON"
-                   : route == "snake"       ? "SNAKE"
-                   : route == "spiral"      ? "SPIRAL"
-                                            : "CUSTOM",
-                   order, turns.starts_with("reeds-shepp") ? "REEDS_SHEPP" : "DUBIN",
-                   turns.ends_with("-cc") ? "CONTINUOUS" : "DISCONTINUOUS");
+    std::format_to(
+        std::back_inserter(text),
+        "headland_mode: {{mode: CONSTANT, width: {:.4f}}}\n"
+        "swath_mode: {{objective: LENGTH, mode: SET_ANGLE, best_angle: {:.9f}, step_angle: 0.017453}}\n"
+        "route_mode: {{mode: {}, spiral_n: 4, custom_order: [{}]}}\n"
+        "path_mode: {{mode: {}, continuity_mode: {}, turn_point_distance: 0.1}}\n",
+        plan.headland.width.si(), plan.swaths.heading.si(),
+        route == "boustrophedon" ? "BOUSTROPHEDON"
+        : route == "snake"       ? "SNAKE"
+        : route == "spiral"      ? "SPIRAL"
+                                 : "CUSTOM",
+        order, turns.starts_with("reeds-shepp") ? "REEDS_SHEPP" : "DUBIN",
+        turns.ends_with("-cc") ? "CONTINUOUS" : "DISCONTINUOUS");
     made.notes.emplace_back(
         "opennav_coverage lays swaths and turns of its own from the goal; they need not be those of this plan.");
     made.files.push_back({"compute_coverage_path_goal.yaml", [text = std::move(text)] { return text; }});

@@ -178,11 +178,10 @@ private:
                 return std::unexpected(damaged(where_, "a compressed chunk of the recording is damaged"));
             }
         } else if (!compression.empty()) {
-            return std::unexpected(
-                Error{.code = ErrorCode::InputRefused,
-                      .what = message("its compression '{}' is not known", compression),
-                      .where = where_,
-                      .remedy = "record with zstd, lz4 or no compression"});
+            return std::unexpected(Error{.code = ErrorCode::InputRefused,
+                                         .what = message("its compression '{}' is not known", compression),
+                                         .where = where_,
+                                         .remedy = "record with zstd, lz4 or no compression"});
         }
         const std::string_view records = unpacked ? std::string_view{*unpacked} : packed;
         if (crc != 0 && crc32Of(records) != crc) {
@@ -295,7 +294,8 @@ struct BagTopic {
 
 /// The topics that are wanted by their numbers; nothing where they cannot be read.
 std::optional<std::map<std::int64_t, BagTopic>> wantedTopics(sqlite3* database, const Wants& wants) {
-    const SqliteStatement rows = prepared(database, "SELECT id, name, type, serialization_format FROM topics");
+    const SqliteStatement rows =
+        prepared(database, "SELECT id, name, type, serialization_format FROM topics");
     std::map<std::int64_t, BagTopic> topics;
     int step = SQLITE_ERROR;
     while (rows && (step = sqlite3_step(rows.get())) == SQLITE_ROW) {
@@ -316,7 +316,8 @@ Result<void> visitSqlite(const fs::path& path, const Wants& wants, const Visit& 
     }
     const auto topics = wantedTopics(database.get(), wants);
     const SqliteStatement rows =
-        topics ? prepared(database.get(), "SELECT topic_id, timestamp, data FROM messages ORDER BY timestamp, id")
+        topics ? prepared(database.get(),
+                          "SELECT topic_id, timestamp, data FROM messages ORDER BY timestamp, id")
                : SqliteStatement{};
     int step = SQLITE_ERROR;
     while (rows && (step = sqlite3_step(rows.get())) == SQLITE_ROW) {

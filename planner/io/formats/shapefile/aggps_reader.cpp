@@ -10,7 +10,8 @@ namespace furrow {
 namespace {
 
 /// A boundary of an AgGPS folder with the swaths beside it; the field is called like its folder.
-Result<ImportedFields> readBoundary(const FileFolder& folder, const FileFolder::Entry& boundary, const JobContext& job) {
+Result<ImportedFields> readBoundary(const FileFolder& folder, const FileFolder::Entry& boundary,
+                                    const JobContext& job) {
     auto read = vectorFields(boundary.systemPath, job);
     if (!read) {
         return read;
@@ -26,7 +27,8 @@ Result<ImportedFields> readBoundary(const FileFolder& folder, const FileFolder::
         if (lines) {
             read->fields.front().lines = *std::move(lines);
         } else {
-            read->notes.push_back({message("the swaths are left out: {}", lines.error().what), folder.placeOf(*swaths)});
+            read->notes.push_back(
+                {message("the swaths are left out: {}", lines.error().what), folder.placeOf(*swaths)});
         }
     }
     return read;
@@ -35,7 +37,8 @@ Result<ImportedFields> readBoundary(const FileFolder& folder, const FileFolder::
 }  // namespace
 
 Recognition recogniseAgGps(const ChosenFile& chosen) {
-    const bool known = chosen.isFolder() && chosen.inside() && !chosen.inside()->called("boundary.shp").empty();
+    const bool known =
+        chosen.isFolder() && chosen.inside() && !chosen.inside()->called("boundary.shp").empty();
     return known ? Recognition::Likely : Recognition::No;
 }
 

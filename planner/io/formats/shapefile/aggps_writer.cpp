@@ -31,7 +31,10 @@ double lengthM(const GeoRing& line) {
 VectorLayer agGpsBoundary(const FieldContent& content, const std::string& name, const std::string& date) {
     return {"Boundary",
             Shape::Polygons,
-            {{"Date", Kind::Text, 8}, {"Id", Kind::Whole, 9}, {"Name", Kind::Text, 30}, {"Area", Kind::Real, 12, 3}},
+            {{"Date", Kind::Text, 8},
+             {"Id", Kind::Whole, 9},
+             {"Name", Kind::Text, 30},
+             {"Area", Kind::Real, 12, 3}},
             {{.polygons = content.field.parts,
               .values = {date, std::int64_t{1}, name, inHectares(content.statedArea())}}}};
 }
@@ -57,8 +60,8 @@ VectorLayer agGpsSwaths(const FieldContent& content, const std::string& date) {
         }
         const double length = lengthM(points);
         layer.features.push_back({.line = std::move(points),
-                                  .values = {date, "00:00:00", "1.0", ++number, names.unique(line.name, "Line"),
-                                             length, 0.0, 0.0}});
+                                  .values = {date, "00:00:00", "1.0", ++number,
+                                             names.unique(line.name, "Line"), length, 0.0, 0.0}});
     }
     return layer;
 }

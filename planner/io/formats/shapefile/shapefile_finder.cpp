@@ -75,7 +75,8 @@ Shapes shapesOf(std::string_view bytes) {
     const auto words = bigHead.integer<std::int32_t>();
     head.skip(32);
     read.kind = head.integer<std::int32_t>();
-    if (!isShapefile || !head.ok() || std::size_t{2} * static_cast<std::size_t>(std::max(words, 0)) != bytes.size()) {
+    if (!isShapefile || !head.ok() ||
+        std::size_t{2} * static_cast<std::size_t>(std::max(words, 0)) != bytes.size()) {
         return read;
     }
     std::size_t at = 100;
@@ -116,7 +117,8 @@ struct Table {
 std::string withoutBlanksAround(std::string_view text) {
     const std::size_t first = text.find_first_not_of(std::string_view{" \0", 2});
     const std::size_t last = text.find_last_not_of(std::string_view{" \0", 2});
-    return first == std::string_view::npos ? std::string{} : std::string{text.substr(first, last - first + 1)};
+    return first == std::string_view::npos ? std::string{}
+                                           : std::string{text.substr(first, last - first + 1)};
 }
 
 Table tableOf(std::string_view bytes) {
@@ -131,7 +133,8 @@ Table tableOf(std::string_view bytes) {
         table.columns.emplace_back(bytes.substr(at, bytes.substr(at, 11).find('\0')));
         widths.push_back(static_cast<unsigned char>(bytes[at + 16]));
     }
-    for (std::size_t row = 0; row < rows && rowSize > 0 && headerSize + (row + 1) * rowSize <= bytes.size(); ++row) {
+    for (std::size_t row = 0; row < rows && rowSize > 0 && headerSize + (row + 1) * rowSize <= bytes.size();
+         ++row) {
         std::string_view record = bytes.substr(headerSize + row * rowSize + 1, rowSize - 1);
         std::vector<std::string>& cells = table.rows.emplace_back();
         for (const std::size_t width : widths) {
@@ -183,9 +186,10 @@ void addPolygons(const Shapes& read, const Table& table, const std::string& laye
         stated = polygons.size() == 1 ? stated : std::nullopt;
         std::string name = table.value(i, "name") + table.value(i, "Name") + table.value(i, "FIELD_NAME");
         for (GeoPolygon& polygon : polygons) {
-            found.areas.push_back({.kind = kind == "field" || kind == "boundary" || kind == "Boundary" ? ReceivedArea::Kind::Field
-                                           : kind == "obstacle"                                        ? ReceivedArea::Kind::Obstacle
-                                                                                                       : ReceivedArea::Kind::Other,
+            found.areas.push_back({.kind = kind == "field" || kind == "boundary" || kind == "Boundary"
+                                               ? ReceivedArea::Kind::Field
+                                           : kind == "obstacle" ? ReceivedArea::Kind::Obstacle
+                                                                : ReceivedArea::Kind::Other,
                                    .name = name.empty() ? layer : name,
                                    .rings = std::move(polygon),
                                    .statedM2 = stated});
@@ -211,7 +215,8 @@ void addLines(Shapes&& read, const Table& table, const std::string& layer, Recei
             std::string name = table.value(i, "name") + table.value(i, "Name");
             names.names.push_back(name);
             const auto width = decimalIn(table.value(i, "width_m"));
-            found.lines.push_back({.name = name.empty() ? layer : std::move(name), .points = std::move(line), .widthM = width});
+            found.lines.push_back(
+                {.name = name.empty() ? layer : std::move(name), .points = std::move(line), .widthM = width});
         }
     }
     found.orders.push_back(std::move(order));
@@ -233,8 +238,8 @@ std::vector<ReceivedContent> findShapefiles(std::span<const FileInMemory> files,
         if (!path.ends_with(".shp")) {
             continue;
         }
-        ReceivedContent& found =
-            all.emplace_back(ReceivedContent{.file = path, .winding = ReceivedContent::Winding::OuterRight, .namesCrs = false});
+        ReceivedContent& found = all.emplace_back(ReceivedContent{
+            .file = path, .winding = ReceivedContent::Winding::OuterRight, .namesCrs = false});
         const std::string stem = path.substr(0, path.size() - 4);
         for (const char* companion : {".shx", ".dbf"}) {
             if (!byPath.contains(stem + companion)) {

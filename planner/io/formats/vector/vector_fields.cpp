@@ -20,13 +20,13 @@ namespace furrow {
 namespace {
 
 // Of a written plan's features; a file of others may use the attribute for something else.
-constexpr std::string_view kKinds[] = {"field",         "obstacle", "gate", "headland", "mainland", "cell",
-                                       "headland_pass", "swath",    "path", "missed",   "finding",  "guidance", "left_on_purpose",
-                                       "hole"};
+constexpr std::string_view kKinds[] = {
+    "field", "obstacle", "gate",    "headland", "mainland",        "cell", "headland_pass", "swath",
+    "path",  "missed",   "finding", "guidance", "left_on_purpose", "hole"};
 
 // Of a drawing's layers, in capitals or not.
 constexpr std::pair<std::string_view, std::string_view> kDrawingLayers[] = {
-    {"boundary", "field"}, {"field", "field"},    {"hole", "hole"},      {"obstacle", "obstacle"},
+    {"boundary", "field"},    {"field", "field"},    {"hole", "hole"}, {"obstacle", "obstacle"},
     {"headland", "mainland"}, {"swath", "guidance"}, {"path", "path"}};
 
 // A track that comes back to within this share of its length was driven round something.
@@ -41,14 +41,14 @@ Result<Length> lengthIn(const VectorFeature& feature, std::string_view name, con
     const std::optional<double> number = numberIn(text, true);
     if (!number || !std::isfinite(*number) || *number < 0.0) {
         return std::unexpected(inputRefused(message("{}, {}", where, name),
-                                            message("'{}' is no length", text),
-                                            "give metres, 0 or more"));
+                                            message("'{}' is no length", text), "give metres, 0 or more"));
     }
     return metres(*number);
 }
 
 bool touches(const FieldSource& field, const GeoPolygon& outline) {
-    return std::ranges::any_of(field.parts, [&outline](const GeoPolygon& part) { return meet(part.outer, outline.outer); });
+    return std::ranges::any_of(
+        field.parts, [&outline](const GeoPolygon& part) { return meet(part.outer, outline.outer); });
 }
 
 /// In degrees of latitude: good enough to tell which of two fields a gate belongs to.
@@ -108,20 +108,21 @@ Result<void> addObstacle(const VectorFeature& feature, std::vector<FieldContent>
     std::optional<Note> note =
         noteOfOpenRings(feature, name.empty() ? Message{"an obstacle"} : message("obstacle '{}'", name));
     const auto add = [&](const GeoPolygon& outline, Length outlineBuffer) -> Result<void> {
-        auto owner =
-            std::ranges::find_if(fields, [&](const FieldContent& content) { return touches(content.field, outline); });
+        auto owner = std::ranges::find_if(
+            fields, [&](const FieldContent& content) { return touches(content.field, outline); });
         if (owner == fields.end() && fields.size() > 1) {
-            return std::unexpected(
-                inputRefused(where, message("it lies in none of the {} fields", fields.size()),
-                             "remove it from the file, or add its field"));
+            return std::unexpected(inputRefused(where,
+                                                message("it lies in none of the {} fields", fields.size()),
+                                                "remove it from the file, or add its field"));
         }
         if (owner == fields.end()) {
             owner = fields.begin();  // where the check of the field says what is wrong with it
         }
-        owner->field.obstacles.push_back({.name = name,
-                                    .outline = outline,
-                                    .passable = passable == "1" || passable == "true" || passable == "yes",
-                                    .buffer = outlineBuffer});
+        owner->field.obstacles.push_back(
+            {.name = name,
+             .outline = outline,
+             .passable = passable == "1" || passable == "true" || passable == "yes",
+             .buffer = outlineBuffer});
         if (note) {
             owner->field.repairs.push_back(*std::exchange(note, std::nullopt));
         }
@@ -145,8 +146,9 @@ Result<void> addGate(const VectorFeature& feature, std::vector<FieldContent>& fi
         return std::unexpected(width.error());
     }
     for (const GeoPoint& position : feature.points) {
-        const auto owner = std::ranges::min_element(
-            fields, {}, [position](const FieldContent& content) { return distanceDeg(content.field, position); });
+        const auto owner = std::ranges::min_element(fields, {}, [position](const FieldContent& content) {
+            return distanceDeg(content.field, position);
+        });
         owner->field.gates.push_back({.name = name, .position = position, .width = *width});
     }
     return {};
@@ -192,7 +194,6 @@ Error noPolygon(const VectorFile& file, const std::string& name) {
                         "export the boundary as a polygon");
 }
 
-
 // --- Lines and what else belongs to a field ---------------------------------------------------------------
 
 /// The field in which most of this lies, or that is nearest.
@@ -209,7 +210,8 @@ GuidanceLine guidanceOf(const VectorFeature& feature, GeoRing points) {
     GuidanceLine line{.kind = points.size() == 2 ? GuidanceKind::AbLine : GuidanceKind::Curve,
                       .name = nameOf(feature),
                       .points = std::move(points)};
-    if (const auto width = numberIn(attribute(feature, "width_m"), true); width && *width > 0.0 && std::isfinite(*width)) {
+    if (const auto width = numberIn(attribute(feature, "width_m"), true);
+        width && *width > 0.0 && std::isfinite(*width)) {
         line.width = metres(*width);
     }
     const auto bearing = numberIn(attribute(feature, "bearing"), true);
@@ -246,7 +248,8 @@ std::vector<GuidanceLine> guidanceIn(VectorFile& file) {
 
 Result<void> addHole(VectorFeature& feature, std::vector<FieldContent>& fields, const std::string& file) {
     if (!feature.openLines.empty() || !feature.points.empty() || !feature.hasGeometry()) {
-        return std::unexpected(inputRefused(message("{}, hole {}", file, nameOf(feature)), "it is no closed line",
+        return std::unexpected(inputRefused(message("{}, hole {}", file, nameOf(feature)),
+                                            "it is no closed line",
                                             "draw it as an area, or remove it from the file"));
     }
     const auto add = [&fields](GeoRing& ring) {
@@ -287,8 +290,8 @@ void closeTracks(VectorFeature& feature, std::vector<Note>& notes, const std::st
         if (line.size() < kFewestPoints || gap > kRoundTripShare * lengthM(line)) {
             return false;
         }
-        notes.push_back({message("a track that ended {:.1f} m from where it began was closed", gap), name,
-                         line.front()});
+        notes.push_back(
+            {message("a track that ended {:.1f} m from where it began was closed", gap), name, line.front()});
         feature.polygons.push_back({.outer = std::move(line), .holes = {}});
         return true;
     });
@@ -300,7 +303,8 @@ std::string kindOf(const VectorFeature& feature, bool isPlan) {
         return kind;
     }
     const std::string layer = inSmallLetters(attribute(feature, "layer"));
-    const auto known = std::ranges::find(kDrawingLayers, layer, &std::pair<std::string_view, std::string_view>::first);
+    const auto known =
+        std::ranges::find(kDrawingLayers, layer, &std::pair<std::string_view, std::string_view>::first);
     return known == std::end(kDrawingLayers) ? std::string{} : std::string{known->second};
 }
 
@@ -345,10 +349,10 @@ Result<void> addBelongings(VectorFeature& feature, const std::string& kind, Impo
     return {};
 }
 
-/// An area that is neither field nor anything else that is known may be in the way: where a file says of each thing
-/// what it is, that is refused. A project keeps what others put into it; a drawing holds much else.
-Result<void> checkAreasAreKnown(std::span<const VectorFeature> features, std::span<const std::string> kinds, bool isPlan,
-                                const std::filesystem::path& path, std::vector<Note>& notes) {
+/// An area that is neither field nor anything else that is known may be in the way: where a file says of each
+/// thing what it is, that is refused. A project keeps what others put into it; a drawing holds much else.
+Result<void> checkAreasAreKnown(std::span<const VectorFeature> features, std::span<const std::string> kinds,
+                                bool isPlan, const std::filesystem::path& path, std::vector<Note>& notes) {
     const std::string name = path.filename().string();
     const bool isProject = path.extension() == ".furrow";
     std::size_t unknown = 0;
@@ -359,7 +363,8 @@ Result<void> checkAreasAreKnown(std::span<const VectorFeature> features, std::sp
         if (!isArea || std::ranges::contains(kKinds, kinds[i])) {
             continue;
         }
-        const GeoRing& ring = feature.polygons.empty() ? feature.closedLines.front() : feature.polygons.front().outer;
+        const GeoRing& ring =
+            feature.polygons.empty() ? feature.closedLines.front() : feature.polygons.front().outer;
         if (isPlan && !isProject) {
             Error error = inputRefused(message("{}, {}", name, message("feature {}", i + 1)),
                                        kinds[i].empty() ? Message{"it does not say what it is"}
@@ -371,10 +376,11 @@ Result<void> checkAreasAreKnown(std::span<const VectorFeature> features, std::sp
         first = unknown++ == 0 ? std::optional{ring.front()} : first;
     }
     if (unknown > 0) {
-        notes.push_back({counted("{} area is neither field, hole nor obstacle by its layer or kind and was not used",
-                                 "{} areas are neither field, hole nor obstacle by their layer or kind and were not used",
-                                 unknown),
-                         name, first});
+        notes.push_back(
+            {counted("{} area is neither field, hole nor obstacle by its layer or kind and was not used",
+                     "{} areas are neither field, hole nor obstacle by their layer or kind and were not used",
+                     unknown),
+             name, first});
     }
     return {};
 }
@@ -385,7 +391,9 @@ struct FeatureKinds {
     bool isPlan = false;     ///< the file says of each thing what it is, as a written plan does
     bool isDrawing = false;  ///< its layers say so
 
-    bool isField(std::size_t i) const { return kinds[i] == "field" || (kinds[i].empty() && !isPlan && !isDrawing); }
+    bool isField(std::size_t i) const {
+        return kinds[i] == "field" || (kinds[i].empty() && !isPlan && !isDrawing);
+    }
 };
 
 FeatureKinds kindsOf(const VectorFile& file) {
@@ -400,8 +408,9 @@ FeatureKinds kindsOf(const VectorFile& file) {
 }
 
 /// Takes the fields from a file's features; the numbers of those that are none.
-Result<std::vector<std::size_t>> takeFields(VectorFile& file, const FeatureKinds& kinds, const std::string& name,
-                                            ImportedFields& imported, const JobContext& job) {
+Result<std::vector<std::size_t>> takeFields(VectorFile& file, const FeatureKinds& kinds,
+                                            const std::string& name, ImportedFields& imported,
+                                            const JobContext& job) {
     // A guidance line may be closed, too: lines count only where nothing better is in the file.
     bool hasPolygon = false;
     bool hasClosedLine = false;
@@ -450,7 +459,8 @@ Result<ImportedFields> vectorFields(const std::filesystem::path& path, const Job
     const FeatureKinds kinds = kindsOf(*file);
     ImportedFields imported;
     if (kinds.isPlan || kinds.isDrawing) {
-        if (auto known = checkAreasAreKnown(file->features, kinds.kinds, kinds.isPlan, path, imported.notes); !known) {
+        if (auto known = checkAreasAreKnown(file->features, kinds.kinds, kinds.isPlan, path, imported.notes);
+            !known) {
             return std::unexpected(known.error());
         }
     }

@@ -25,8 +25,8 @@ Result<void> checkUnopened(const VectorSource& source) {
     return text ? checkGeoJson(*text, source.name, false) : Result<void>{};
 }
 
-/// What GDAL leaves out, or makes up, in an opened GeoJSON file. Nothing is assumed in the place of a coordinate
-/// system that it makes nothing of.
+/// What GDAL leaves out, or makes up, in an opened GeoJSON file. Nothing is assumed in the place of a
+/// coordinate system that it makes nothing of.
 Result<void> checkOpened(const VectorSource& source, const VectorDataset& dataset) {
     const std::string driver = dataset.driver();
     if (driver != "GeoJSON" && driver != "GeoJSONSeq" && driver != "JSONFG") {
@@ -37,7 +37,8 @@ Result<void> checkOpened(const VectorSource& source, const VectorDataset& datase
         return std::unexpected(text.error());
     }
     const auto checked = driver == "GeoJSON" ? checkGeoJson(*text, source.name, true) : Result<void>{};
-    const auto isNull = checked.and_then([&] { return checkCrs(*text, driver == "GeoJSONSeq", source.name); });
+    const auto isNull =
+        checked.and_then([&] { return checkCrs(*text, driver == "GeoJSONSeq", source.name); });
     if (!isNull) {
         return std::unexpected(isNull.error());
     }
@@ -56,7 +57,8 @@ bool looksLikeWkt(std::string_view start) {
 }
 
 /// Reads the text of a source, then what `read` finds in it.
-Result<void> readText(const VectorSource& source, const VectorReading& reading, decltype(readWktShapes)& read) {
+Result<void> readText(const VectorSource& source, const VectorReading& reading,
+                      decltype(readWktShapes)& read) {
     const auto text = systemFileBytes(source.path, source.name);
     return text ? read(*text, source.name, reading) : std::unexpected(text.error());
 }

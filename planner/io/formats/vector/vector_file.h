@@ -14,8 +14,8 @@ namespace furrow {
 /// written beside the file.
 ///
 /// @param path        GeoJSON, Shapefile, KML, GeoPackage, GML, FlatGeobuf, GPX, file geodatabase, WKT,
-///                    CSV or DXF, loose or zipped (KMZ included); any coordinate system. A DXF does not say its
-///                    own: it is taken from the file's name ("..._EPSG32631.dxf")
+///                    CSV or DXF, loose or zipped (KMZ included); any coordinate system. A DXF does not say
+///                    its own: it is taken from the file's name ("..._EPSG32631.dxf")
 /// @param attributes  names of the attributes to read, capitals or not
 /// @return ReadFailed: not there, a folder, no known format, damaged. InputRefused: empty, coordinates
 ///         that are neither WGS84 nor of a stated system, a coordinate that is no number (with its

@@ -22,7 +22,8 @@ struct VectorSource {
 /// The files that are meant by the one that was chosen: itself, the shapes of the shapefile it belongs to,
 /// the boundary files in a zip, or a file geodatabase (a folder).
 ///
-/// @return at least one. ReadFailed: not on this computer, not there, not readable, a folder, nothing of use in
+/// @return at least one. ReadFailed: not on this computer, not there, not readable, a folder, nothing of use
+/// in
 ///         a zip. InputRefused: empty. Cost: a listing of the zip.
 Result<std::vector<VectorSource>> vectorSources(const std::filesystem::path& chosen);
 

@@ -32,15 +32,13 @@ class FaultyStick : public StickVolume {
 public:
     explicit FaultyStick(const fs::path& root) : root_{root}, real_{openStick(root)} {}
 
-    int writesLeft = 1000;             ///< then it was pulled out
-    int renamesLeft = 1000;            ///< then it was pulled out
-    std::optional<fs::path> flips;     ///< reads back another byte of this file
-    std::optional<VolumeInfo> state;   ///< instead of the folder's own
+    int writesLeft = 1000;            ///< then it was pulled out
+    int renamesLeft = 1000;           ///< then it was pulled out
+    std::optional<fs::path> flips;    ///< reads back another byte of this file
+    std::optional<VolumeInfo> state;  ///< instead of the folder's own
     std::stop_source* stopAtWrite = nullptr;
 
-    Result<VolumeInfo> info() const override {
-        return state ? Result<VolumeInfo>{*state} : real_->info();
-    }
+    Result<VolumeInfo> info() const override { return state ? Result<VolumeInfo>{*state} : real_->info(); }
     bool exists(const fs::path& path) const override { return real_->exists(path); }
     Result<void> write(const fs::path& path, std::string_view bytes) override {
         if (stopAtWrite != nullptr) {
@@ -63,7 +61,10 @@ public:
 
 private:
     static Error pulledOut() {
-        return {.code = ErrorCode::WriteFailed, .what = "the stick does not answer any more", .where = "stick", .remedy = "plug it in"};
+        return {.code = ErrorCode::WriteFailed,
+                .what = "the stick does not answer any more",
+                .where = "stick",
+                .remedy = "plug it in"};
     }
     fs::path root_;
     std::unique_ptr<StickVolume> real_;
@@ -110,7 +111,8 @@ private slots:
         QTest::newRow("ISOXML 4") << "fendt" << "TASKDATA/TASKDATA.XML" << true;
         QTest::newRow("ISOXML 3") << "claas-s10" << "TASKDATA/TASKDATA.XML" << true;
         QTest::newRow("holes as obstacles") << "agopengps-isoxml" << "TASKDATA/TASKDATA.XML" << true;
-        QTest::newRow("AgOpenGPS") << "agopengps" << QString::fromUtf8("AgOpenGPS/Fields/Höhe & Senke/RecPath.txt") << true;
+        QTest::newRow("AgOpenGPS") << "agopengps"
+                                   << QString::fromUtf8("AgOpenGPS/Fields/Höhe & Senke/RecPath.txt") << true;
         QTest::newRow("AgGPS") << "trimble" << "AgGPS/Data/Furrow/Farm/Hoehe _ Senke/Swaths.shp" << true;
         QTest::newRow("waypoints") << "ardupilot-rover" << "plan.waypoints" << false;
     }
@@ -213,7 +215,8 @@ private slots:
     void fullAndProtectedSticksAreRefused() {
         const Setup setup;
         FaultyStick stick{setup.root};
-        stick.state = VolumeInfo{.root = setup.root, .fileSystem = "vfat", .freeBytes = 1000, .totalBytes = 1'000'000};
+        stick.state =
+            VolumeInfo{.root = setup.root, .fileSystem = "vfat", .freeBytes = 1000, .totalBytes = 1'000'000};
         const auto full = writeToStick(stick, setup.files, setup.meant, true);
         QVERIFY(!full && full.error().what.contains("MB free"));
         stick.state->freeBytes = 1'000'000'000;
@@ -274,15 +277,20 @@ private slots:
         QFile file{image};
         QVERIFY(file.open(QIODevice::WriteOnly) && file.resize(qint64{40} << 20));
         file.close();
-        if (run("mkfs.vfat", {"-F", "32", image}).status != 0 || QStandardPaths::findExecutable("mcopy").isEmpty()) {
+        if (run("mkfs.vfat", {"-F", "32", image}).status != 0 ||
+            QStandardPaths::findExecutable("mcopy").isEmpty()) {
             QSKIP("needs mkfs.vfat and mcopy");
         }
         for (const char* terminal : {"fendt", "agopengps", "trimble"}) {
             const Setup setup{terminal};
             FaultyStick stick{setup.root};
             VERIFY_RESULT(writeToStick(stick, setup.files, setup.meant, true));
-            const QString top = QDir{QString::fromStdString(setup.root.string())}.entryList(QDir::Dirs | QDir::NoDotAndDotDot).first();
-            const Printed there = run("mcopy", {"-s", "-i", image, QString::fromStdString((setup.root / top.toStdString()).string()), "::"});
+            const QString top = QDir{QString::fromStdString(setup.root.string())}
+                                    .entryList(QDir::Dirs | QDir::NoDotAndDotDot)
+                                    .first();
+            const Printed there = run(
+                "mcopy",
+                {"-s", "-i", image, QString::fromStdString((setup.root / top.toStdString()).string()), "::"});
             QVERIFY2(there.status == 0, there.error.constData());
             const QString back = folder.filePath(terminal);
             QVERIFY(QDir{}.mkpath(back));

@@ -147,12 +147,12 @@ struct IsoxmlCase {
     FieldSource (*field)();
 };
 inline constexpr IsoxmlCase kCases[] = {{"plain field", plainField},
-                           {"holes, parts, obstacles, a gate", fieldWithEverything},
-                           {"across the antimeridian", fieldOnTheAntimeridian},
-                           {"80 degrees north", farNorth}};
+                                        {"holes, parts, obstacles, a gate", fieldWithEverything},
+                                        {"across the antimeridian", fieldOnTheAntimeridian},
+                                        {"80 degrees north", farNorth}};
 
-inline std::shared_ptr<const Plan> planOf(const FieldSource& source,
-                                   std::initializer_list<std::pair<const char*, const char*>> given = {}) {
+inline std::shared_ptr<const Plan> planOf(
+    const FieldSource& source, std::initializer_list<std::pair<const char*, const char*>> given = {}) {
     const auto field = Field::create(source);
     if (!field) {
         qWarning("%s", field.error().line().c_str());

@@ -17,40 +17,80 @@ namespace {
 /// What a format keeps of a field, and how exactly.
 struct Kept {
     const char* format;
-    const char* out;           ///< file or folder to write to and read from
-    double toleranceM;         ///< formats.md section 8, with a little for both ways
-    bool densified = false;    ///< more points on the same outline
-    bool parts = true;         ///< several parts stay one field
+    const char* out;         ///< file or folder to write to and read from
+    double toleranceM;       ///< formats.md section 8, with a little for both ways
+    bool densified = false;  ///< more points on the same outline
+    bool parts = true;       ///< several parts stay one field
     bool obstacles = true;
     bool gates = true;
     bool mainland = true;
-    std::size_t lines = 4;     ///< of the four of the field with everything
-    bool straightKinds = true; ///< A+ and pivot come back as such
+    std::size_t lines = 4;      ///< of the four of the field with everything
+    bool straightKinds = true;  ///< A+ and pivot come back as such
     bool holes = true;
 };
 
 constexpr Kept kKept[] = {
     {.format = "geojson", .out = "f.geojson", .toleranceM = 1e-6, .straightKinds = false},
     {.format = "isoxml", .out = "TASKDATA", .toleranceM = 2e-4},
-    {.format = "isoxml-v3", .out = "TASKDATA", .toleranceM = 2e-4, .gates = false, .mainland = false, .straightKinds = false},
+    {.format = "isoxml-v3",
+     .out = "TASKDATA",
+     .toleranceM = 2e-4,
+     .gates = false,
+     .mainland = false,
+     .straightKinds = false},
     {.format = "isoxml", .out = "t.zip", .toleranceM = 2e-4},
-    {.format = "agopengps", .out = "fields", .toleranceM = 2e-3, .densified = true, .parts = false, .straightKinds = false},
-    {.format = "shapefile", .out = "f.shp", .toleranceM = 1e-6, .obstacles = false, .gates = false, .mainland = false, .lines = 0},
-    {.format = "shapefile-zip", .out = "f.zip", .toleranceM = 1e-6, .obstacles = false, .gates = false, .mainland = false, .lines = 0},
+    {.format = "agopengps",
+     .out = "fields",
+     .toleranceM = 2e-3,
+     .densified = true,
+     .parts = false,
+     .straightKinds = false},
+    {.format = "shapefile",
+     .out = "f.shp",
+     .toleranceM = 1e-6,
+     .obstacles = false,
+     .gates = false,
+     .mainland = false,
+     .lines = 0},
+    {.format = "shapefile-zip",
+     .out = "f.zip",
+     .toleranceM = 1e-6,
+     .obstacles = false,
+     .gates = false,
+     .mainland = false,
+     .lines = 0},
     {.format = "shapefile", .out = "all.zip", .toleranceM = 1e-6, .straightKinds = false},
-    {.format = "aggps", .out = "AgGPS", .toleranceM = 1e-6, .obstacles = false, .gates = false, .mainland = false, .straightKinds = false},
+    {.format = "aggps",
+     .out = "AgGPS",
+     .toleranceM = 1e-6,
+     .obstacles = false,
+     .gates = false,
+     .mainland = false,
+     .straightKinds = false},
     {.format = "kml", .out = "f.kml", .toleranceM = 2e-4, .straightKinds = false},
     {.format = "kmz", .out = "f.kmz", .toleranceM = 2e-4, .straightKinds = false},
     {.format = "geopackage", .out = "f.gpkg", .toleranceM = 1e-6, .straightKinds = false},
-    {.format = "dxf", .out = "f.dxf", .toleranceM = 2e-3, .parts = false, .gates = false, .straightKinds = false},
-    {.format = "csv", .out = "f.csv", .toleranceM = 1e-6, .obstacles = false, .gates = false, .mainland = false, .lines = 0},
+    {.format = "dxf",
+     .out = "f.dxf",
+     .toleranceM = 2e-3,
+     .parts = false,
+     .gates = false,
+     .straightKinds = false},
+    {.format = "csv",
+     .out = "f.csv",
+     .toleranceM = 1e-6,
+     .obstacles = false,
+     .gates = false,
+     .mainland = false,
+     .lines = 0},
 };
 
 /// Corners of one among the points of the other, within the tolerance.
 bool sameOutline(const GeoRing& dense, const GeoRing& corners, double toleranceM) {
     // Of many corners some are enough.
     for (std::size_t i = 0; i < corners.size(); i += std::max<std::size_t>(1, corners.size() / 200)) {
-        if (std::ranges::none_of(dense, [&](GeoPoint point) { return metresBetween(point, corners[i]) <= toleranceM; })) {
+        if (std::ranges::none_of(
+                dense, [&](GeoPoint point) { return metresBetween(point, corners[i]) <= toleranceM; })) {
             return false;
         }
     }
@@ -86,7 +126,8 @@ private slots:
         QTest::addColumn<int>("field");
         for (int kept = 0; kept < static_cast<int>(std::size(kKept)); ++kept) {
             for (int field = 0; field < static_cast<int>(std::size(kFormatCases)); ++field) {
-                QTest::addRow("%s in %s: %s", kKept[kept].format, kKept[kept].out, kFormatCases[field].name) << kept << field;
+                QTest::addRow("%s in %s: %s", kKept[kept].format, kKept[kept].out, kFormatCases[field].name)
+                    << kept << field;
             }
         }
     }
@@ -109,18 +150,23 @@ private slots:
         const auto read = readFields(isDrawing ? written->files.front() : out);
         VERIFY_RESULT(read);
         const bool manyFields = !format.parts && expected.field.parts.size() > 1;
-        QVERIFY2(read->fields.size() == (manyFields ? expected.field.parts.size() : 1), qPrintable(told(*read)));
+        QVERIFY2(read->fields.size() == (manyFields ? expected.field.parts.size() : 1),
+                 qPrintable(told(*read)));
         std::vector<GeoPolygon> parts;
         for (const FieldContent& content : read->fields) {
             parts.insert(parts.end(), content.field.parts.begin(), content.field.parts.end());
         }
         QCOMPARE(parts.size(), expected.field.parts.size());
         for (const GeoPolygon& part : expected.field.parts) {
-            QVERIFY2(std::ranges::any_of(parts, [&](const GeoPolygon& other) {
-                return format.densified ? other.holes.size() >= part.holes.size() &&
-                                              sameOutline(other.outer, part.outer, format.toleranceM)
-                                        : samePolygon(other, part, format.toleranceM);
-            }), qPrintable(told(*read)));
+            QVERIFY2(std::ranges::any_of(parts,
+                                         [&](const GeoPolygon& other) {
+                                             return format.densified
+                                                        ? other.holes.size() >= part.holes.size() &&
+                                                              sameOutline(other.outer, part.outer,
+                                                                          format.toleranceM)
+                                                        : samePolygon(other, part, format.toleranceM);
+                                         }),
+                     qPrintable(told(*read)));
         }
         compareBelongings(format, expected, read->fields);
     }
@@ -140,7 +186,8 @@ private slots:
             VERIFY_RESULT(field);
             const QTemporaryDir folder;
             const std::filesystem::path out = std::filesystem::path{folder.path().toStdString()} / "TASKDATA";
-            const auto written = writeFields(std::vector{FieldContent{.field = field->source(), .area = field->area()}}, out, {});
+            const auto written = writeFields(
+                std::vector{FieldContent{.field = field->source(), .area = field->area()}}, out, {});
             VERIFY_RESULT(written);
             QVERIFY2(written->notes.empty(), written->notes.empty() ? "" : written->notes.front().c_str());
             const auto read = readFields(out);
@@ -154,7 +201,8 @@ private slots:
     }
 
 private:
-    static void compareBelongings(const Kept& format, const FieldContent& expected, const std::vector<FieldContent>& read) {
+    static void compareBelongings(const Kept& format, const FieldContent& expected,
+                                  const std::vector<FieldContent>& read) {
         std::size_t obstacles = 0;
         std::size_t gates = 0;
         std::size_t mainland = 0;

@@ -206,7 +206,8 @@ void TestIsoxml::fieldsKeepWhatTheyAreKnownBy() {
     QCOMPARE(links.size(), 2);
     QCOMPARE(links[0].value("A"), "PFD1");
     QCOMPARE(links[0].value("B"), "{6f1d3c52-0c1e-4b7a-9b1d-4c3a2f0e9d10}");
-    static const QRegularExpression uuid{QStringLiteral(R"(^\{[0-9a-f]{8}-[0-9a-f]{4}-8[0-9a-f]{3}-[89ab][0-9a-f]{3}-[0-9a-f]{12}\}$)")};
+    static const QRegularExpression uuid{
+        QStringLiteral(R"(^\{[0-9a-f]{8}-[0-9a-f]{4}-8[0-9a-f]{3}-[89ab][0-9a-f]{3}-[0-9a-f]{12}\}$)")};
     QVERIFY2(uuid.match(links[1].value("B")).hasMatch(), qPrintable(links[1].value("B")));
     // The task data names the list, or nobody reads it; version 3 knows none.
     QCOMPARE(parsed(made->files[0].text()).all("AFE").first().value("A"), "LINKLIST.XML");
@@ -215,7 +216,9 @@ void TestIsoxml::fieldsKeepWhatTheyAreKnownBy() {
     // Another export has the same ones, and what is read keeps them.
     const QTemporaryDir folder;
     for (const FileToWrite& file : made->files) {
-        std::ofstream{folder.filePath(QString::fromStdString(file.path.filename().string())).toStdString(), std::ios::binary} << file.text();
+        std::ofstream{folder.filePath(QString::fromStdString(file.path.filename().string())).toStdString(),
+                      std::ios::binary}
+            << file.text();
     }
     const auto read = readBoundaries(folder.filePath("TASKDATA.XML").toStdString());
     QVERIFY(read);
@@ -238,8 +241,10 @@ void TestIsoxml::tasksForTerminalsThatWantThem() {
         QCOMPARE(task.value("G"), "1");
         QCOMPARE(task.all("GAN").size(), version == IsoxmlVersion::V4 ? 1 : 0);
         const QTemporaryDir folder;
-        QCOMPARE(runLint(version == IsoxmlVersion::V4 ? "ISO11783_TaskFile_V4-3.xsd" : "ISO11783_TaskFile_V3-3.xsd",
-                         writeTaskData(folder, xml)), 0);
+        QCOMPARE(runLint(version == IsoxmlVersion::V4 ? "ISO11783_TaskFile_V4-3.xsd"
+                                                      : "ISO11783_TaskFile_V3-3.xsd",
+                         writeTaskData(folder, xml)),
+                 0);
         QVERIFY(parsed(isoxmlText(fields, version)).all("TSK").isEmpty());
     }
 }

@@ -105,14 +105,17 @@ void TestIsoxmlLines::oneLineForEachDirection() {
     QCOMPARE(field.all("GGP")[1].value("A"), "GGP2");
 }
 
-// formats.md: type 3 is a curve from point 6 over points 9 to point 7; type 4 with option 3 a full circle about point 8
-// with its radius in millimetres. One stands for all that lie beside it.
+// formats.md: type 3 is a curve from point 6 over points 9 to point 7; type 4 with option 3 a full circle
+// about point 8 with its radius in millimetres. One stands for all that lie beside it.
 void TestIsoxmlLines::curvesAndPivots() {
-    const auto curve = planOf(plainField(), {{"swaths.method", "ab-curve"},
-                                             {"swaths.line", "LINESTRING ("
-                                              "9.000500 52.000800, 9.000667 52.000818, 9.000833 52.000833, 9.001000 52.000845, 9.001167 52.000853, "
-                                              "9.001333 52.000858, 9.001500 52.000860, 9.001667 52.000858, 9.001833 52.000853, "
-                                              "9.002000 52.000845, 9.002167 52.000833, 9.002333 52.000818, 9.002500 52.000800)"}});
+    const auto curve = planOf(
+        plainField(),
+        {{"swaths.method", "ab-curve"},
+         {"swaths.line",
+          "LINESTRING ("
+          "9.000500 52.000800, 9.000667 52.000818, 9.000833 52.000833, 9.001000 52.000845, 9.001167 52.000853, "
+          "9.001333 52.000858, 9.001500 52.000860, 9.001667 52.000858, 9.001833 52.000853, "
+          "9.002000 52.000845, 9.002167 52.000833, 9.002333 52.000818, 9.002500 52.000800)"}});
     QVERIFY(curve);
     const QList<Element> curves = parsed(isoxmlTaskData(*curve)).all("PFD").first().all("GGP");
     // And those whose bends are lost to the inside.
@@ -132,7 +135,9 @@ void TestIsoxmlLines::curvesAndPivots() {
     round.parts.front().outer.clear();
     for (int i = 0; i < 90; ++i) {
         const double angle = i * M_PI / 45.0;
-        round.parts.front().outer.push_back({9.0 + 0.0015 * std::cos(angle), 52.0 + 0.0015 * std::cos(52.0 * M_PI / 180.0) * std::sin(angle)});
+        round.parts.front().outer.push_back(
+            {9.0 + 0.0015 * std::cos(angle),
+             52.0 + 0.0015 * std::cos(52.0 * M_PI / 180.0) * std::sin(angle)});
     }
     const auto pivot = planOf(round, {{"swaths.method", "pivot"}, {"swaths.line", "POINT (9 52)"}});
     QVERIFY(pivot);
@@ -144,7 +149,9 @@ void TestIsoxmlLines::curvesAndPivots() {
             QVERIFY(!found);
             found = true;
             QCOMPARE(ring.value("D"), "3");
-            const double radiusM = pivot->swaths.swaths.front().isClosed() ? pivot->swaths.swaths.front().length().si() / (2.0 * M_PI) : 0.0;
+            const double radiusM = pivot->swaths.swaths.front().isClosed()
+                                       ? pivot->swaths.swaths.front().length().si() / (2.0 * M_PI)
+                                       : 0.0;
             if (radiusM > 0.0) {
                 QVERIFY(std::abs(ring.value("H").toDouble() - 1000.0 * radiusM) <= 1.0);
             }
@@ -186,7 +193,8 @@ void TestIsoxmlLines::tramlinesBesideAPlus() {
     qsizetype aPlus = 0;
     for (const Element& group : parsed(isoxmlTaskData(*plan)).all("PFD").first().all("GGP")) {
         const Element pattern = group.all("GPN").first();
-        aPlus += pattern.value("C") == "2" && pattern.value("E") == "1" && pattern.value("G") == "60.0000" ? 1 : 0;
+        aPlus +=
+            pattern.value("C") == "2" && pattern.value("E") == "1" && pattern.value("G") == "60.0000" ? 1 : 0;
         once += pattern.value("C") == "1" && pattern.value("E") == "4" ? 1 : 0;
     }
     QCOMPARE(aPlus, 1);

@@ -48,7 +48,9 @@ public:
         result = writePlanFolder(plan(), folder.path().toStdString(), ids);
     }
     QString file(const QString& name) const { return folder.filePath(name); }
-    QByteArray text(const QString& name) const { return QByteArray::fromStdString(bytesOf(file(name).toStdString())); }
+    QByteArray text(const QString& name) const {
+        return QByteArray::fromStdString(bytesOf(file(name).toStdString()));
+    }
 
     QTemporaryDir folder;
     Result<WrittenFiles> result;
@@ -71,7 +73,8 @@ GeoPoint pointOf(const QJsonValue& position) {
 }
 
 bool reverses() {
-    return std::ranges::any_of(plan().path.segments, [](const PathSegment& s) { return s.gear == Gear::Reverse; });
+    return std::ranges::any_of(plan().path.segments,
+                               [](const PathSegment& s) { return s.gear == Gear::Reverse; });
 }
 
 }  // namespace
@@ -105,7 +108,8 @@ private slots:
     void taskDataFitsItsSchema() {
         QFETCH(QString, file);
         QFETCH(QString, schema);
-        const QString path = QStringLiteral(FURROW_SHARED_DATA_DIR "/schemas/ISO11783_TaskFile_%1.xsd").arg(schema);
+        const QString path =
+            QStringLiteral(FURROW_SHARED_DATA_DIR "/schemas/ISO11783_TaskFile_%1.xsd").arg(schema);
         if (!QFileInfo::exists(path)) {
             QSKIP("needs the schemas in ../shared/data/schemas");
         }
@@ -156,9 +160,12 @@ private slots:
         QCOMPARE(rings[0].toArray().size(), 5);
         QVERIFY(metresBetween(pointOf(rings[0][0]), {9.0, 52.0}) < 500.0);
         const QJsonArray swaths =
-            QJsonDocument::fromJson(runNode("read_map.js", {written().file("shapefile/swaths.shp")}).out).object()["features"].toArray();
+            QJsonDocument::fromJson(runNode("read_map.js", {written().file("shapefile/swaths.shp")}).out)
+                .object()["features"]
+                .toArray();
         QCOMPARE(static_cast<std::size_t>(swaths.size()), plan().route.steps.size());
-        const GeoPoint start = plan().field().frame().toGeo(startPose(plan().route.steps[0], plan().swaths).position);
+        const GeoPoint start =
+            plan().field().frame().toGeo(startPose(plan().route.steps[0], plan().swaths).position);
         QVERIFY(metresBetween(pointOf(swaths[0]["geometry"]["coordinates"][0]), start) < 1e-6);
     }
 
@@ -171,8 +178,12 @@ private slots:
         QCOMPARE(features[0]["properties"]["kind"].toString(), "field");
         QCOMPARE(features[0]["geometry"]["coordinates"].toArray().size(), 2);
         QVERIFY(metresBetween(pointOf(features[0]["geometry"]["coordinates"][0][0]), {9.0, 52.0}) < 1e-3);
-        const QJsonArray tracks = QJsonDocument::fromJson(runNode("read_map.js", {written().file("path.gpx")}).out).object()["features"].toArray();
-        const auto track = std::ranges::find_if(tracks, [](const QJsonValue& f) { return f["geometry"]["type"] == "MultiLineString"; });
+        const QJsonArray tracks =
+            QJsonDocument::fromJson(runNode("read_map.js", {written().file("path.gpx")}).out)
+                .object()["features"]
+                .toArray();
+        const auto track = std::ranges::find_if(
+            tracks, [](const QJsonValue& f) { return f["geometry"]["type"] == "MultiLineString"; });
         QVERIFY(track != tracks.end());
         const QJsonValue geometry = QJsonValue{*track}["geometry"];
         QVERIFY(metresBetween(pointOf(geometry["coordinates"][0][0]), firstPlace()) < 1e-3);
@@ -195,7 +206,8 @@ private slots:
             QVERIFY2(!name.toString().contains('/'), qPrintable(name.toString()));
         }
         QCOMPARE(all["features"].toArray().size(), 1);
-        QCOMPARE(all["features"][0]["properties"]["FIELD_NAME"].toString(), QString::fromUtf8("Höhe & Senke"));
+        QCOMPARE(all["features"][0]["properties"]["FIELD_NAME"].toString(),
+                 QString::fromUtf8("Höhe & Senke"));
         QCOMPARE(all["features"][0]["geometry"]["coordinates"].toArray().size(), 2);
     }
 
@@ -208,7 +220,8 @@ private slots:
     }
 
     void gpsbabelReadsTheTrack() {
-        const Printed read = run("gpsbabel", {"-t", "-i", "gpx", "-f", written().file("path.gpx"), "-o", "unicsv", "-F", "-"});
+        const Printed read =
+            run("gpsbabel", {"-t", "-i", "gpx", "-f", written().file("path.gpx"), "-o", "unicsv", "-F", "-"});
         if (read.status == -1) {
             QSKIP("needs gpsbabel");
         }
@@ -228,7 +241,8 @@ private slots:
         if (info.status == -1) {
             QSKIP("needs ogrinfo");
         }
-        // 52.0 N 9.0 E is the middle of zone 32: 500,000 m east, and 5,761,038 m north by GeographicLib's GeoConvert.
+        // 52.0 N 9.0 E is the middle of zone 32: 500,000 m east, and 5,761,038 m north by GeographicLib's
+        // GeoConvert.
         static const QRegularExpression extent{QStringLiteral(R"(Extent: \((\d+\.\d+), (\d+\.\d+)\))")};
         const auto match = extent.match(QString::fromUtf8(info.out));
         QVERIFY2(match.hasMatch(), info.out.left(400).constData());
@@ -237,8 +251,10 @@ private slots:
         const auto count = info.out.count("Layer (String) = BOUNDARY");
         QCOMPARE(count, 1);
         QCOMPARE(info.out.count("Layer (String) = HOLE"), 1);
-        QCOMPARE(static_cast<std::size_t>(info.out.count("Layer (String) = SWATH")), plan().route.steps.size());
-        QCOMPARE(static_cast<std::size_t>(info.out.count("Layer (String) = PATH")), plan().path.segments.size());
+        QCOMPARE(static_cast<std::size_t>(info.out.count("Layer (String) = SWATH")),
+                 plan().route.steps.size());
+        QCOMPARE(static_cast<std::size_t>(info.out.count("Layer (String) = PATH")),
+                 plan().path.segments.size());
     }
 
     void rosbagsReadThePath_data() {
@@ -251,13 +267,16 @@ private slots:
         // Our own reader first.
         const auto tracks = readTracks(written().file(folder).toStdString());
         VERIFY_RESULT(tracks);
-        const Printed read = run("python3", {QStringLiteral(FURROW_SOURCE_DIR "/tests/validators/read_rosbag.py"), written().file(folder)});
+        const Printed read = run(
+            "python3",
+            {QStringLiteral(FURROW_SOURCE_DIR "/tests/validators/read_rosbag.py"), written().file(folder)});
         if (read.status != 0 && read.error.contains("No module")) {
             QSKIP("needs python3-rosbags");
         }
         QVERIFY2(read.status == 0, read.error.constData());
         const QJsonArray messages = QJsonDocument::fromJson(read.out).array();
-        const auto whole = std::ranges::find_if(messages, [](const QJsonValue& m) { return m["topic"] == "/coverage_path"; });
+        const auto whole = std::ranges::find_if(
+            messages, [](const QJsonValue& m) { return m["topic"] == "/coverage_path"; });
         QVERIFY(whole != messages.end());
         const QJsonValue message{*whole};
         QCOMPARE(message["frame"].toString(), "map");
@@ -266,7 +285,10 @@ private slots:
         const PathSample& last = plan().path.segments.back().samples.back();
         COMPARE_WITHIN(poses[0][0].toDouble(), first.position.x, 1e-12);
         COMPARE_WITHIN(poses[0][1].toDouble(), first.position.y, 1e-12);
-        COMPARE_WITHIN(std::remainder(2.0 * std::atan2(poses[0][2].toDouble(), poses[0][3].toDouble()) - first.headingRad, 2.0 * M_PI), 0.0, 1e-9);
+        COMPARE_WITHIN(std::remainder(2.0 * std::atan2(poses[0][2].toDouble(), poses[0][3].toDouble()) -
+                                          first.headingRad,
+                                      2.0 * M_PI),
+                       0.0, 1e-9);
         const QJsonValue end = poses[poses.size() - 1];
         COMPARE_WITHIN(end[0].toDouble(), last.position.x, 1e-12);
         COMPARE_WITHIN(end[4].toDouble() + 1e-9 * end[5].toDouble(), last.tS, 1e-6);
@@ -312,10 +334,12 @@ private slots:
         QVERIFY(reversed > 0);
         const QJsonObject file = QJsonDocument::fromJson(written().text("plan.plan")).object();
         QCOMPARE(file["fileType"].toString(), "Plan");
-        QCOMPARE(file["mission"]["items"].toArray().size() + 3, lines.size());  // header, home, and what follows the last end
+        QCOMPARE(file["mission"]["items"].toArray().size() + 3,
+                 lines.size());  // header, home, and what follows the last end
         const QJsonArray fences = file["geoFence"]["polygons"].toArray();
         QCOMPARE(fences.size(), 3);
-        QVERIFY(fences[0]["inclusion"].toBool() && !fences[1]["inclusion"].toBool() && !fences[2]["inclusion"].toBool());
+        QVERIFY(fences[0]["inclusion"].toBool() && !fences[1]["inclusion"].toBool() &&
+                !fences[2]["inclusion"].toBool());
         COMPARE_WITHIN(fences[0]["polygon"][0][0].toDouble(), 52.0, 0.01);  // latitude first
     }
 
@@ -349,7 +373,8 @@ private slots:
         const auto rings = goal.count("- coordinates:");
         // The outline, the hole and the obstacle; an obstacle without a clearance stays as it is drawn.
         QCOMPARE(rings, 3);
-        QVERIFY(goal.contains("mode: SET_ANGLE, best_angle: " + QByteArray::number(plan().swaths.heading.si(), 'f', 9)));
+        QVERIFY(goal.contains("mode: SET_ANGLE, best_angle: " +
+                              QByteArray::number(plan().swaths.heading.si(), 'f', 9)));
         QVERIFY(goal.contains("route_mode: {mode: CUSTOM"));
         QVERIFY(written().text("ros/map_frame.yaml").contains("proj: \"+proj=tmerc"));
     }
@@ -381,7 +406,8 @@ private slots:
                 QVERIFY2(std::hypot(east, north) < 2.0, lines[i].constData());
                 // Clockwise from north; nothing goes sideways.
                 const double bearing = std::atan2(east, north);
-                QVERIFY2(std::abs(std::remainder(from[2].toDouble() - bearing, 2.0 * M_PI)) < 0.02 || std::hypot(east, north) < 0.1,
+                QVERIFY2(std::abs(std::remainder(from[2].toDouble() - bearing, 2.0 * M_PI)) < 0.02 ||
+                             std::hypot(east, north) < 0.1,
                          lines[i].constData());
             }
         }
@@ -398,7 +424,8 @@ private slots:
                 swath.end = swath.start + (0.27 / norm(along)) * along;
             }
         }
-        PathSegment stretch = *std::ranges::find(shortened.path.segments, SegmentKind::HeadlandPass, &PathSegment::kind);
+        PathSegment stretch =
+            *std::ranges::find(shortened.path.segments, SegmentKind::HeadlandPass, &PathSegment::kind);
         stretch.samples.resize(2);
         stretch.samples[1] = stretch.samples[0];
         stretch.samples[1].position = stretch.samples[0].position + Point{0.3, 0.0};
@@ -412,7 +439,8 @@ private slots:
             }
         }
         const QTemporaryDir folder;
-        const auto files = writePlanFolder(shortened, folder.path().toStdString(), ids, {}, {.headlandLines = true});
+        const auto files =
+            writePlanFolder(shortened, folder.path().toStdString(), ids, {}, {.headlandLines = true});
         VERIFY_RESULT(files);
         for (const std::string& problem : files->checks.problems) {
             QVERIFY2(!problem.contains("same place"), problem.c_str());
@@ -424,7 +452,8 @@ private slots:
         COMPARE_WITHIN(metresBetween(ab->points[0], ab->points[1]), 20.0, 0.1);
         const auto before = contentOf(plan(), {}).lines;
         QCOMPARE(ab->name, std::ranges::find(before, GuidanceKind::AbLine, &GuidanceLine::kind)->name);
-        QVERIFY(std::ranges::none_of(lines, [](const GuidanceLine& line) { return line.name == "Headland 99"; }));
+        QVERIFY(
+            std::ranges::none_of(lines, [](const GuidanceLine& line) { return line.name == "Headland 99"; }));
     }
 
     // A ring of missed land whose inner side was traced 4 cm beyond its outer one.
@@ -444,7 +473,8 @@ private slots:
         const std::vector<std::string_view> formats{"geojson"};
         const auto files = writePlanFolder(traced, folder.path().toStdString(), formats);
         VERIFY_RESULT(files);
-        QVERIFY2(files->checks.problems.empty(), files->checks.problems.empty() ? "" : files->checks.problems.front().c_str());
+        QVERIFY2(files->checks.problems.empty(),
+                 files->checks.problems.empty() ? "" : files->checks.problems.front().c_str());
         double missedM2 = 0.0;
         const QJsonDocument json = QJsonDocument::fromJson(
             QByteArray::fromStdString(bytesOf(folder.filePath("plan.geojson").toStdString())));
@@ -474,8 +504,10 @@ private slots:
 
     void holesBecomeObstaclesForThoseThatOverlookThem() {
         const QTemporaryDir folder;
-        VERIFY_RESULT(writeForTerminal(plan(), folder.path().toStdString(), **findTerminal("agopengps-isoxml")));
-        const QByteArray xml = QByteArray::fromStdString(bytesOf(folder.filePath("TASKDATA/TASKDATA.XML").toStdString()));
+        VERIFY_RESULT(
+            writeForTerminal(plan(), folder.path().toStdString(), **findTerminal("agopengps-isoxml")));
+        const QByteArray xml =
+            QByteArray::fromStdString(bytesOf(folder.filePath("TASKDATA/TASKDATA.XML").toStdString()));
         QCOMPARE(xml.count("<PLN A=\"6\""), 2);  // the hole and the pylon
         const qsizetype boundary = xml.indexOf("<PLN A=\"1\"");
         QVERIFY(!xml.mid(boundary, xml.indexOf("</PLN>", boundary) - boundary).contains("LSG A=\"2\""));

@@ -24,7 +24,8 @@ const fs::path kExpected = FURROW_TEST_DATA_DIR "/shared_formats.txt";
 
 /// Files that only belong to others.
 bool isCompanion(const fs::path& file) {
-    constexpr std::array<std::string_view, 8> kEndings = {".shx", ".dbf", ".prj", ".cpg", ".bin", ".md", ".js", ".py"};
+    constexpr std::array<std::string_view, 8> kEndings = {".shx", ".dbf", ".prj", ".cpg",
+                                                          ".bin", ".md",  ".js",  ".py"};
     return std::ranges::contains(kEndings, extensionInSmallLetters(file));
 }
 
@@ -44,8 +45,8 @@ std::string outcomeOf(const fs::path& path) {
             obstacles += content.field.obstacles.size();
             lines += content.lines.size();
         }
-        return std::format("{} fields, {} parts, {} holes, {} obstacles, {} lines, {} notes", read->fields.size(), parts,
-                           holes, obstacles, lines, read->notes.size());
+        return std::format("{} fields, {} parts, {} holes, {} obstacles, {} lines, {} notes",
+                           read->fields.size(), parts, holes, obstacles, lines, read->notes.size());
     }
     const auto tracks = fs::is_regular_file(path) || fs::exists(path / "metadata.yaml")
                             ? readTracks(path)
@@ -80,10 +81,11 @@ std::vector<fs::path> everything() {
         for (const auto& entry : fs::recursive_directory_iterator{kShared / folder}) {
             const bool file = entry.is_regular_file() && !isCompanion(entry.path());
             // Folders that are a data set: of a terminal, of AgOpenGPS, a recording.
-            const bool set = entry.is_directory() &&
-                             (fs::exists(entry.path() / "TASKDATA.XML") || fs::exists(entry.path() / "TASKDATA.xml") ||
-                              fs::exists(entry.path() / "Field.txt") || fs::exists(entry.path() / "metadata.yaml") ||
-                              entry.path().filename() == "AgGPS");
+            const bool set =
+                entry.is_directory() &&
+                (fs::exists(entry.path() / "TASKDATA.XML") || fs::exists(entry.path() / "TASKDATA.xml") ||
+                 fs::exists(entry.path() / "Field.txt") || fs::exists(entry.path() / "metadata.yaml") ||
+                 entry.path().filename() == "AgGPS");
             if (file || set) {
                 all.push_back(entry.path());
             }
@@ -95,7 +97,8 @@ std::vector<fs::path> everything() {
 
 }  // namespace
 
-/// Every file of the collection beside the project is read, or refused with a reason, as the table in tests/data says.
+/// Every file of the collection beside the project is read, or refused with a reason, as the table in
+/// tests/data says.
 class SharedFormatsTest : public QObject {
     Q_OBJECT
 
@@ -110,8 +113,9 @@ private slots:
         for (const fs::path& path : everything()) {
             const std::string name = path.lexically_relative(kShared).string();
             const auto known = expected.find(name);
-            QTest::newRow(name.c_str()) << QString::fromStdString(path.string())
-                                        << QString::fromStdString(known == expected.end() ? "" : known->second);
+            QTest::newRow(name.c_str())
+                << QString::fromStdString(path.string())
+                << QString::fromStdString(known == expected.end() ? "" : known->second);
         }
     }
 
@@ -121,7 +125,8 @@ private slots:
         const std::string outcome = outcomeOf(path.toStdString());
         if (qEnvironmentVariableIsSet("FURROW_UPDATE_TABLE")) {
             std::ofstream{kExpected, std::ios::app}
-                << fs::path{path.toStdString()}.lexically_relative(kShared).string() << '\t' << outcome << '\n';
+                << fs::path{path.toStdString()}.lexically_relative(kShared).string() << '\t' << outcome
+                << '\n';
             return;
         }
         QCOMPARE(QString::fromStdString(outcome), expected);

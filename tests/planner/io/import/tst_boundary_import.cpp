@@ -138,17 +138,20 @@ void TestBoundaryImport::saysWhichRingsWereOpen_data() {
     QTest::addColumn<double>("lonDeg");
     const QString one = "1 ring did not end where it began and was closed";
     const QString boundary = "the boundary";
-    QTest::newRow("GeoJSON") << "f.geojson"
-                             << R"({"type":"Polygon","coordinates":[[[9,52],[9.003,52],[9.003,52.002],[9,52.002]]]})"
-                             << one << boundary << 9.0;
+    QTest::newRow("GeoJSON")
+        << "f.geojson"
+        << R"({"type":"Polygon","coordinates":[[[9,52],[9.003,52],[9.003,52.002],[9,52.002]]]})" << one
+        << boundary << 9.0;
     QTest::newRow("hole") << "f.geojson"
                           << R"({"type":"Polygon","coordinates":[[[9,52],[9.003,52],[9.003,52.002],[9,52]],)"
                              R"([[9.002,52.0005],[9.0025,52.001],[9.0025,52.0005]]]})"
                           << one << boundary << 9.002;
     QTest::newRow("both rings of well-known text")
-        << "f.wkt" << "POLYGON((9 52, 9.003 52, 9.003 52.002), (9.002 52.0005, 9.0025 52.001, 9.0025 52.0005))"
+        << "f.wkt"
+        << "POLYGON((9 52, 9.003 52, 9.003 52.002), (9.002 52.0005, 9.0025 52.001, 9.0025 52.0005))"
         << "2 rings did not end where they began and were closed" << boundary << 9.0;
-    QTest::newRow("another system") << "f.wkt" << "SRID=25832;POLYGON((500000 5761000, 500200 5761000, 500200 5761100))"
+    QTest::newRow("another system") << "f.wkt"
+                                    << "SRID=25832;POLYGON((500000 5761000, 500200 5761000, 500200 5761100))"
                                     << one << boundary << 9.0;
     QTest::newRow("KML")
         << "f.kml"
@@ -162,8 +165,10 @@ void TestBoundaryImport::saysWhichRingsWereOpen_data() {
            R"({"type":"Feature","properties":{"kind":"field"},"geometry":{"type":"Polygon","coordinates":[[[9,52],[9.1,52],[9,52.1],[9,52]]]}},)"
            R"({"type":"Feature","properties":{"kind":"obstacle","name":"Pylon"},"geometry":{"type":"Polygon","coordinates":[[[9.01,52.01],[9.02,52.01],[9.01,52.02]]]}}]})"
         << one << "obstacle 'Pylon'" << 9.01;
-    // A table of points has no closing point to miss; nor does a ring whose ends are under a millimetre apart.
-    QTest::newRow("points in a table") << "f.csv" << "lon,lat\n9,52\n9.003,52\n9.003,52.002\n" << "" << "" << 0.0;
+    // A table of points has no closing point to miss; nor does a ring whose ends are under a millimetre
+    // apart.
+    QTest::newRow("points in a table") << "f.csv" << "lon,lat\n9,52\n9.003,52\n9.003,52.002\n"
+                                       << "" << "" << 0.0;
     QTest::newRow("ends a hair apart")
         << "f.wkt" << "POLYGON((9 52, 9.003 52, 9.003 52.002, 9.000000001 52.000000001))" << "" << "" << 0.0;
 }

@@ -1,12 +1,12 @@
 #include "planner/field/field.h"
+#include "planner/gdal/elevation.h"
+#include "planner/gdal/zip.h"
 #include "planner/imagery/imagery.h"
 #include "planner/io/delivery/field_files.h"
-#include "planner/gdal/zip.h"
 #include "planner/io/import/boundary_import.h"
 #include "planner/io/import/field_reader.h"
 #include "planner/io/import/guide_import.h"
 #include "planner/io/import/track_reader.h"
-#include "planner/gdal/elevation.h"
 #include "planner/machine/machine_file.h"
 #include "planner/project/project_file.h"
 #include "tests/support/furrow_cli.h"
@@ -37,7 +37,8 @@ std::string polygon(std::string_view more = {}) {
 }
 
 std::string feature(std::string_view more = {}, std::string_view moreOfGeometry = {}) {
-    return std::format(R"({{"type":"Feature",{}"properties":{{}},"geometry":{}}})", more, polygon(moreOfGeometry));
+    return std::format(R"({{"type":"Feature",{}"properties":{{}},"geometry":{}}})", more,
+                       polygon(moreOfGeometry));
 }
 
 std::string collection(std::string_view more, const std::string& features) {
@@ -82,17 +83,19 @@ std::string rasterVrt() {
 }
 
 std::string vectorVrt() {
-    return std::format(R"(<OGRVRTDataSource><OGRVRTLayer name="away"><SrcDataSource>/vsicurl/{0}.geojson</SrcDataSource>)"
-                       R"(<LayerSRS>{0}</LayerSRS></OGRVRTLayer></OGRVRTDataSource>)",
-                       kAddress);
+    return std::format(
+        R"(<OGRVRTDataSource><OGRVRTLayer name="away"><SrcDataSource>/vsicurl/{0}.geojson</SrcDataSource>)"
+        R"(<LayerSRS>{0}</LayerSRS></OGRVRTLayer></OGRVRTDataSource>)",
+        kAddress);
 }
 
 std::string tileService() {
-    return std::format(R"(<GDAL_WMS><Service name="TMS"><ServerUrl>{}/${{z}}/${{x}}/${{y}}.png</ServerUrl></Service>)"
-                       R"(<DataWindow><UpperLeftX>-2e7</UpperLeftX><UpperLeftY>2e7</UpperLeftY><LowerRightX>2e7</LowerRightX>)"
-                       R"(<LowerRightY>-2e7</LowerRightY><TileLevel>3</TileLevel><TileCountX>1</TileCountX>)"
-                       R"(<TileCountY>1</TileCountY></DataWindow><Projection>EPSG:3857</Projection><BandsCount>3</BandsCount></GDAL_WMS>)",
-                       kAddress);
+    return std::format(
+        R"(<GDAL_WMS><Service name="TMS"><ServerUrl>{}/${{z}}/${{x}}/${{y}}.png</ServerUrl></Service>)"
+        R"(<DataWindow><UpperLeftX>-2e7</UpperLeftX><UpperLeftY>2e7</UpperLeftY><LowerRightX>2e7</LowerRightX>)"
+        R"(<LowerRightY>-2e7</LowerRightY><TileLevel>3</TileLevel><TileCountX>1</TileCountX>)"
+        R"(<TileCountY>1</TileCountY></DataWindow><Projection>EPSG:3857</Projection><BandsCount>3</BandsCount></GDAL_WMS>)",
+        kAddress);
 }
 
 std::string taskData() {
@@ -106,14 +109,17 @@ std::string taskData() {
 
 /// Heights whose side files name what lies elsewhere.
 void writeHeights(const Scratch& scratch) {
-    scratch.write("heights.asc",
-                  "ncols 2\nnrows 2\nxllcorner 5\nyllcorner 52\ncellsize 0.01\nNODATA_value -9999\n1 2\n3 4\n");
+    scratch.write(
+        "heights.asc",
+        "ncols 2\nnrows 2\nxllcorner 5\nyllcorner 52\ncellsize 0.01\nNODATA_value -9999\n1 2\n3 4\n");
     scratch.write("heights.prj", std::format("Projection LATLONG\nParameters {}\n", kAddress));
-    scratch.write("heights.asc.aux.xml",
-                  std::format(R"(<PAMDataset><SRS>{0}</SRS><Metadata domain="OVERVIEWS"><MDI key="OVERVIEW_FILE">)"
-                              R"(/vsicurl/{0}.ovr</MDI></Metadata><Metadata><MDI key="OVERVIEW_FILE">{0}</MDI></Metadata>)"
-                              R"(</PAMDataset>)",
-                              kAddress));
+    scratch.write(
+        "heights.asc.aux.xml",
+        std::format(
+            R"(<PAMDataset><SRS>{0}</SRS><Metadata domain="OVERVIEWS"><MDI key="OVERVIEW_FILE">)"
+            R"(/vsicurl/{0}.ovr</MDI></Metadata><Metadata><MDI key="OVERVIEW_FILE">{0}</MDI></Metadata>)"
+            R"(</PAMDataset>)",
+            kAddress));
 }
 
 void run(sqlite3* database, const std::string& sql) {
@@ -135,9 +141,11 @@ void writeGeoPackage(const Scratch& scratch) {
     }
     sqlite3* database = nullptr;
     sqlite3_open(file.c_str(), &database);
-    run(database, std::format("UPDATE gpkg_spatial_ref_sys SET definition='{0}', organization='{0}'", kAddress));
+    run(database,
+        std::format("UPDATE gpkg_spatial_ref_sys SET definition='{0}', organization='{0}'", kAddress));
     run(database, "CREATE VIEW lookup AS SELECT 1 AS fid, ogr_geocode('Wageningen') AS geom");
-    run(database, "INSERT INTO gpkg_contents(table_name,data_type,identifier,srs_id) VALUES('lookup','features','lookup',4326)");
+    run(database,
+        "INSERT INTO gpkg_contents(table_name,data_type,identifier,srs_id) VALUES('lookup','features','lookup',4326)");
     run(database, "INSERT INTO gpkg_geometry_columns VALUES('lookup','geom','GEOMETRY',4326,0,0)");
     sqlite3_close(database);
 }
@@ -160,17 +168,21 @@ std::vector<Trick> tricks() {
         {"geometry_with_link.geojson", polygon(object)},
         {"link_behind_comment.geojson", "/* lax */ " + collection(object, feature())},
         {"link_in_sequence.geojsonl", feature(object) + "\n" + feature(object) + "\n"},
-        {"name.geojson", collection(R"("crs":{"type":"name","properties":{"name":")" + url + "\"}},", feature())},
+        {"name.geojson",
+         collection(R"("crs":{"type":"name","properties":{"name":")" + url + "\"}},", feature())},
         {"next.geojson", collection(R"("links":[{"rel":"next","href":")" + url + "\"}],", feature())},
-        {"items.json", collection(R"("stac_version":"1.0.0","links":[{"rel":"next","href":")" + url + "\"}],", feature())},
+        {"items.json",
+         collection(R"("stac_version":"1.0.0","links":[{"rel":"next","href":")" + url + "\"}],", feature())},
         {"jsonfg.json",
-         std::format(R"({{"type":"FeatureCollection","conformsTo":["http://www.opengis.net/spec/json-fg-1/0.2/conf/core"],)"
-                     R"("coordRefSys":"{}","features":[{{"type":"Feature","id":1,"time":null,"geometry":null,)"
-                     R"("place":{},"properties":{{}}}}]}})",
-                     url, polygon())},
-        {"esri.json", std::format(R"({{"geometryType":"esriGeometryPolygon","spatialReference":{{"wkt":"{}"}},)"
-                                  R"("features":[{{"attributes":{{}},"geometry":{{"rings":[{}]}}}}]}})",
-                                  url, kRing)},
+         std::format(
+             R"({{"type":"FeatureCollection","conformsTo":["http://www.opengis.net/spec/json-fg-1/0.2/conf/core"],)"
+             R"("coordRefSys":"{}","features":[{{"type":"Feature","id":1,"time":null,"geometry":null,)"
+             R"("place":{},"properties":{{}}}}]}})",
+             url, polygon())},
+        {"esri.json",
+         std::format(R"({{"geometryType":"esriGeometryPolygon","spatialReference":{{"wkt":"{}"}},)"
+                     R"("features":[{{"attributes":{{}},"geometry":{{"rings":[{}]}}}}]}})",
+                     url, kRing)},
         {"away.kml", kml()},
         {"away.gml", gml("UTF-8")},
         {"latin.gml", gml("ISO-8859-15")},
@@ -180,9 +192,11 @@ std::vector<Trick> tricks() {
         {"vector.geojson", vectorVrt()},
         {"service.xml", tileService()},
         {"service.png", tileService()},
-        {"away.gpx", std::format(R"(<?xml version="1.0"?><!DOCTYPE gpx SYSTEM "{0}.dtd"><gpx version="1.1"><trk><link href="{0}"/>)"
-                                 R"(<trkseg><trkpt lat="52" lon="5"/><trkpt lat="52" lon="5.001"/></trkseg></trk></gpx>)",
-                                 url)},
+        {"away.gpx",
+         std::format(
+             R"(<?xml version="1.0"?><!DOCTYPE gpx SYSTEM "{0}.dtd"><gpx version="1.1"><trk><link href="{0}"/>)"
+             R"(<trkseg><trkpt lat="52" lon="5"/><trkpt lat="52" lon="5.001"/></trkseg></trk></gpx>)",
+             url)},
         {"TASKDATA/TASKDATA.XML", taskData()},
         {"away.url", "[InternetShortcut]\nURL=" + url + "\n"},
         {"http:/127.0.0.1:9/f.geojson", collection({}, feature())},
@@ -191,10 +205,11 @@ std::vector<Trick> tricks() {
         {"away.wkt", "SRID=" + url + ";POLYGON((5 52,5.003 52,5.003 52.002,5 52))"},
         {"machine.json", R"({"name":")" + url + "\"}"},
         {"away.furrow",
-         std::format(R"({{"type":"FeatureCollection",{0}"furrow_project":{{"format_version":1,"name":"Away","current":{{}},)"
-                     R"("imagery":[{{"path":"/vsicurl/{1}.tif","name":"a","visible":true,"opacity":1}},)"
-                     R"({{"path":"{1}/{{z}}/{{x}}/{{y}}.png","name":"b","visible":true,"opacity":1}}],"plans":[]}},"features":[]}})",
-                     object, url)},
+         std::format(
+             R"({{"type":"FeatureCollection",{0}"furrow_project":{{"format_version":1,"name":"Away","current":{{}},)"
+             R"("imagery":[{{"path":"/vsicurl/{1}.tif","name":"a","visible":true,"opacity":1}},)"
+             R"({{"path":"{1}/{{z}}/{{x}}/{{y}}.png","name":"b","visible":true,"opacity":1}}],"plans":[]}},"features":[]}})",
+             object, url)},
     };
 }
 
@@ -213,15 +228,17 @@ std::vector<std::filesystem::path> writeTricks(const Scratch& scratch) {
     writeGeoPackage(scratch);
     files.push_back(scratch.path("away.gpkg"));
     // No files, but names that GDAL understands.
-    for (const char* const prefix : {"", "/vsicurl/", "/vsicurl_streaming/", "/vsis3/", "/vsigs/", "/vsiaz/", "/vsiadls/",
-                                     "/vsioss/", "/vsiswift/", "/vsihdfs/", "/vsiwebhdfs/", "WFS:", "WMS:", "OAPIF:"}) {
+    for (const char* const prefix :
+         {"", "/vsicurl/", "/vsicurl_streaming/", "/vsis3/", "/vsigs/", "/vsiaz/", "/vsiadls/", "/vsioss/",
+          "/vsiswift/", "/vsihdfs/", "/vsiwebhdfs/", "WFS:", "WMS:", "OAPIF:"}) {
         files.emplace_back(prefix + std::string{kAddress} + ".geojson");
     }
     return files;
 }
 
 Field smallField() {
-    return Field::create({.parts = {{.outer = {{5.0, 52.0}, {5.003, 52.0}, {5.003, 52.002}}, .holes = {}}}}).value();
+    return Field::create({.parts = {{.outer = {{5.0, 52.0}, {5.003, 52.0}, {5.003, 52.002}}, .holes = {}}}})
+        .value();
 }
 
 /// Every way in which the planner reads a file that a user names.
@@ -288,11 +305,13 @@ void TestNoNetwork::theProgramAsksNobody() {
         const Answer answer = furrowCli({"list", "fields", QString::fromStdString(file.string())});
         VERIFY_TOLD(answer.status >= 0, QByteArray::fromStdString(file.string()));
     }
-    for (const char* const setting : {"swaths.method=rows,swaths.rows", "swaths.method=contour,swaths.elevation"}) {
+    for (const char* const setting :
+         {"swaths.method=rows,swaths.rows", "swaths.method=contour,swaths.elevation"}) {
         const QStringList words = QString::fromLatin1(setting).split(',');
-        const Answer answer = furrowCli({"plan", sampleField("slanted_field"), "--quiet", "--set", words[0], "--set",
-                                         words[1] + "=/vsicurl/" + QString::fromUtf8(kAddress.data()), "--out",
-                                         QString::fromStdString(scratch_.path("plan").string())});
+        const Answer answer =
+            furrowCli({"plan", sampleField("slanted_field"), "--quiet", "--set", words[0], "--set",
+                       words[1] + "=/vsicurl/" + QString::fromUtf8(kAddress.data()), "--out",
+                       QString::fromStdString(scratch_.path("plan").string())});
         VERIFY_TOLD(answer.status == 4, answer.all());
     }
 }

@@ -73,7 +73,8 @@ void TestRefusedBoundaries::refuses_data() {
     };
     row("empty file", "f.geojson", "", false, "f.geojson: the file is empty");
     row("blanks only", "f.geojson", "   \n", true, "no boundary");
-    row("picture", "f.geojson", QByteArray{"\x89PNG\r\n\x1a\n\0\0\0\rIHDR", 16}, true, "the picture cannot be read");
+    row("picture", "f.geojson", QByteArray{"\x89PNG\r\n\x1a\n\0\0\0\rIHDR", 16}, true,
+        "the picture cannot be read");
     row("shapefile in name only", "f.shp", "POINT and nothing else", true, "f.shp");
     row("GeoJSON cut off", "f.geojson",
         R"({"type":"Polygon",)"
@@ -141,16 +142,21 @@ void TestRefusedBoundaries::refuses() {
 
 namespace {
 
-constexpr const char* kCollection = R"({"type":"FeatureCollection",%1"features":[)"
-                                    R"({"type":"Feature","properties":{},"geometry":{"type":"Polygon","coordinates":[[[9,52],[9.1,52],[9,52.1],[9,52]]]}},)"
-                                    R"({"type":"Feature",%2"properties":{},"geometry":{"type":"Polygon",%3"coordinates":[[[9,53],[9.1,53],[9,53.1],[9,53]]]}}]})";
+constexpr const char* kCollection =
+    R"({"type":"FeatureCollection",%1"features":[)"
+    R"({"type":"Feature","properties":{},"geometry":{"type":"Polygon","coordinates":[[[9,52],[9.1,52],[9,52.1],[9,52]]]}},)"
+    R"({"type":"Feature",%2"properties":{},"geometry":{"type":"Polygon",%3"coordinates":[[[9,53],[9.1,53],[9,53.1],[9,53]]]}}]})";
 
-Result<std::vector<FieldSource>> readCollection(const QString& ofFile, const QString& ofFeature, const QString& ofGeometry) {
-    const auto member = [](const QString& crs) { return crs.isEmpty() ? crs : QStringLiteral("\"crs\":%1,").arg(crs); };
+Result<std::vector<FieldSource>> readCollection(const QString& ofFile, const QString& ofFeature,
+                                                const QString& ofGeometry) {
+    const auto member = [](const QString& crs) {
+        return crs.isEmpty() ? crs : QStringLiteral("\"crs\":%1,").arg(crs);
+    };
     const Scratch scratch;
-    return readBoundaries(scratch.write("f.geojson", QString::fromUtf8(kCollection)
-                                                         .arg(member(ofFile), member(ofFeature), member(ofGeometry))
-                                                         .toStdString()));
+    return readBoundaries(
+        scratch.write("f.geojson", QString::fromUtf8(kCollection)
+                                       .arg(member(ofFile), member(ofFeature), member(ofGeometry))
+                                       .toStdString()));
 }
 
 }  // namespace
@@ -163,16 +169,19 @@ void TestRefusedBoundaries::refusesSystems_data() {
     const QString link = R"({"type":"link","properties":{"href":"http://example.org/25832"}})";
     const QString fetched = "its coordinate system would have to be fetched from 'http://example.org/25832'";
     QTest::newRow("link") << link << "" << "" << "f.geojson: " + fetched;
-    QTest::newRow("link, of 2008's draft") << R"({"type":"URL","properties":{"url":"http://example.org/25832"}})" << "" << ""
-                                           << "f.geojson: " + fetched;
+    QTest::newRow("link, of 2008's draft")
+        << R"({"type":"URL","properties":{"url":"http://example.org/25832"}})" << "" << ""
+        << "f.geojson: " + fetched;
     QTest::newRow("link of a feature") << "" << link << "" << "f.geojson, feature 2: " + fetched;
     QTest::newRow("link of a geometry") << "" << "" << link << "f.geojson, feature 2: " + fetched;
     QTest::newRow("unknown name") << R"({"type":"name","properties":{"name":"Gauss"}})" << "" << ""
                                   << "f.geojson: its coordinate system 'Gauss' is not known";
-    QTest::newRow("name that is a file") << R"({"type":"name","properties":{"name":"/etc/hostname"}})" << "" << ""
-                                         << "'/etc/hostname' is not known";
-    QTest::newRow("another one in a feature") << "" << R"({"type":"name","properties":{"name":"EPSG:3857"}})" << ""
-                                              << "f.geojson, feature 2: it has another coordinate system than the file";
+    QTest::newRow("name that is a file")
+        << R"({"type":"name","properties":{"name":"/etc/hostname"}})" << "" << ""
+        << "'/etc/hostname' is not known";
+    QTest::newRow("another one in a feature")
+        << "" << R"({"type":"name","properties":{"name":"EPSG:3857"}})" << ""
+        << "f.geojson, feature 2: it has another coordinate system than the file";
 }
 
 void TestRefusedBoundaries::refusesSystems() {
@@ -192,12 +201,14 @@ void TestRefusedBoundaries::takesSystems_data() {
     QTest::addColumn<QString>("ofFeature");
     QTest::newRow("none") << "" << "";
     QTest::newRow("null") << "null" << "";
-    QTest::newRow("OGC's name") << R"({"type":"name","properties":{"name":"urn:ogc:def:crs:OGC:1.3:CRS84"}})" << "";
+    QTest::newRow("OGC's name") << R"({"type":"name","properties":{"name":"urn:ogc:def:crs:OGC:1.3:CRS84"}})"
+                                << "";
     QTest::newRow("OGC's address, which is a name")
         << R"({"type":"name","properties":{"name":"http://www.opengis.net/def/crs/OGC/1.3/CRS84"}})" << "";
     QTest::newRow("code") << R"({"type":"EPSG","properties":{"code":4326}})" << "";
-    QTest::newRow("the file's own in a feature") << R"({"type":"name","properties":{"name":"EPSG:4326"}})"
-                                                 << R"({"type":"name","properties":{"name":"urn:ogc:def:crs:OGC:1.3:CRS84"}})";
+    QTest::newRow("the file's own in a feature")
+        << R"({"type":"name","properties":{"name":"EPSG:4326"}})"
+        << R"({"type":"name","properties":{"name":"urn:ogc:def:crs:OGC:1.3:CRS84"}})";
 }
 
 void TestRefusedBoundaries::takesSystems() {

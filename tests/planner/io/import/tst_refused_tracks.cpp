@@ -55,7 +55,8 @@ void TestRefusedTracks::refusals_data() {
     row("ROS 1", "a.bag", "#ROSBAG V2.0\n", false, "ROS 1");
     row("no track at all", "a.png", QByteArray{"\x89PNG\r\n\x1a\n\0\0\0", 11}, false,
         "no track that can be read");
-    row("MCAP with a record that leads back to itself", "a.mcap", QByteArray{"\x89MCAP0\r\n\x10\xF7\xFF\xFF\xFF\xFF\xFF\xFF\xFF", 17}, true, "cut off");
+    row("MCAP with a record that leads back to itself", "a.mcap",
+        QByteArray{"\x89MCAP0\r\n\x10\xF7\xFF\xFF\xFF\xFF\xFF\xFF\xFF", 17}, true, "cut off");
     row("MCAP with nothing behind its magic", "a.mcap", QByteArray{"\x89MCAP0\r\n", 8}, true, "cut off");
     row("MCAP chunk of absurd size", "a.mcap",
         QByteArray{"\x89MCAP0\r\n\x06\xff\xff\xff\xff\xff\xff\xff\x7f", 17}, false, "256 MiB");
