@@ -1,6 +1,8 @@
 // Which files and folders are task data.
 
+#include "planner/core/file_error.h"
 #include "planner/io/formats/isoxml/isoxml.h"
+#include "planner/io/formats/isoxml/isoxml_links.h"
 #include "planner/io/formats/isoxml/isoxml_reader.h"
 
 #include <string>
@@ -21,6 +23,31 @@ const FileFolder::Entry* entryOf(const ChosenFile& chosen) {
 }
 
 }  // namespace
+
+Result<ImportedFields> readIsoxmlFolder(const FileFolder& folder, const FileFolder::Entry& main,
+                                        const JobContext& job) {
+    const auto text = folder.read(main);
+    if (!text) {
+        return std::unexpected(text.error());
+    }
+    const auto part = [&](const std::string& name) -> Result<std::string> {
+        const FileFolder::Entry* entry = folder.find(main.folder, name + ".xml");
+        if (entry == nullptr) {
+            return std::unexpected(readFailed(name, "its file is missing", "copy the whole folder"));
+        }
+        return folder.read(*entry);
+    };
+    auto read = readIsoxml(*text, folder.placeOf(main), part, job);
+    if (const FileFolder::Entry* list = read ? folder.find(main.folder, "linklist.xml") : nullptr) {
+        // What a field is known by elsewhere, kept for the next export.
+        const auto links = isoxmlLinks(folder.read(*list).value_or(""));
+        for (FieldContent& content : read->fields) {
+            const auto link = links.find(content.field.id);
+            content.field.id = link == links.end() ? content.field.id : link->second;
+        }
+    }
+    return read;
+}
 
 Recognition recogniseIsoxml(const ChosenFile& chosen) {
     if (!taskDataIn(chosen).empty()) {

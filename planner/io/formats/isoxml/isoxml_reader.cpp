@@ -6,7 +6,6 @@
 #include "planner/io/content/geo_ring.h"
 #include "planner/io/content/obstacle_shapes.h"
 #include "planner/io/formats/isoxml/isoxml_codes.h"
-#include "planner/io/formats/isoxml/isoxml_links.h"
 #include "planner/io/formats/isoxml/isoxml_values.h"
 #include "planner/units/angle.h"
 
@@ -496,31 +495,6 @@ Result<ImportedFields> readIsoxml(std::string_view xml, const std::string& where
             "export the field with its boundary; furrow-cli compare reads what a machine recorded"));
     }
     return imported;
-}
-
-Result<ImportedFields> readIsoxmlFolder(const FileFolder& folder, const FileFolder::Entry& main,
-                                        const JobContext& job) {
-    const auto text = folder.read(main);
-    if (!text) {
-        return std::unexpected(text.error());
-    }
-    const auto part = [&](const std::string& name) -> Result<std::string> {
-        const FileFolder::Entry* entry = folder.find(main.folder, name + ".xml");
-        if (entry == nullptr) {
-            return std::unexpected(readFailed(name, "its file is missing", "copy the whole folder"));
-        }
-        return folder.read(*entry);
-    };
-    auto read = readIsoxml(*text, folder.placeOf(main), part, job);
-    if (const FileFolder::Entry* list = read ? folder.find(main.folder, "linklist.xml") : nullptr) {
-        // What a field is known by elsewhere, kept for the next export.
-        const auto links = isoxmlLinks(folder.read(*list).value_or(""));
-        for (FieldContent& content : read->fields) {
-            const auto link = links.find(content.field.id);
-            content.field.id = link == links.end() ? content.field.id : link->second;
-        }
-    }
-    return read;
 }
 
 }  // namespace furrow
