@@ -20,10 +20,9 @@ namespace furrow {
 
 namespace {
 
-/// Never told: a quicker plan is there.
+/// Never told, so without words: a quicker plan is there.
 Error tooSlow(const Field& field) {
-    return {
-        .code = ErrorCode::InputRefused, .what = "the path takes longer than another", .where = field.name()};
+    return {.code = ErrorCode::InputRefused, .what = {}, .where = field.name()};
 }
 
 }  // namespace
