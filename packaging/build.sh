@@ -8,17 +8,39 @@ configured_here() {
         grep -qx "CMAKE_HOME_DIRECTORY:INTERNAL=$project" "$project/build/release/CMakeCache.txt"
 }
 
+# progress LOG BEGIN: on a terminal, as long as this script runs: furrow: building ... 310 of 1289 steps, 95 s
+progress() {
+    local step
+    while kill -0 $$ 2>/dev/null; do
+        step=$(grep -oE '^\[[0-9]+/[0-9]+\]' "$1" 2>/dev/null | tail -n 1 | tr -d '[]' || true)
+        [ -z "$step" ] || printf '\rfurrow: building ... %s of %s steps, %s s ' "${step%/*}" "${step#*/}" $((SECONDS - $2)) >&2
+        sleep 1
+    done
+}
+
 build() {
-    local log="$project/build/build.log" begin=$SECONDS
+    local log="$project/build/build.log" begin=$SECONDS status=0
     mkdir -p "$project/build"
     own "$project/build"
     configured_here || rm -rf "$project/build/release"
     say "building ..."
-    if ! "$project/packaging/shell" bash -c '
+    local teller=
+    : >"$log"
+    if [ -t 2 ]; then
+        progress "$log" $SECONDS &
+        teller=$!
+    fi
+    "$project/packaging/shell" bash -c '
             set -e
             cd "$1"; shift
             cmake --preset release
-            cmake --build --preset release --target "$@"' build "$project" "$@" >"$log" 2>&1 </dev/null; then
+            cmake --build --preset release --target "$@"' build "$project" "$@" >"$log" 2>&1 </dev/null || status=$?
+    if [ -n "$teller" ]; then
+        kill "$teller"
+        wait "$teller" 2>/dev/null || true
+        printf '\n' >&2
+    fi
+    if [ "$status" -ne 0 ]; then
         grep -E -A6 'error:|CMake Error|undefined reference|FAILED:' "$log" | head -n 40 >&2 || tail -n 20 "$log" >&2
         fail "failed: building (all of it: $log)" \
              "If packages were updated, remove build/release and try again."
