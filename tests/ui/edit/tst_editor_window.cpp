@@ -289,7 +289,7 @@ private slots:
             // What the program leaves behind when it is killed.
             Session other;
             other.keepIn(folder.path());
-            other.setBoundary({{58.25, 22.5}, {58.25, 22.507}, {58.2535, 22.507}, {58.2535, 22.5}});
+            other.opener()->addDrawn({{58.25, 22.5}, {58.25, 22.507}, {58.2535, 22.507}, {58.2535, 22.5}});
         }
         session_->keepIn(folder.path());
         QVERIFY(session_->files()->recover());

@@ -356,7 +356,7 @@ private slots:
     }
     void sampleFieldsOpen_data() {
         QTest::addColumn<int>("index");
-        const Session session;
+        Session session;
         for (int i = 0; i < session.opener()->sampleNames().size(); ++i) {
             QTest::newRow(qPrintable(session.opener()->sampleNames().at(i))) << i;
         }
