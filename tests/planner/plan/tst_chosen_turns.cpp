@@ -106,7 +106,7 @@ private slots:
             // Nothing but what was asked for is in the way, and the finding brings what mends it.
             const auto advised = withAdvice(*plan, {});
             VERIFY_RESULT(advised);
-            const auto jumps = found(**advised, "heading-jump");
+            const auto jumps = found(**advised, FindingKind::HeadingJump);
             QCOMPARE(jumps.size(), std::size_t{1});
             QCOMPARE(std::ranges::count((*plan)->findings, Severity::Blocking, &Finding::severity), 1);
             QVERIFY(std::string{jumps.front()->text}.contains("path.method"));

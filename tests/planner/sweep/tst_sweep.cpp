@@ -150,7 +150,7 @@ void TestSweep::aFindingTellsOfItsSetting() {
     const test::SweepChange changed = changeNamed(change);
     QCOMPARE(changed.name(), change.toStdString());
     Finding finding{.severity = Severity::Blocking,
-                    .kind = "outside",
+                    .kind = FindingKind::Outside,
                     .place = {},
                     .text = text.toStdString(),
                     .suggestion = suggestion.toStdString()};
