@@ -223,7 +223,9 @@ private slots:
         QTest::newRow("PROJ") << "proj.h" << QStringList{"geodesy"};
         QTest::newRow("PROJ's geodesics") << "geodesic.h" << QStringList{"geodesy"};
         QTest::newRow("oneTBB") << "tbb/" << QStringList{"jobs"};
-        QTest::newRow("GDAL") << "gdal" << QStringList{"io", "imagery"};
+        QTest::newRow("GDAL") << "<gdal" << QStringList{"gdal", "imagery"};
+        QTest::newRow("GDAL's shapes") << "<ogr" << QStringList{"gdal", "imagery"};
+        QTest::newRow("GDAL's files") << "<cpl_" << QStringList{"gdal", "imagery"};
     }
     void librariesStayWrapped() {
         QFETCH(QString, header);
