@@ -110,8 +110,7 @@ RecordedTrack simulatedDrive(const Path& path) {
         const double speedMps = std::max(0.3, line.at(wayM).speedMps);
         const double aheadM = kLookAheadM + kLookAheadS * speedMps;
         const Point toTarget = line.at(std::min(line.length(), wayM + aheadM)).position - place;
-        const double angle =
-            headingDifference(radians(heading), radians(std::atan2(toTarget.y, toTarget.x))).si();
+        const double angle = wrappedAngle(radians(std::atan2(toTarget.y, toTarget.x) - heading)).si();
         const double wanted = 2.0 * std::sin(angle) / std::max(0.5, norm(toTarget));
         const double allowed = std::clamp(wanted, -1.0 / kDrivenRadiusM, 1.0 / kDrivenRadiusM);
         curvature +=

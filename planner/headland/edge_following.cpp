@@ -144,7 +144,7 @@ public:
             const Pose& here = stations_[i].pose;
             const Pose& there = stations_[next(i)].pose;
             stepM_.push_back(std::max(1e-3, distance(here.position, there.position)));
-            bend_.push_back(headingDifference(here.heading, there.heading).si() / stepM_[i]);
+            bend_.push_back(wrappedAngle(there.heading - here.heading).si() / stepM_[i]);
             const bool staysPut = std::abs(bend_[i]) > kBentShare * sharpest_ || stations_[i].isLeftOut;
             inM_.push_back(staysPut ? 0.0 : -edges.reachM());
         }

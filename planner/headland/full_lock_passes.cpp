@@ -238,7 +238,7 @@ public:
                 const double begin = 2.0 * std::numbers::pi * (i / 2) / kBegins;
                 const double side = i % 2 == 0 ? 1.0 : -1.0;
                 const double aheadRad =
-                    headingDifference({}, radians(side * (std::atan2(-inwards.y, -inwards.x) - begin))).si();
+                    wrappedAngle(radians(side * (std::atan2(-inwards.y, -inwards.x) - begin))).si();
                 if (std::abs(aheadRad) > kLeastBeforeRad) {
                     add(around, begin, side, leadM, candidates);
                 }

@@ -66,7 +66,7 @@ GuideLine guideLineThrough(const Polyline& points, Length radius, Length toleran
             line.pieces.push_back({.lengthM = edgeM - takenM});
             break;
         }
-        const double turnRad = headingDifference(radians(headingOf(i)), radians(headingOf(i + 1))).si();
+        const double turnRad = wrappedAngle(radians(headingOf(i + 1) - headingOf(i))).si();
         const double nextM = distance(points[i + 1], points[i + 2]);
         // The middle of the arc is t tan(turn / 4) away from the corner.
         const double tangentM = std::min(
@@ -343,7 +343,7 @@ std::vector<GuideLine> ParallelLines::at(double leftM, Length radius, Angle shar
         }
         const Pose before = on(wide[k].to, farM);
         const Pose after = on(wide[k + 1].from, farM);
-        const double bendRad = headingDifference(before.heading, after.heading).si();
+        const double bendRad = wrappedAngle(after.heading - before.heading).si();
         const bool meet = distance(before.position, after.position) < kMeetingM;
         if (meet && side * bendRad >= 0.0 && std::abs(bendRad) <= sharpest.si()) {
             if (std::abs(bendRad) > kStraightRad) {

@@ -33,6 +33,10 @@ Angle headingDifference(Angle from, Angle to) {
     return radians(turn > kPi ? turn - 2.0 * kPi : turn);
 }
 
+Angle wrappedAngle(Angle angle) {
+    return radians(std::remainder(angle.si(), 2.0 * kPi));
+}
+
 Angle angleBetweenLines(Angle a, Angle b) {
     const double apart = wrapped(a.si() - b.si(), kPi);
     return radians(std::min(apart, kPi - apart));

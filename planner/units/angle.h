@@ -13,6 +13,9 @@ Angle normalisedSwathHeading(Angle heading);
 /// Signed difference `to - from` of two pose headings, in (-pi, pi].
 Angle headingDifference(Angle from, Angle to);
 
+/// Into [-pi, pi]; an angle that is there already stays as it is, to the last bit.
+Angle wrappedAngle(Angle angle);
+
 /// Between two lines, in [0, pi / 2].
 Angle angleBetweenLines(Angle a, Angle b);
 

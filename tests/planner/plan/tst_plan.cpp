@@ -264,13 +264,15 @@ private slots:
     }
 
     // Headland passes go along with the land. Moved to the south: to the east north turns by millimetres for
-    // each hundred metres. Whether there is room to reach into a corner may hang on less than a millimetre.
+    // each hundred metres. Whether there is room to reach into a corner may hang on less than a millimetre,
+    // and so may which order is the quickest.
     void passesMoveWithTheField() {
         constexpr std::uint64_t kSeed = 3100;
         std::mt19937_64 random{kSeed};
         const Settings settings = settingsOf({{"swaths.method", "longest-edge"},
                                               {"headland.finish", "false"},
                                               {"path.method", "dubins"},
+                                              {"route.method", "snake"},
                                               {"headland.corner", "rounded"}});
         int stretches = 0;
         for (int i = 0; i < 6; ++i) {
