@@ -34,14 +34,12 @@ constexpr SimplerChoice kSimplerChoices[] = {
 };
 
 constexpr Angle kSameHeading = degrees(0.01);
-// With a path that is slower by more than this, other corners do not make a heading or an order the quickest.
-constexpr double kNearTime = 1.02;
 // Other headings of the search that are driven where the best one blocks.
 constexpr std::size_t kMostHeadings = 2;
 // Patterns that every driver knows, and that have the fewest long ways.
 constexpr std::array kPlainPatterns{&kBoustrophedonMethod, &kSnakeMethod};
-// Free-space turns are too short by this share of the path at most, seen over real fields.
-constexpr double kNearPattern = 0.1;
+// Estimated turns may mistake the difference of two orders by this share of the whole time.
+constexpr double kNearPattern = 0.02;
 
 std::string_view choiceName(const Parameter& parameter, std::string_view id) {
     return std::ranges::find(parameter.choices, id, &Choice::id)->name;
@@ -97,6 +95,12 @@ Message anotherHeading(const HeadingCandidate& taken, const Message& reason) {
     return message("{} are planned instead of the heading with the best estimate: {}", line, reason);
 }
 
+/// What was used for a setting; it may have been noted before.
+void note(std::vector<SettingChange>& instead, const Parameter& parameter, std::string_view value) {
+    std::erase_if(instead, [&](const SettingChange& change) { return change.key == parameter.key; });
+    instead.push_back({std::string{parameter.key}, std::string{value}});
+}
+
 bool isCancelled(const auto& result) {
     return !result && result.error().code == ErrorCode::Cancelled;
 }
@@ -128,10 +132,10 @@ public:
 
 private:
     Result<bool> takeIfBetter(Best& best, const PlanRequest& other);
-    Result<void> tryPattern(Best& best, const PlanRequest& pattern, Duration atMost);
+    Result<bool> tryPattern(Best& best, std::string_view pattern);
     Result<void> tryCorners(Best& best);
     Result<void> decideOrderAndCorners(Best& best);
-    Result<void> tryHeading(Best& best, const HeadingCandidate& candidate, std::optional<Duration> atMost);
+    Result<void> tryHeading(Best& best, const HeadingCandidate& candidate);
 
     StageRunner& runner_;
     JobContext quiet_;
@@ -152,16 +156,18 @@ Result<bool> Chooser::takeIfBetter(Best& best, const PlanRequest& other) {
     return true;
 }
 
-/// Those that reach into corners are worth it where the plan can be driven.
+/// The kinds that the plan does not have. Those that reach into corners are worth it where the plan can be
+/// driven.
 Result<void> Chooser::tryCorners(Best& best) {
-    if (best.plan.request.settings.choice(kHeadlandCorner) != kQuickestCorner ||
+    if (best.asked.settings.choice(kHeadlandCorner) != kQuickestCorner ||
         best.plan.laidOut.headland->rings.empty()) {
         return {};
     }
-    std::string_view corner = kRoundedCorner;
-    for (const std::string_view other : {kLoopCorner, kReverseCorner}) {
-        if (!best.plan.drivable()) {
-            break;
+    std::string taken = best.plan.request.settings.choice(kHeadlandCorner);
+    taken = taken == kQuickestCorner ? std::string{kRoundedCorner} : taken;
+    for (const std::string_view other : {kRoundedCorner, kLoopCorner, kReverseCorner}) {
+        if (other == taken || !best.plan.drivable()) {
+            continue;
         }
         PlanRequest request = best.plan.request;
         request.settings.set(kHeadlandCorner, std::string{other}).value();
@@ -169,17 +175,17 @@ Result<void> Chooser::tryCorners(Best& best) {
         if (!isTaken) {
             return std::unexpected(isTaken.error());
         }
-        corner = *isTaken ? other : corner;
+        taken = *isTaken ? std::string{other} : taken;
     }
-    best.instead.push_back({std::string{kHeadlandCorner.key}, std::string{corner}});
+    note(best.instead, kHeadlandCorner, taken);
     return {};
 }
 
 /// Orders that the route by estimated turns passed over, and that are about as quick by its estimate.
-Result<std::vector<PlanRequest>> patternsToTry(const PlannedStages& plan, const JobContext& job) {
-    std::vector<PlanRequest> requests;
+Result<std::vector<std::string_view>> patternsToTry(const PlannedStages& plan, const JobContext& job) {
+    std::vector<std::string_view> ids;
     if (routeMethod(plan.request.settings) != kOptimisedMethod.run || !plan.drivable()) {
-        return requests;
+        return ids;
     }
     const Route& taken = plan.ordered->route;
     const RouteTask task = routeTask(plan.request, plan.laidOut.laid->swaths, plan.ordered->cells);
@@ -190,61 +196,56 @@ Result<std::vector<PlanRequest>> patternsToTry(const PlannedStages& plan, const 
             return std::unexpected(route.error());
         }
         if (*route != taken && turningTime(route->steps, task) <= near) {
-            requests.push_back(plan.request);
-            requests.back().settings.set(*stageMethod("route"), std::string{pattern->info.id}).value();
+            ids.push_back(pattern->info.id);
         }
     }
-    return requests;
+    return ids;
 }
 
-/// For the swaths of this plan. An order of one's own stays.
+/// Order and corners for the swaths of this plan, one after the other, the corners once more for another
+/// order. An order of one's own stays.
 Result<void> Chooser::decideOrderAndCorners(Best& best) {
-    const PlannedStages plain = best.plan;
-    const auto patterns = patternsToTry(plain, quiet_);
+    const auto patterns = patternsToTry(best.plan, quiet_);
     if (!patterns) {
         return std::unexpected(patterns.error());
     }
     Result<void> tried = tryCorners(best);
-    for (const PlanRequest& pattern : *patterns) {
-        tried = tried.and_then([&] { return tryPattern(best, pattern, kNearTime * timeOf(plain)); });
+    bool isAnotherOrder = false;
+    for (const std::string_view pattern : *patterns) {
+        tried = tried.and_then([&] { return tryPattern(best, pattern); }).transform([&](bool isTaken) {
+            isAnotherOrder = isAnotherOrder || isTaken;
+        });
     }
-    return tried;
+    return tried.and_then([&] { return isAnotherOrder ? tryCorners(best) : Result<void>{}; });
 }
 
-/// Takes the plan in another order, with its own corners, where that is quicker. Cancelled.
-Result<void> Chooser::tryPattern(Best& best, const PlanRequest& pattern, Duration atMost) {
-    auto plan = runner_.run(pattern, atMost, quiet_);
-    if (!plan) {
-        return isCancelled(plan) ? Result<void>{std::unexpected(plan.error())} : Result<void>{};
+/// Takes the plan in another order, with the same corners, where that is quicker: whether it is. Cancelled.
+Result<bool> Chooser::tryPattern(Best& best, std::string_view pattern) {
+    const Parameter& route = *stageMethod("route");
+    PlanRequest request = best.plan.request;
+    request.settings.set(route, std::string{pattern}).value();
+    const auto isTaken = takeIfBetter(best, request);
+    if (isTaken && *isTaken) {
+        note(best.instead, route, pattern);
     }
-    Best other{.asked = best.asked, .plan = *std::move(plan), .headings = best.headings};
-    if (auto tried = tryCorners(other); !tried) {
-        return tried;
-    }
-    if (isBetter(other.plan, best.plan)) {
-        const Parameter& route = *stageMethod("route");
-        other.instead.push_back({std::string{route.key}, pattern.settings.choice(route)});
-        best = std::move(other);
-    }
-    return {};
+    return isTaken;
 }
 
-/// Takes the plan along another heading, with its own order and corners, where that is quicker. Cancelled.
-Result<void> Chooser::tryHeading(Best& best, const HeadingCandidate& candidate,
-                                 std::optional<Duration> atMost) {
-    auto plan = runner_.run(along(best.asked, candidate.heading), atMost, quiet_);
-    if (!plan) {
-        return isCancelled(plan) ? Result<void>{std::unexpected(plan.error())} : Result<void>{};
+/// Takes the plan along another heading where that is quicker, with the corners of the best plan so far; then
+/// with an order and corners of its own. Cancelled.
+Result<void> Chooser::tryHeading(Best& best, const HeadingCandidate& candidate) {
+    PlanRequest request = along(best.asked, candidate.heading);
+    const std::string corner = best.plan.request.settings.choice(kHeadlandCorner);
+    request.settings.set(kHeadlandCorner, corner).value();
+    const PlannedStages before = best.plan;
+    const auto isTaken = takeIfBetter(best, request);
+    if (!isTaken || !*isTaken) {
+        return isTaken.transform([](bool) {});
     }
-    Best other{.asked = best.asked, .plan = *std::move(plan), .headings = best.headings};
-    if (auto decided = decideOrderAndCorners(other); !decided) {
-        return decided;
-    }
-    if (isBetter(other.plan, best.plan)) {
-        other.notes.push_back({anotherHeading(candidate, reasonFor(other.plan, best.plan)), "instead", {}});
-        best = std::move(other);
-    }
-    return {};
+    std::erase_if(best.instead,
+                  [](const SettingChange& change) { return change.key == stageMethod("route")->key; });
+    best.notes = {{anotherHeading(candidate, reasonFor(best.plan, before)), "instead", {}}};
+    return decideOrderAndCorners(best);
 }
 
 Result<Best> Chooser::improved(const PlanRequest& request, const JobContext& job) {
@@ -259,9 +260,8 @@ Result<Best> Chooser::improved(const PlanRequest& request, const JobContext& job
     Result<void> tried = decideOrderAndCorners(best);
     const bool hasOneHeading = request.settings.choice(kCellHeading) != "per-cell";
     if (!hasOwnOrder(request.settings) && hasOneHeading) {
-        const auto atMost = asked->drivable() ? std::optional{kNearTime * timeOf(*asked)} : std::nullopt;
         for (const HeadingCandidate& candidate : headingsToTry(*asked)) {
-            tried = tried.and_then([&] { return tryHeading(best, candidate, atMost); });
+            tried = tried.and_then([&] { return tryHeading(best, candidate); });
         }
     }
     return tried.transform([&] { return std::move(best); });
