@@ -236,7 +236,7 @@ private slots:
         choose(QStringLiteral("preferences.language"), 2);
         QCOMPARE(display().language(), QStringLiteral("de"));
         QVERIFY(!renamed.isEmpty());
-        QTRY_COMPARE(steps(), (QStringList{"Schlag", "Maschine", "Vorgewende", "Teilflächen", "Spuren",
+        QTRY_COMPARE(steps(), (QStringList{"Schlag", "Maschine", "Vorgewende", "Spuren", "Teilflächen",
                                            "Fahrroute", "Wendungen", "Prüfung"}));
         QVERIFY2(result(2).contains(QStringLiteral("Innenfläche")), qPrintable(result(2)));
         QVERIFY2(session_->planning()->statusText().startsWith(QStringLiteral("Plan fertig")),
