@@ -13,7 +13,7 @@ namespace furrow {
 /// The last results of one stage with what they were made from. A stage whose inputs are equal is not run
 /// again: field, machine and guides, the settings that it asked for, and `Inputs`, what the stages before it
 /// made. May be asked by several threads at once. Of `kMost` results the one that was made first is
-/// forgotten. A stage may ask the memo of another one: the settings that count for that count for it, too.
+/// forgotten. A stage may ask the memo of another stage: its result then depends on the settings of both.
 template <class Inputs, class Value, std::size_t kMost = 24>
 class StageMemo {
 public:

@@ -33,7 +33,7 @@ auto timed(Duration& taken, const Run& run) {
     return result;
 }
 
-/// With new headlands along the obstacles that are not among these any more.
+/// The obstacles that swaths get round. The refused ones get a headland.
 std::vector<Ring> without(std::vector<Ring> obstacles, const std::vector<std::size_t>& refused) {
     for (const std::size_t index : refused | std::views::reverse) {
         obstacles.erase(obstacles.begin() + static_cast<std::ptrdiff_t>(index));

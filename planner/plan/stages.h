@@ -15,7 +15,7 @@
 
 namespace furrow {
 
-// The stages of a plan, each a function from values to a value (DESIGN 42):
+// The stages of a plan, each a function from values to a value (DESIGN 47):
 //
 //     PlanRequest -> Ground -> Headland -> LaidSwaths -> Ordered -> Driven
 

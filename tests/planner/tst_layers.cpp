@@ -62,11 +62,9 @@ class LayersTest : public QObject {
 
 private slots:
     void initTestCase() {
-        layers_ = namesIn(textOf(QStringLiteral(FURROW_SOURCE_DIR "/planner/CMakeLists.txt")),
-                          QStringLiteral("set\\(FURROW_PLANNER_LAYERS\\s+([^)]*)\\)"));
+        layers_ = listIn("planner/CMakeLists.txt", "FURROW_PLANNER_LAYERS");
         QVERIFY(layers_.size() >= 15);
-        uiRooms_ = namesIn(textOf(QStringLiteral(FURROW_SOURCE_DIR "/ui/CMakeLists.txt")),
-                           QStringLiteral("set\\(FURROW_UI_ROOMS\\s+([^)]*)\\)"));
+        uiRooms_ = listIn("ui/CMakeLists.txt", "FURROW_UI_ROOMS");
         QVERIFY(uiRooms_.size() >= 10);
         ioRooms_ = listIn("planner/io/CMakeLists.txt", "FURROW_IO_ROOMS");
         QVERIFY(ioRooms_.size() >= 10);
