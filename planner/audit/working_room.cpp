@@ -66,6 +66,15 @@ void addCorners(const Rectangle& part, Point axle, double wayM, double curvature
     }
 }
 
+std::vector<Point> headingsAllRound() {
+    std::vector<Point> noses;
+    for (int i = 0; i < kHeadings; ++i) {
+        const double heading = 2.0 * std::numbers::pi * i / kHeadings;
+        noses.push_back({std::cos(heading), std::sin(heading)});
+    }
+    return noses;
+}
+
 /// The values of s for which an edge meets a convex ring moved by s to -y. Empty if it never does.
 std::optional<std::pair<double, double>> meetingShifts(const Ring& ring, Edge edge) {
     if (edge.from.x > edge.to.x) {
@@ -118,8 +127,9 @@ WorkingRoom::WorkingRoom(const MultiPolygon& drivable, const Machine& machine, c
             for (int i = 0; i <= kWayPoses; ++i) {
                 addCorners(part, axle, -runInM * i / kWayPoses, curvature1pm, corners);
             }
-            sweep.push_back(hullAround(std::move(corners)));
-            for (const Point& corner : sweep.back()) {
+            Ring hull = hullAround(std::move(corners));
+            sweep.push_back({.ring = hull, .box = bounds({{.outer = hull, .holes = {}}})});
+            for (const Point& corner : hull) {
                 lookM_ = std::max(lookM_, lengthOf(corner) + halfWidthM_);
             }
         }
@@ -130,7 +140,7 @@ WorkingRoom::WorkingRoom(const MultiPolygon& drivable, const Machine& machine, c
     }
 }
 
-bool WorkingRoom::reaches(Point place) const {
+bool WorkingRoom::reaches(Point place, Hint& hint) const {
     std::vector<Edge> edges;
     const Point look{lookM_, lookM_};
     edges_.visitNear({.min = place - look, .max = place + look}, [&](const Edge& edge) {
@@ -144,11 +154,8 @@ bool WorkingRoom::reaches(Point place) const {
     const auto same = [](const Edge& a, const Edge& b) { return a.from == b.from && a.to == b.to; };
     edges.erase(std::unique(edges.begin(), edges.end(), same), edges.end());
 
-    std::vector<Point> noses;
-    for (int i = 0; i < kHeadings; ++i) {
-        const double heading = 2.0 * std::numbers::pi * i / kHeadings;
-        noses.push_back({std::cos(heading), std::sin(heading)});
-    }
+    static const std::vector<Point> kAllRound = headingsAllRound();
+    std::vector<Point> noses = kAllRound;
     std::vector<Point> ways;
     for (const Edge& edge : edges) {
         const Point way = edge.to - edge.from;
@@ -166,10 +173,19 @@ bool WorkingRoom::reaches(Point place) const {
             noses.insert(noses.end(), {along, -1.0 * along, across, -1.0 * across});
         }
     }
-    return std::ranges::any_of(sweeps_, [&](const Sweep& sweep) {
-        return std::ranges::any_of(noses,
-                                   [&](Point nose) { return reachesAhead(place, nose, edges, sweep); });
-    });
+    if (std::ranges::contains(noses, hint.nose) &&
+        reachesAhead(place, hint.nose, edges, sweeps_[hint.sweep])) {
+        return true;
+    }
+    for (std::size_t i = 0; i < sweeps_.size(); ++i) {
+        const auto nose = std::ranges::find_if(
+            noses, [&](Point each) { return reachesAhead(place, each, edges, sweeps_[i]); });
+        if (nose != noses.end()) {
+            hint = {.nose = *nose, .sweep = i};
+            return true;
+        }
+    }
+    return false;
 }
 
 // The working line lies over the place if that is s to the left of its middle. Each edge that meets a part
@@ -181,7 +197,14 @@ bool WorkingRoom::reachesAhead(Point place, Point nose, const std::vector<Edge>&
     for (const Edge& edge : edges) {
         const Edge seen{{dot(edge.from - place, nose), dot(edge.from - place, left)},
                         {dot(edge.to - place, nose), dot(edge.to - place, left)}};
-        for (const Ring& part : sweep) {
+        const Bounds box{.min = {std::min(seen.from.x, seen.to.x), std::min(seen.from.y, seen.to.y)},
+                         .max = {std::max(seen.from.x, seen.to.x), std::max(seen.from.y, seen.to.y)}};
+        for (const auto& [part, around] : sweep) {
+            // Edges before or behind the part, and those that it only meets farther aside than it may be.
+            if (box.max.x < around.min.x || box.min.x > around.max.x ||
+                around.max.y - box.min.y < -halfWidthM_ || around.min.y - box.max.y > halfWidthM_) {
+                continue;
+            }
             if (const auto interval = meetingShifts(part, seen)) {
                 ruledOut.push_back(*interval);
             }
@@ -204,6 +227,7 @@ namespace {
 std::optional<MultiPolygon> squaresWithRoom(const Polygon& polygon, const WorkingRoom& room, double sizeM) {
     const Bounds box = bounds({polygon});
     MultiPolygon squares;
+    WorkingRoom::Hint hint;
     bool isWhole = true;
     for (double y = box.min.y; y < box.max.y; y += sizeM) {
         Ring row = cut(cut(polygon.outer, {0.0, y}, {1.0, 0.0}).first, {0.0, y + sizeM}, {1.0, 0.0}).second;
@@ -226,7 +250,7 @@ std::optional<MultiPolygon> squaresWithRoom(const Polygon& polygon, const Workin
             if (!middle) {
                 continue;
             }
-            if (room.reaches(*middle)) {
+            if (room.reaches(*middle, hint)) {
                 begun = begun.value_or(x);
             } else {
                 isWhole = false;

@@ -18,12 +18,28 @@ public:
     /// Whether the working line can lie over a place from a pose with room. Headings are tested in steps of
     /// 7.5 degrees, along the edges near the place and across them. The position across the heading is solved
     /// exactly. O(headings x edges within the machine's reach).
-    bool reaches(Point place) const;
+    bool reaches(Point place) const {
+        Hint none;
+        return reaches(place, none);
+    }
+
+    /// The heading and the way that had room at the place before: tried first, since neighbours mostly have
+    /// room alike. It changes no answer.
+    struct Hint {
+        Point nose;
+        std::size_t sweep = 0;
+    };
+    bool reaches(Point place, Hint& hint) const;
 
 private:
-    /// The areas that the parts of the machine sweep on one way, as convex rings around the middle of the
-    /// working line at its end, nose to +x.
-    using Sweep = std::vector<Ring>;
+    /// A convex ring and the box around it.
+    struct Part {
+        Ring ring;
+        Bounds box;
+    };
+    /// The areas that the parts of the machine sweep on one way, around the middle of the working line at its
+    /// end, nose to +x.
+    using Sweep = std::vector<Part>;
 
     bool reachesAhead(Point place, Point nose, const std::vector<Edge>& edges, const Sweep& sweep) const;
 

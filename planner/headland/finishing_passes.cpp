@@ -237,6 +237,21 @@ public:
         return lanes;
     }
 
+    /// The land still left beside a lane: no pass on it gains more.
+    double landBesideM2(const Lane& lane, const Left& left) const {
+        const Ring strip = stripOf(
+            {.from = lane.on + (lane.fromM + runInM_) * lane.along, .to = lane.on + lane.toM * lane.along},
+            widthM_);
+        const Bounds box = bounds({{.outer = strip, .holes = {}}});
+        double sumM2 = 0.0;
+        for (std::size_t i = 0; i < left.pieces.size(); ++i) {
+            if (left.liesBy(i, box)) {
+                sumM2 += inStripM2(left.pieces[i], strip);
+            }
+        }
+        return sumM2;
+    }
+
     /// The pass along a lane over the land still left beside it. Empty if it gains too little.
     std::optional<Candidate> passAlong(const Lane& lane, const Left& left) const {
         // The run-in works nothing.
@@ -312,6 +327,14 @@ public:
     }
 
 private:
+    static double inStripM2(const Polygon& polygon, const Ring& strip) {
+        double sumM2 = signedAreaM2(clipped(polygon.outer, strip));
+        for (const Ring& hole : polygon.holes) {
+            sumM2 += signedAreaM2(clipped(hole, strip));
+        }
+        return sumM2;
+    }
+
     static Ring clipped(Ring ring, const Ring& strip) {
         for (std::size_t i = 0; i < strip.size() && !ring.empty(); ++i) {
             ring = leftOf(ring, strip[i], strip[(i + 1) % strip.size()] - strip[i]);
@@ -323,11 +346,7 @@ private:
     bool worksOnPurposeLeft(const Candidate& candidate) const {
         const Ring strip = stripOf(candidate, widthM_);
         return std::ranges::any_of(task_.leftOnPurpose, [&](const Polygon& polygon) {
-            double inStripM2 = signedAreaM2(clipped(polygon.outer, strip));
-            for (const Ring& hole : polygon.holes) {
-                inStripM2 += signedAreaM2(clipped(hole, strip));
-            }
-            return inStripM2 > leastGainM2();
+            return inStripM2(polygon, strip) > leastGainM2();
         });
     }
 
@@ -396,8 +415,18 @@ Result<void> chooseBest(std::vector<Lane> lanes, const Chooser& chooser, const F
             lanes.push_back(one);
             std::ranges::push_heap(lanes, less);
         };
-        // Most lanes are never the best. Their room is therefore checked only here.
+        // Most lanes are never the best. Their room is therefore checked only here, and only where other
+        // passes left them enough.
         if (!lane.isFree) {
+            const double besideM2 = chooser.landBesideM2(lane, chosen.left);
+            if (besideM2 < chooser.leastGainM2()) {
+                continue;
+            }
+            if (besideM2 < lane.gainM2 && !lanes.empty() && besideM2 < lanes.front().gainM2) {
+                lane.gainM2 = besideM2;
+                putBack(lane);
+                continue;
+            }
             std::ranges::for_each(chooser.freeLanes(lane), putBack);
             continue;
         }

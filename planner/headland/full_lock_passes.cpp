@@ -186,7 +186,6 @@ public:
         : passes_{passes},
           lowered_{*passes.lowered_},
           places_{placesIn(piece)},
-          isWorked_(places_.size()),
           areaEachM2_{area(piece).si() / static_cast<double>(std::max<std::size_t>(1, places_.size()))},
           widthM_{lowered_.machine().operatingWidth().si()},
           look_{passes.trailer_ ? std::min(kLook, passes.trailer_->longestStep()) : kLook},
@@ -294,9 +293,10 @@ private:
     /// Follows the bend as far as it stays inside.
     void follow(const RigState& from, const CurvePiece& arc) {
         states_ = {from};
-        worked_ = 0;
         lastUse_ = 0;
-        std::ranges::fill(isWorked_, 0);
+        unworked_ = places_;
+        const double reachM = 0.5 * widthM_ + 2.0 * look_.si();
+        const double reachM2 = reachM * reachM;
         WorkingLine last = passes_.workingLine(from);
         double freeM = 0.0;
         static_cast<void>(lowered_.follow(from, arc, look_, [&](const RigState& state) {
@@ -311,26 +311,24 @@ private:
             const WorkingLine line = passes_.workingLine(state);
             const std::array ring{last.first, line.first, line.second, last.second};
             const Point middle = 0.5 * (line.first + line.second);
-            const double reachM = 0.5 * widthM_ + 2.0 * look_.si();
-            const bool isBeside = distance(mean_, middle) < reachM + farthestM_;
-            for (std::size_t i = 0; isBeside && i < places_.size(); ++i) {
-                if (isWorked_[i] == 0 && distance(places_[i], middle) < reachM &&
-                    isInside(ring, places_[i])) {
-                    isWorked_[i] = 1;
-                    ++worked_;
-                    lastUse_ = states_.size();
-                }
+            if (distance(mean_, middle) < reachM + farthestM_ && std::erase_if(unworked_, [&](Point place) {
+                                                                     const Point away = place - middle;
+                                                                     return dot(away, away) < reachM2 &&
+                                                                            isInside(ring, place);
+                                                                 }) > 0) {
+                lastUse_ = states_.size();
             }
             states_.push_back(state);
             last = line;
             return true;
         }));
+        worked_ = places_.size() - unworked_.size();
     }
 
     const FullLockPasses& passes_;
     const Rig& lowered_;
     std::vector<Point> places_;
-    std::vector<char> isWorked_;
+    std::vector<Point> unworked_;  ///< of the places, by the last bend
     Point mean_;
     double farthestM_ = 0.0;  ///< of the places from their mean
     double areaEachM2_;

@@ -76,7 +76,7 @@ Result<MultiPolygon> groundForWays(const DriveTask& task, const MultiPolygon& op
 
 }  // namespace
 
-Result<Driven> driveStage(const DriveTask& task, std::optional<Duration> atMost, const JobContext& job) {
+Result<Driven> driveStage(const DriveTask& task, std::optional<PlanToBeat> toBeat, const JobContext& job) {
     const Field& field = *task.request.field;
     const Machine& machine = task.request.machine;
     const Settings& settings = task.request.settings;
@@ -122,10 +122,10 @@ Result<Driven> driveStage(const DriveTask& task, std::optional<Duration> atMost,
     const ChosenTurns chosen{settings, task.laid.swaths, task.ordered.cells, *fitting};
     gates = addGateWays(legs, *places, field, Rig{*open, machine.folded()});
     const PathOverLegs path{task, *ground, ways, chosen, *leftOnPurpose};
-    auto driven = path.drive(legs, {}, atMost, job.part(0.0, 0.8));
+    auto driven = path.drive(legs, {}, toBeat, job.part(0.0, 0.8));
     if (driven) {
-        driven =
-            finishStage(task, *std::move(driven), std::move(legs), path, ways, *ground, job.part(0.8, 1.0));
+        driven = finishStage(task, *std::move(driven), std::move(legs), path, ways, *ground, toBeat,
+                             job.part(0.8, 1.0));
     }
     if (driven) {
         std::ranges::move(gates.findings, std::back_inserter(driven->findings));

@@ -80,10 +80,18 @@ Result<std::optional<FullLockPasses>> fullLockPasses(const DriveTask& task, cons
 
 Result<Driven> finishStage(const DriveTask& task, Driven driven, std::vector<Leg> legs,
                            const PathOverLegs& path, RememberedWays& ways, const MultiPolygon& ground,
-                           const JobContext& job) {
+                           std::optional<PlanToBeat> toBeat, const JobContext& job) {
     if (!mayFinish(task) || !leavesTooMuch(driven)) {
         return driven;
     }
+    if (toBeat && !mayBeatFinished(*toBeat, task.request.machine, driven)) {
+        return std::unexpected(noBetter(*task.request.field));
+    }
+    const auto timeOf = [&](const Driven& one) {
+        return timeForAll(task.request.machine, one.path, one.audit);
+    };
+    const Duration before = timeOf(driven);
+    const Area left = driven.audit.left;
     const Rig lowered{ground, task.request.machine, ImplementAt::Lowered};
     auto bends = fullLockPasses(task, lowered, legs, ways, ground, job);
     if (!bends) {
@@ -126,7 +134,7 @@ Result<Driven> finishStage(const DriveTask& task, Driven driven, std::vector<Leg
         }
         std::vector<HeadlandPass> finishing = driven.finishing;
         finishing.insert(finishing.end(), more.put.begin(), more.put.end());
-        auto finished = path.drive(more.legs, std::move(finishing), {}, part.part(0.2, 1.0));
+        auto finished = path.drive(more.legs, std::move(finishing), toBeat, part.part(0.2, 1.0));
         if (!finished) {
             return finished;
         }
@@ -144,6 +152,8 @@ Result<Driven> finishStage(const DriveTask& task, Driven driven, std::vector<Leg
         driven = *std::move(finished);
         legs = std::move(more.legs);
     }
+    driven.leftBeforeFinishing = left;
+    driven.finishingCost = timeOf(driven) - before;
     return driven;
 }
 

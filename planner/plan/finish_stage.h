@@ -9,9 +9,10 @@ namespace furrow {
 ///
 /// @param driven  over these legs
 /// @param ground  where ways may lead, gates open
+/// @param toBeat  InputRefused for a plan that is no better with them
 /// Cancelled.
 Result<Driven> finishStage(const DriveTask& task, Driven driven, std::vector<Leg> legs,
                            const PathOverLegs& path, RememberedWays& ways, const MultiPolygon& ground,
-                           const JobContext& job);
+                           std::optional<PlanToBeat> toBeat, const JobContext& job);
 
 }  // namespace furrow

@@ -18,14 +18,7 @@
 
 namespace furrow {
 
-namespace {
-
-/// Never told, so without words: a quicker plan is there.
-Error tooSlow(const Field& field) {
-    return {.code = ErrorCode::InputRefused, .what = {}, .where = field.name()};
-}
-
-}  // namespace
+namespace {}  // namespace
 
 PathOverLegs::PathOverLegs(const DriveTask& task, const MultiPolygon& ground, RememberedWays& ways,
                            const ChosenTurns& chosen, const MultiPolygon& leftOnPurpose)
@@ -85,14 +78,15 @@ Result<std::vector<Finding>> PathOverLegs::foundIn(Path& path, const std::vector
 }
 
 Result<Driven> PathOverLegs::drive(std::vector<Leg>& legs, std::vector<HeadlandPass> finishing,
-                                   std::optional<Duration> atMost, const JobContext& job) const {
+                                   std::optional<PlanToBeat> toBeat, const JobContext& job) const {
     Stopwatch watch;
     auto path = joined(legs, job.part(0.0, 0.4));
     if (!path) {
         return std::unexpected(path.error());
     }
-    if (atMost && path->duration() > *atMost) {
-        return std::unexpected(tooSlow(*task_.request.field));
+    const PlanRequest& request = task_.request;
+    if (toBeat && toBeat->blocking == 0 && path->duration() > toBeat->time) {
+        return std::unexpected(noBetter(*request.field));
     }
     auto findings = foundIn(*path, legs, job.part(0.4, 0.6));
     if (!findings) {
@@ -103,12 +97,20 @@ Result<Driven> PathOverLegs::drive(std::vector<Leg>& legs, std::vector<HeadlandP
                   .leftOnPurpose = leftOnPurpose_,
                   .audit = {},
                   .findings = *std::move(findings),
+                  .leftBeforeFinishing = {},
+                  .finishingCost = {},
                   .driving = watch.lap(),
                   .auditing = {}};
-    if (task_.request.draft) {
+    // Other finishing passes, or headlands in the place of swaths round obstacles, may be better.
+    const bool isLast = driven.finishing.empty() && task_.laid.swaths.goneRound.empty();
+    const auto isLost = [&] { return toBeat && isLast && !mayBeat(*toBeat, request.machine, driven); };
+    if (request.draft) {
         return driven;
     }
-    auto report = audit(auditInput({.request = task_.request,
+    if (isLost()) {
+        return std::unexpected(noBetter(*request.field));
+    }
+    auto report = audit(auditInput({.request = request,
                                     .margin = task_.ground.margin,
                                     .headland = task_.headland,
                                     .finishing = driven.finishing,
@@ -125,6 +127,9 @@ Result<Driven> PathOverLegs::drive(std::vector<Leg>& legs, std::vector<HeadlandP
     std::ranges::move(newFindings(driven.audit, driven.findings, driven.path),
                       std::back_inserter(driven.findings));
     driven.auditing = watch.lap();
+    if (isLost()) {
+        return std::unexpected(noBetter(*request.field));
+    }
     return driven;
 }
 

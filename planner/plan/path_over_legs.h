@@ -4,6 +4,7 @@
 #include "planner/path/path_builder.h"
 #include "planner/path/remembered_ways.h"
 #include "planner/plan/chosen_turns.h"
+#include "planner/plan/plan_to_beat.h"
 #include "planner/plan/stages.h"
 
 #include <optional>
@@ -32,10 +33,10 @@ public:
     /// are put in another order.
     ///
     /// @param finishing  passes among the legs that the headland does not have
-    /// @param atMost     InputRefused for a path that takes longer, before its audit
+    /// @param toBeat     InputRefused for a plan that is no better, as soon as that is known
     /// Cancelled.
     Result<Driven> drive(std::vector<Leg>& legs, std::vector<HeadlandPass> finishing,
-                         std::optional<Duration> atMost, const JobContext& job) const;
+                         std::optional<PlanToBeat> toBeat, const JobContext& job) const;
 
 private:
     Result<Path> joined(std::vector<Leg>& legs, const JobContext& job) const;

@@ -144,8 +144,7 @@ private:
 /// Takes the plan with other settings where it is better as driven: whether it did. One that cannot be made
 /// is no better. Cancelled.
 Result<bool> Chooser::takeIfBetter(Best& best, const PlanRequest& other) {
-    auto plan =
-        runner_.run(other, best.plan.drivable() ? std::optional{timeOf(best.plan)} : std::nullopt, quiet_);
+    auto plan = runner_.run(other, planToBeat(other.machine, *best.plan.driven), quiet_);
     if (isCancelled(plan)) {
         return std::unexpected(plan.error());
     }
@@ -294,11 +293,6 @@ Result<void> Chooser::trySimpler(Best& best, const SimplerChoice& choice) {
 }
 
 }  // namespace
-
-Duration timeForAll(const Machine& machine, const Path& path, const AuditReport& audit) {
-    const double missedM = audit.missed.value_or(Area{}).si() / machine.operatingWidth().si();
-    return path.duration() + seconds(missedM / machine.spec().tractor.workingSpeed.si());
-}
 
 Result<QuickestChoice> quickestChoice(const PlanRequest& request, StageRunner& runner,
                                       const JobContext& job) {

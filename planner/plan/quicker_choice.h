@@ -1,5 +1,6 @@
 #pragma once
 
+#include "planner/plan/plan_to_beat.h"
 #include "planner/plan/stage_runner.h"
 
 namespace furrow {
@@ -28,12 +29,8 @@ struct QuickestChoice {
 ///   with all of the above. An order of one's own keeps its swaths.
 ///
 /// What was taken stands in Plan::instead; a note says so, but for orders and corners, of which none was
-/// asked for. Cost: a plan for each; those that are slower are not audited. Errors: of the plan as asked.
-/// Cancelled.
+/// asked for. Cost: a plan for each; those that are slower for sure are not audited. Errors: of the plan as
+/// asked. Cancelled.
 Result<QuickestChoice> quickestChoice(const PlanRequest& request, StageRunner& runner, const JobContext& job);
-
-/// Seconds: the driven path, and what it leaves within the field worked by itself. Areas that are left on
-/// purpose cost nothing.
-Duration timeForAll(const Machine& machine, const Path& path, const AuditReport& audit);
 
 }  // namespace furrow

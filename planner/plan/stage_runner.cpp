@@ -119,7 +119,7 @@ Result<LaidOut> StageRunner::laidOut(const PlanRequest& request, const std::shar
 
 Result<PlannedStages> StageRunner::plannedRound(const PlanRequest& request,
                                                 const std::shared_ptr<const Ground>& ground,
-                                                std::vector<Ring> round, std::optional<Duration> atMost,
+                                                std::vector<Ring> round, std::optional<PlanToBeat> toBeat,
                                                 const JobContext& job) {
     auto laid = laidOut(request, ground, std::move(round), job.part(0.0, 0.8));
     if (!laid) {
@@ -138,7 +138,7 @@ Result<PlannedStages> StageRunner::plannedRound(const PlanRequest& request,
                                                              .headland = *laid->headland,
                                                              .laid = *laid->laid,
                                                              .ordered = **ordered};
-                                        auto made = driveStage(task, atMost, job.part(0.85, 1.0));
+                                        auto made = driveStage(task, toBeat, job.part(0.85, 1.0));
                                         if (made) {
                                             timings_.path += made->driving;
                                             timings_.audit += made->auditing;
@@ -151,7 +151,7 @@ Result<PlannedStages> StageRunner::plannedRound(const PlanRequest& request,
     return PlannedStages{request, ground, *std::move(laid), *std::move(ordered), *std::move(driven)};
 }
 
-Result<PlannedStages> StageRunner::run(const PlanRequest& request, std::optional<Duration> atMost,
+Result<PlannedStages> StageRunner::run(const PlanRequest& request, std::optional<PlanToBeat> toBeat,
                                        const JobContext& job) {
     const auto ground =
         cache_.grounds.get(request, {}, [&](const PlanRequest& asking) { return groundOf(asking, job); });
@@ -160,7 +160,7 @@ Result<PlannedStages> StageRunner::run(const PlanRequest& request, std::optional
     }
     const std::vector<Ring> small =
         smallObstacles(*request.field, roundUpTo(request.settings, request.machine));
-    auto best = plannedRound(request, *ground, small, atMost, job.part(0.0, small.empty() ? 1.0 : kFirstTry));
+    auto best = plannedRound(request, *ground, small, toBeat, job.part(0.0, small.empty() ? 1.0 : kFirstTry));
     if (!best || request.draft) {
         return best;
     }
@@ -174,7 +174,7 @@ Result<PlannedStages> StageRunner::run(const PlanRequest& request, std::optional
         if (fewer.size() == swaths.goneRound.size()) {
             continue;
         }
-        auto other = plannedRound(request, *ground, std::move(fewer), atMost, job.quiet());
+        auto other = plannedRound(request, *ground, std::move(fewer), toBeat, job.quiet());
         if (!other && other.error().code == ErrorCode::Cancelled) {
             return other;
         }

@@ -1,5 +1,6 @@
 #pragma once
 
+#include "planner/plan/plan_to_beat.h"
 #include "planner/plan/stage_cache.h"
 #include "planner/plan/stages.h"
 
@@ -38,9 +39,9 @@ public:
     /// All stages once, with just these settings. Where something blocks near obstacles that swaths go round,
     /// the plan is made again with headlands there, or everywhere.
     ///
-    /// @param atMost  a path that takes longer is of no use: InputRefused, without the audit
+    /// @param toBeat  InputRefused for a plan that is no better, as soon as that is known
     /// Errors: those of the stages; InputRefused where the machine fits nowhere in the field. Cancelled.
-    Result<PlannedStages> run(const PlanRequest& request, std::optional<Duration> atMost,
+    Result<PlannedStages> run(const PlanRequest& request, std::optional<PlanToBeat> toBeat,
                               const JobContext& job);
 
     /// Of all that was run so far.
@@ -55,7 +56,7 @@ private:
                             std::vector<Ring> round, const JobContext& job);
     Result<PlannedStages> plannedRound(const PlanRequest& request,
                                        const std::shared_ptr<const Ground>& ground, std::vector<Ring> round,
-                                       std::optional<Duration> atMost, const JobContext& job);
+                                       std::optional<PlanToBeat> toBeat, const JobContext& job);
 
     StageCache& cache_;
     StageTimings timings_;

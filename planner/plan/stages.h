@@ -71,8 +71,10 @@ struct Driven {
     MultiPolygon leftOnPurpose;
     AuditReport audit;  ///< empty of a draft
     std::vector<Finding> findings;
-    Duration driving;   ///< wall time for the path
-    Duration auditing;  ///< and for its audits
+    Area leftBeforeFinishing;  ///< within reach; none where no finishing passes were needed
+    Duration finishingCost;    ///< what they added to the time for all
+    Duration driving;          ///< wall time for the path
+    Duration auditing;         ///< and for its audits
 };
 
 }  // namespace furrow

@@ -1,0 +1,50 @@
+#include "planner/plan/plan_to_beat.h"
+
+#include "planner/path/blocking.h"
+
+#include <algorithm>
+
+namespace furrow {
+
+namespace {
+
+constexpr double kNear = 1.01;
+
+}  // namespace
+
+Duration timeForAll(const Machine& machine, const Path& path, const AuditReport& audit) {
+    const double missedM = audit.missed.value_or(Area{}).si() / machine.operatingWidth().si();
+    return path.duration() + seconds(missedM / machine.spec().tractor.workingSpeed.si());
+}
+
+PlanToBeat planToBeat(const Machine& machine, const Driven& driven) {
+    return {.blocking = blockingCount(driven.findings),
+            .time = timeForAll(machine, driven.path, driven.audit),
+            .finishing = driven.finishingCost,
+            .left = driven.leftBeforeFinishing};
+}
+
+Error noBetter(const Field& field) {
+    return {.code = ErrorCode::InputRefused, .what = {}, .where = field.name()};
+}
+
+std::ptrdiff_t lastingCount(std::span<const Finding> findings) {
+    return std::ranges::count_if(findings, [](const Finding& finding) {
+        return isBlocking(finding) && finding.kind != FindingKind::Missed;
+    });
+}
+
+bool mayBeat(const PlanToBeat& other, const Machine& machine, const Driven& driven) {
+    const std::ptrdiff_t lasting = lastingCount(driven.findings);
+    return lasting < other.blocking ||
+           (lasting == other.blocking && timeForAll(machine, driven.path, driven.audit) <= other.time);
+}
+
+bool mayBeatFinished(const PlanToBeat& other, const Machine& machine, const Driven& unfinished) {
+    const double share = other.left > Area{} ? unfinished.audit.left / other.left : 0.0;
+    return lastingCount(unfinished.findings) < other.blocking ||
+           timeForAll(machine, unfinished.path, unfinished.audit) + share * other.finishing <=
+               kNear * other.time;
+}
+
+}  // namespace furrow
