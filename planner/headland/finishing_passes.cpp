@@ -1,20 +1,12 @@
 #include "planner/headland/finishing_passes.h"
 
 #include "planner/geometry/boundary_distance.h"
-#include "planner/geometry/convex_hull.h"
 #include "planner/geometry/curve_parts.h"
-#include "planner/geometry/geos_bridge.h"
-#include "planner/geometry/tolerances.h"
-#include "planner/turns/connection.h"
+#include "planner/headland/finishing_lanes.h"
 
 #include <algorithm>
-#include <array>
-#include <cmath>
 #include <iterator>
-#include <limits>
-#include <numbers>
 #include <optional>
-#include <ranges>
 #include <utility>
 
 namespace furrow {
@@ -22,404 +14,50 @@ namespace furrow {
 namespace {
 
 constexpr std::size_t kMostPasses = 128;
-// Least gain worth lowering the implement for, as a share of the square of the width.
-constexpr double kLeastGainShare = 0.02;
-constexpr double kLookM = 0.15;
-// Distance kept from an edge, so that the machine can leave it again.
-constexpr double kBesideEdgeM = 0.02;
-// Shorter edges, as a share of the width, give no direction for a pass.
-constexpr double kShortestEdgeShare = 0.3;
-// A pass goes no farther than 4 widths beyond the edge it lies beside.
-constexpr double kBeyondWidths = 4.0;
-// Edges within this distance lie beside a piece.
+// A piece of land within this distance of an edge lies at it.
 constexpr double kNearM = 0.5;
-// Passes whose ends are closer than this share of the width are equal.
-constexpr double kSamePassShare = 0.15;
-// Distances of a pass from its flush position beside an edge, as shares of the width.
-constexpr std::array kAside{0.0, 0.04, 0.1, 0.2, 0.4};
-// Passes over a piece: number of headings, and distance between neighbours as a share of the width.
-constexpr int kHeadings = 24;
-constexpr double kStepShare = 0.125;
-
-/// A pass of the implement: its middle goes from `from` to `to`.
-struct Candidate {
-    Point from;
-    Point to;
-    double gainM2 = 0.0;
-};
-
-Ring stripOf(const Candidate& candidate, double widthM) {
-    const Point way = candidate.to - candidate.from;
-    const Point side = (0.5 * widthM / norm(way)) * Point{-way.y, way.x};
-    return {candidate.from - side, candidate.to - side, candidate.to + side, candidate.from + side};
-}
-
-/// The line of the vehicle's reference point.
-Curve lineOf(const Candidate& candidate, const Machine& machine) {
-    const Point way = candidate.to - candidate.from;
-    return {.type = {},
-            .start = vehicleAt({.position = candidate.from, .heading = radians(std::atan2(way.y, way.x))},
-                               machine),
-            .pieces = {{.length = metres(norm(way)), .curvature = {}}}};
-}
 
 Point halfWay(const Curve& line) {
     return partOf(line, {}, 0.5 * line.length()).end().position;
 }
 
-/// The part of a ring on the left of a line (Sutherland & Hodgman 1974, doi 10.1145/360767.360802). Separate
-/// parts stay joined by edges without area between them.
-Ring leftOf(const Ring& ring, Point on, Point along) {
-    Ring kept;
-    for (std::size_t i = 0; i < ring.size(); ++i) {
-        const Point from = ring[i];
-        const Point to = ring[(i + 1) % ring.size()];
-        const double fromLeft = cross(along, from - on);
-        const double toLeft = cross(along, to - on);
-        if (fromLeft >= 0.0) {
-            kept.push_back(from);
-        }
-        if ((fromLeft >= 0.0) != (toLeft >= 0.0)) {
-            kept.push_back(from + (fromLeft / (fromLeft - toLeft)) * (to - from));
-        }
-    }
-    return kept;
-}
-
-/// A line for passes, as long as the edge, chord or side it comes from.
-struct Guide {
-    Point on;
-    Point along;  ///< unit vector
-    double lengthM = 0.0;
-};
-
-/// Edges of the field next to a piece, chords over its bends, and sides of the piece's own hull.
-std::vector<Guide> guidesFor(const Polygon& piece, const MultiPolygon& workable, double widthM) {
-    std::vector<Guide> guides;
-    const auto add = [&](Point from, Point to) {
-        const Point way = to - from;
-        const double lengthM = norm(way);
-        if (lengthM >= kShortestEdgeShare * widthM) {
-            guides.push_back({.on = from, .along = (1.0 / lengthM) * way, .lengthM = lengthM});
-        }
-    };
-    const Bounds box = bounds({piece});
-    const auto isNear = [&](Point a, Point b) {
-        return std::min(a.x, b.x) < box.max.x + kNearM && std::max(a.x, b.x) > box.min.x - kNearM &&
-               std::min(a.y, b.y) < box.max.y + kNearM && std::max(a.y, b.y) > box.min.y - kNearM;
-    };
-    const auto addRing = [&](const Ring& ring) {
-        for (std::size_t i = 0; i < ring.size(); ++i) {
-            // The edge itself, and the chord over enough edges to be long enough.
-            std::size_t next = i + 1;
-            while (next < i + ring.size() && distance(ring[i], ring[next % ring.size()]) < widthM) {
-                ++next;
-            }
-            for (std::size_t end = i + 1;; end = next) {
-                if (isNear(ring[i], ring[end % ring.size()])) {
-                    add(ring[i], ring[end % ring.size()]);
-                }
-                if (end == next) {
-                    break;
-                }
-            }
-        }
-    };
-    for (const Polygon& polygon : workable) {
-        addRing(polygon.outer);
-        std::ranges::for_each(polygon.holes, addRing);
-    }
-    const Ring hull = convexHull(piece.outer);
-    for (std::size_t i = 0; i < hull.size(); ++i) {
-        add(hull[i], hull[(i + 1) % hull.size()]);
-    }
-    return guides;
-}
-
-/// A stretch of a line beside land that is left.
-struct Lane {
-    Point on;
-    Point along;  ///< unit vector
-    double fromM = 0.0;
-    double toM = 0.0;
-    double gainM2 = 0.0;  ///< at most
-    bool isFree = false;  ///< known to have room for the machine
-};
-
-/// The land that is left, with the boxes of its pieces.
-struct Left {
-    explicit Left(MultiPolygon all) : pieces{std::move(all)} {
-        for (const Polygon& piece : pieces) {
-            boxes.push_back(bounds({piece}));
-            inAll += area(piece);
-            largest = std::max(largest, area(piece));
-        }
-    }
-
-    bool liesBy(std::size_t piece, const Bounds& box) const {
-        const Bounds& own = boxes[piece];
-        return own.min.x <= box.max.x && own.max.x >= box.min.x && own.min.y <= box.max.y &&
-               own.max.y >= box.min.y;
-    }
-    /// The land left after one more pass.
-    Result<MultiPolygon> without(const MultiPolygon& worked, const JobContext& job) const {
-        const Bounds box = bounds(worked);
-        MultiPolygon near;
-        MultiPolygon rest;
-        for (std::size_t i = 0; i < pieces.size(); ++i) {
-            (liesBy(i, box) ? near : rest).push_back(pieces[i]);
-        }
-        return difference(near, worked, job).transform([&](MultiPolygon cut) {
-            std::ranges::move(cut, std::back_inserter(rest));
-            return std::move(rest);
-        });
-    }
-
-    MultiPolygon pieces;
-    std::vector<Bounds> boxes;
-    Area inAll;
-    Area largest;
-};
-
-class Chooser {
-public:
-    explicit Chooser(const FinishingTask& task)
-        : task_{task},
-          widthM_{task.lowered.machine().operatingWidth().si()},
-          flushM_{0.5 * std::max(widthM_, task.lowered.machine().workingFootprintWidth().si()) +
-                  kBesideEdgeM},
-          runInM_{task.lowered.machine().runIn().si()} {}
-
-    double widthM() const { return widthM_; }
-    double leastGainM2() const { return kLeastGainShare * widthM_ * widthM_; }
-    bool isRefused(const Curve& line) const {
-        const auto isClose = [&](const Pose& a, const Pose& b) {
-            return distance(a.position, b.position) < kSamePassShare * widthM_;
-        };
-        return std::ranges::any_of(task_.refused, [&](const PassStretch& stretch) {
-            return isClose(stretch.line.start, line.start) && isClose(stretch.line.end(), line.end());
-        });
-    }
-
-    /// Every stretch beside a piece on which a pass would gain enough. Room is not checked yet.
-    std::vector<Lane> lanesBeside(const Polygon& piece) const {
-        std::vector<Lane> lanes;
-        for (const Guide& guide : guidesFor(piece, task_.workable, widthM_)) {
-            for (const double sign : {1.0, -1.0}) {
-                const Point along = sign * guide.along;
-                const Point begin = sign > 0.0 ? guide.on : guide.on + guide.lengthM * guide.along;
-                // Rings have the field on their left. Lanes lie beside an edge, and farther in for edges that
-                // bend inwards.
-                for (const double share : kAside) {
-                    const double asideM = sign * (flushM_ + share * widthM_);
-                    addLane(piece, begin + asideM * Point{-along.y, along.x}, along, guide.lengthM, lanes);
-                }
-            }
-        }
-        return lanes;
-    }
-
-    /// Every stretch over a piece, in all headings, independent of the edges beside it.
-    std::vector<Lane> lanesAcross(const Polygon& piece) const {
-        std::vector<Lane> lanes;
-        for (int i = 0; i < kHeadings; ++i) {
-            const Point along = direction(2.0 * std::numbers::pi * i / kHeadings);
-            const Point side{-along.y, along.x};
-            const auto [right, left] =
-                std::ranges::minmax(piece.outer | std::views::transform([&](Point point) {
-                                        return dot(side, point - piece.outer.front());
-                                    }));
-            for (double asideM = right - 0.5 * widthM_ + kStepShare * widthM_; asideM < left + 0.5 * widthM_;
-                 asideM += kStepShare * widthM_) {
-                addLane(piece, piece.outer.front() + asideM * side, along, 0.0, lanes);
-            }
-        }
-        return lanes;
-    }
-
-    /// The land still left beside a lane: no pass on it gains more.
-    double landBesideM2(const Lane& lane, const Left& left) const {
-        const Ring strip = stripOf(
-            {.from = lane.on + (lane.fromM + runInM_) * lane.along, .to = lane.on + lane.toM * lane.along},
-            widthM_);
-        const Bounds box = bounds({{.outer = strip, .holes = {}}});
-        double sumM2 = 0.0;
-        for (std::size_t i = 0; i < left.pieces.size(); ++i) {
-            if (left.liesBy(i, box)) {
-                sumM2 += inStripM2(left.pieces[i], strip);
-            }
-        }
-        return sumM2;
-    }
-
-    /// The pass along a lane over the land still left beside it. Empty if it gains too little.
-    std::optional<Candidate> passAlong(const Lane& lane, const Left& left) const {
-        // The run-in works nothing.
-        const Point from = lane.on + (lane.fromM + runInM_) * lane.along;
-        const Point to = lane.on + lane.toM * lane.along;
-        const Ring strip = stripOf({.from = from, .to = to}, widthM_);
-        const Bounds box = bounds({{.outer = strip, .holes = {}}});
-        Candidate candidate;
-        double beginsM = lane.toM;
-        double endsM = lane.fromM;
-        for (std::size_t i = 0; i < left.pieces.size(); ++i) {
-            if (!left.liesBy(i, box)) {
-                continue;
-            }
-            const Ring inStrip = clipped(left.pieces[i].outer, strip);
-            candidate.gainM2 += signedAreaM2(inStrip);
-            for (const Ring& hole : left.pieces[i].holes) {
-                candidate.gainM2 += signedAreaM2(clipped(hole, strip));
-            }
-            for (const Point& point : inStrip) {
-                const double m = dot(lane.along, point - lane.on);
-                beginsM = std::min(beginsM, m);
-                endsM = std::max(endsM, m);
-            }
-        }
-        if (candidate.gainM2 < leastGainM2() || endsM - beginsM <= 2.0 * kLookM) {
-            return std::nullopt;
-        }
-        candidate.from = lane.on + beginsM * lane.along;
-        candidate.to = lane.on + endsM * lane.along;
-        const Curve line = lineOf(candidate, task_.lowered.machine());
-        return isRefused(line) || worksOnPurposeLeft(candidate) || !isClear(line) ? std::nullopt
-                                                                                  : std::optional{candidate};
-    }
-
-    /// The stretches of a lane on which the machine has room.
-    std::vector<Lane> freeLanes(const Lane& lane) const {
-        std::vector<Lane> free;
-        const Angle heading = radians(std::atan2(lane.along.y, lane.along.x));
-        const auto roomM = [&](double m) {
-            const Pose pose = vehicleAt({.position = lane.on + m * lane.along, .heading = heading},
-                                        task_.lowered.machine());
-            return task_.lowered.roomM(Rig::inLine(pose));
-        };
-        std::optional<double> begun;
-        bool isFree = false;
-        double knownToM = -std::numeric_limits<double>::infinity();
-        for (double m = lane.fromM;; m += kLookM) {
-            const double here = std::min(m, lane.toM);
-            // A place that is inside or outside by a distance stays so for the same distance along the lane.
-            if (here >= knownToM) {
-                const double room = roomM(here);
-                isFree = room >= -kContactM;
-                knownToM = here + std::abs(room) - kContactM;
-            }
-            if (isFree && !begun) {
-                begun = here;
-            }
-            if (begun && (!isFree || here == lane.toM)) {
-                const double end = isFree ? here : here - kLookM;
-                if (end - *begun > runInM_ + 2.0 * kLookM) {
-                    free.push_back(lane);
-                    free.back().fromM = *begun;
-                    free.back().toM = end;
-                    free.back().isFree = true;
-                }
-                begun.reset();
-            }
-            if (here == lane.toM) {
-                return free;
-            }
-        }
-    }
-
-private:
-    static double inStripM2(const Polygon& polygon, const Ring& strip) {
-        double sumM2 = signedAreaM2(clipped(polygon.outer, strip));
-        for (const Ring& hole : polygon.holes) {
-            sumM2 += signedAreaM2(clipped(hole, strip));
-        }
-        return sumM2;
-    }
-
-    static Ring clipped(Ring ring, const Ring& strip) {
-        for (std::size_t i = 0; i < strip.size() && !ring.empty(); ++i) {
-            ring = leftOf(ring, strip[i], strip[(i + 1) % strip.size()] - strip[i]);
-        }
-        return ring.size() < 3 ? Ring{} : ring;
-    }
-
-    /// Whether a pass would work land that is left on purpose, by more than rounding.
-    bool worksOnPurposeLeft(const Candidate& candidate) const {
-        const Ring strip = stripOf(candidate, widthM_);
-        return std::ranges::any_of(task_.leftOnPurpose, [&](const Polygon& polygon) {
-            return inStripM2(polygon, strip) > leastGainM2();
-        });
-    }
-
-    /// Also checks between the sampled places.
-    bool isClear(const Curve& line) const {
-        return task_.lowered.driven(Rig::inLine(line.start), line).has_value();
-    }
-
-    /// Adds the lane along a line as far as the piece lies beside it, not far beyond the guide, with the
-    /// run-in before it.
-    void addLane(const Polygon& piece, Point on, Point along, double lengthM,
-                 std::vector<Lane>& lanes) const {
-        const Point side = (0.5 * widthM_) * Point{-along.y, along.x};
-        const double beyondM = kBeyondWidths * widthM_;
-        const Ring strip = {on - beyondM * along - side, on + (lengthM + beyondM) * along - side,
-                            on + (lengthM + beyondM) * along + side, on - beyondM * along + side};
-        const Ring beside = clipped(piece.outer, strip);
-        const double gainM2 = std::abs(signedAreaM2(beside));
-        if (beside.empty() || gainM2 < leastGainM2()) {
-            return;
-        }
-        const auto [first, last] =
-            std::ranges::minmax(beside, {}, [&](Point point) { return dot(along, point - on); });
-        lanes.push_back({.on = on,
-                         .along = along,
-                         .fromM = dot(along, first - on) - runInM_,
-                         .toM = dot(along, last - on),
-                         .gainM2 = gainM2});
-    }
-
-    const FinishingTask& task_;
-    double widthM_;
-    double flushM_;  ///< from an edge to the middle of a pass along it
-    double runInM_;
-};
-
 /// The chosen passes as lines of the vehicle's reference point, and the land that they leave.
 struct Chosen {
     std::vector<Curve> passes;
-    Left left;
+    LeftLand left;
 };
 
-bool isTooMuchInAll(const FinishingTask& task, const Left& left) {
+bool isTooMuchInAll(const FinishingTask& task, const LeftLand& left) {
     return left.inAll > task.mayStay;
 }
 
-bool isTooMuch(const FinishingTask& task, const Left& left) {
+bool isTooMuch(const FinishingTask& task, const LeftLand& left) {
     return isTooMuchInAll(task, left) || left.largest > task.mayStayInOnePiece;
 }
 
 /// Takes the pass with the largest gain, again and again, while too much is left. Each pass can only lower
 /// the other gains. A lane that is still the best after its gain is recomputed is therefore the best of all
 /// (Minoux 1978, doi 10.1007/BFb0006528).
-Result<void> chooseBest(std::vector<Lane> lanes, const Chooser& chooser, const FinishingTask& task,
-                        Chosen& chosen, const JobContext& job) {
-    const auto less = [](const Lane& a, const Lane& b) { return a.gainM2 < b.gainM2; };
+Result<void> chooseBest(std::vector<FinishingLane> lanes, const FinishingLanes& finder,
+                        const FinishingTask& task, Chosen& chosen, const JobContext& job) {
+    const auto less = [](const FinishingLane& a, const FinishingLane& b) { return a.gainM2 < b.gainM2; };
     std::ranges::make_heap(lanes, less);
     while (!lanes.empty() && chosen.passes.size() < kMostPasses && isTooMuch(task, chosen.left)) {
         if (job.stopRequested()) {
             return std::unexpected(cancelled());
         }
         std::ranges::pop_heap(lanes, less);
-        Lane lane = lanes.back();
+        FinishingLane lane = lanes.back();
         lanes.pop_back();
-        const auto putBack = [&](const Lane& one) {
+        const auto putBack = [&](const FinishingLane& one) {
             lanes.push_back(one);
             std::ranges::push_heap(lanes, less);
         };
         // Most lanes are never the best. Their room is therefore checked only here, and only where other
         // passes left them enough.
         if (!lane.isFree) {
-            const double besideM2 = chooser.landBesideM2(lane, chosen.left);
-            if (besideM2 < chooser.leastGainM2()) {
+            const double besideM2 = finder.landBesideM2(lane, chosen.left);
+            if (besideM2 < finder.leastGainM2()) {
                 continue;
             }
             if (besideM2 < lane.gainM2 && !lanes.empty() && besideM2 < lanes.front().gainM2) {
@@ -427,10 +65,10 @@ Result<void> chooseBest(std::vector<Lane> lanes, const Chooser& chooser, const F
                 putBack(lane);
                 continue;
             }
-            std::ranges::for_each(chooser.freeLanes(lane), putBack);
+            std::ranges::for_each(finder.free(lane), putBack);
             continue;
         }
-        const std::optional<Candidate> found = chooser.passAlong(lane, chosen.left);
+        const std::optional<FinishingPass> found = finder.passAlong(lane, chosen.left);
         if (!found) {
             continue;
         }
@@ -439,11 +77,11 @@ Result<void> chooseBest(std::vector<Lane> lanes, const Chooser& chooser, const F
             putBack(lane);
             continue;
         }
-        auto rest = chosen.left.without({{.outer = stripOf(*found, chooser.widthM()), .holes = {}}}, job);
+        auto rest = chosen.left.without({{.outer = stripOf(*found, finder.widthM()), .holes = {}}}, job);
         if (!rest) {
             return std::unexpected(rest.error());
         }
-        Left after{std::move(*rest)};
+        LeftLand after{std::move(*rest)};
         // Once enough is worked in total, only a pass that makes a large piece smaller is useful.
         if (isTooMuchInAll(task, chosen.left) || after.largest < chosen.left.largest) {
             chosen.passes.push_back(lineOf(*found, task.lowered.machine()));
@@ -455,13 +93,13 @@ Result<void> chooseBest(std::vector<Lane> lanes, const Chooser& chooser, const F
 }
 
 /// Adds passes on full lock over land at the edges, piece by piece, the largest first.
-Result<void> chooseBends(const Chooser& chooser, const FinishingTask& task, const BoundaryDistance& edges,
-                         Chosen& chosen, const JobContext& job) {
+Result<void> chooseBends(const FinishingLanes& finder, const FinishingTask& task,
+                         const BoundaryDistance& edges, Chosen& chosen, const JobContext& job) {
     const auto isAtEdge = [&](const Polygon& piece) {
         return std::ranges::any_of(
             piece.outer, [&](Point place) { return edges.insideM(place).value_or(kNearM) < kNearM; });
     };
-    const auto isRefused = [&](const Curve& line) { return chooser.isRefused(line); };
+    const auto isRefused = [&](const Curve& line) { return finder.isRefused(line); };
     std::size_t givenUp = 0;
     while (chosen.passes.size() < kMostPasses && isTooMuch(task, chosen.left)) {
         if (job.stopRequested()) {
@@ -472,7 +110,7 @@ Result<void> chooseBends(const Chooser& chooser, const FinishingTask& task, cons
         }
         const Polygon& piece = chosen.left.pieces[givenUp];
         const bool isOfUse = isTooMuchInAll(task, chosen.left) || area(piece) > task.mayStayInOnePiece;
-        if (area(piece).si() < chooser.leastGainM2() || !isOfUse) {
+        if (area(piece).si() < finder.leastGainM2() || !isOfUse) {
             break;
         }
         ++givenUp;
@@ -484,12 +122,12 @@ Result<void> chooseBends(const Chooser& chooser, const FinishingTask& task, cons
         if (!rest) {
             return std::unexpected(rest.error());
         }
-        if ((chosen.left.inAll - area(*rest)).si() < chooser.leastGainM2()) {
+        if ((chosen.left.inAll - area(*rest)).si() < finder.leastGainM2()) {
             continue;
         }
         std::ranges::stable_sort(*rest, std::ranges::greater{}, [](const Polygon& one) { return area(one); });
         chosen.passes.push_back(std::move(pass->line));
-        chosen.left = Left{std::move(*rest)};
+        chosen.left = LeftLand{std::move(*rest)};
         --givenUp;
     }
     return {};
@@ -498,36 +136,36 @@ Result<void> chooseBends(const Chooser& chooser, const FinishingTask& task, cons
 }  // namespace
 
 Result<std::vector<HeadlandPass>> finishingPasses(const FinishingTask& task, const JobContext& job) {
-    const Chooser chooser{task};
+    const FinishingLanes finder{task};
     const Machine& machine = task.lowered.machine();
     const BoundaryDistance edges{task.workable, metres(1e4)};
-    Chosen chosen{.passes = {}, .left = Left{task.left}};
+    Chosen chosen{.passes = {}, .left = LeftLand{task.left}};
     if (task.bends != nullptr) {
-        if (auto done = chooseBends(chooser, task, edges, chosen, job); !done) {
+        if (auto done = chooseBends(finder, task, edges, chosen, job); !done) {
             return std::unexpected(done.error());
         }
     }
-    for (const auto lanesOver : {&Chooser::lanesBeside, &Chooser::lanesAcross}) {
+    for (const auto lanesOver : {&FinishingLanes::beside, &FinishingLanes::across}) {
         if (!isTooMuch(task, chosen.left)) {
             break;
         }
-        std::vector<Lane> lanes;
+        std::vector<FinishingLane> lanes;
         for (const Polygon& piece : chosen.left.pieces) {
-            if (area(piece).si() >= chooser.leastGainM2()) {
-                std::ranges::move((chooser.*lanesOver)(piece), std::back_inserter(lanes));
+            if (area(piece).si() >= finder.leastGainM2()) {
+                std::ranges::move((finder.*lanesOver)(piece), std::back_inserter(lanes));
             }
             if (job.stopRequested()) {
                 return std::unexpected(cancelled());
             }
         }
-        if (auto done = chooseBest(std::move(lanes), chooser, task, chosen, job); !done) {
+        if (auto done = chooseBest(std::move(lanes), finder, task, chosen, job); !done) {
             return std::unexpected(done.error());
         }
     }
     std::vector<HeadlandPass> passes;
     for (Curve& line : chosen.passes) {
         const double fromEdgeM = edges.insideM(halfWay(line)).value_or(0.0);
-        passes.push_back({.ring = static_cast<int>(fromEdgeM / chooser.widthM()),
+        passes.push_back({.ring = static_cast<int>(fromEdgeM / finder.widthM()),
                           .width = machine.operatingWidth(),
                           .closed = false,
                           .stretches = {{.line = std::move(line)}}});

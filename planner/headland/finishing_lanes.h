@@ -1,0 +1,84 @@
+#pragma once
+
+#include "planner/headland/finishing_passes.h"
+
+#include <optional>
+#include <vector>
+
+namespace furrow {
+
+// Internal to the finishing passes: where a straight pass could lie, and what it would gain.
+
+/// A pass of the implement: its middle goes from `from` to `to`.
+struct FinishingPass {
+    Point from;
+    Point to;
+    double gainM2 = 0.0;
+};
+
+/// The area that a pass works.
+Ring stripOf(const FinishingPass& pass, double widthM);
+
+/// The line of the vehicle's reference point.
+Curve lineOf(const FinishingPass& pass, const Machine& machine);
+
+/// A stretch of a line beside land that is left.
+struct FinishingLane {
+    Point on;
+    Point along;  ///< unit vector
+    double fromM = 0.0;
+    double toM = 0.0;
+    double gainM2 = 0.0;  ///< at most
+    bool isFree = false;  ///< known to have room for the machine
+};
+
+/// The land that is left, with the boxes of its pieces.
+struct LeftLand {
+    explicit LeftLand(MultiPolygon all);
+
+    bool liesBy(std::size_t piece, const Bounds& box) const;
+    /// The land left after one more pass. Cancelled.
+    Result<MultiPolygon> without(const MultiPolygon& worked, const JobContext& job) const;
+
+    MultiPolygon pieces;
+    std::vector<Bounds> boxes;
+    Area inAll;
+    Area largest;
+};
+
+/// Finds lanes for one task, which it refers to.
+class FinishingLanes {
+public:
+    explicit FinishingLanes(const FinishingTask& task);
+
+    double widthM() const { return widthM_; }
+    /// The least gain worth lowering the implement for.
+    double leastGainM2() const;
+    /// Whether nearly the same pass was refused before.
+    bool isRefused(const Curve& line) const;
+
+    /// Every stretch beside a piece on which a pass would gain enough. Room is not checked yet.
+    std::vector<FinishingLane> beside(const Polygon& piece) const;
+    /// Every stretch over a piece, in all headings, independent of the edges beside it.
+    std::vector<FinishingLane> across(const Polygon& piece) const;
+
+    /// The land still left beside a lane: no pass on it gains more.
+    double landBesideM2(const FinishingLane& lane, const LeftLand& left) const;
+    /// The pass along a lane over the land still left beside it. Empty if it gains too little.
+    std::optional<FinishingPass> passAlong(const FinishingLane& lane, const LeftLand& left) const;
+    /// The stretches of a lane on which the machine has room.
+    std::vector<FinishingLane> free(const FinishingLane& lane) const;
+
+private:
+    bool worksOnPurposeLeft(const FinishingPass& pass) const;
+    bool isClear(const Curve& line) const;
+    void addLane(const Polygon& piece, Point on, Point along, double lengthM,
+                 std::vector<FinishingLane>& lanes) const;
+
+    const FinishingTask& task_;
+    double widthM_;
+    double flushM_;  ///< from an edge to the middle of a pass along it
+    double runInM_;
+};
+
+}  // namespace furrow
