@@ -2,8 +2,8 @@
 
 #include "app/cli/exit_status.h"
 #include "app/cli/terminal.h"
-#include "planner/evaluation/paper.h"
-#include "planner/evaluation/speed.h"
+#include "planner/benchmarks/paper.h"
+#include "planner/benchmarks/speed.h"
 #include "planner/io/files/atomic_files.h"
 #include "planner/io/import/boundary_import.h"
 

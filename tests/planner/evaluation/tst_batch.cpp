@@ -6,6 +6,7 @@
 #include "planner/plan/method_registry.h"
 #include "tests/support/field_generator.h"
 #include "tests/support/result_check.h"
+#include "tests/support/test_program.h"
 
 #include <QDir>
 #include <QFile>
@@ -426,5 +427,5 @@ private slots:
     }
 };
 
-QTEST_GUILESS_MAIN(BatchTest)
+FURROW_TEST(BatchTest);
 #include "tst_batch.moc"

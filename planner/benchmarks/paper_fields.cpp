@@ -1,4 +1,4 @@
-#include "planner/evaluation/paper.h"
+#include "planner/benchmarks/paper.h"
 #include "resources/embedded.h"
 
 #include <nlohmann/json.hpp>

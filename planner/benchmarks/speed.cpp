@@ -1,8 +1,8 @@
-#include "planner/evaluation/speed.h"
+#include "planner/benchmarks/speed.h"
 
-#include "planner/evaluation/paper_settings.h"
-#include "planner/evaluation/peak_memory.h"
-#include "planner/geometry/geos_yardstick.h"
+#include "planner/benchmarks/geos_yardstick.h"
+#include "planner/benchmarks/paper_settings.h"
+#include "planner/benchmarks/peak_memory.h"
 #include "planner/machine/machine_library.h"
 #include "planner/plan/method_registry.h"
 #include "planner/plan/plan.h"
@@ -171,7 +171,7 @@ private:
         for (const int threads : threadCounts) {
             const Measured ours = measured([&] {
                 const auto set =
-                    swathMethod(*settings)(task, {.stop = job_.stop, .progress = {}, .threads = threads});
+                    swathMethod(*settings).run(task, {.stop = job_.stop, .progress = {}, .threads = threads});
                 keep(set ? set->coverage : 0.0);
             });
             add(std::format("best of 180 headings, {}", objective), field, threads, ours, plain);
@@ -224,8 +224,8 @@ private:
                 const SwathTask task{
                     .field = **whole, .mainland = mainland, .machine = machine, .settings = *settings};
                 add(std::format("{} of a convex cell, {}", name, objective), convex, 1, measured([&] {
-                        const auto set =
-                            swathMethod(*settings)(task, {.stop = job_.stop, .progress = {}, .threads = 1});
+                        const auto set = swathMethod(*settings).run(
+                            task, {.stop = job_.stop, .progress = {}, .threads = 1});
                         keep(set ? set->coverage : 0.0);
                     }),
                     std::nullopt);

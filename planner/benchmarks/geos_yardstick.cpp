@@ -1,4 +1,4 @@
-#include "planner/geometry/geos_yardstick.h"
+#include "planner/benchmarks/geos_yardstick.h"
 
 #include <geos_c.h>
 

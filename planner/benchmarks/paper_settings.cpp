@@ -1,4 +1,4 @@
-#include "planner/evaluation/paper_settings.h"
+#include "planner/benchmarks/paper_settings.h"
 
 #include "planner/field/field.h"
 #include "planner/machine/machine_library.h"

@@ -1,4 +1,4 @@
-#include "planner/evaluation/peak_memory.h"
+#include "planner/benchmarks/peak_memory.h"
 
 #include <fstream>
 #include <string>

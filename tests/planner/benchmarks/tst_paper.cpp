@@ -1,9 +1,10 @@
 // The paper's experiments: what goes in is what is said, what comes out repeats.
 
-#include "planner/evaluation/line_fit.h"
-#include "planner/evaluation/paper.h"
-#include "planner/evaluation/paper_settings.h"
+#include "planner/benchmarks/line_fit.h"
+#include "planner/benchmarks/paper.h"
+#include "planner/benchmarks/paper_settings.h"
 #include "tests/support/result_check.h"
+#include "tests/support/test_program.h"
 
 #include <QTest>
 #include <QXmlStreamReader>
@@ -143,5 +144,5 @@ private slots:
     }
 };
 
-QTEST_APPLESS_MAIN(PaperTest)
+FURROW_TEST(PaperTest);
 #include "tst_paper.moc"

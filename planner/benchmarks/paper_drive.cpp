@@ -1,6 +1,6 @@
+#include "planner/benchmarks/paper.h"
+#include "planner/benchmarks/paper_settings.h"
 #include "planner/evaluation/comparison_report.h"
-#include "planner/evaluation/paper.h"
-#include "planner/evaluation/paper_settings.h"
 #include "planner/plan/method_registry.h"
 #include "planner/plan/plan.h"
 #include "planner/units/angle.h"

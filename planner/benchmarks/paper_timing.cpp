@@ -1,6 +1,6 @@
-#include "planner/evaluation/line_fit.h"
-#include "planner/evaluation/paper.h"
-#include "planner/evaluation/paper_settings.h"
+#include "planner/benchmarks/line_fit.h"
+#include "planner/benchmarks/paper.h"
+#include "planner/benchmarks/paper_settings.h"
 #include "planner/plan/plan.h"
 #include "planner/report/chart.h"
 

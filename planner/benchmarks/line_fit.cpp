@@ -1,4 +1,4 @@
-#include "planner/evaluation/line_fit.h"
+#include "planner/benchmarks/line_fit.h"
 
 namespace furrow {
 

@@ -1,5 +1,5 @@
-#include "planner/evaluation/paper.h"
-#include "planner/evaluation/paper_settings.h"
+#include "planner/benchmarks/paper.h"
+#include "planner/benchmarks/paper_settings.h"
 #include "planner/report/chart.h"
 #include "planner/report/map_picture.h"
 #include "planner/swaths/heading_search.h"

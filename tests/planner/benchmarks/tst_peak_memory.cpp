@@ -1,6 +1,7 @@
 // The peak is that of the work alone, whatever was used and freed before it.
 
-#include "planner/evaluation/peak_memory.h"
+#include "planner/benchmarks/peak_memory.h"
+#include "tests/support/test_program.h"
 
 #include <QTest>
 
@@ -63,5 +64,5 @@ private slots:
     }
 };
 
-QTEST_APPLESS_MAIN(PeakMemoryTest)
+FURROW_TEST(PeakMemoryTest);
 #include "tst_peak_memory.moc"
