@@ -78,6 +78,7 @@ const Method<RoutePlanner> kCustomMethod{
              .name = "Your own order",
              .description = "The swaths in the order and direction that you type.",
              .parameters = kParameters},
-    .run = customOrder};
+    .run = customOrder,
+    .traits = {.isByHand = true}};
 
 }  // namespace furrow

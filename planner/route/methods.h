@@ -3,6 +3,8 @@
 #include "planner/route/route.h"
 #include "planner/settings/method.h"
 
+#include <array>
+
 namespace furrow {
 
 /// The corner of a pattern at which the route starts.
@@ -18,5 +20,11 @@ extern const Method<RoutePlanner> kSpiralMethod;
 extern const Method<RoutePlanner> kSkipMethod;
 extern const Method<RoutePlanner> kRacetrackMethod;
 extern const Method<RoutePlanner> kCustomMethod;
+
+/// Every method of the stage, the default first.
+inline constexpr std::array kRouteMethods{
+    &kOptimisedMethod, &kBoustrophedonMethod, &kSnakeMethod,  &kSpiralMethod,
+    &kSkipMethod,      &kRacetrackMethod,     &kCustomMethod,
+};
 
 }  // namespace furrow

@@ -37,6 +37,7 @@ const Method<RoutePlanner> kOptimisedMethod{
              .name = "The quickest",
              .description = "Of all patterns the one with the quickest turns for this machine.",
              .parameters = kParameters},
-    .run = optimised};
+    .run = optimised,
+    .traits = {.isByTime = true}};
 
 }  // namespace furrow

@@ -57,14 +57,16 @@ const Method<RoutePlanner> kBoustrophedonMethod{
              .name = "To and fro",
              .description = "Every swath after its neighbour, back and forth.",
              .parameters = kCornerOnly},
-    .run = boustrophedon};
+    .run = boustrophedon,
+    .traits = {.isPlain = true}};
 
 const Method<RoutePlanner> kSnakeMethod{
     .info = {.id = "snake",
              .name = "Snake",
              .description = "Every second swath on the way out, the others on the way back.",
              .parameters = kCornerOnly},
-    .run = snake};
+    .run = snake,
+    .traits = {.isPlain = true}};
 
 const Method<RoutePlanner> kSpiralMethod{
     .info = {.id = "spiral",

@@ -4,6 +4,7 @@
 #include "planner/geometry/pose.h"
 #include "planner/jobs/job.h"
 #include "planner/machine/machine.h"
+#include "planner/settings/method.h"
 #include "planner/settings/settings.h"
 #include "planner/swaths/swath.h"
 #include "planner/turns/turn_method.h"
@@ -65,5 +66,12 @@ struct RouteTask {
 /// The common signature of all route methods: every swath exactly once. InputRefused: a custom order that
 /// does not name each of them once. Cancelled.
 using RoutePlanner = Result<Route>(const RouteTask& task, const JobContext& job);
+
+template <>
+struct MethodTraits<RoutePlanner> {
+    bool isByTime = false;  ///< the quickest by its estimated turns
+    bool isByHand = false;  ///< the user names the swaths
+    bool isPlain = false;   ///< a pattern that every driver knows, with few long ways
+};
 
 }  // namespace furrow

@@ -1,4 +1,4 @@
-#include "planner/route/beside_line.h"
+#include "planner/route/line_frame.h"
 
 #include "planner/geometry/segment.h"
 
@@ -20,9 +20,9 @@ void Extent::add(const Extent& other) {
     leftM = std::max(leftM, other.leftM);
 }
 
-BesideLine::BesideLine(const Curve& line) : samples_{sampled(line, kChord)} {}
+LineFrame::LineFrame(const Curve& line) : samples_{sampled(line, kChord)} {}
 
-Extent BesideLine::of(const Ring& ring) const {
+Extent LineFrame::of(const Ring& ring) const {
     Extent extent = of(ring.front());
     for (const Point& point : ring) {
         extent.add(of(point));
@@ -30,7 +30,7 @@ Extent BesideLine::of(const Ring& ring) const {
     return extent;
 }
 
-Extent BesideLine::of(Point point) const {
+Extent LineFrame::of(Point point) const {
     std::size_t nearest = 0;
     double nearestM = std::numeric_limits<double>::infinity();
     for (std::size_t i = 0; i + 1 < samples_.size(); ++i) {

@@ -12,7 +12,7 @@
 namespace furrow {
 
 /// The obstacles that swaths go round, and the room for it.
-struct WayRoundTask {
+struct DetourTask {
     const MultiPolygon& drivable;     ///< area for tractor and implement
     std::span<const Ring> obstacles;  ///< holes of that area, without the margin
     const Machine& machine;
@@ -27,6 +27,6 @@ struct WayRoundTask {
 /// @return indices, rising, of the obstacles that some swath does not get round, or only by leaving more than
 /// may stay in one piece. Swaths that touch these keep their lines. Cancelled. Cost: some milliseconds for
 /// each obstacle and swath that meet.
-Result<std::vector<std::size_t>> leadRound(SwathSet& set, const WayRoundTask& task, const JobContext& job);
+Result<std::vector<std::size_t>> addDetours(SwathSet& set, const DetourTask& task, const JobContext& job);
 
 }  // namespace furrow

@@ -20,9 +20,9 @@ struct Extent {
 };
 
 /// Places beside a line of straights and arcs. The line is extended straight at both ends. Immutable.
-class BesideLine {
+class LineFrame {
 public:
-    explicit BesideLine(const Curve& line);
+    explicit LineFrame(const Curve& line);
 
     /// The extent of a ring's corners. Cost: O(corners * chords of the line).
     Extent of(const Ring& ring) const;

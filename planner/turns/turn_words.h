@@ -85,9 +85,9 @@ inline std::optional<double> arcCosine(double cosine) {
 /// that goes both forwards and backwards, doi 10.2140/pjm.1990.145.367; with clothoids Fraichard & Scheuer
 /// 2004, doi 10.1109/TRO.2004.833789.
 template <class Metric>
-class WordSearch {
+class TurnWordSearch {
 public:
-    WordSearch(const Goal& goal, const TurnCircle& circle, const Metric& metric)
+    TurnWordSearch(const Goal& goal, const TurnCircle& circle, const Metric& metric)
         : goal_{goal},
           circle_{circle},
           metric_{metric},

@@ -1,9 +1,9 @@
-#include "planner/route/way_round.h"
+#include "planner/route/swath_detours.h"
 
 #include "planner/geometry/curve_parts.h"
 #include "planner/geometry/tolerances.h"
 #include "planner/jobs/parallel.h"
-#include "planner/route/beside_line.h"
+#include "planner/route/line_frame.h"
 #include "planner/route/route.h"
 #include "planner/swaths/curved_swaths.h"
 #include "planner/turns/dubins.h"
@@ -36,8 +36,8 @@ constexpr double kMostLeftM = 14.0;  // for each metre of the operating width
 constexpr std::size_t kMostTries = 120;
 
 /// The extent of the machine from the middle of its implement, equal in both directions and to both sides.
-struct Breadth {
-    explicit Breadth(const Machine& machine) : halfLengthM{0.5 * machine.spec().implement.length.si()} {
+struct MachineExtent {
+    explicit MachineExtent(const Machine& machine) : halfLengthM{0.5 * machine.spec().implement.length.si()} {
         const Implement& implement = machine.spec().implement;
         for (const Point& corner : machine.workingFootprint()) {
             sideM = std::max(sideM, std::abs(corner.y - implement.lateralOffset.si()));
@@ -84,33 +84,33 @@ Curve moved(const Curve& line, double leftM) {
 }
 
 /// One line, and ways round obstacles beside it.
-class LineRound {
+class DetouredLine {
 public:
-    LineRound(const Swath& swath, const Rig& lowered, const WayRoundTask& task, const Breadth& breadth)
+    DetouredLine(const Swath& swath, const Rig& lowered, const DetourTask& task, const MachineExtent& extent)
         : swath_{swath},
           line_{lineOf(swath)},
           lengthM_{line_.length().si()},
           lowered_{lowered},
           task_{task},
-          breadth_{breadth},
-          clearM_{breadth.sideM + task.margin.si() + kReserveM},
+          extent_{extent},
+          clearM_{extent.sideM + task.margin.si() + kReserveM},
           mostLeftM2_{std::max(kMostLeftM2, kMostLeftM * swath.width.si())} {}
 
     /// The obstacles that the line touches, in their order along it.
     std::vector<std::size_t> touched() {
-        const BesideLine beside{line_};
+        const LineFrame beside{line_};
         std::vector<std::size_t> met;
-        const double sideM = breadth_.sideM + task_.margin.si() - kContactM;
+        const double sideM = extent_.sideM + task_.margin.si() - kContactM;
         for (const Ring& obstacle : task_.obstacles) {
             extents_.push_back(beside.of(obstacle));
             const Extent& extent = extents_.back();
-            if (extent.toM < -breadth_.endM || extent.fromM > lengthM_ + breadth_.endM) {
+            if (extent.toM < -extent_.endM || extent.fromM > lengthM_ + extent_.endM) {
                 continue;
             }
             const bool isInWay = extent.rightM < sideM && extent.leftM > -sideM;
             // In bends the machine takes more room than its width.
-            const bool isNear = sharpestBend(line_) > Curvature{} && extent.rightM < sideM + breadth_.endM &&
-                                extent.leftM > -sideM - breadth_.endM;
+            const bool isNear = sharpestBend(line_) > Curvature{} && extent.rightM < sideM + extent_.endM &&
+                                extent.leftM > -sideM - extent_.endM;
             if (isInWay || (isNear && !isClear(around(extent)))) {
                 met.push_back(extents_.size() - 1);
             }
@@ -166,16 +166,16 @@ public:
 private:
     /// The part of the line beside an extent, with the length of the machine before and after.
     Curve around(const Extent& extent) const {
-        return part(line_, std::max(0.0, extent.fromM - 2.0 * breadth_.endM),
-                    std::min(lengthM_, extent.toM + 2.0 * breadth_.endM));
+        return part(line_, std::max(0.0, extent.fromM - 2.0 * extent_.endM),
+                    std::min(lengthM_, extent.toM + 2.0 * extent_.endM));
     }
 
     /// The detour with the line before and after it, until a trailed implement is in line again in both
     /// directions.
     Curve withLine(const Detour& detour) const {
-        Curve line = part(line_, std::max(0.0, detour.fromM - 3.0 * breadth_.endM), detour.fromM);
+        Curve line = part(line_, std::max(0.0, detour.fromM - 3.0 * extent_.endM), detour.fromM);
         append(line, detour.line);
-        append(line, part(line_, detour.toM, std::min(lengthM_, detour.toM + 3.0 * breadth_.endM)));
+        append(line, part(line_, detour.toM, std::min(lengthM_, detour.toM + 3.0 * extent_.endM)));
         return line;
     }
 
@@ -201,10 +201,10 @@ private:
     /// All possible shapes on one side.
     std::vector<Shape> shapesPast(const Extent& extent, Side side) const {
         const double leastM = swathRadius(task_.machine).si();
-        const double endM = breadth_.endM;
+        const double endM = extent_.endM;
         const std::array aheads{
-            breadth_.halfLengthM,  0.5 * (breadth_.halfLengthM + endM), endM, endM + 0.5 * breadth_.sideM,
-            endM + breadth_.sideM, 2.0 * endM + breadth_.sideM};
+            extent_.halfLengthM,  0.5 * (extent_.halfLengthM + endM), endM, endM + 0.5 * extent_.sideM,
+            endM + extent_.sideM, 2.0 * endM + extent_.sideM};
         const double shiftM = shiftPast(extent, side);
         std::vector<Shape> shapes;
         for (const double aheadM : aheads) {
@@ -241,7 +241,7 @@ private:
         const double leastM = kRadii.front() * swathRadius(task_.machine).si();
         for (bool grows = true; grows;) {
             grows = false;
-            const Shape shape = shapePast(extent, shiftPast(extent, side), breadth_.endM, leastM);
+            const Shape shape = shapePast(extent, shiftPast(extent, side), extent_.endM, leastM);
             for (const Extent& other : extents_) {
                 const bool isAlong =
                     other.toM > shape.fromM - shape.changeM && other.fromM < shape.toM + shape.changeM;
@@ -320,22 +320,23 @@ private:
     Curve line_;
     double lengthM_;
     const Rig& lowered_;
-    const WayRoundTask& task_;
-    const Breadth& breadth_;
+    const DetourTask& task_;
+    const MachineExtent& extent_;
     double clearM_;
     double mostLeftM2_;
     std::vector<Extent> extents_;
 };
 
 /// The changed line, or the obstacles that it does not get round.
-struct LedSwath {
+struct DetouredSwath {
     Curve line;
     std::vector<std::size_t> refused;
 };
 
-LedSwath led(const Swath& swath, const Rig& lowered, const WayRoundTask& task, const Breadth& breadth) {
-    LineRound line{swath, lowered, task, breadth};
-    LedSwath result;
+DetouredSwath detoured(const Swath& swath, const Rig& lowered, const DetourTask& task,
+                       const MachineExtent& extent) {
+    DetouredLine line{swath, lowered, task, extent};
+    DetouredSwath result;
     struct Passed {
         std::vector<std::size_t> obstacles;
         Detour detour;
@@ -375,20 +376,21 @@ LedSwath led(const Swath& swath, const Rig& lowered, const WayRoundTask& task, c
 
 }  // namespace
 
-Result<std::vector<std::size_t>> leadRound(SwathSet& set, const WayRoundTask& task, const JobContext& job) {
+Result<std::vector<std::size_t>> addDetours(SwathSet& set, const DetourTask& task, const JobContext& job) {
     std::vector<std::size_t> refused;
     if (task.obstacles.empty()) {
         return refused;
     }
     const Rig lowered{task.drivable, task.machine, ImplementAt::Lowered};
-    const Breadth breadth{task.machine};
-    const auto lines = parallelMap<LedSwath>(
-        set.swaths.size(), [&](std::size_t i) { return led(set.swaths[i], lowered, task, breadth); }, job);
+    const MachineExtent extent{task.machine};
+    const auto lines = parallelMap<DetouredSwath>(
+        set.swaths.size(), [&](std::size_t i) { return detoured(set.swaths[i], lowered, task, extent); },
+        job);
     if (!lines) {
         return std::unexpected(lines.error());
     }
     for (std::size_t i = 0; i < lines->size(); ++i) {
-        const LedSwath& line = (*lines)[i];
+        const DetouredSwath& line = (*lines)[i];
         refused.insert(refused.end(), line.refused.begin(), line.refused.end());
         if (line.line.pieces.empty() || !line.refused.empty()) {
             continue;
