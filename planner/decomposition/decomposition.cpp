@@ -282,6 +282,10 @@ const Parameter kSplit{
     .standard = {},
     .choices = {}};
 
+bool hasHeadingPerCell(const Settings& settings) {
+    return settings.choice(kCellHeading) == "per-cell";
+}
+
 const Parameter kCellHeading{.key = "decomposition.heading",
                              .name = "Heading",
                              .description = "Whether cells have a heading of their own.",
@@ -321,8 +325,8 @@ const Method<Decomposer> kMergedCellsMethod{
          .description =
              "Cut where an obstacle or a bay begins or ends, and joined again where that saves turns and ways.",
          .parameters = {}},
-    .run = [](const DecompositionTask& task, const JobContext& job) {
-        return decomposed(task, false, true, job);
-    }};
+    .run = [](const DecompositionTask& task,
+              const JobContext& job) { return decomposed(task, false, true, job); },
+    .traits = {.joinsCells = true}};
 
 }  // namespace furrow

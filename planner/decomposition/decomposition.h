@@ -7,6 +7,8 @@
 #include "planner/settings/settings.h"
 #include "planner/swaths/swath.h"
 
+#include <array>
+
 #include <cstddef>
 #include <vector>
 
@@ -60,10 +62,17 @@ struct DecompositionTask {
 /// one cell unchanged. Cancelled. Cost: O(n) edges for each corner with a cut, and one GEOS noding.
 using Decomposer = Result<Decomposition>(const DecompositionTask& task, const JobContext& job);
 
+template <>
+struct MethodTraits<Decomposer> {
+    bool joinsCells = false;  ///< of a finer division, with its steps as history
+};
+
 /// Lines along which the mainland is cut first, before any of these methods divides it.
 extern const Parameter kSplit;
 /// Whether all cells have one heading.
 extern const Parameter kCellHeading;
+/// Whether each cell may have a heading of its own.
+bool hasHeadingPerCell(const Settings& settings);
 
 extern const Method<Decomposer> kOnePieceMethod;
 /// Cut along the heading at every corner (Chazelle 1987).
@@ -74,5 +83,13 @@ extern const Method<Decomposer> kBoustrophedonCellsMethod;
 /// The same. Then two cells, one above the other, are joined if that lowers the estimated time for turns and
 /// for ways between cells (DESIGN 32).
 extern const Method<Decomposer> kMergedCellsMethod;
+
+/// Every method of the stage, the default first.
+inline constexpr std::array kDecompositionMethods{
+    &kMergedCellsMethod,
+    &kBoustrophedonCellsMethod,
+    &kTrapezoidalMethod,
+    &kOnePieceMethod,
+};
 
 }  // namespace furrow

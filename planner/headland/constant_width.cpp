@@ -81,6 +81,7 @@ const Method<HeadlandGenerator> kConstantWidthMethod{
              .name = "Same width all round",
              .description = "A strip of the same width along the boundary and around obstacles, for turning.",
              .parameters = kParameters},
-    .run = constantWidth};
+    .run = constantWidth,
+    .traits = {.isOneWidth = true}};
 
 }  // namespace furrow

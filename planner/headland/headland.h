@@ -5,6 +5,7 @@
 #include "planner/geometry/curve.h"
 #include "planner/jobs/job.h"
 #include "planner/machine/machine.h"
+#include "planner/settings/method.h"
 #include "planner/settings/settings.h"
 #include "planner/turns/turn_method.h"
 
@@ -41,16 +42,17 @@ struct EdgeStrip {
 
 /// The strip kept for turning and the mainland inside it.
 struct Headland {
-    Length width;                     ///< from the boundary, at most; 0 without a headland
-    int passes = 0;                   ///< operating widths that fit into it
-    std::vector<EdgeStrip> strips;    ///< of all edges if they differ; empty if all are the same
-    MultiPolygon mainland;            ///< the field without headland, in metres
-    double mainlandRatio = 0.0;       ///< A_r = area(mainland) / area(field)
-    std::vector<HeadlandPass> rings;  ///< in the chosen direction; empty if the strip is only for turning
-    Length uncutStrip;                ///< at most, along the boundary outside the outermost pass
-    Area uncutCorners;                ///< where that pass is rounded
-    std::vector<Note> notes;          ///< what was reduced, and why
-    bool narrowed = false;            ///< the field was too narrow for the wanted headland
+    Length width;                   ///< from the boundary, at most; 0 without a headland
+    int passes = 0;                 ///< operating widths that fit into it
+    std::vector<EdgeStrip> strips;  ///< of all edges if they differ; empty if all are the same
+    MultiPolygon mainland;          ///< the field without headland, in metres
+    double mainlandRatio = 0.0;     ///< A_r = area(mainland) / area(field)
+    std::vector<HeadlandPass>
+        drivenPasses;         ///< in the chosen direction; empty if the strip is only for turning
+    Length uncutStrip;        ///< at most, along the boundary outside the outermost pass
+    Area uncutCorners;        ///< where that pass is rounded
+    std::vector<Note> notes;  ///< what was reduced, and why
+    bool narrowed = false;    ///< the field was too narrow for the wanted headland
 };
 
 /// The width of the headland along the edge nearest to a place. Cost: O(edges).
@@ -86,5 +88,10 @@ struct HeadlandTask {
 ///
 /// @return a headland whose mainland is not empty. InputRefused: nothing of the field is left. Cancelled.
 using HeadlandGenerator = Result<Headland>(const HeadlandTask& task, const JobContext& job);
+
+template <>
+struct MethodTraits<HeadlandGenerator> {
+    bool isOneWidth = false;  ///< the same all round
+};
 
 }  // namespace furrow

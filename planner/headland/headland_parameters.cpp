@@ -33,6 +33,14 @@ const Parameter kHeadlandDriven{.key = "headland.driven",
                                 .standard = 1.0,
                                 .choices = {}};
 
+bool drivesInsideOut(const Settings& settings) {
+    return settings.choice(kHeadlandOrder) == "inside-out";
+}
+
+bool drivesHeadlandFirst(const Settings& settings) {
+    return settings.choice(kHeadlandWhen) == "before";
+}
+
 const Parameter kHeadlandOrder{.key = "headland.order",
                                .name = "Order",
                                .description = "In which order the headland passes are driven.",

@@ -402,7 +402,7 @@ Result<void> addRings(Headland& headland, const PassTask& task, const JobContext
     const std::optional<EdgeStrips> strips =
         headland.strips.empty() ? std::nullopt : std::optional<EdgeStrips>{headland.strips};
     const auto keep = [&](std::vector<HeadlandPass> passes) {
-        std::ranges::move(passes, std::back_inserter(headland.rings));
+        std::ranges::move(passes, std::back_inserter(headland.drivenPasses));
     };
     // A trailed boom comes to the edge on its own track.
     const Length beside = Trailer::of(machine) ? kBesideEdge : Length{};
@@ -477,7 +477,7 @@ Result<void> addRingsClockwise(Headland& headland, const PassTask& task, const J
                            .margin = task.margin},
                           job);
     if (added) {
-        headland.rings = mirrored(seen.rings);
+        headland.drivenPasses = mirrored(seen.drivenPasses);
         headland.uncutStrip = seen.uncutStrip;
         headland.uncutCorners = seen.uncutCorners;
     }

@@ -7,6 +7,10 @@ namespace furrow {
 extern const Parameter kHeadlandDriven;
 extern const Parameter kHeadlandOrder;
 extern const Parameter kHeadlandWhen;
+/// Whether the innermost headland pass is driven first.
+bool drivesInsideOut(const Settings& settings);
+/// Whether the headland is driven before the swaths.
+bool drivesHeadlandFirst(const Settings& settings);
 extern const Parameter kHeadlandDirection;
 extern const Parameter kHeadlandCorner;
 /// Choice of this setting. Only whole plans show the quickest corner; until then corners are rounded.

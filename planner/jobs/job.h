@@ -20,7 +20,7 @@ struct JobContext {
         }
     }
     /// Without progress: what is tried beside takes no part of it.
-    JobContext quiet() const { return {stop, {}, threads}; }
+    JobContext withoutProgress() const { return {stop, {}, threads}; }
     /// A context whose progress from 0 to 1 is this one's from `begin` to `end`.
     JobContext part(double begin, double end) const {
         if (!progress) {

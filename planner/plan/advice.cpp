@@ -55,8 +55,7 @@ std::vector<Change> changesFor(const Plan& plan) {
     const bool leaves = std::ranges::any_of(plan.findings, [](const Finding& finding) {
         return finding.severity == Severity::Blocking && finding.kind == FindingKind::Outside;
     });
-    const bool canWiden =
-        settings.choice(*stageMethod("headland")) == "constant" && !settings.isSet(kHeadlandWidth);
+    const bool canWiden = headlandMethod(settings).traits.isOneWidth && !settings.isSet(kHeadlandWidth);
     if (leaves && canWiden && !plan.headland.narrowed) {
         changes.push_back({&kHeadlandPasses, std::to_string(plan.headland.passes + 1)});
     }
@@ -107,7 +106,7 @@ Result<std::shared_ptr<const Plan>> withAdvice(const std::shared_ptr<const Plan>
         if (!request.settings.setText(*change.parameter, change.value)) {
             continue;
         }
-        const auto changed = makePlan(request, job.quiet(), cache);
+        const auto changed = makePlan(request, job.withoutProgress(), cache);
         if (!changed && changed.error().code == ErrorCode::Cancelled) {
             return std::unexpected(changed.error());
         }

@@ -50,9 +50,9 @@ AuditInput auditInput(const AuditedParts& plan) {
         input.passes.push_back(
             {.line = drivenMiddle(step, plan.swaths), .width = swath.width, .number = swath.number});
     }
-    addPasses(plan.headland.rings, input.passes);
+    addPasses(plan.headland.drivenPasses, input.passes);
     addPasses(plan.finishing, input.passes);
-    if (plan.headland.width > Length{} && plan.headland.rings.empty() && plan.finishing.empty()) {
+    if (plan.headland.width > Length{} && plan.headland.drivenPasses.empty() && plan.finishing.empty()) {
         input.mainland = plan.mainland;
     }
     return input;

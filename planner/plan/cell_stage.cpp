@@ -52,11 +52,12 @@ Result<Decomposition> cellsOf(const PlanRequest& request, const LaidSwaths& laid
             // Straight along a heading of their own.
             std::ranges::for_each(set.swaths, [](Swath& swath) { swath.curve = {}; });
         }
-        auto cells = decompositionMethod(request.settings)({.mainland = part.outline,
-                                                            .swaths = set,
-                                                            .machine = request.machine,
-                                                            .settings = request.settings},
-                                                           job);
+        auto cells = decompositionMethod(request.settings)
+                         .run({.mainland = part.outline,
+                               .swaths = set,
+                               .machine = request.machine,
+                               .settings = request.settings},
+                              job);
         if (!cells) {
             return std::unexpected(cells.error());
         }

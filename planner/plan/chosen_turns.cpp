@@ -4,9 +4,6 @@
 #include "planner/turns/best_feasible.h"
 #include "planner/turns/connection.h"
 #include "planner/turns/continuous_curvature.h"
-#include "planner/turns/named_turns.h"
-#include "planner/turns/reeds_shepp.h"
-#include "planner/turns/straight_turn.h"
 
 #include <algorithm>
 #include <array>
@@ -16,11 +13,9 @@ namespace furrow {
 namespace {
 
 constexpr std::array kSmooth{&kContinuousDubinsMethod, &kContinuousReedsSheppMethod};
-constexpr std::array kReversing{&kReedsSheppMethod, &kContinuousReedsSheppMethod, &kFishtailMethod,
-                                &kThreePointMethod};
 
 Message whyNot(const Method<TurnPlanner>& kind, const Machine& machine, int outside, int impossible) {
-    if (!canReverse(machine) && std::ranges::contains(kReversing, &kind)) {
+    if (!canReverse(machine) && kind.traits.reverses) {
         return "This machine cannot reverse.";
     }
     if (impossible == 0) {
@@ -35,7 +30,7 @@ Message whyNot(const Method<TurnPlanner>& kind, const Machine& machine, int outs
 
 ChosenTurns::ChosenTurns(const Settings& settings, const SwathSet& swaths, const Decomposition& cells,
                          const FittingWays& ways)
-    : kind_{turnKind(settings)}, ways_{ways} {
+    : kind_{turnMethod(settings)}, ways_{ways} {
     for (std::size_t cell = 0; cell < cells.cells.size(); ++cell) {
         for (const std::size_t swath : cells.cells[cell].swaths) {
             cellOfSwath_[swaths.swaths[swath].number] = cell;
@@ -58,10 +53,10 @@ std::optional<Curve> ChosenTurns::fitting(const Method<TurnPlanner>& kind, const
 }
 
 std::optional<Curve> ChosenTurns::between(const Leg& leaving, const Leg& arriving) const {
-    if (&kind_ == &kBestFeasibleMethod) {
+    if (kind_.traits.isAnyKind) {
         return std::nullopt;
     }
-    const bool isSmooth = std::ranges::contains(kSmooth, &kind_);
+    const bool isSmooth = kind_.traits.isSmooth;
     std::optional<Curve> turn;
     if (isSmooth || belongsBetween(leaving, arriving)) {
         turn = fitting(kind_, leaving, arriving);
@@ -79,7 +74,7 @@ std::optional<Curve> ChosenTurns::anywhere(const Leg& leaving, const Leg& arrivi
 }
 
 std::optional<Finding> ChosenTurns::told(std::span<const Leg> legs) const {
-    if (&kind_ == &kBestFeasibleMethod) {
+    if (kind_.traits.isAnyKind) {
         return std::nullopt;
     }
     int all = 0;

@@ -23,18 +23,12 @@ void choose(Settings& settings, std::string_view stage, std::string_view method)
     settings.set(*info->method, std::string{method}).value();
 }
 
-/// Methods that try many headings.
-bool searchesHeading(const Settings& settings) {
-    return std::ranges::contains(std::array{kExactMethod.run, kBruteForceMethod.run, kOksanenMethod.run},
-                                 swathMethod(settings));
-}
-
 }  // namespace
 
 PlanRequest draftOf(PlanRequest request, const Plan* before) {
     Settings& settings = request.settings;
     request.draft = true;
-    if (searchesHeading(settings)) {
+    if (swathMethod(settings).traits.searchesHeadings) {
         if (before != nullptr) {
             choose(settings, "swaths", kFixedHeadingMethod.info.id);
             settings.set(kAngle, inDegrees(before->swaths.heading)).value();
@@ -44,7 +38,7 @@ PlanRequest draftOf(PlanRequest request, const Plan* before) {
     }
     settings.clear(kCellHeading);
     const bool ownWidth = settings.isSet(kHeadlandWidth) || settings.isSet(kHeadlandPasses);
-    if (headlandMethod(settings) == kConstantWidthMethod.run && before != nullptr && !ownWidth &&
+    if (headlandMethod(settings).traits.isOneWidth && before != nullptr && !ownWidth &&
         before->headland.width > metres(0.0)) {
         // As wide as the passes make it that are left out.
         settings.set(kHeadlandWidth, before->headland.width.si()).value();
@@ -52,7 +46,7 @@ PlanRequest draftOf(PlanRequest request, const Plan* before) {
     settings.set(kHeadlandDriven, false).value();
     settings.set(kHeadlandFinish, false).value();
     settings.set(kStayInside, false).value();
-    if (turnMethod(settings) == kBestFeasibleMethod.run) {
+    if (turnMethod(settings).traits.isAnyKind) {
         const auto& spec = request.machine.spec();
         const bool reverses = spec.tractor.canReverse && spec.implement.canReverse;
         choose(settings, "path", reverses ? kReedsSheppMethod.info.id : kDubinsMethod.info.id);

@@ -3,7 +3,6 @@
 #include "planner/path/drivable_check.h"
 #include "planner/path/driven_parts.h"
 #include "planner/plan/method_registry.h"
-#include "planner/turns/straight_turn.h"
 
 #include <algorithm>
 #include <optional>
@@ -99,7 +98,7 @@ Result<std::vector<Finding>> checkWays(Path& path, const MultiPolygon& drivable,
 }
 
 std::optional<Finding> impossibleTurns(const PlanRequest& request, const Path& path) {
-    const bool turnsOnTheSpot = turnMethod(request.settings) == kStraightMethod.run;
+    const bool turnsOnTheSpot = turnMethod(request.settings).traits.isStanding;
     if (!turnsOnTheSpot || request.machine.spec().tractor.canTurnInPlace || path.turnCount() == 0) {
         return std::nullopt;
     }

@@ -24,9 +24,9 @@ std::vector<Leg> legsOf(const DriveTask& task) {
     const Settings& settings = task.request.settings;
     const Machine& machine = task.request.machine;
     std::vector<Leg> legs = swathLegs(task.laid.swaths, task.ordered.route, machine);
-    if (!task.headland.rings.empty()) {
-        const bool first = settings.choice(kHeadlandWhen) == "before";
-        HeadlandDrive drive{.insideOut = settings.choice(kHeadlandOrder) == "inside-out",
+    if (!task.headland.drivenPasses.empty()) {
+        const bool first = drivesHeadlandFirst(settings);
+        HeadlandDrive drive{.insideOut = drivesInsideOut(settings),
                             .before = {},
                             .after = {},
                             .drivable = task.ground.drivable};
@@ -36,7 +36,7 @@ std::vector<Leg> legsOf(const DriveTask& task) {
             drive.before = legs.back().line.end();
         }
         const std::vector<Leg> passes =
-            headlandLegs(task.headland.rings, drive, machine, otherTurns(settings));
+            headlandLegs(task.headland.drivenPasses, drive, machine, otherTurns(settings));
         legs.insert(first ? legs.begin() : legs.end(), passes.begin(), passes.end());
     }
     return legs;

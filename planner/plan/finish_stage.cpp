@@ -59,7 +59,7 @@ std::vector<HeadlandPass> leadingOutside(const Path& path, const std::vector<Hea
 bool mayFinish(const DriveTask& task) {
     const Settings& settings = task.request.settings;
     return settings.flag(kHeadlandFinish) &&
-           (settings.flag(kStayInside) ? !task.headland.rings.empty() : task.headland.passes == 0);
+           (settings.flag(kStayInside) ? !task.headland.drivenPasses.empty() : task.headland.passes == 0);
 }
 
 /// Passes on full lock, for machines that cannot reverse.

@@ -38,12 +38,13 @@ SwathSet setOf(const SwathSet& all, const MainlandPart& part) {
 
 Result<SwathSet> swathsByMethod(const PlanRequest& request, const MultiPolygon& mainland,
                                 const JobContext& job) {
-    return swathMethod(request.settings)({.field = *request.field,
-                                          .mainland = mainland,
-                                          .machine = request.machine,
-                                          .settings = request.settings,
-                                          .guides = request.guides.get()},
-                                         job);
+    return swathMethod(request.settings)
+        .run({.field = *request.field,
+              .mainland = mainland,
+              .machine = request.machine,
+              .settings = request.settings,
+              .guides = request.guides.get()},
+             job);
 }
 
 }  // namespace furrow

@@ -10,67 +10,15 @@
 #include "planner/swaths/methods.h"
 #include "planner/swaths/short_swaths.h"
 #include "planner/swaths/tramlines.h"
-#include "planner/turns/best_feasible.h"
-#include "planner/turns/continuous_curvature.h"
-#include "planner/turns/dubins.h"
-#include "planner/turns/named_turns.h"
-#include "planner/turns/reeds_shepp.h"
-#include "planner/turns/straight_turn.h"
+#include "planner/turns/methods.h"
 
 #include <algorithm>
 #include <array>
+#include <iterator>
 
 namespace furrow {
 
 namespace {
-
-// The methods of each stage, the default first. A new method is one more line here.
-constexpr std::array kHeadlandMethods{
-    &kConstantWidthMethod,
-    &kPerEdgeMethod,
-    &kNoHeadlandMethod,
-};
-constexpr std::array kSwathMethods{
-    &kExactMethod,
-    &kBruteForceMethod,
-    &kFixedHeadingMethod,
-    &kAbLineMethod,
-    &kAPlusMethod,
-    &kLongestEdgeMethod,
-    &kEdgeMethod,
-    &kOksanenMethod,
-    // curves
-    &kAbCurveMethod,
-    &kContourMethod,
-    &kPivotMethod,
-    &kRowsMethod,
-};
-constexpr std::array kDecompositionMethods{
-    &kMergedCellsMethod,
-    &kBoustrophedonCellsMethod,
-    &kTrapezoidalMethod,
-    &kOnePieceMethod,
-};
-constexpr std::array kRouteMethods{
-    &kOptimisedMethod, &kBoustrophedonMethod, &kSnakeMethod,  &kSpiralMethod,
-    &kSkipMethod,      &kRacetrackMethod,     &kCustomMethod,
-};
-constexpr std::array kTurnMethods{
-    &kBestFeasibleMethod,
-    // the shortest curves
-    &kDubinsMethod,
-    &kReedsSheppMethod,
-    &kContinuousDubinsMethod,
-    &kContinuousReedsSheppMethod,
-    // the turns of farm practice
-    &kUTurnMethod,
-    &kOmegaMethod,
-    &kPTurnMethod,
-    &kFishtailMethod,
-    &kThreePointMethod,
-    // no curve at all
-    &kStraightMethod,
-};
 
 // Parameters that every method of a stage reads.
 constexpr std::array<const Parameter*, 7> kSwathParameters{
@@ -172,11 +120,6 @@ const auto& chosenMethod(const Methods& methods, const StageEntry& stage, const 
     return **std::ranges::find(methods, id, [](const auto* method) { return method->info.id; });
 }
 
-template <class Methods>
-auto chosen(const Methods& methods, const StageEntry& stage, const Settings& settings) {
-    return chosenMethod(methods, stage, settings).run;
-}
-
 }  // namespace
 
 const Parameter kMargin{
@@ -235,28 +178,31 @@ Result<void> applySetting(Settings& settings, std::string_view key, std::string_
         [&](const Parameter* found) { return settings.setText(*found, text); });
 }
 
-HeadlandGenerator* headlandMethod(const Settings& settings) {
-    return chosen(kHeadlandMethods, registry().headland, settings);
+const Method<HeadlandGenerator>& headlandMethod(const Settings& settings) {
+    return chosenMethod(kHeadlandMethods, registry().headland, settings);
 }
 
-SwathGenerator* swathMethod(const Settings& settings) {
-    return chosen(kSwathMethods, registry().swaths, settings);
+const Method<SwathGenerator>& swathMethod(const Settings& settings) {
+    return chosenMethod(kSwathMethods, registry().swaths, settings);
 }
 
-Decomposer* decompositionMethod(const Settings& settings) {
-    return chosen(kDecompositionMethods, registry().decomposition, settings);
+const Method<Decomposer>& decompositionMethod(const Settings& settings) {
+    return chosenMethod(kDecompositionMethods, registry().decomposition, settings);
 }
 
-RoutePlanner* routeMethod(const Settings& settings) {
-    return chosen(kRouteMethods, registry().route, settings);
+const Method<RoutePlanner>& routeMethod(const Settings& settings) {
+    return chosenMethod(kRouteMethods, registry().route, settings);
 }
 
-const Method<TurnPlanner>& turnKind(const Settings& settings) {
+const Method<TurnPlanner>& turnMethod(const Settings& settings) {
     return chosenMethod(kTurnMethods, registry().path, settings);
 }
 
-TurnPlanner* turnMethod(const Settings& settings) {
-    return chosen(kTurnMethods, registry().path, settings);
+std::vector<const Method<RoutePlanner>*> plainPatterns() {
+    std::vector<const Method<RoutePlanner>*> plain;
+    std::ranges::copy_if(kRouteMethods, std::back_inserter(plain),
+                         [](const auto* method) { return method->traits.isPlain; });
+    return plain;
 }
 
 }  // namespace furrow

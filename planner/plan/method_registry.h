@@ -42,11 +42,13 @@ Result<const Parameter*> findParameter(std::string_view key);
 Result<void> applySetting(Settings& settings, std::string_view key, std::string_view text);
 
 /// The methods that a request has chosen. The settings hold only names that exist.
-HeadlandGenerator* headlandMethod(const Settings& settings);
-SwathGenerator* swathMethod(const Settings& settings);
-Decomposer* decompositionMethod(const Settings& settings);
-RoutePlanner* routeMethod(const Settings& settings);
-const Method<TurnPlanner>& turnKind(const Settings& settings);
-TurnPlanner* turnMethod(const Settings& settings);
+const Method<HeadlandGenerator>& headlandMethod(const Settings& settings);
+const Method<SwathGenerator>& swathMethod(const Settings& settings);
+const Method<Decomposer>& decompositionMethod(const Settings& settings);
+const Method<RoutePlanner>& routeMethod(const Settings& settings);
+const Method<TurnPlanner>& turnMethod(const Settings& settings);
+
+/// The order of the swaths in which drivers work: patterns with few long ways.
+std::vector<const Method<RoutePlanner>*> plainPatterns();
 
 }  // namespace furrow

@@ -20,14 +20,15 @@ Result<Ordered> orderStage(const PlanRequest& request, const LaidSwaths& laid, c
         }
         cell.outline = *std::move(outline);
     }
-    return routeMethod(request.settings)(routeTask(request, laid.swaths, *cells), job.part(0.4, 1.0))
+    return routeMethod(request.settings)
+        .run(routeTask(request, laid.swaths, *cells), job.part(0.4, 1.0))
         .transform([&](Route&& route) { return Ordered{*std::move(cells), std::move(route)}; });
 }
 
 RouteTask routeTask(const PlanRequest& request, const SwathSet& swaths, const Decomposition& cells) {
     RouteTask task{.swaths = swaths,
                    .machine = request.machine,
-                   .turn = turnMethod(request.settings),
+                   .turn = turnMethod(request.settings).run,
                    .settings = request.settings};
     for (const Cell& cell : cells.cells) {
         task.cells.push_back(cell.swaths);

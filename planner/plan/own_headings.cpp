@@ -100,11 +100,12 @@ private:
     Result<void> divide() {
         for (std::size_t piece = 0; piece < pieces_.size(); ++piece) {
             const SwathSet inside = pieces_.size() == 1 ? common_ : cutTo(common_, pieces_[piece]);
-            const auto cells = decompositionMethod(request_.settings)({.mainland = pieces_[piece],
-                                                                       .swaths = inside,
-                                                                       .machine = request_.machine,
-                                                                       .settings = request_.settings},
-                                                                      job_);
+            const auto cells = decompositionMethod(request_.settings)
+                                   .run({.mainland = pieces_[piece],
+                                         .swaths = inside,
+                                         .machine = request_.machine,
+                                         .settings = request_.settings},
+                                        job_);
             if (!cells) {
                 return std::unexpected(cells.error());
             }

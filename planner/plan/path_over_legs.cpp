@@ -135,7 +135,7 @@ Result<Driven> PathOverLegs::drive(std::vector<Leg>& legs, std::vector<HeadlandP
 
 /// What ways are that are no turns between swaths: the chosen kind is kept where nothing has to fit.
 TurnPlanner* otherTurns(const Settings& settings) {
-    return settings.flag(kStayInside) ? kBestFeasibleMethod.run : turnMethod(settings);
+    return settings.flag(kStayInside) ? kBestFeasibleMethod.run : turnMethod(settings).run;
 }
 
 }  // namespace furrow

@@ -57,7 +57,7 @@ std::shared_ptr<Plan> planOf(const PlanRequest& request, const QuickestChoice& c
                                             .notes = choice.notes,
                                             .timings = {}});
     Headland& headland = plan->headland;
-    std::ranges::copy(stages.driven->finishing, std::back_inserter(headland.rings));
+    std::ranges::copy(stages.driven->finishing, std::back_inserter(headland.drivenPasses));
     if (!laid.swaths.goneRound.empty()) {
         headland.mainland = laid.mainland;
         headland.mainlandRatio = area(laid.mainland) / area(request.field->workable());

@@ -36,8 +36,6 @@ constexpr SimplerChoice kSimplerChoices[] = {
 constexpr Angle kSameHeading = degrees(0.01);
 // Other headings of the search that are driven where the best one blocks.
 constexpr std::size_t kMostHeadings = 2;
-// Patterns that every driver knows, and that have the fewest long ways.
-constexpr std::array kPlainPatterns{&kBoustrophedonMethod, &kSnakeMethod};
 // Estimated turns may mistake the difference of two orders by this share of the whole time.
 constexpr double kNearPattern = 0.02;
 
@@ -107,7 +105,7 @@ bool isCancelled(const auto& result) {
 
 /// An order of one's own names the swaths of just these choices.
 bool hasOwnOrder(const Settings& settings) {
-    return routeMethod(settings) == kCustomMethod.run;
+    return routeMethod(settings).traits.isByHand;
 }
 
 /// The best plan so far.
@@ -122,7 +120,7 @@ struct Best {
 /// Compares plans by their stages.
 class Chooser {
 public:
-    Chooser(StageRunner& runner, const JobContext& job) : runner_{runner}, quiet_{job.quiet()} {}
+    Chooser(StageRunner& runner, const JobContext& job) : runner_{runner}, quiet_{job.withoutProgress()} {}
 
     /// The plan as asked, with what is left to the planner decided by the time of the driven path. Cancelled.
     Result<Best> improved(const PlanRequest& request, const JobContext& job);
@@ -159,7 +157,7 @@ Result<bool> Chooser::takeIfBetter(Best& best, const PlanRequest& other) {
 /// driven.
 Result<void> Chooser::tryCorners(Best& best) {
     if (best.asked.settings.choice(kHeadlandCorner) != kQuickestCorner ||
-        best.plan.laidOut.headland->rings.empty()) {
+        best.plan.laidOut.headland->drivenPasses.empty()) {
         return {};
     }
     std::string taken = best.plan.request.settings.choice(kHeadlandCorner);
@@ -183,13 +181,13 @@ Result<void> Chooser::tryCorners(Best& best) {
 /// Orders that the route by estimated turns passed over, and that are about as quick by its estimate.
 Result<std::vector<std::string_view>> patternsToTry(const PlannedStages& plan, const JobContext& job) {
     std::vector<std::string_view> ids;
-    if (routeMethod(plan.request.settings) != kOptimisedMethod.run || !plan.drivable()) {
+    if (!routeMethod(plan.request.settings).traits.isByTime || !plan.drivable()) {
         return ids;
     }
     const Route& taken = plan.ordered->route;
     const RouteTask task = routeTask(plan.request, plan.laidOut.laid->swaths, plan.ordered->cells);
     const Duration near = turningTime(taken.steps, task) + kNearPattern * plan.driven->path.duration();
-    for (const Method<RoutePlanner>* const pattern : kPlainPatterns) {
+    for (const Method<RoutePlanner>* const pattern : plainPatterns()) {
         const auto route = pattern->run(task, job);
         if (!route) {
             return std::unexpected(route.error());
@@ -257,7 +255,7 @@ Result<Best> Chooser::improved(const PlanRequest& request, const JobContext& job
         return best;
     }
     Result<void> tried = decideOrderAndCorners(best);
-    const bool hasOneHeading = request.settings.choice(kCellHeading) != "per-cell";
+    const bool hasOneHeading = !hasHeadingPerCell(request.settings);
     if (!hasOwnOrder(request.settings) && hasOneHeading) {
         for (const HeadingCandidate& candidate : headingsToTry(*asked)) {
             tried = tried.and_then([&] { return tryHeading(best, candidate); });

@@ -20,9 +20,8 @@ namespace {
 
 /// The setting that says how wide the headland is; nothing where the planner chooses.
 const Parameter* headlandSetting(const Settings& settings) {
-    const Parameter& method = *stageMethod("headland");
-    if (settings.choice(method) != "constant") {
-        return &method;
+    if (!headlandMethod(settings).traits.isOneWidth) {
+        return stageMethod("headland");
     }
     for (const Parameter* parameter : {&kHeadlandWidth, &kHeadlandPasses}) {
         if (settings.isSet(*parameter)) {
@@ -67,8 +66,8 @@ Message whyOutside(const Plan& plan) {
     if (plan.headland.passes == 0 && headland != nullptr) {
         return noHeadland(*headland);
     }
-    const Length room = plan.margin + roomForTurns(plan.request.machine, turnMethod(settings),
-                                                   settings.choice(kEnds) == "full");
+    const Length room =
+        plan.margin + roomForTurns(plan.request.machine, turnMethod(settings).run, drawsOutEnds(settings));
     if (!plan.headland.narrowed) {
         return headland != nullptr && plan.headland.width < room
                    ? message("A turn of this machine needs {:.1f} m of headland; it is {:.1f} m ({}).",

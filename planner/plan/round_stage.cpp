@@ -3,7 +3,7 @@
 #include "planner/geometry/boundary_distance.h"
 #include "planner/geometry/geos_bridge.h"
 #include "planner/headland/headland_passes.h"
-#include "planner/route/way_round.h"
+#include "planner/route/swath_detours.h"
 #include "planner/swaths/curved_swaths.h"
 #include "planner/swaths/mainland_edges.h"
 
@@ -65,12 +65,12 @@ Result<RoundedSwaths> roundStage(LaidSwaths laid, std::span<const Ring> obstacle
         return RoundedSwaths{std::move(laid), {}};
     }
     SwathSet round = laid.swaths;
-    auto refused = leadRound(round,
-                             {.drivable = task.ground.drivable,
-                              .obstacles = obstacles,
-                              .machine = task.request.machine,
-                              .margin = task.ground.margin},
-                             job);
+    auto refused = addDetours(round,
+                              {.drivable = task.ground.drivable,
+                               .obstacles = obstacles,
+                               .machine = task.request.machine,
+                               .margin = task.ground.margin},
+                              job);
     if (!refused) {
         return std::unexpected(refused.error());
     }

@@ -55,14 +55,14 @@ Result<std::shared_ptr<const Headland>> StageRunner::headland(const PlanRequest&
     return cache_.headlands.get(request, {ground, filled}, [&](const PlanRequest& asking) {
         const Settings& settings = asking.settings;
         return timed(timings_.headland, [&] {
-            return headlandMethod(settings)(
+            return headlandMethod(settings).run(
                 {.field = *asking.field,
                  .drivable = ground->drivable,
                  .machine = asking.machine,
-                 .turn = turnMethod(settings),
+                 .turn = turnMethod(settings).run,
                  .settings = settings,
                  .margin = ground->margin,
-                 .drawsOutEnds = settings.choice(kEnds) == "full",
+                 .drawsOutEnds = drawsOutEnds(settings),
                  .swathEnds = [&](const MultiPolygon& mainland) { return swathEnds(asking, mainland, job); },
                  .along = &workable},
                 job);
@@ -74,7 +74,7 @@ Result<std::shared_ptr<const Headland>> StageRunner::headland(const PlanRequest&
 /// headland after all.
 Result<LaidOut> StageRunner::laidOut(const PlanRequest& request, const std::shared_ptr<const Ground>& ground,
                                      std::vector<Ring> round, const JobContext& job) {
-    for (JobContext part = job;; part = job.quiet()) {
+    for (JobContext part = job;; part = job.withoutProgress()) {
         const MultiPolygon workable = filled(request.field->drivable(), round);
         const auto headland = this->headland(request, ground, round, workable, part.part(0.0, 0.12));
         if (!headland) {
@@ -174,7 +174,7 @@ Result<PlannedStages> StageRunner::run(const PlanRequest& request, std::optional
         if (fewer.size() == swaths.goneRound.size()) {
             continue;
         }
-        auto other = plannedRound(request, *ground, std::move(fewer), toBeat, job.quiet());
+        auto other = plannedRound(request, *ground, std::move(fewer), toBeat, job.withoutProgress());
         if (!other && other.error().code == ErrorCode::Cancelled) {
             return other;
         }

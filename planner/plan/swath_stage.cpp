@@ -209,7 +209,7 @@ Result<LaidSwaths> layStage(const LayTask& task, const JobContext& job) {
     if (!pieces) {
         return std::unexpected(pieces.error());
     }
-    const bool drawsOut = request.settings.choice(kEnds) == "full";
+    const bool drawsOut = drawsOutEnds(request.settings);
     const auto ground =
         drawsOut ? groundForEnds(task, job)
                  : Result<GroundForEnds>{GroundForEnds{task.mainland, task.ground.drivable, false}};
@@ -218,7 +218,7 @@ Result<LaidSwaths> layStage(const LayTask& task, const JobContext& job) {
     }
     const EndRoom room{.working = ground->working,
                        .driving = ground->driving,
-                       .turning = reachOfLevelTurn(request.machine, turnMethod(request.settings)),
+                       .turning = reachOfLevelTurn(request.machine, turnMethod(request.settings).run),
                        .drawsIn = ground->drawsIn};
     const auto withEnds = [&](LaidSwaths set) -> Result<LaidSwaths> {
         if (drawsOut || hasOwnHeadings(set)) {
@@ -228,7 +228,7 @@ Result<LaidSwaths> layStage(const LayTask& task, const JobContext& job) {
         }
         return set;
     };
-    const bool ownHeadings = request.settings.choice(kCellHeading) == "per-cell" && !common.isCurved();
+    const bool ownHeadings = hasHeadingPerCell(request.settings) && !common.isCurved();
     auto laid = ownHeadings ? withOwnHeadings(request, task.mainland, common, *pieces, withEnds, job)
                             : Result<LaidSwaths>{laidInParts(task.mainland, common, *pieces)};
     return laid ? withoutShortOnes(std::move(*laid), request, withEnds, job) : laid;

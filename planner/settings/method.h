@@ -15,11 +15,17 @@ struct MethodInfo {
     std::span<const Parameter* const> parameters;  ///< those that only this method (or a few) reads
 };
 
+/// What other stages ask about the methods of a stage. A stage whose methods differ in more than their result
+/// declares its own.
+template <class Signature>
+struct MethodTraits {};
+
 /// A method that is described and can be run. `Signature` is the common one of its stage.
 template <class Signature>
 struct Method {
     MethodInfo info;
     Signature* run;
+    MethodTraits<Signature> traits = {};
 };
 
 }  // namespace furrow

@@ -48,6 +48,7 @@ const Method<SwathGenerator> kBruteForceMethod{
              .name = "Best of all headings",
              .description = "Tries every heading in steps and keeps the best (the paper's search).",
              .parameters = kParameters},
-    .run = bruteForce};
+    .run = bruteForce,
+    .traits = {.searchesHeadings = true}};
 
 }  // namespace furrow

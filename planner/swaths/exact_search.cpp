@@ -225,6 +225,7 @@ const Method<SwathGenerator> kExactMethod{
              .description =
                  "Edge directions and every tenth of a degree, refined; says when nothing better exists.",
              .parameters = kParameters},
-    .run = exactSearch};
+    .run = exactSearch,
+    .traits = {.searchesHeadings = true}};
 
 }  // namespace furrow

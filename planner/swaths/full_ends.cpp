@@ -311,6 +311,10 @@ void drawOutEnds(SwathSet& set, const MultiPolygon& mainland, const EndRoom& roo
     }
 }
 
+bool drawsOutEnds(const Settings& settings) {
+    return settings.choice(kEnds) == "full";
+}
+
 const Parameter kEnds{.key = "swaths.ends",
                       .name = "Ends",
                       .description = "Where a swath ends at a slanting edge.",

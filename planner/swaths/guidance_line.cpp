@@ -93,6 +93,7 @@ const Method<SwathGenerator> kAPlusMethod{
              .name = "A+",
              .description = "Through point A in the direction that you type.",
              .parameters = kAPlusParameters},
-    .run = aPlus};
+    .run = aPlus,
+    .traits = {.isFromPoint = true}};
 
 }  // namespace furrow

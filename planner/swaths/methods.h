@@ -4,6 +4,8 @@
 #include "planner/swaths/objective.h"
 #include "planner/swaths/swath.h"
 
+#include <array>
+
 namespace furrow {
 
 /// The overlap of neighbouring swaths.
@@ -25,6 +27,8 @@ extern const Parameter kSkipRows;
 extern const Parameter kPreferEdge;
 /// The ends of swaths: at the centre line, or where the full width is covered.
 extern const Parameter kEnds;
+/// Whether swaths go beyond a slanting edge, as far as it takes to work all of their width.
+bool drawsOutEnds(const Settings& settings);
 
 extern const Method<SwathGenerator> kExactMethod;
 extern const Method<SwathGenerator> kBruteForceMethod;
@@ -38,5 +42,22 @@ extern const Method<SwathGenerator> kAbCurveMethod;
 extern const Method<SwathGenerator> kPivotMethod;
 extern const Method<SwathGenerator> kContourMethod;
 extern const Method<SwathGenerator> kRowsMethod;
+
+/// Every method of the stage, the default first.
+inline constexpr std::array kSwathMethods{
+    &kExactMethod,
+    &kBruteForceMethod,
+    &kFixedHeadingMethod,
+    &kAbLineMethod,
+    &kAPlusMethod,
+    &kLongestEdgeMethod,
+    &kEdgeMethod,
+    &kOksanenMethod,
+    // curves
+    &kAbCurveMethod,
+    &kContourMethod,
+    &kPivotMethod,
+    &kRowsMethod,
+};
 
 }  // namespace furrow

@@ -66,6 +66,7 @@ const Method<SwathGenerator> kOksanenMethod{
              .name = "Halving the step",
              .description = "Six directions, then ever finer around the best three (Oksanen & Visala).",
              .parameters = kParameters},
-    .run = oksanen};
+    .run = oksanen,
+    .traits = {.searchesHeadings = true}};
 
 }  // namespace furrow

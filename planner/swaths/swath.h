@@ -6,6 +6,7 @@
 #include "planner/geometry/polygon.h"
 #include "planner/jobs/job.h"
 #include "planner/machine/machine.h"
+#include "planner/settings/method.h"
 #include "planner/settings/settings.h"
 #include "planner/swaths/objective.h"
 
@@ -100,5 +101,11 @@ struct SwathTask {
 /// @return at least one swath, with ends on its centre line. InputRefused: the mainland is too narrow for
 /// any. Usage: a line or an edge that the method needs is missing. Cancelled.
 using SwathGenerator = Result<SwathSet>(const SwathTask& task, const JobContext& job);
+
+template <>
+struct MethodTraits<SwathGenerator> {
+    bool searchesHeadings = false;  ///< tries many
+    bool isFromPoint = false;       ///< along a line that is given by a point and a direction
+};
 
 }  // namespace furrow

@@ -179,6 +179,7 @@ const Method<TurnPlanner> kBestFeasibleMethod{
              .description =
                  "The quickest turn of any kind that stays inside the field, in several moves where it must.",
              .parameters = {}},
-    .run = runBestFeasible};
+    .run = runBestFeasible,
+    .traits = {.isAnyKind = true}};
 
 }  // namespace furrow

@@ -2,7 +2,7 @@
 
 #include "planner/turns/dubins.h"
 #include "planner/turns/reeds_shepp.h"
-#include "planner/turns/word_search.h"
+#include "planner/turns/turn_words.h"
 
 namespace furrow {
 
@@ -124,7 +124,7 @@ Curve shortestTurn(const Pose& from, const Pose& to, Length radius, CurvatureRat
             break;
         }
         const ClothoidTurns turns{level * largest, rate.si()};
-        words::WordSearch<ClothoidTurns> search{goal, turns.circle(), turns};
+        words::TurnWordSearch<ClothoidTurns> search{goal, turns.circle(), turns};
         search.startFrom(best);
         search.straightWords(1);
         search.threeTurns(1);
@@ -181,7 +181,8 @@ const Method<TurnPlanner> kContinuousDubinsMethod{
              .description =
                  "Without reversing, the wheels turned no faster than the machine can (clothoids).",
              .parameters = {}},
-    .run = runForward};
+    .run = runForward,
+    .traits = {.isSmooth = true}};
 
 const Method<TurnPlanner> kContinuousReedsSheppMethod{
     .info = {.id = "reeds-shepp-cc",
@@ -189,6 +190,7 @@ const Method<TurnPlanner> kContinuousReedsSheppMethod{
              .description = "Forwards and backwards, the wheels turned no faster than the machine can "
                             "(clothoids).",
              .parameters = {}},
-    .run = runWithReversing};
+    .run = runWithReversing,
+    .traits = {.isSmooth = true, .reverses = true}};
 
 }  // namespace furrow

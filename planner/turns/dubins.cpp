@@ -1,6 +1,6 @@
 #include "planner/turns/dubins.h"
 
-#include "planner/turns/word_search.h"
+#include "planner/turns/turn_words.h"
 
 #include <algorithm>
 #include <cmath>

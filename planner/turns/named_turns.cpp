@@ -1,7 +1,7 @@
 #include "planner/turns/named_turns.h"
 
 #include "planner/turns/dubins.h"
-#include "planner/turns/word_search.h"
+#include "planner/turns/turn_words.h"
 
 namespace furrow {
 
@@ -284,17 +284,17 @@ const Method<TurnPlanner> kFishtailMethod{
              .name = "Fishtail",
              .description = "Forward arc, straight back, forward arc; little room for near swaths.",
              .parameters = {}},
-    .run = [](const Pose& from, const Pose& to, const Machine& machine) {
-        return withReversing(fishtailTurn, from, to, machine);
-    }};
+    .run = [](const Pose& from, const Pose& to,
+              const Machine& machine) { return withReversing(fishtailTurn, from, to, machine); },
+    .traits = {.reverses = true}};
 
 const Method<TurnPlanner> kThreePointMethod{
     .info = {.id = "three-point",
              .name = "Three-point turn",
              .description = "Forward, back with the wheels the other way, forward again.",
              .parameters = {}},
-    .run = [](const Pose& from, const Pose& to, const Machine& machine) {
-        return withReversing(threePointTurn, from, to, machine);
-    }};
+    .run = [](const Pose& from, const Pose& to,
+              const Machine& machine) { return withReversing(threePointTurn, from, to, machine); },
+    .traits = {.reverses = true}};
 
 }  // namespace furrow

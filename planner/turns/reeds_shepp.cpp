@@ -1,7 +1,7 @@
 #include "planner/turns/reeds_shepp.h"
 
 #include "planner/turns/dubins.h"
-#include "planner/turns/word_search.h"
+#include "planner/turns/turn_words.h"
 
 namespace furrow {
 
@@ -14,7 +14,7 @@ struct UnitArcs {
 };
 
 words::Word shortestWord(const Pose& from, const Pose& to, Length radius) {
-    words::WordSearch<UnitArcs> search{words::goalSeenFrom(from, to, 1.0 / radius.si()), {}, {}};
+    words::TurnWordSearch<UnitArcs> search{words::goalSeenFrom(from, to, 1.0 / radius.si()), {}, {}};
     search.straightWords(1);
     search.straightWords(-1);
     search.threeTurnsWithCusps();
@@ -55,6 +55,7 @@ const Method<TurnPlanner> kReedsSheppMethod{
              .description = "The shortest curve forwards and backwards, at the smallest turning radius "
                             "(Reeds and Shepp).",
              .parameters = {}},
-    .run = runReedsShepp};
+    .run = runReedsShepp,
+    .traits = {.reverses = true}};
 
 }  // namespace furrow

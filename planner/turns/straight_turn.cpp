@@ -19,6 +19,7 @@ const Method<TurnPlanner> kStraightMethod{
              .description =
                  "Turns in place and drives straight to the next swath; only for machines that can.",
              .parameters = {}},
-    .run = [](const Pose& from, const Pose& to, const Machine&) { return straightTurn(from, to); }};
+    .run = [](const Pose& from, const Pose& to, const Machine&) { return straightTurn(from, to); },
+    .traits = {.isStanding = true}};
 
 }  // namespace furrow

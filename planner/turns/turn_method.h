@@ -2,6 +2,7 @@
 
 #include "planner/geometry/curve.h"
 #include "planner/machine/machine.h"
+#include "planner/settings/method.h"
 
 namespace furrow {
 
@@ -9,6 +10,14 @@ namespace furrow {
 /// for finite poses and a valid machine. If the machine or the poses do not allow the manoeuvre, another one
 /// replaces it; the turn's type says which.
 using TurnPlanner = Curve(const Pose& from, const Pose& to, const Machine& machine);
+
+template <>
+struct MethodTraits<TurnPlanner> {
+    bool isAnyKind = false;   ///< takes whatever kind is quickest and fits
+    bool isSmooth = false;    ///< curvature without steps
+    bool reverses = false;    ///< may drive backwards
+    bool isStanding = false;  ///< turns on the spot
+};
 
 /// Whether a turn may reverse: the tractor can, and it does not pull an implement that cannot be pushed.
 inline bool canReverse(const Machine& machine) {

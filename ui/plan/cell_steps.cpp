@@ -19,8 +19,7 @@ QString figures(const DecompositionStep& step) {
 }
 
 bool joinsCells(const Plan& plan) {
-    const auto stage = std::ranges::find(stages(), "decomposition", &StageInfo::id);
-    return plan.request.settings.choice(*stage->method) == kMergedCellsMethod.info.id;
+    return decompositionMethod(plan.request.settings).traits.joinsCells;
 }
 
 }  // namespace

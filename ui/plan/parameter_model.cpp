@@ -1,6 +1,6 @@
 #include "ui/plan/parameter_model.h"
 
-#include "planner/plan/round_stage.h"
+#include "planner/plan/used_settings.h"
 #include "ui/text/display.h"
 #include "ui/text/message_text.h"
 #include "ui/text/quantity_text.h"
@@ -75,14 +75,15 @@ QuantityText::Kind quantityOf(const Parameter& parameter) {
 }
 
 /// The numbers that a plan filled in for "auto".
-std::map<std::string, double, std::less<>> usedNumbers(const Plan* plan) {
-    if (plan == nullptr) {
-        return {};
+std::map<std::string, double, std::less<>> usedNumbers(const std::vector<const Parameter*>& parameters,
+                                                       const Plan* plan) {
+    std::map<std::string, double, std::less<>> used;
+    for (const Parameter* const parameter : parameters) {
+        if (const auto number = plan != nullptr ? computedNumber(*plan, *parameter) : std::nullopt) {
+            used.emplace(parameter->key, *number);
+        }
     }
-    return {{"headland.width_m", plan->headland.width.si()},
-            {"headland.passes", plan->headland.passes},
-            {"field.margin_m", plan->margin.si()},
-            {"swaths.round_up_to_m", roundUpTo(plan->request.settings, plan->request.machine).si()}};
+    return used;
 }
 
 std::size_t choiceIndex(const Parameter& parameter, const Settings& settings) {
@@ -99,7 +100,7 @@ ParameterModel::ParameterModel(QObject* parent) : QAbstractListModel{parent} {
 void ParameterModel::show(const std::vector<const Parameter*>& parameters, const Settings& settings,
                           const Plan* plan) {
     const bool same = parameters == parameters_;
-    auto used = usedNumbers(plan);
+    auto used = usedNumbers(parameters, plan);
     const double widthM = plan != nullptr ? plan->request.machine.operatingWidth().si() : widthM_;
     if (same && settings == settings_ && used == used_ && widthM == widthM_) {
         return;

@@ -23,7 +23,7 @@ constexpr Length kShortestLine = metres(1.0);
 std::vector<GuidanceLine> aPlusLine(const Plan& plan) {
     const Settings& settings = plan.request.settings;
     const std::vector<GeoPoint> given = settings.line(kLine);
-    if (swathMethod(settings) != kAPlusMethod.run || given.empty()) {
+    if (!swathMethod(settings).traits.isFromPoint || given.empty()) {
         return {};
     }
     const double bearingDeg = std::fmod(810.0 - inDegrees(*settings.angle(kAngle)), 360.0);

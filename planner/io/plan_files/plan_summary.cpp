@@ -6,6 +6,7 @@
 #include "planner/plan/general_parameters.h"
 #include "planner/plan/method_registry.h"
 #include "planner/plan/round_stage.h"
+#include "planner/plan/used_settings.h"
 #include "planner/settings/operation.h"
 #include "planner/version.h"
 
@@ -19,13 +20,9 @@ namespace {
 
 using Json = nlohmann::ordered_json;
 
-Json settingJson(const Parameter& parameter, const Settings& settings) {
-    const SettingValue value = settings.value(parameter);
-    if (parameter.kind == ParameterKind::Numbers) {
-        return settings.numbers(parameter);
-    }
+Json valueJson(const Parameter& parameter, const SettingValue& value) {
     if (const auto* number = std::get_if<double>(&value)) {
-        return *number;
+        return parameter.kind == ParameterKind::Count ? Json(static_cast<int>(*number)) : Json(*number);
     }
     if (const auto* flag = std::get_if<bool>(&value)) {
         return *flag;
@@ -33,18 +30,18 @@ Json settingJson(const Parameter& parameter, const Settings& settings) {
     return settingText(value);
 }
 
+Json settingJson(const Parameter& parameter, const Settings& settings) {
+    return parameter.kind == ParameterKind::Numbers ? Json(settings.numbers(parameter))
+                                                    : valueJson(parameter, settings.value(parameter));
+}
+
 /// Every setting with the value that was used, also where that was computed.
 Json settingsJson(const Plan& plan) {
     Json all = Json::object();
     for (const Parameter* parameter : allParameters()) {
-        all[parameter->key] = settingJson(*parameter, plan.request.settings);
-    }
-    all[kMargin.key] = plan.margin.si();
-    all[kHeadlandWidth.key] = plan.headland.width.si();
-    all[kHeadlandPasses.key] = plan.headland.passes;
-    all[kRoundUpTo.key] = roundUpTo(plan.request.settings, plan.request.machine).si();
-    for (const SettingChange& change : plan.instead) {
-        all[change.key] = change.value;
+        all[parameter->key] = parameter->kind == ParameterKind::Numbers
+                                  ? Json(plan.request.settings.numbers(*parameter))
+                                  : valueJson(*parameter, usedValue(plan, *parameter));
     }
     return all;
 }
@@ -147,7 +144,7 @@ std::string planSummaryJson(const Plan& plan, std::span<const std::string> files
                  {"headland",
                   {{"width_m", plan.headland.width.si()},
                    {"passes", plan.headland.passes},
-                   {"rings", plan.headland.rings.size()},
+                   {"rings", plan.headland.drivenPasses.size()},
                    {"uncut_strip_m", plan.headland.uncutStrip.si()},
                    {"uncut_corners_m2", plan.headland.uncutCorners.si()},
                    {"mainland_ratio", plan.headland.mainlandRatio}}},
