@@ -9,7 +9,7 @@ namespace furrow {
 
 namespace {
 
-/// Of translations/planner_texts.h.
+/// Of the texts that translations/collect finds in the planner.
 constexpr auto kContext = "Planner";
 
 // What has as many decimals is a coordinate, which files and other programs write with a point.
@@ -121,7 +121,7 @@ QStringList sentences(const std::vector<Message>& messages) {
     return lines;
 }
 
-QString text(const Said& said) {
+QString text(const LazyText& said) {
     return said ? said() : QString{};
 }
 

@@ -24,8 +24,8 @@ QString shown(const std::string& text);
 QStringList sentences(const std::vector<Message>& messages);
 
 /// A text that is kept and made anew whenever it is read, so that it follows the language.
-using Said = std::function<QString()>;
+using LazyText = std::function<QString()>;
 /// Empty where nothing is said.
-QString text(const Said& said);
+QString text(const LazyText& said);
 
 }  // namespace furrow

@@ -1,0 +1,130 @@
+#include "translations/collect/planner_texts.h"
+
+#include "planner/core/message.h"
+#include "planner/io/delivery/terminals.h"
+#include "planner/io/formats/registry.h"
+#include "planner/machine/machine_file.h"
+#include "planner/machine/machine_library.h"
+#include "planner/plan/method_registry.h"
+#include "translations/collect/source_texts.h"
+
+#include <QFile>
+#include <QRegularExpression>
+#include <QSet>
+
+#include <algorithm>
+
+namespace furrow {
+
+namespace {
+
+QString allOf(const QString& path) {
+    QFile file{path};
+    return file.open(QIODevice::ReadOnly) ? QString::fromUtf8(file.readAll()) : QString{};
+}
+
+/// Literals that are no sentences: ids, file contents, names of makers, what only the command line says.
+bool isNoText(const QString& text) {
+    static const QRegularExpression none{QString::fromUtf8(
+        "^(\\+proj|POLYGON|MULTIPOLYGON|LINESTRING|geojson json|xml zip|shp zip|gml xml|wkt txt|tif png|log nmea|csv |# |SELECT|INSERT|CREATE|PRAGMA|std_msgs|\\{:016|.*\\\\n| or $|plans cannot be written as|furrow-cli|Part \\{|transform|header|type:|EPSG|QGC|.* json$|\\+|-|map_frame|builtin|geometry_msgs|nav_msgs/|float|string |int|uint|.*ros2msg|byte|A\\+ |AB \\{|Headland \\{|Tramline \\{|\\{\\} [AB]|Swath \\{|ArduPilot Rover, |Case IH|CHC |Claas |Deutz|FJ |John Deere|Massey|M\\\\u00fcller|New Holland|Raven|Topcon|Trimble|Valtra|ESRI Shape|.*--field-id|the table holds)")};
+    return none.match(text).hasMatch();
+}
+
+}  // namespace
+
+bool isForPrograms(const QString& file) {
+    static const QStringList parts{"/evaluation/",  "/benchmarks/",    "/report/",       "/track/",
+                                   "/io/tracks/",   "_tracks.",        "/formats/logs/", "/track_reader",
+                                   "/written_path", "/rosbag_",        "/kml_writer",    "/gpx_writer",
+                                   "/dxf_writer",   "/guidance_lines", "/nav_path",      "/path_csv",
+                                   "/field_files",  "/core/message",   "/settings_file"};
+    return std::ranges::any_of(parts, [&file](const QString& part) { return file.contains(part); });
+}
+
+QMap<QString, bool> plannerTexts(const QString& project) {
+    QMap<QString, bool> texts;
+    static const QRegularExpression literal{kLiteral};
+    static const QRegularExpression plural{QString::fromUtf8("counted\\(\\s*(%1),\\s*(%1)").arg(kLiteral)};
+    static const QRegularExpression id{QString::fromUtf8("\\.(key|id) = $")};
+    static const QRegularExpression named{QString::fromUtf8("\\.name = $|Message\\{$")};
+    static const QRegularExpression words{QStringLiteral("[A-Za-zÀ-ÿ%}]{1,} [A-Za-z{(]|^[A-Z][a-z ]+\\.$")};
+    static const QRegularExpression letters{QStringLiteral("[a-z]{2,}|^[A-Z]\\+?$")};
+    static const QRegularExpression onlyPlaces{QStringLiteral("^[%\\d\\s,.:()]*$")};
+    for (const QString& file : filesIn(project + QStringLiteral("/planner"), {"*.cpp", "*.h"})) {
+        if (isForPrograms(file)) {
+            continue;
+        }
+        const QString text = codeOf(file);
+        QSet<QString> counted;
+        for (auto each = plural.globalMatch(text); each.hasNext();) {
+            const auto match = each.next();
+            counted << joined(match.captured(1)) << joined(match.captured(2));
+            texts.insert(QString::fromStdString(messageKey(joined(match.captured(2)).toStdString(), true)),
+                         true);
+        }
+        for (auto each = literal.globalMatch(text); each.hasNext();) {
+            const auto match = each.next();
+            const QString said = joined(match.captured(0));
+            const QString before = text.mid(std::max<qsizetype>(0, match.capturedStart() - 24),
+                                            std::min<qsizetype>(24, match.capturedStart()));
+            const bool isName = named.match(before).hasMatch();
+            if (counted.contains(said) || isNoText(said) || id.match(before).hasMatch() ||
+                (!isName && !words.match(said).hasMatch()) ||
+                (!isName && !letters.match(QString{said}.remove(QStringLiteral("{}"))).hasMatch())) {
+                continue;
+            }
+            static const QRegularExpression pattern{QString::fromUtf8("\\{(:[^{}]*)?\\}")};
+            const QString key = pattern.match(said).hasMatch()
+                                    ? QString::fromStdString(messageKey(said.toStdString(), false))
+                                    : said;
+            if (!key.isEmpty() && !onlyPlaces.match(key).hasMatch()) {
+                texts.insert(key, texts.value(key, false));
+            }
+        }
+    }
+    // Errors that the window makes itself are said as the planner's are.
+    static const QRegularExpression error{QString::fromUtf8("\\.(?:what|remedy) = (%1)").arg(kLiteral)};
+    for (const QString& file : filesIn(project + QStringLiteral("/ui"), {"*.cpp", "*.h"})) {
+        const QString text = codeOf(file);
+        for (auto each = error.globalMatch(text); each.hasNext();) {
+            texts.insert(joined(each.next().captured(1)), false);
+        }
+    }
+    const auto add = [&texts](std::string_view text) {
+        const QString key = QString::fromUtf8(text.data(), static_cast<qsizetype>(text.size()));
+        if (!key.isEmpty() && !isNoText(key) &&
+            key.contains(QRegularExpression{QStringLiteral("[a-z]{2,}")})) {
+            texts.insert(key, texts.value(key, false));
+        }
+    };
+    for (const Parameter* parameter : allParameters()) {
+        add(parameter->name);
+        add(parameter->description);
+        for (const Choice& choice : parameter->choices) {
+            add(choice.name);
+            add(choice.description);
+        }
+    }
+    for (const StageInfo& stage : stages()) {
+        add(stage.name);
+        for (const MethodInfo& method : stage.methods) {
+            add(method.name);
+            add(method.description);
+        }
+    }
+    for (const MachineKey& key : machineKeys()) {
+        add(key.name);
+        add(key.description);
+    }
+    for (const Machine& machine : machineLibrary()) {
+        add(machine.name());
+    }
+    for (const QString& sample :
+         filesIn(project + QStringLiteral("/resources/sample_fields"), {"*.geojson"})) {
+        static const QRegularExpression name{QString::fromUtf8("\"name\"\\s*:\\s*\"([^\"]*)\"")};
+        add(name.match(allOf(sample)).captured(1).toStdString());
+    }
+    return texts;
+}
+
+}  // namespace furrow
