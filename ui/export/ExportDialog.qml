@@ -26,12 +26,12 @@ T.Popup {
     closePolicy: writing ? T.Popup.NoAutoClose : T.Popup.CloseOnEscape | T.Popup.CloseOnPressOutside
     onAboutToShow: {
         stick.clear();
-        stick.looking = true;
+        stick.searching = true;
         folderPage.begin();
         onStick.checked = stick.count > 0;
         inFolder.checked = stick.count === 0;
     }
-    onAboutToHide: stick.looking = false
+    onAboutToHide: stick.searching = false
 
     T.Overlay.modal: Rectangle { color: "#66000000" }
     enter: Transition {

@@ -152,7 +152,7 @@ void ExportModel::clear() {
     setState(State::Idle);
 }
 
-void ExportModel::setState(State state, Said message, Said remedy) {
+void ExportModel::setState(State state, LazyText message, LazyText remedy) {
     state_ = state;
     message_ = std::move(message);
     remedy_ = std::move(remedy);

@@ -78,15 +78,15 @@ signals:
     void stateChanged();
 
 private:
-    void setState(State state, Said message = {}, Said remedy = {});
+    void setState(State state, LazyText message = {}, LazyText remedy = {});
 
     PlanTitle title_;
     PlanState planState_ = PlanState::Empty;
     PlanTitle written_;
     std::vector<bool> checked_;
     State state_ = State::Idle;
-    Said message_;
-    Said remedy_;
+    LazyText message_;
+    LazyText remedy_;
     std::vector<Message> notes_;
     ExportChecks checks_;
     StickExport stick_;

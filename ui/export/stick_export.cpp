@@ -105,7 +105,7 @@ StickExport::StickExport(QObject* parent) : QAbstractListModel{parent}, lister_{
         emit textsChanged();
         emit examined();
         emit stateChanged();
-        if (looking()) {
+        if (searching()) {
             refresh();
         }
     });
@@ -132,23 +132,23 @@ void StickExport::setPlan(const PlanTitle& title) {
     } else if (state_ == State::Done) {
         clear();
     }
-    if (looking()) {
+    if (searching()) {
         examine();
     }
 }
 
-void StickExport::setLooking(bool looking) {
-    if (looking == timer_.isActive()) {
+void StickExport::setSearching(bool searching) {
+    if (searching == timer_.isActive()) {
         return;
     }
-    if (looking) {
+    if (searching) {
         refresh();
         timer_.start();
         examine();
     } else {
         timer_.stop();
     }
-    emit lookingChanged();
+    emit searchingChanged();
 }
 
 QStringList StickExport::terminalNames() const {
@@ -373,7 +373,7 @@ QStringList StickExport::notes() const {
     return lines;
 }
 
-void StickExport::setState(State state, Said message, Said remedy) {
+void StickExport::setState(State state, LazyText message, LazyText remedy) {
     state_ = state;
     message_ = std::move(message);
     remedy_ = std::move(remedy);

@@ -16,17 +16,17 @@
 
 namespace furrow {
 
-/// Said of an export that was stopped because the plan became another one.
+/// LazyText of an export that was stopped because the plan became another one.
 QString stoppedText();
 QString stoppedRemedy();
 
 /// Writes a plan for a terminal to a USB stick: the sticks that there are, what stands in the way on the
-/// chosen one, and what became of it. The sticks are looked for while `looking` is set.
+/// chosen one, and what became of it. The sticks are looked for while `searching` is set.
 class StickExport : public QAbstractListModel {
     Q_OBJECT
     QML_ELEMENT
     QML_UNCREATABLE("belongs to a session")
-    Q_PROPERTY(bool looking READ looking WRITE setLooking NOTIFY lookingChanged FINAL)
+    Q_PROPERTY(bool searching READ searching WRITE setSearching NOTIFY searchingChanged FINAL)
     Q_PROPERTY(int count READ count NOTIFY countChanged FINAL)
     Q_PROPERTY(QStringList terminalNames READ terminalNames NOTIFY textsChanged FINAL)
     Q_PROPERTY(int terminal READ terminal WRITE setTerminal NOTIFY terminalChanged FINAL)
@@ -75,8 +75,8 @@ public:
     /// What is to be written; null for nothing. What was being written of another plan is stopped.
     void setPlan(const PlanTitle& title);
 
-    bool looking() const { return timer_.isActive(); }
-    void setLooking(bool looking);
+    bool searching() const { return timer_.isActive(); }
+    void setSearching(bool searching);
     int count() const { return static_cast<int>(sticks_.size()); }
     QStringList terminalNames() const;
     int terminal() const { return terminal_; }
@@ -113,7 +113,7 @@ public:
     Q_INVOKABLE void clear();
 
 signals:
-    void lookingChanged();
+    void searchingChanged();
     void countChanged();
     void terminalChanged();
     /// Another terminal, or another language.
@@ -130,7 +130,7 @@ private:
     void refresh();
     /// What stands in the way, worked out in the background.
     void examine();
-    void setState(State state, Said message = {}, Said remedy = {});
+    void setState(State state, LazyText message = {}, LazyText remedy = {});
 
     PlanTitle title_;
     PlanTitle writtenTitle_;
@@ -144,8 +144,8 @@ private:
     std::vector<Message> warnings_;
     QString replaces_;
     State state_ = State::Idle;
-    Said message_;
-    Said remedy_;
+    LazyText message_;
+    LazyText remedy_;
     QStringList written_;
     std::vector<Message> notes_;
     ExportChecks checks_;

@@ -368,7 +368,7 @@ void ImageryModel::changed(std::size_t index) {
     emit dataChanged(row, row);
 }
 
-void ImageryModel::tell(Said message, Said remedy) {
+void ImageryModel::tell(LazyText message, LazyText remedy) {
     if (text(message) != text(message_) || text(remedy) != text(remedy_)) {
         message_ = std::move(message);
         remedy_ = std::move(remedy);

@@ -115,7 +115,7 @@ private:
     /// Looks away from the GUI thread which files are there: a drive on the network may take its time.
     void watch();
     void takeStamps(const std::map<std::string, qint64>& stamps);
-    void tell(Said message, Said remedy);
+    void tell(LazyText message, LazyText remedy);
     /// Of a row of the model, in rows_ and in the project; out of range for none.
     std::size_t indexOf(int row) const { return rows_.size() - 1 - static_cast<std::size_t>(row); }
     int rowOf(std::size_t index) const { return static_cast<int>(rows_.size() - 1 - index); }
@@ -125,8 +125,8 @@ private:
     TileStore store_;
     std::vector<Row> rows_;
     QTimer watch_;
-    Said message_;
-    Said remedy_;
+    LazyText message_;
+    LazyText remedy_;
     /// What is being looked at to be added.
     QStringList adding_;
     JobRunner reader_;

@@ -4,7 +4,7 @@
 
 namespace furrow {
 
-ChangeCommand::ChangeCommand(Document& document, Said text, std::shared_ptr<const Project> before,
+ChangeCommand::ChangeCommand(Document& document, LazyText text, std::shared_ptr<const Project> before,
                              std::shared_ptr<const Project> after, QString key, Document::Follows follows)
     : document_{document},
       text_{std::move(text)},

@@ -9,7 +9,7 @@ namespace furrow {
 /// One change of the project, by the project before and after it.
 class ChangeCommand : public QUndoCommand {
 public:
-    ChangeCommand(Document& document, Said text, std::shared_ptr<const Project> before,
+    ChangeCommand(Document& document, LazyText text, std::shared_ptr<const Project> before,
                   std::shared_ptr<const Project> after, QString key, Document::Follows follows);
 
     const std::shared_ptr<const Project>& before() const { return before_; }
@@ -27,7 +27,7 @@ public:
 
 private:
     Document& document_;
-    Said text_;
+    LazyText text_;
     std::shared_ptr<const Project> before_;
     std::shared_ptr<const Project> after_;
     QString key_;

@@ -36,7 +36,7 @@ bool Document::isDragging() const {
     return last != nullptr && last->isOpen();
 }
 
-void Document::change(Said text, Project after, const QString& key, Follows follows) {
+void Document::change(LazyText text, Project after, const QString& key, Follows follows) {
     auto changed = std::make_shared<const Project>(std::move(after));
     if (isDragging() && commandAt(stack_.index() - 1)->key() != key) {
         endDrag();

@@ -44,7 +44,7 @@ public:
 
     /// Changes the project. Changes with the same `key` are one command until one comes that nothing follows.
     /// `text` says what is done, in the language of the moment it is asked in.
-    void change(Said text, Project after, const QString& key = {}, Follows follows = Follows::Nothing);
+    void change(LazyText text, Project after, const QString& key = {}, Follows follows = Follows::Nothing);
     /// Shows another field or plan: nothing to undo.
     void look(Project project);
     /// What was dragged last is done.

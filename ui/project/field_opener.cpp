@@ -74,7 +74,7 @@ void FieldOpener::take(Reading reading, bool choose) {
 }
 
 void FieldOpener::addFields(std::vector<FieldSource> fields) {
-    Said text = [name = fromStd(fields.front().name), count = static_cast<int>(fields.size())] {
+    LazyText text = [name = fromStd(fields.front().name), count = static_cast<int>(fields.size())] {
         return count == 1 ? tr("Add field %1").arg(name) : tr("Add %n field(s)", nullptr, count);
     };
     choices_.show({});

@@ -347,7 +347,7 @@ void ProjectFiles::setPath(const QString& path, const std::string& fingerprint) 
     emit pathChanged();
 }
 
-void ProjectFiles::tell(Trouble trouble, Said message, Said remedy) {
+void ProjectFiles::tell(Trouble trouble, LazyText message, LazyText remedy) {
     if (trouble == trouble_ && text(message) == text(message_) && text(remedy) == text(remedy_)) {
         return;
     }

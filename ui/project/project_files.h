@@ -94,7 +94,7 @@ private:
     void write(const QString& path, bool overwrite);
     void take(const QString& path, const std::shared_ptr<const Project>& project, Result<std::string> written,
               bool changedOnDisk);
-    void tell(Trouble trouble, Said message = {}, Said remedy = {});
+    void tell(Trouble trouble, LazyText message = {}, LazyText remedy = {});
     void tell(Trouble trouble, const Error& error);
     void setPath(const QString& path, const std::string& fingerprint);
     /// Of a project file, or of none; nothing, with the message, where it cannot be had.
@@ -108,8 +108,8 @@ private:
     QString path_;
     std::string fingerprint_;
     Trouble trouble_ = Trouble::None;
-    Said message_;
-    Said remedy_;
+    LazyText message_;
+    LazyText remedy_;
     /// Written by the keeper's thread, and by this one at the end.
     struct Journal {
         std::mutex mutex;
