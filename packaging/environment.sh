@@ -136,6 +136,8 @@ enter() {
     export CCACHE_DIR=${CCACHE_DIR:-$cache/ccache}
     # Clones in other folders share what was compiled.
     export CCACHE_BASEDIR=${CCACHE_BASEDIR:-$project} CCACHE_NOHASHDIR=1
+    # Without these nothing that uses a precompiled header is shared.
+    export CCACHE_SLOPPINESS=${CCACHE_SLOPPINESS:-pch_defines,time_macros}
     FURROW_NODE_MODULES=$(validators)/node_modules
     export FURROW_NODE_MODULES
     if host_is_new_enough; then

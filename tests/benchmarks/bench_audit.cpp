@@ -2,6 +2,7 @@
 #include "planner/plan/method_registry.h"
 #include "planner/plan/plan.h"
 #include "tests/support/field_generator.h"
+#include "tests/support/test_program.h"
 
 #include <QTest>
 
@@ -82,5 +83,5 @@ private slots:
     }
 };
 
-QTEST_APPLESS_MAIN(AuditBenchmark)
+FURROW_TEST(AuditBenchmark);
 #include "bench_audit.moc"

@@ -2,6 +2,7 @@
 #include "planner/machine/machine_library.h"
 #include "planner/plan/method_registry.h"
 #include "planner/plan/plan.h"
+#include "tests/support/test_program.h"
 
 #include <QTest>
 
@@ -53,5 +54,5 @@ private slots:
     }
 };
 
-QTEST_APPLESS_MAIN(ChangesBenchmark)
+FURROW_TEST(ChangesBenchmark);
 #include "bench_changes.moc"

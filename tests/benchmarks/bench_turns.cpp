@@ -3,6 +3,7 @@
 #include "planner/turns/named_turns.h"
 #include "planner/turns/reeds_shepp.h"
 #include "tests/planner/turns/turn_check.h"
+#include "tests/support/test_program.h"
 
 #include <vector>
 
@@ -74,5 +75,5 @@ private slots:
     }
 };
 
-QTEST_APPLESS_MAIN(TurnsBenchmark)
+FURROW_TEST(TurnsBenchmark);
 #include "bench_turns.moc"

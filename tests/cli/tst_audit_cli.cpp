@@ -6,6 +6,7 @@
 #include "planner/plan/plan.h"
 #include "tests/support/furrow_cli.h"
 #include "tests/support/result_check.h"
+#include "tests/support/test_program.h"
 
 #include <QJsonArray>
 #include <QTemporaryDir>
@@ -200,5 +201,5 @@ private slots:
     }
 };
 
-QTEST_GUILESS_MAIN(TestAuditCli)
+FURROW_TEST(TestAuditCli);
 #include "tst_audit_cli.moc"

@@ -1,6 +1,7 @@
 // `furrow-cli bench paper` as a whole: one run, its summary and its files.
 
 #include "tests/support/furrow_cli.h"
+#include "tests/support/test_program.h"
 
 #include <QDir>
 #include <QJsonArray>
@@ -45,5 +46,5 @@ private slots:
     }
 };
 
-QTEST_GUILESS_MAIN(TestBenchCli)
+FURROW_TEST(TestBenchCli);
 #include "tst_bench_cli.moc"

@@ -1,6 +1,7 @@
 // The command line as other programs rely on it: exit statuses, one-line errors, files.
 
 #include "tests/support/furrow_cli.h"
+#include "tests/support/test_program.h"
 
 #include <QDir>
 #include <QJsonArray>
@@ -384,5 +385,5 @@ private:
     QTemporaryDir folder_;
 };
 
-QTEST_GUILESS_MAIN(TestCli)
+FURROW_TEST(TestCli);
 #include "tst_cli.moc"

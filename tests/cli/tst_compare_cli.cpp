@@ -1,6 +1,7 @@
 // `furrow-cli compare` as other programs use it: a plan, a track made from its own path.csv, and the figures.
 
 #include "tests/support/furrow_cli.h"
+#include "tests/support/test_program.h"
 
 #include <QDir>
 #include <QJsonArray>
@@ -126,5 +127,5 @@ private slots:
     }
 };
 
-QTEST_GUILESS_MAIN(TestCompareCli)
+FURROW_TEST(TestCompareCli);
 #include "tst_compare_cli.moc"

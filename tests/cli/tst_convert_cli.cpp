@@ -1,4 +1,5 @@
 #include "tests/support/furrow_cli.h"
+#include "tests/support/test_program.h"
 
 #include <QDir>
 #include <QJsonArray>
@@ -131,5 +132,5 @@ private slots:
     }
 };
 
-QTEST_GUILESS_MAIN(ConvertCliTest)
+FURROW_TEST(ConvertCliTest);
 #include "tst_convert_cli.moc"

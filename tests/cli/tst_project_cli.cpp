@@ -9,6 +9,7 @@
 #include "tests/support/field_generator.h"
 #include "tests/support/furrow_cli.h"
 #include "tests/support/result_check.h"
+#include "tests/support/test_program.h"
 
 #include <QDir>
 #include <QJsonArray>
@@ -211,5 +212,5 @@ private slots:
     }
 };
 
-QTEST_GUILESS_MAIN(ProjectCliTest)
+FURROW_TEST(ProjectCliTest);
 #include "tst_project_cli.moc"

@@ -3,6 +3,7 @@
 #include "planner/machine/machine_library.h"
 #include "planner/plan/plan.h"
 #include "tests/support/real_fields.h"
+#include "tests/support/test_program.h"
 
 #include <QTest>
 
@@ -98,5 +99,5 @@ void TestAllFields::everyFieldIsPlannedOrRefusedForAReason() {
     QVERIFY(largePlanned >= 0.98 * large);
 }
 
-QTEST_APPLESS_MAIN(TestAllFields)
+FURROW_TEST(TestAllFields);
 #include "tst_all_fields.moc"

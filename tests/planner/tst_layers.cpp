@@ -1,3 +1,5 @@
+#include "tests/support/test_program.h"
+
 #include <QDirIterator>
 #include <QFile>
 #include <QRegularExpression>
@@ -248,5 +250,5 @@ private slots:
     }
 };
 
-QTEST_APPLESS_MAIN(LayersTest)
+FURROW_TEST(LayersTest);
 #include "tst_layers.moc"

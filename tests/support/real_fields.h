@@ -1,7 +1,8 @@
 #pragma once
 
-#include "planner/evaluation/paper.h"
+#include "planner/benchmarks/paper.h"
 #include "planner/io/import/boundary_import.h"
+#include "tests/support/large_data.h"
 
 #include <QByteArrayView>
 #include <QtEnvironmentVariables>
@@ -42,7 +43,7 @@ inline void allowTimeForEveryField() {
 /// Every n-th of the two thousand real fields beside the project, all of them where the environment has
 /// FURROW_EVERY_FIELD; none where they are not there.
 inline std::vector<FieldSource> collectedFields(std::size_t every) {
-    const std::filesystem::path file = FURROW_SHARED_DATA_DIR "/fields/all_fields.geojson";
+    const std::filesystem::path file = largeDataPath("fields/all_fields.geojson");
     if (!std::filesystem::exists(file)) {
         return {};
     }

@@ -1,5 +1,6 @@
 #include "tests/planner/audit/audit_paths.h"
 #include "tests/support/result_check.h"
+#include "tests/support/test_program.h"
 
 #include <QTest>
 
@@ -416,5 +417,5 @@ private slots:
     }
 };
 
-QTEST_APPLESS_MAIN(TestAuditAreas)
+FURROW_TEST(TestAuditAreas);
 #include "tst_audit_areas.moc"

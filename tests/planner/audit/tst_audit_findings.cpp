@@ -2,6 +2,7 @@
 #include "planner/plan/plan.h"
 #include "tests/planner/audit/audit_paths.h"
 #include "tests/support/result_check.h"
+#include "tests/support/test_program.h"
 
 #include <QTest>
 
@@ -288,5 +289,5 @@ private slots:
     }
 };
 
-QTEST_APPLESS_MAIN(TestAuditFindings)
+FURROW_TEST(TestAuditFindings);
 #include "tst_audit_findings.moc"

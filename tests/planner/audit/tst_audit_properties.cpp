@@ -4,6 +4,7 @@
 #include "planner/plan/plan.h"
 #include "tests/support/field_generator.h"
 #include "tests/support/result_check.h"
+#include "tests/support/test_program.h"
 
 #include <QTest>
 
@@ -191,5 +192,5 @@ private slots:
     }
 };
 
-QTEST_APPLESS_MAIN(TestAuditProperties)
+FURROW_TEST(TestAuditProperties);
 #include "tst_audit_properties.moc"

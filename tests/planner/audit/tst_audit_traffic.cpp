@@ -1,5 +1,6 @@
 #include "tests/planner/audit/audit_paths.h"
 #include "tests/support/result_check.h"
+#include "tests/support/test_program.h"
 
 #include <QTest>
 
@@ -113,5 +114,5 @@ private slots:
     }
 };
 
-QTEST_APPLESS_MAIN(TestAuditTraffic)
+FURROW_TEST(TestAuditTraffic);
 #include "tst_audit_traffic.moc"

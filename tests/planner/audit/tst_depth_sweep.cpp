@@ -2,6 +2,7 @@
 #include "planner/geometry/geos_bridge.h"
 #include "tests/support/field_generator.h"
 #include "tests/support/result_check.h"
+#include "tests/support/test_program.h"
 #include "tests/support/wkt.h"
 
 #include <QTest>
@@ -228,5 +229,5 @@ private slots:
     }
 };
 
-QTEST_APPLESS_MAIN(TestDepthSweep)
+FURROW_TEST(TestDepthSweep);
 #include "tst_depth_sweep.moc"

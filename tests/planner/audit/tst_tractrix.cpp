@@ -2,6 +2,7 @@
 #include "planner/audit/tractrix.h"
 #include "planner/machine/machine_library.h"
 #include "tests/support/result_check.h"
+#include "tests/support/test_program.h"
 
 #include <QTest>
 
@@ -118,5 +119,5 @@ private slots:
     }
 };
 
-QTEST_APPLESS_MAIN(TestTractrix)
+FURROW_TEST(TestTractrix);
 #include "tst_tractrix.moc"

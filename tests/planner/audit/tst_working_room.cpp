@@ -5,6 +5,7 @@
 #include "planner/machine/machine_library.h"
 #include "tests/support/field_generator.h"
 #include "tests/support/result_check.h"
+#include "tests/support/test_program.h"
 
 #include <QTest>
 
@@ -49,6 +50,25 @@ MultiPolygon fieldWithBay(double width) {
 class TestWorkingRoom : public QObject {
     Q_OBJECT
 private slots:
+    /// What was found at another place before changes no answer.
+    void hintsChangeNoAnswer() {
+        const MultiPolygon field = fieldWithBay(7.0);
+        std::mt19937_64 random{5};
+        for (const Machine& machine : {cultivator(), agbot()}) {
+            const WorkingRoom room = roomOf(field, machine);
+            WorkingRoom::Hint hint;
+            int reached = 0;
+            int unreached = 0;
+            for (int i = 0; i < 400; ++i) {
+                const Point place{test::uniform(random, 24.0, 36.0), test::uniform(random, 36.0, 48.0)};
+                const bool reaches = room.reaches(place);
+                QCOMPARE(room.reaches(place, hint), reaches);
+                ++(reaches ? reached : unreached);
+            }
+            QVERIFY(reached > 20 && unreached > 20);
+        }
+    }
+
     void places_data() {
         QTest::addColumn<MultiPolygon>("field");
         QTest::addColumn<Machine>("machine");
@@ -144,5 +164,5 @@ private slots:
     }
 };
 
-QTEST_APPLESS_MAIN(TestWorkingRoom)
+FURROW_TEST(TestWorkingRoom);
 #include "tst_working_room.moc"

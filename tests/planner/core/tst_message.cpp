@@ -1,4 +1,5 @@
 #include "planner/core/message.h"
+#include "tests/support/test_program.h"
 
 #include <QTest>
 
@@ -78,5 +79,5 @@ private slots:
     }
 };
 
-QTEST_APPLESS_MAIN(TestMessage)
+FURROW_TEST(TestMessage);
 #include "tst_message.moc"

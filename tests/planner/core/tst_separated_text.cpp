@@ -1,4 +1,5 @@
 #include "planner/core/separated_text.h"
+#include "tests/support/test_program.h"
 
 #include <QTest>
 
@@ -36,5 +37,5 @@ private slots:
     }
 };
 
-QTEST_APPLESS_MAIN(SeparatedTextTest)
+FURROW_TEST(SeparatedTextTest);
 #include "tst_separated_text.moc"

@@ -5,6 +5,7 @@
 #include "tests/support/field_generator.h"
 #include "tests/support/result_check.h"
 #include "tests/support/stages.h"
+#include "tests/support/test_program.h"
 #include "tests/support/wkt.h"
 
 #include <QtTest/QtTest>
@@ -196,5 +197,5 @@ private slots:
     }
 };
 
-QTEST_APPLESS_MAIN(CellCostTest)
+FURROW_TEST(CellCostTest);
 #include "tst_cell_cost.moc"

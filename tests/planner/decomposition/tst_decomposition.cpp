@@ -6,6 +6,7 @@
 #include "tests/support/field_generator.h"
 #include "tests/support/result_check.h"
 #include "tests/support/stages.h"
+#include "tests/support/test_program.h"
 #include "tests/support/wkt.h"
 
 #include <QtTest/QtTest>
@@ -204,5 +205,5 @@ private slots:
     }
 };
 
-QTEST_APPLESS_MAIN(DecompositionTest)
+FURROW_TEST(DecompositionTest);
 #include "tst_decomposition.moc"

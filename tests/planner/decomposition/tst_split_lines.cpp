@@ -2,6 +2,7 @@
 
 #include "tests/support/field_generator.h"
 #include "tests/support/result_check.h"
+#include "tests/support/test_program.h"
 
 #include <QtTest/QtTest>
 
@@ -82,5 +83,5 @@ private slots:
     }
 };
 
-QTEST_APPLESS_MAIN(SplitLinesTest)
+FURROW_TEST(SplitLinesTest);
 #include "tst_split_lines.moc"

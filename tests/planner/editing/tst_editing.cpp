@@ -4,6 +4,7 @@
 #include "planner/geometry/simplify.h"
 #include "planner/units/angle.h"
 #include "tests/support/result_check.h"
+#include "tests/support/test_program.h"
 
 #include <QTest>
 
@@ -296,5 +297,5 @@ private slots:
     }
 };
 
-QTEST_APPLESS_MAIN(TestEditing)
+FURROW_TEST(TestEditing);
 #include "tst_editing.moc"

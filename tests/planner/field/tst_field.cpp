@@ -1,6 +1,7 @@
 #include "planner/field/field.h"
 #include "tests/support/field_generator.h"
 #include "tests/support/result_check.h"
+#include "tests/support/test_program.h"
 #include "tests/support/wkt.h"
 
 #include <algorithm>
@@ -466,7 +467,7 @@ private slots:
         QVERIFY2(field.error().line().contains("9.2"), field.error().line().c_str());
     }
 
-    // planner.md section 2: they work like any other field.
+    // They work like any other field.
     void anywhereOnEarth_data() {
         QTest::addColumn<double>("lonDeg");
         QTest::addColumn<double>("latDeg");
@@ -609,5 +610,5 @@ private slots:
     }
 };
 
-QTEST_APPLESS_MAIN(FieldTest)
+FURROW_TEST(FieldTest);
 #include "tst_field.moc"

@@ -1,5 +1,6 @@
 #include "planner/geodesy/local_frame.h"
 #include "tests/support/result_check.h"
+#include "tests/support/test_program.h"
 
 #include <geodesic.h>
 #include <proj.h>
@@ -75,7 +76,7 @@ private slots:
                     const GeoPoint other = placeAt(place, azimuthDeg + acrossDeg, 500.0);
                     const double planeM = distance(frame->toLocal(place), frame->toLocal(other));
                     const double groundM = geodesicDistanceM(place, other);
-                    // planner.md section 2: under 1.3 mm per km within 10 km of the centre.
+                    // Under 1.3 mm per km within 10 km of the centre.
                     QVERIFY2(std::abs(planeM - groundM) < 1.3e-6 * groundM,
                              qPrintable(QStringLiteral("%1 m instead of %2 m")
                                             .arg(planeM, 0, 'f', 6)
@@ -258,5 +259,5 @@ private slots:
     }
 };
 
-QTEST_APPLESS_MAIN(LocalFrameTest)
+FURROW_TEST(LocalFrameTest);
 #include "tst_local_frame.moc"

@@ -1,6 +1,7 @@
 #include "planner/geometry/boundary_distance.h"
 #include "tests/support/field_generator.h"
 #include "tests/support/result_check.h"
+#include "tests/support/test_program.h"
 #include "tests/support/wkt.h"
 
 #include <algorithm>
@@ -228,5 +229,5 @@ private slots:
     }
 };
 
-QTEST_APPLESS_MAIN(BoundaryDistanceTest)
+FURROW_TEST(BoundaryDistanceTest);
 #include "tst_boundary_distance.moc"

@@ -1,7 +1,8 @@
+#include "planner/benchmarks/geos_yardstick.h"
 #include "planner/geometry/geos_bridge.h"
-#include "planner/geometry/geos_yardstick.h"
 #include "tests/support/field_generator.h"
 #include "tests/support/result_check.h"
+#include "tests/support/test_program.h"
 #include "tests/support/wkt.h"
 
 #include <algorithm>
@@ -423,5 +424,5 @@ private slots:
     }
 };
 
-QTEST_APPLESS_MAIN(GeosBridgeTest)
+FURROW_TEST(GeosBridgeTest);
 #include "tst_geos_bridge.moc"

@@ -7,6 +7,7 @@
 #include "planner/headland/smooth_ring.h"
 #include "planner/machine/machine_library.h"
 #include "tests/support/result_check.h"
+#include "tests/support/test_program.h"
 #include "tests/support/wkt.h"
 
 #include <QTest>
@@ -150,5 +151,5 @@ private slots:
     }
 };
 
-QTEST_APPLESS_MAIN(EdgeFollowingTest)
+FURROW_TEST(EdgeFollowingTest);
 #include "tst_edge_following.moc"

@@ -5,6 +5,7 @@
 #include "tests/support/field_generator.h"
 #include "tests/support/result_check.h"
 #include "tests/support/stages.h"
+#include "tests/support/test_program.h"
 #include "tests/support/wkt.h"
 
 #include <numbers>
@@ -103,7 +104,7 @@ private slots:
         VERIFY_RESULT(headland);
         COMPARE_WITHIN(area(headland->mainland).si(), mainlandM2, 0.5);
         QCOMPARE(headland->passes, 2);
-        QCOMPARE(headland->rings.empty(), !driven);
+        QCOMPARE(headland->drivenPasses.empty(), !driven);
     }
 
     // The second pass runs along both ends and nowhere else: twice the height of the field less its outermost
@@ -115,7 +116,7 @@ private slots:
         const auto headland = headlandOf(kPerEdgeMethod, field, uTurner(), drivenIs(true), 0.0);
         VERIFY_RESULT(headland);
         double lengthM = 0.0;
-        for (const HeadlandPass& pass : headland->rings) {
+        for (const HeadlandPass& pass : headland->drivenPasses) {
             for (const PassStretch& stretch : pass.stretches) {
                 if (pass.ring == 1) {
                     lengthM += stretch.line.length().si();
@@ -260,5 +261,5 @@ private slots:
     }
 };
 
-QTEST_APPLESS_MAIN(EdgeStripsTest)
+FURROW_TEST(EdgeStripsTest);
 #include "tst_edge_strips.moc"

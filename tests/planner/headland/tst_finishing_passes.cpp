@@ -8,6 +8,7 @@
 #include "tests/planner/turns/turn_check.h"
 #include "tests/support/field_generator.h"
 #include "tests/support/result_check.h"
+#include "tests/support/test_program.h"
 #include "tests/support/wkt.h"
 
 #include <QTest>
@@ -155,5 +156,5 @@ private slots:
     }
 };
 
-QTEST_APPLESS_MAIN(FinishingPassesTest)
+FURROW_TEST(FinishingPassesTest);
 #include "tst_finishing_passes.moc"

@@ -6,6 +6,7 @@
 #include "planner/machine/machine_library.h"
 #include "tests/support/field_generator.h"
 #include "tests/support/result_check.h"
+#include "tests/support/test_program.h"
 
 #include <QTest>
 
@@ -174,5 +175,5 @@ private slots:
     }
 };
 
-QTEST_GUILESS_MAIN(FullLockPassesTest)
+FURROW_TEST(FullLockPassesTest);
 #include "tst_full_lock_passes.moc"

@@ -4,6 +4,7 @@
 #include "tests/support/field_generator.h"
 #include "tests/support/result_check.h"
 #include "tests/support/stages.h"
+#include "tests/support/test_program.h"
 #include "tests/support/wkt.h"
 
 #include <numbers>
@@ -251,5 +252,5 @@ private slots:
     }
 };
 
-QTEST_APPLESS_MAIN(HeadlandTest)
+FURROW_TEST(HeadlandTest);
 #include "tst_headland.moc"

@@ -10,6 +10,7 @@
 #include "tests/support/field_generator.h"
 #include "tests/support/result_check.h"
 #include "tests/support/stages.h"
+#include "tests/support/test_program.h"
 #include "tests/support/wkt.h"
 
 #include <algorithm>
@@ -446,11 +447,11 @@ private slots:
         const auto headland =
             headlandOf(field, wide ? wideTractor() : agbot(), {{&kHeadlandPasses, "3"}}, marginM);
         VERIFY_RESULT(headland);
-        QCOMPARE(headland->rings.size(), static_cast<std::size_t>(insetsM.size()));
+        QCOMPARE(headland->drivenPasses.size(), static_cast<std::size_t>(insetsM.size()));
         const Bounds box = bounds(field.boundary());
         const Point middle = 0.5 * (box.min + box.max);
-        for (std::size_t i = 0; i < headland->rings.size(); ++i) {
-            const HeadlandPass& pass = headland->rings[i];
+        for (std::size_t i = 0; i < headland->drivenPasses.size(); ++i) {
+            const HeadlandPass& pass = headland->drivenPasses[i];
             QCOMPARE(pass.ring, static_cast<int>(i));
             QCOMPARE(pass.width.si(), 2.5);
             // The outermost is one rounded line; those inside of it, sides that meet at sharp corners.
@@ -494,14 +495,14 @@ private slots:
         const auto headland = headlandOf(field, agbot(), {{&kHeadlandPasses, "4"}});
         VERIFY_RESULT(headland);
         MultiPolygon lanes;
-        for (const HeadlandPass& pass : headland->rings) {
+        for (const HeadlandPass& pass : headland->drivenPasses) {
             QVERIFY2(pass.stretches.size() <= 8,
                      QByteArray::number(static_cast<qsizetype>(pass.stretches.size())).constData());
             const auto lane = aroundLines(linesOf(pass), 0.5 * pass.width, kArcTolerance, {});
             VERIFY_RESULT(lane);
             lanes.insert(lanes.end(), lane->begin(), lane->end());
         }
-        QCOMPARE(headland->rings.size(), std::size_t{4});
+        QCOMPARE(headland->drivenPasses.size(), std::size_t{4});
         const auto toothless = eroded(field.boundary(), metres(1.25), kArcTolerance, {});
         VERIFY_RESULT(toothless);
         const auto inside = difference(*toothless, headland->mainland, {});
@@ -517,9 +518,9 @@ private slots:
         const Field field = fieldFrom({test::centredRectangle(100.0, 60.0)});
         const auto headland = headlandOf(field, agbot(), {{&kHeadlandWidth, "9"}});
         VERIFY_RESULT(headland);
-        QCOMPARE(headland->rings.size(), std::size_t{3});
+        QCOMPARE(headland->drivenPasses.size(), std::size_t{3});
         const Bounds box = bounds(field.boundary());
-        const std::vector<Polyline> points = linesOf(headland->rings.back());
+        const std::vector<Polyline> points = linesOf(headland->drivenPasses.back());
         COMPARE_WITHIN(distanceTo(points, {0.5 * (box.min.x + box.max.x), box.min.y}), 6.25, 2e-3);
     }
 
@@ -532,12 +533,12 @@ private slots:
         VERIFY_RESULT(left);
         VERIFY_RESULT(right);
         // Two passes round the boundary, two round the hole.
-        QCOMPARE(left->rings.size(), std::size_t{4});
-        QCOMPARE(right->rings.size(), std::size_t{4});
+        QCOMPARE(left->drivenPasses.size(), std::size_t{4});
+        QCOMPARE(right->drivenPasses.size(), std::size_t{4});
         int outer = 0;
         for (std::size_t i = 0; i < 4; ++i) {
-            const HeadlandPass& there = left->rings[i];
-            const HeadlandPass& back = right->rings[i];
+            const HeadlandPass& there = left->drivenPasses[i];
+            const HeadlandPass& back = right->drivenPasses[i];
             QCOMPARE(there.stretches.size(), back.stretches.size());
             COMPARE_WITHIN(totalTurning(there) + totalTurning(back), 0.0, 1e-9);
             // Each moves in where it begins, which is at another corner.
@@ -557,7 +558,7 @@ private slots:
         VERIFY_RESULT(headland);
         double workedM = 0.0;
         int loops = 0;
-        for (const HeadlandPass& pass : headland->rings) {
+        for (const HeadlandPass& pass : headland->drivenPasses) {
             for (const PassStretch& stretch : pass.stretches) {
                 if (pass.ring == 1) {
                     workedM += stretch.working ? stretch.line.length().si() : 0.0;
@@ -580,12 +581,12 @@ private slots:
         const auto headland =
             headlandOf(field, agbot(), {{&kHeadlandPasses, "3"}, {&kHeadlandDriven, "false"}});
         VERIFY_RESULT(headland);
-        QVERIFY(headland->rings.empty());
+        QVERIFY(headland->drivenPasses.empty());
         QCOMPARE(headland->passes, 3);
         COMPARE_WITHIN(headland->width.si(), 7.5, 1e-9);
         const auto none = headlandOf(field, agbot(), {{&kHeadlandPasses, "0"}});
         VERIFY_RESULT(none);
-        QVERIFY(none->rings.empty());
+        QVERIFY(none->drivenPasses.empty());
     }
 
     void intoTheCorners_data() {
@@ -610,9 +611,9 @@ private slots:
             field, agbot(), {{&kHeadlandPasses, "8"}, {&kHeadlandDirection, way}, {&kHeadlandCorner, kind}});
         VERIFY_RESULT(rounded);
         VERIFY_RESULT(headland);
-        QCOMPARE(headland->rings.size(), std::size_t{8});
+        QCOMPARE(headland->drivenPasses.size(), std::size_t{8});
         int manoeuvres = 0;
-        for (const HeadlandPass& pass : headland->rings) {
+        for (const HeadlandPass& pass : headland->drivenPasses) {
             const std::size_t size = pass.stretches.size();
             double lengthM = 0.0;
             for (std::size_t i = 0; i < size; ++i) {
@@ -634,7 +635,7 @@ private slots:
         }
         // Far enough inside all four corners of a pass are driven into, whichever way round: four sides, four
         // manoeuvres.
-        QCOMPARE(headland->rings.back().stretches.size(), std::size_t{8});
+        QCOMPARE(headland->drivenPasses.back().stretches.size(), std::size_t{8});
         QVERIFY2(manoeuvres >= 4, qPrintable(QString::number(manoeuvres)));
         QVERIFY2(headland->uncutCorners <= rounded->uncutCorners,
                  qPrintable(QString::number(headland->uncutCorners.si()) + " " +
@@ -662,7 +663,7 @@ private slots:
         const Field field = fieldFrom({test::centredRectangle(40.0, 30.0)});
         const auto driven = headlandOf(field, agbot(), {{&kHeadlandPasses, "2"}});
         VERIFY_RESULT(driven);
-        const HeadlandPass& outermost = driven->rings.front();
+        const HeadlandPass& outermost = driven->drivenPasses.front();
         QVERIFY(outermost.closed);
         QCOMPARE(std::ranges::count(outermost.stretches, false, &PassStretch::working), std::ptrdiff_t{4});
         COMPARE_WITHIN(driven->uncutCorners.si(), 0.0, 1e-12);
@@ -681,7 +682,7 @@ private slots:
         spec.tractor.canReverse = false;
         const auto rounded = headlandOf(field, Machine::create(spec).value(), {{&kHeadlandPasses, "2"}});
         VERIFY_RESULT(rounded);
-        QCOMPARE(rounded->rings.front().stretches.size(), std::size_t{1});
+        QCOMPARE(rounded->drivenPasses.front().stretches.size(), std::size_t{1});
         const double besideM = agbot().minTurningRadius().si() + 0.5 * agbot().operatingWidth().si();
         QCOMPARE_GE(rounded->uncutCorners.si(), 4.0 * (1.0 - kPi / 4.0) * besideM * besideM - 1e-6);
     }
@@ -709,5 +710,5 @@ private slots:
     }
 };
 
-QTEST_APPLESS_MAIN(HeadlandPassesTest)
+FURROW_TEST(HeadlandPassesTest);
 #include "tst_headland_passes.moc"

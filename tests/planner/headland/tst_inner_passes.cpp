@@ -7,6 +7,7 @@
 #include "planner/machine/machine_library.h"
 #include "tests/support/field_generator.h"
 #include "tests/support/result_check.h"
+#include "tests/support/test_program.h"
 #include "tests/support/wkt.h"
 
 #include <QTest>
@@ -202,5 +203,5 @@ private slots:
     }
 };
 
-QTEST_APPLESS_MAIN(InnerPassesTest)
+FURROW_TEST(InnerPassesTest);
 #include "tst_inner_passes.moc"

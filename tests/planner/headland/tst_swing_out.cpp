@@ -5,6 +5,7 @@
 #include "planner/headland/swing_out.h"
 #include "planner/machine/machine_library.h"
 #include "tests/planner/turns/turn_check.h"
+#include "tests/support/test_program.h"
 
 #include <QTest>
 
@@ -117,5 +118,5 @@ private slots:
     }
 };
 
-QTEST_APPLESS_MAIN(SwingOutTest)
+FURROW_TEST(SwingOutTest);
 #include "tst_swing_out.moc"

@@ -1,7 +1,9 @@
 #include "planner/imagery/imagery.h"
 #include "planner/imagery/tile_pixels.h"
 #include "tests/planner/imagery/raster_samples.h"
+#include "tests/support/large_data.h"
 #include "tests/support/result_check.h"
+#include "tests/support/test_program.h"
 
 #include <QDir>
 #include <QFile>
@@ -447,7 +449,7 @@ private slots:
         QFETCH(double, lonDeg);
         QFETCH(double, latDeg);
         QFETCH(bool, heights);
-        const QString path = QStringLiteral(FURROW_SHARED_DATA_DIR "/basemap/") + file;
+        const QString path = test::largeData(QStringLiteral("basemap/") + file);
         if (!QFile::exists(path)) {
             QSKIP("the shared data is not here");
         }
@@ -472,8 +474,7 @@ private slots:
         }
     }
     void howLongATileTakes() {
-        const QString path =
-            QStringLiteral(FURROW_SHARED_DATA_DIR "/basemap/raster/naip_nd_20140720_5m_4band.tif");
+        const QString path = test::largeData(QStringLiteral("basemap/raster/naip_nd_20140720_5m_4band.tif"));
         if (!QFile::exists(path)) {
             QSKIP("the shared data is not here");
         }
@@ -486,5 +487,5 @@ private slots:
     }
 };
 
-QTEST_GUILESS_MAIN(TestImagery)
+FURROW_TEST(TestImagery);
 #include "tst_imagery.moc"

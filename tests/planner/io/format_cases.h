@@ -132,6 +132,17 @@ inline std::shared_ptr<const Plan> planOf(const FieldSource& source, std::string
     return *plan;
 }
 
+/// A plan with a hole, an obstacle and a gate, which reverses. Made once.
+inline const Plan& planWithEverything() {
+    static const std::shared_ptr<const Plan> made = [] {
+        FieldSource source = fieldWithEverything().field;
+        source.parts.resize(1);
+        source.obstacles.resize(1);
+        return planOf(source, "power-harrow-drill");
+    }();
+    return *made;
+}
+
 /// What a program printed; its status is -1 where it is not there.
 struct Printed {
     int status = -1;

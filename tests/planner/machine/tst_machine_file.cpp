@@ -1,5 +1,6 @@
 #include "planner/machine/machine_file.h"
 #include "planner/machine/machine_library.h"
+#include "tests/support/test_program.h"
 
 #include <QTemporaryDir>
 #include <QTest>
@@ -289,5 +290,5 @@ void TestMachineFile::libraryFolds() {
     }
 }
 
-QTEST_APPLESS_MAIN(TestMachineFile)
+FURROW_TEST(TestMachineFile);
 #include "tst_machine_file.moc"

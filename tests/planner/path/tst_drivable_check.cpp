@@ -7,6 +7,7 @@
 #include "tests/support/field_generator.h"
 #include "tests/support/result_check.h"
 #include "tests/support/stages.h"
+#include "tests/support/test_program.h"
 
 #include <cmath>
 #include <stop_token>
@@ -201,5 +202,5 @@ private slots:
     }
 };
 
-QTEST_APPLESS_MAIN(DrivableCheckTest)
+FURROW_TEST(DrivableCheckTest);
 #include "tst_drivable_check.moc"

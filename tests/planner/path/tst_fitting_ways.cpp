@@ -2,6 +2,7 @@
 #include "planner/path/fitting_ways.h"
 #include "tests/support/field_generator.h"
 #include "tests/support/stages.h"
+#include "tests/support/test_program.h"
 
 #include <QTest>
 
@@ -96,5 +97,5 @@ private slots:
     }
 };
 
-QTEST_APPLESS_MAIN(FittingWaysTest)
+FURROW_TEST(FittingWaysTest);
 #include "tst_fitting_ways.moc"

@@ -8,6 +8,7 @@
 #include "planner/plan/plan.h"
 #include "tests/support/field_generator.h"
 #include "tests/support/result_check.h"
+#include "tests/support/test_program.h"
 #include "tests/support/wkt.h"
 
 #include <QTest>
@@ -136,5 +137,5 @@ private slots:
     }
 };
 
-QTEST_APPLESS_MAIN(GateWaysTest)
+FURROW_TEST(GateWaysTest);
 #include "tst_gate_ways.moc"

@@ -7,6 +7,7 @@
 #include "tests/support/field_generator.h"
 #include "tests/support/result_check.h"
 #include "tests/support/stages.h"
+#include "tests/support/test_program.h"
 
 #include <cmath>
 #include <numbers>
@@ -286,5 +287,5 @@ private slots:
     }
 };
 
-QTEST_APPLESS_MAIN(PathBuilderTest)
+FURROW_TEST(PathBuilderTest);
 #include "tst_path_builder.moc"

@@ -4,6 +4,7 @@
 #include "planner/path/travel_rule.h"
 #include "tests/support/field_generator.h"
 #include "tests/support/result_check.h"
+#include "tests/support/test_program.h"
 
 #include <QTest>
 
@@ -57,5 +58,5 @@ private slots:
     }
 };
 
-QTEST_APPLESS_MAIN(TravelRuleTest)
+FURROW_TEST(TravelRuleTest);
 #include "tst_travel_rule.moc"

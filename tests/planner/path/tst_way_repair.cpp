@@ -3,6 +3,7 @@
 #include "planner/path/way_repair.h"
 #include "tests/support/field_generator.h"
 #include "tests/support/stages.h"
+#include "tests/support/test_program.h"
 
 #include <QTest>
 
@@ -167,5 +168,5 @@ private slots:
     }
 };
 
-QTEST_APPLESS_MAIN(WayRepairTest)
+FURROW_TEST(WayRepairTest);
 #include "tst_way_repair.moc"

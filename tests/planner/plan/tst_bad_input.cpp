@@ -10,6 +10,7 @@
 #include "tests/support/field_generator.h"
 #include "tests/support/result_check.h"
 #include "tests/support/stages.h"
+#include "tests/support/test_program.h"
 #include "tests/support/wkt.h"
 
 #include <QElapsedTimer>
@@ -342,5 +343,5 @@ private slots:
     }
 };
 
-QTEST_APPLESS_MAIN(BadInputTest)
+FURROW_TEST(BadInputTest);
 #include "tst_bad_input.moc"

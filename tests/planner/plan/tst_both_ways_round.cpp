@@ -4,6 +4,7 @@
 #include "tests/support/field_generator.h"
 #include "tests/support/real_fields.h"
 #include "tests/support/result_check.h"
+#include "tests/support/test_program.h"
 
 #include <QTest>
 
@@ -66,7 +67,7 @@ Result<std::shared_ptr<const Plan>> planOf(const FieldSource& field, const Machi
 
 double workedRoundM(const Plan& plan) {
     double sumM = 0.0;
-    for (const HeadlandPass& pass : plan.headland.rings) {
+    for (const HeadlandPass& pass : plan.headland.drivenPasses) {
         sumM += pass.length().si();
     }
     return sumM;
@@ -76,7 +77,7 @@ double workedRoundM(const Plan& plan) {
 /// obstacle.
 double turnedRad(const Plan& plan) {
     double sum = 0.0;
-    for (const HeadlandPass& pass : plan.headland.rings) {
+    for (const HeadlandPass& pass : plan.headland.drivenPasses) {
         for (const PassStretch& stretch : pass.stretches) {
             for (const CurvePiece& piece : stretch.line.pieces) {
                 sum += 0.5 * (piece.curvature + piece.endCurvature).si() * piece.length.si();
@@ -170,5 +171,5 @@ private slots:
     }
 };
 
-QTEST_APPLESS_MAIN(BothWaysRoundTest)
+FURROW_TEST(BothWaysRoundTest);
 #include "tst_both_ways_round.moc"

@@ -5,6 +5,7 @@
 #include "planner/plan/plan.h"
 #include "tests/support/field_generator.h"
 #include "tests/support/result_check.h"
+#include "tests/support/test_program.h"
 
 #include <QTest>
 
@@ -202,5 +203,5 @@ private slots:
     }
 };
 
-QTEST_APPLESS_MAIN(ChosenTurnsTest)
+FURROW_TEST(ChosenTurnsTest);
 #include "tst_chosen_turns.moc"

@@ -4,6 +4,7 @@
 #include "tests/support/field_generator.h"
 #include "tests/support/result_check.h"
 #include "tests/support/stages.h"
+#include "tests/support/test_program.h"
 
 #include <QTest>
 
@@ -38,7 +39,7 @@ private slots:
         QVERIFY((*draft)->request.draft);
         COMPARE_WITHIN(inDegrees((*draft)->swaths.heading), inDegrees((*whole)->swaths.heading), 1e-6);
         QCOMPARE((*draft)->headland.width.si(), (*whole)->headland.width.si());
-        QVERIFY((*draft)->headland.rings.empty());
+        QVERIFY((*draft)->headland.drivenPasses.empty());
         QVERIFY(!(*draft)->audit.coveredShare.has_value());
         QVERIFY((*draft)->path.length() > metres(1000.0));
         QVERIFY((*draft)->drivable());
@@ -76,5 +77,5 @@ private slots:
     }
 };
 
-QTEST_GUILESS_MAIN(TestDraft)
+FURROW_TEST(TestDraft);
 #include "tst_draft.moc"

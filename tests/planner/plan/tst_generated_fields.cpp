@@ -6,6 +6,7 @@
 #include "planner/plan/plan.h"
 #include "tests/support/field_generator.h"
 #include "tests/support/result_check.h"
+#include "tests/support/test_program.h"
 
 #include <QTest>
 
@@ -192,5 +193,5 @@ private slots:
     }
 };
 
-QTEST_APPLESS_MAIN(TestGeneratedFields)
+FURROW_TEST(TestGeneratedFields);
 #include "tst_generated_fields.moc"

@@ -4,6 +4,7 @@
 #include "planner/settings/operation.h"
 #include "tests/support/field_generator.h"
 #include "tests/support/result_check.h"
+#include "tests/support/test_program.h"
 
 #include <algorithm>
 #include <array>
@@ -19,7 +20,8 @@ struct ContractRow {
     std::vector<std::string_view> ids;
 };
 
-// contract.md, settings: the ids of every method in their order, the default of those that exist first.
+// What settings files of others rely on: the ids of every method in their order, the default of those that
+// exist first.
 const std::array kContract{
     ContractRow{"headland.method", {"constant", "per-edge", "none"}},
     ContractRow{"decomposition.method", {"merged", "boustrophedon", "trapezoidal", "none"}},
@@ -33,7 +35,7 @@ const std::array kContract{
                  "fishtail", "three-point", "straight"}},
 };
 
-// The values of choices in contract.md that are not methods, default first.
+// The values of choices that are not methods, which they rely on, too, default first.
 const std::array kContractChoices{
     ContractRow{"operation.kind", {"tillage", "sowing", "spraying", "spreading", "mowing", "harvest"}},
     ContractRow{"swaths.objective", {"time", "swath-count", "swath-length", "coverage", "overlap"}},
@@ -177,7 +179,7 @@ private slots:
         }
     }
 
-    // planner.md, section 2: an operation sets headland first or last, where may be driven, fill or empty,
+    // An operation sets headland first or last, where may be driven, fill or empty,
     // and overlap.
     void operationsSetDefaults_data() {
         QTest::addColumn<QString>("kind");
@@ -302,5 +304,5 @@ private slots:
     }
 };
 
-QTEST_APPLESS_MAIN(MethodRegistryTest)
+FURROW_TEST(MethodRegistryTest);
 #include "tst_method_registry.moc"

@@ -4,6 +4,7 @@
 #include "tests/support/field_generator.h"
 #include "tests/support/result_check.h"
 #include "tests/support/stages.h"
+#include "tests/support/test_program.h"
 
 #include <QList>
 #include <QPointF>
@@ -283,8 +284,8 @@ private slots:
                                          .settings = settings});
             const QByteArray told = QStringLiteral("seed %1, field %2").arg(kSeed).arg(i).toUtf8();
             VERIFY_TOLD(original.has_value() && moved.has_value(), told);
-            const auto& rings = (*original)->headland.rings;
-            const auto& others = (*moved)->headland.rings;
+            const auto& rings = (*original)->headland.drivenPasses;
+            const auto& others = (*moved)->headland.drivenPasses;
             VERIFY_TOLD(rings.size() == others.size(), told);
             const auto middleOf = [](const Plan& plan) {
                 const Bounds around = bounds(plan.field().workable());
@@ -473,5 +474,5 @@ private slots:
     }
 };
 
-QTEST_APPLESS_MAIN(PlanTest)
+FURROW_TEST(PlanTest);
 #include "tst_plan.moc"

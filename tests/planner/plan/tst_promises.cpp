@@ -11,6 +11,7 @@
 #include "tests/support/field_generator.h"
 #include "tests/support/result_check.h"
 #include "tests/support/scratch.h"
+#include "tests/support/test_program.h"
 
 #include <QTest>
 
@@ -161,7 +162,7 @@ void TestPromises::wetSpotIsDrivenOverAndNotWorked() {
     VERIFY_RESULT(dry);
     // No headland round it, no swath more than without it.
     QCOMPARE((*plan)->swaths.swaths.size(), (*dry)->swaths.swaths.size());
-    QCOMPARE((*plan)->headland.rings.size(), (*dry)->headland.rings.size());
+    QCOMPARE((*plan)->headland.drivenPasses.size(), (*dry)->headland.drivenPasses.size());
     QCOMPARE((*plan)->path.turnCount(), (*dry)->path.turnCount());
     // With the implement down its middle never gets into it, and with it up it is driven through.
     const double offsetM = (*plan)->request.machine.spec().implement.offset.si();
@@ -207,7 +208,7 @@ void TestPromises::widthHoldsItsPasses() {
     QCOMPARE((*plan)->headland.passes, passes);
     COMPARE_WITHIN((*plan)->headland.width.si(), laidM, 1e-6);
     const auto ofRing = [&](int ring) {
-        return std::ranges::count((*plan)->headland.rings, ring, &HeadlandPass::ring);
+        return std::ranges::count((*plan)->headland.drivenPasses, ring, &HeadlandPass::ring);
     };
     QVERIFY(ofRing(passes - 1) >= 1);
     QCOMPARE(ofRing(passes), 0);
@@ -325,5 +326,5 @@ void TestPromises::adviceMends() {
     QVERIFY(given > 0);
 }
 
-QTEST_GUILESS_MAIN(TestPromises)
+FURROW_TEST(TestPromises);
 #include "tst_promises.moc"

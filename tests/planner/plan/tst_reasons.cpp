@@ -5,6 +5,7 @@
 #include "planner/plan/plan.h"
 #include "tests/support/field_generator.h"
 #include "tests/support/result_check.h"
+#include "tests/support/test_program.h"
 
 #include <QTest>
 
@@ -79,5 +80,5 @@ private slots:
     }
 };
 
-QTEST_APPLESS_MAIN(ReasonsTest)
+FURROW_TEST(ReasonsTest);
 #include "tst_reasons.moc"

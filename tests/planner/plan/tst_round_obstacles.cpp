@@ -9,6 +9,7 @@
 #include "planner/plan/plan.h"
 #include "tests/support/field_generator.h"
 #include "tests/support/result_check.h"
+#include "tests/support/test_program.h"
 
 #include <algorithm>
 #include <cmath>
@@ -347,5 +348,5 @@ private slots:
     }
 };
 
-QTEST_APPLESS_MAIN(RoundObstaclesTest)
+FURROW_TEST(RoundObstaclesTest);
 #include "tst_round_obstacles.moc"

@@ -5,6 +5,7 @@
 #include "planner/plan/plan.h"
 #include "tests/support/field_generator.h"
 #include "tests/support/result_check.h"
+#include "tests/support/test_program.h"
 
 #include <QTest>
 
@@ -159,9 +160,8 @@ void TestStageCache::readsOfInnerStagesCount() {
     StageCache cache;
     const Given perEdge{{"headland.method", "per-edge"}};
     VERIFY_RESULT(makePlan(requestWith(perEdge), {}, &cache));
-    Given turned = perEdge;
-    turned.emplace_back("swaths.method", "fixed");
-    turned.emplace_back("swaths.angle_deg", "30");
+    const Given turned{
+        {"headland.method", "per-edge"}, {"swaths.method", "fixed"}, {"swaths.angle_deg", "30"}};
     const auto cached = makePlan(requestWith(turned), {}, &cache);
     const auto alone = makePlan(requestWith(turned));
     VERIFY_RESULT(cached);
@@ -170,5 +170,5 @@ void TestStageCache::readsOfInnerStagesCount() {
     QCOMPARE((*cached)->path, (*alone)->path);
 }
 
-QTEST_GUILESS_MAIN(TestStageCache)
+FURROW_TEST(TestStageCache);
 #include "tst_stage_cache.moc"

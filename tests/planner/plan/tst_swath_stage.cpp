@@ -5,6 +5,7 @@
 #include "planner/swaths/curved_swaths.h"
 #include "tests/support/field_generator.h"
 #include "tests/support/result_check.h"
+#include "tests/support/test_program.h"
 
 #include <algorithm>
 #include <cmath>
@@ -285,5 +286,5 @@ private slots:
     }
 };
 
-QTEST_APPLESS_MAIN(SwathStageTest)
+FURROW_TEST(SwathStageTest);
 #include "tst_swath_stage.moc"

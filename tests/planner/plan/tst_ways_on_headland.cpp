@@ -4,6 +4,7 @@
 #include "planner/plan/plan.h"
 #include "tests/support/field_generator.h"
 #include "tests/support/result_check.h"
+#include "tests/support/test_program.h"
 #include "tests/support/wkt.h"
 
 #include <QTest>
@@ -105,5 +106,5 @@ private slots:
     }
 };
 
-QTEST_APPLESS_MAIN(WaysOnHeadlandTest)
+FURROW_TEST(WaysOnHeadlandTest);
 #include "tst_ways_on_headland.moc"

@@ -3,6 +3,7 @@
 #include "tests/planner/project/project_samples.h"
 #include "tests/support/furrow_cli.h"
 #include "tests/support/result_check.h"
+#include "tests/support/test_program.h"
 
 #include <QTemporaryDir>
 #include <QTest>
@@ -178,5 +179,5 @@ private slots:
     }
 };
 
-QTEST_GUILESS_MAIN(TestHistory)
+FURROW_TEST(TestHistory);
 #include "tst_history.moc"

@@ -5,6 +5,7 @@
 #include "tests/planner/project/project_samples.h"
 #include "tests/support/furrow_cli.h"
 #include "tests/support/result_check.h"
+#include "tests/support/test_program.h"
 
 #include <QDir>
 #include <QFile>
@@ -303,5 +304,5 @@ private slots:
     }
 };
 
-QTEST_GUILESS_MAIN(TestProjectFile)
+FURROW_TEST(TestProjectFile);
 #include "tst_project_file.moc"

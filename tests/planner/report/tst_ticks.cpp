@@ -1,4 +1,5 @@
 #include "planner/report/ticks.h"
+#include "tests/support/test_program.h"
 
 #include <QTest>
 
@@ -70,5 +71,5 @@ private slots:
     }
 };
 
-QTEST_APPLESS_MAIN(TicksTest)
+FURROW_TEST(TicksTest);
 #include "tst_ticks.moc"

@@ -2,6 +2,7 @@
 #include "tests/support/field_generator.h"
 #include "tests/support/result_check.h"
 #include "tests/support/stages.h"
+#include "tests/support/test_program.h"
 #include "tests/support/wkt.h"
 
 #include <algorithm>
@@ -145,5 +146,5 @@ private slots:
     }
 };
 
-QTEST_APPLESS_MAIN(BoustrophedonTest)
+FURROW_TEST(BoustrophedonTest);
 #include "tst_boustrophedon.moc"

@@ -1,5 +1,6 @@
 #include "planner/settings/settings.h"
 #include "tests/support/result_check.h"
+#include "tests/support/test_program.h"
 
 #include <array>
 #include <cmath>
@@ -260,5 +261,5 @@ private slots:
     }
 };
 
-QTEST_APPLESS_MAIN(SettingsTest)
+FURROW_TEST(SettingsTest);
 #include "tst_settings.moc"

@@ -12,6 +12,7 @@
 #include "tests/support/field_generator.h"
 #include "tests/support/result_check.h"
 #include "tests/support/stages.h"
+#include "tests/support/test_program.h"
 
 #include <algorithm>
 #include <cmath>
@@ -396,5 +397,5 @@ private slots:
     }
 };
 
-QTEST_APPLESS_MAIN(CurvedSwathsTest)
+FURROW_TEST(CurvedSwathsTest);
 #include "tst_curved_swaths.moc"

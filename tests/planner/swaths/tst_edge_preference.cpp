@@ -4,6 +4,7 @@
 #include "tests/support/field_generator.h"
 #include "tests/support/result_check.h"
 #include "tests/support/stages.h"
+#include "tests/support/test_program.h"
 
 #include <algorithm>
 #include <array>
@@ -160,5 +161,5 @@ private slots:
     }
 };
 
-QTEST_APPLESS_MAIN(EdgePreferenceTest)
+FURROW_TEST(EdgePreferenceTest);
 #include "tst_edge_preference.moc"

@@ -9,6 +9,7 @@
 #include "tests/support/real_fields.h"
 #include "tests/support/result_check.h"
 #include "tests/support/stages.h"
+#include "tests/support/test_program.h"
 
 #include <QTest>
 
@@ -241,5 +242,5 @@ private slots:
     }
 };
 
-QTEST_APPLESS_MAIN(TestExactSearch)
+FURROW_TEST(TestExactSearch);
 #include "tst_exact_search.moc"

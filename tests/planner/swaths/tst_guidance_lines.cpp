@@ -5,6 +5,7 @@
 #include "tests/support/field_generator.h"
 #include "tests/support/result_check.h"
 #include "tests/support/stages.h"
+#include "tests/support/test_program.h"
 #include "tests/support/wkt.h"
 
 #include <algorithm>
@@ -354,5 +355,5 @@ private slots:
     }
 };
 
-QTEST_APPLESS_MAIN(GuidanceLinesTest)
+FURROW_TEST(GuidanceLinesTest);
 #include "tst_guidance_lines.moc"

@@ -4,6 +4,7 @@
 #include "planner/swaths/guide_line.h"
 #include "tests/support/field_generator.h"
 #include "tests/support/result_check.h"
+#include "tests/support/test_program.h"
 
 #include <algorithm>
 #include <cmath>
@@ -220,5 +221,5 @@ private slots:
     }
 };
 
-QTEST_APPLESS_MAIN(GuideLineTest)
+FURROW_TEST(GuideLineTest);
 #include "tst_guide_line.moc"

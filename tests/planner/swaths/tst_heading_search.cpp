@@ -5,6 +5,7 @@
 #include "tests/support/field_generator.h"
 #include "tests/support/result_check.h"
 #include "tests/support/stages.h"
+#include "tests/support/test_program.h"
 #include "tests/support/wkt.h"
 
 #include <array>
@@ -335,5 +336,5 @@ private slots:
     }
 };
 
-QTEST_APPLESS_MAIN(HeadingSearchTest)
+FURROW_TEST(HeadingSearchTest);
 #include "tst_heading_search.moc"

@@ -4,6 +4,7 @@
 #include "tests/support/field_generator.h"
 #include "tests/support/result_check.h"
 #include "tests/support/stages.h"
+#include "tests/support/test_program.h"
 
 #include <string>
 
@@ -133,5 +134,5 @@ private slots:
     }
 };
 
-QTEST_APPLESS_MAIN(LeftOnPurposeTest)
+FURROW_TEST(LeftOnPurposeTest);
 #include "tst_left_on_purpose.moc"

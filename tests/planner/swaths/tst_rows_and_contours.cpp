@@ -4,6 +4,7 @@
 #include "tests/support/field_generator.h"
 #include "tests/support/result_check.h"
 #include "tests/support/stages.h"
+#include "tests/support/test_program.h"
 
 #include <algorithm>
 #include <cmath>
@@ -201,5 +202,5 @@ private slots:
     }
 };
 
-QTEST_APPLESS_MAIN(RowsAndContoursTest)
+FURROW_TEST(RowsAndContoursTest);
 #include "tst_rows_and_contours.moc"

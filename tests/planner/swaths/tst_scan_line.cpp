@@ -1,6 +1,7 @@
 #include "planner/swaths/scan_line.h"
 #include "tests/support/field_generator.h"
 #include "tests/support/result_check.h"
+#include "tests/support/test_program.h"
 #include "tests/support/wkt.h"
 
 #include <geos_c.h>
@@ -452,5 +453,5 @@ private slots:
     }
 };
 
-QTEST_APPLESS_MAIN(ScanLineTest)
+FURROW_TEST(ScanLineTest);
 #include "tst_scan_line.moc"

@@ -3,6 +3,7 @@
 #include "tests/support/field_generator.h"
 #include "tests/support/result_check.h"
 #include "tests/support/stages.h"
+#include "tests/support/test_program.h"
 
 using namespace furrow;
 
@@ -54,5 +55,5 @@ private slots:
     }
 };
 
-QTEST_APPLESS_MAIN(ShortSwathsTest)
+FURROW_TEST(ShortSwathsTest);
 #include "tst_short_swaths.moc"

@@ -9,6 +9,7 @@
 #include "tests/support/real_fields.h"
 #include "tests/support/result_check.h"
 #include "tests/support/stages.h"
+#include "tests/support/test_program.h"
 
 #include <algorithm>
 #include <cmath>
@@ -237,5 +238,5 @@ private slots:
     }
 };
 
-QTEST_APPLESS_MAIN(SwathBoundsTest)
+FURROW_TEST(SwathBoundsTest);
 #include "tst_swath_bounds.moc"

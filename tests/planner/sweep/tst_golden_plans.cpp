@@ -7,6 +7,7 @@
 #include "planner/plan/plan.h"
 #include "tests/planner/sweep/sweep_shapes.h"
 #include "tests/support/result_check.h"
+#include "tests/support/test_program.h"
 
 #include <QFile>
 #include <QTest>
@@ -122,5 +123,5 @@ private:
     std::map<QString, QString> made_;
 };
 
-QTEST_APPLESS_MAIN(GoldenPlansTest)
+FURROW_TEST(GoldenPlansTest);
 #include "tst_golden_plans.moc"

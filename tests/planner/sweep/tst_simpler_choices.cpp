@@ -9,7 +9,9 @@
 #include "planner/plan/method_registry.h"
 #include "planner/plan/plan.h"
 #include "planner/plan/quicker_choice.h"
+#include "tests/support/large_data.h"
 #include "tests/support/result_check.h"
+#include "tests/support/test_program.h"
 
 #include <QFile>
 #include <QTest>
@@ -44,13 +46,15 @@ constexpr Simpler kSimpler[] = {
 struct Bench {
     std::shared_ptr<const Field> field;
     Machine machine;
+    StageCache cache = {};
 
-    std::shared_ptr<const Plan> plan(const char* key, const char* value) const {
+    std::shared_ptr<const Plan> plan(const char* key, const char* value) {
         Settings settings;
         if (value != nullptr) {
             applySetting(settings, key, value).value();
         }
-        return makePlan({.field = field, .machine = machine, .settings = settings}).value_or(nullptr);
+        return makePlan({.field = field, .machine = machine, .settings = settings}, {}, &cache)
+            .value_or(nullptr);
     }
 };
 
@@ -98,7 +102,7 @@ void TestSimplerChoices::areNotQuicker_data() {
         }
         return;
     }
-    const QString file = QStringLiteral(FURROW_SHARED_DATA_DIR "/fields/all_fields.geojson");
+    const QString file = test::largeData(QStringLiteral("fields/all_fields.geojson"));
     const std::vector<FieldSource>& fields = sourcesIn(file);
     const auto number = static_cast<std::size_t>(share.section('/', 0, 0).toInt());
     const auto count = static_cast<std::size_t>(share.section('/', 1, 1).toInt());
@@ -120,7 +124,7 @@ void TestSimplerChoices::areNotQuicker() {
     VERIFY_RESULT(source);
     const auto field = Field::create(*source);
     VERIFY_RESULT(field);
-    const Bench bench{std::make_shared<const Field>(*field), findMachine(machine.toStdString()).value()};
+    Bench bench{std::make_shared<const Field>(*field), findMachine(machine.toStdString()).value()};
     const std::optional<double> byItself = timeS(bench.plan(nullptr, nullptr));
     QFile out{qEnvironmentVariable("FURROW_SIMPLER_OUT")};
     if (!out.fileName().isEmpty()) {
@@ -145,5 +149,5 @@ void TestSimplerChoices::areNotQuicker() {
     QVERIFY2(worse.empty(), worse.c_str());
 }
 
-QTEST_GUILESS_MAIN(TestSimplerChoices)
+FURROW_TEST(TestSimplerChoices);
 #include "tst_simpler_choices.moc"

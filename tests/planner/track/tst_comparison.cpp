@@ -2,6 +2,7 @@
 
 #include "planner/track/comparison.h"
 #include "tests/support/result_check.h"
+#include "tests/support/test_program.h"
 
 #include <QTest>
 
@@ -363,5 +364,5 @@ private slots:
     }
 };
 
-QTEST_APPLESS_MAIN(ComparisonTest)
+FURROW_TEST(ComparisonTest);
 #include "tst_comparison.moc"

@@ -7,6 +7,7 @@
 #include "planner/turns/dubins.h"
 #include "planner/turns/reeds_shepp.h"
 #include "tests/planner/turns/turn_check.h"
+#include "tests/support/test_program.h"
 
 #include <QTest>
 
@@ -196,5 +197,5 @@ private slots:
     }
 };
 
-QTEST_APPLESS_MAIN(BestFeasibleTest)
+FURROW_TEST(BestFeasibleTest);
 #include "tst_best_feasible.moc"

@@ -2,6 +2,7 @@
 #include "planner/turns/dubins.h"
 #include "planner/turns/reeds_shepp.h"
 #include "tests/planner/turns/turn_check.h"
+#include "tests/support/test_program.h"
 
 using namespace furrow;
 using namespace furrow::test;
@@ -237,5 +238,5 @@ private slots:
     }
 };
 
-QTEST_APPLESS_MAIN(ContinuousCurvatureTest)
+FURROW_TEST(ContinuousCurvatureTest);
 #include "tst_continuous_curvature.moc"

@@ -3,6 +3,7 @@
 #include "planner/units/angle.h"
 #include "tests/support/field_generator.h"
 #include "tests/support/result_check.h"
+#include "tests/support/test_program.h"
 
 #include <algorithm>
 #include <array>
@@ -355,5 +356,5 @@ private slots:
     }
 };
 
-QTEST_APPLESS_MAIN(DubinsTest)
+FURROW_TEST(DubinsTest);
 #include "tst_dubins.moc"

@@ -6,6 +6,7 @@
 #include "planner/turns/turn_method.h"
 #include "tests/planner/turns/turn_check.h"
 #include "tests/support/field_generator.h"
+#include "tests/support/test_program.h"
 #include "tests/support/wkt.h"
 
 #include <QTest>
@@ -323,5 +324,5 @@ private slots:
     }
 };
 
-QTEST_APPLESS_MAIN(ManoeuvreSearchTest)
+FURROW_TEST(ManoeuvreSearchTest);
 #include "tst_manoeuvre_search.moc"

@@ -2,6 +2,7 @@
 #include "planner/turns/named_turns.h"
 #include "planner/turns/reeds_shepp.h"
 #include "tests/planner/turns/turn_check.h"
+#include "tests/support/test_program.h"
 
 #include <vector>
 
@@ -233,5 +234,5 @@ private slots:
     }
 };
 
-QTEST_APPLESS_MAIN(NamedTurnsTest)
+FURROW_TEST(NamedTurnsTest);
 #include "tst_named_turns.moc"

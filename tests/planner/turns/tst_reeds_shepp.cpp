@@ -1,6 +1,7 @@
 #include "planner/turns/dubins.h"
 #include "planner/turns/reeds_shepp.h"
 #include "tests/planner/turns/turn_check.h"
+#include "tests/support/test_program.h"
 
 using namespace furrow;
 using namespace furrow::test;
@@ -131,5 +132,5 @@ private slots:
     }
 };
 
-QTEST_APPLESS_MAIN(ReedsSheppTest)
+FURROW_TEST(ReedsSheppTest);
 #include "tst_reeds_shepp.moc"

@@ -4,6 +4,7 @@
 #include "planner/turns/rig.h"
 #include "tests/planner/turns/turn_check.h"
 #include "tests/support/field_generator.h"
+#include "tests/support/test_program.h"
 
 #include <QTest>
 
@@ -292,5 +293,5 @@ private slots:
     }
 };
 
-QTEST_APPLESS_MAIN(RigTest)
+FURROW_TEST(RigTest);
 #include "tst_rig.moc"

@@ -1,6 +1,7 @@
 #include "planner/geometry/curve_sampling.h"
 #include "planner/turns/dubins.h"
 #include "tests/support/result_check.h"
+#include "tests/support/test_program.h"
 
 #include <cmath>
 #include <numbers>
@@ -162,5 +163,5 @@ private slots:
     }
 };
 
-QTEST_APPLESS_MAIN(TurnSamplingTest)
+FURROW_TEST(TurnSamplingTest);
 #include "tst_turn_sampling.moc"

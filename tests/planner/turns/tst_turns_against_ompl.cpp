@@ -1,6 +1,7 @@
 #include "planner/turns/dubins.h"
 #include "planner/turns/reeds_shepp.h"
 #include "tests/planner/turns/turn_check.h"
+#include "tests/support/test_program.h"
 
 #include <ompl/base/ScopedState.h>
 #include <ompl/base/spaces/DubinsStateSpace.h>
@@ -64,5 +65,5 @@ private slots:
     }
 };
 
-QTEST_APPLESS_MAIN(TurnsAgainstOmplTest)
+FURROW_TEST(TurnsAgainstOmplTest);
 #include "tst_turns_against_ompl.moc"

@@ -1,5 +1,6 @@
 #include "planner/units/angle.h"
 #include "tests/support/result_check.h"
+#include "tests/support/test_program.h"
 
 #include <cmath>
 #include <numbers>
@@ -110,5 +111,5 @@ private slots:
     }
 };
 
-QTEST_APPLESS_MAIN(AngleTest)
+FURROW_TEST(AngleTest);
 #include "tst_angle.moc"

@@ -1,4 +1,5 @@
 #include "planner/project/project_file.h"
+#include "tests/support/test_program.h"
 #include "tests/ui/window/editor_window_test.h"
 #include "tests/ui/window/frame_clock.h"
 #include "ui/edit/inspector.h"
@@ -317,5 +318,5 @@ private slots:
     }
 };
 
-QTEST_MAIN(TestEditorWindow)
+FURROW_TEST_WITH(TestEditorWindow, QGuiApplication);
 #include "tst_editor_window.moc"

@@ -3,6 +3,7 @@
 #include "planner/geometry/segment.h"
 #include "planner/project/project_edits.h"
 #include "tests/support/result_check.h"
+#include "tests/support/test_program.h"
 #include "ui/edit/field_editor.h"
 #include "ui/edit/inspector.h"
 #include "ui/shell/session.h"
@@ -412,5 +413,5 @@ private slots:
     }
 };
 
-QTEST_GUILESS_MAIN(TestFieldEditor)
+FURROW_TEST(TestFieldEditor);
 #include "tst_field_editor.moc"

@@ -1,4 +1,5 @@
 #include "planner/project/project_edits.h"
+#include "tests/support/test_program.h"
 #include "tests/ui/window/editor_window_test.h"
 
 #include <QTemporaryDir>
@@ -109,5 +110,5 @@ private slots:
     }
 };
 
-QTEST_MAIN(TestLinesWindow)
+FURROW_TEST_WITH(TestLinesWindow, QGuiApplication);
 #include "tst_lines_window.moc"

@@ -1,4 +1,5 @@
 #include "planner/io/delivery/terminals.h"
+#include "tests/support/test_program.h"
 #include "tests/ui/window/window_test.h"
 
 #include <QFile>
@@ -113,7 +114,7 @@ private slots:
         auto folder = std::make_unique<QTemporaryDir>();
         const QString path = folder->path();
         openOn(*folder);
-        stick().setLooking(false);  // so that it is still in the list
+        stick().setSearching(false);  // so that it is still in the list
         folder.reset();
         QVERIFY(!QFile::exists(path));
         click("export.write");
@@ -174,5 +175,5 @@ private slots:
     }
 };
 
-QTEST_MAIN(TestExportWindow)
+FURROW_TEST_WITH(TestExportWindow, QGuiApplication);
 #include "tst_export_window.moc"

@@ -1,3 +1,4 @@
+#include "tests/support/test_program.h"
 #include "ui/jobs/job_runner.h"
 
 #include <QSignalSpy>
@@ -123,5 +124,5 @@ private slots:
     }
 };
 
-QTEST_GUILESS_MAIN(TestJobRunner)
+FURROW_TEST(TestJobRunner);
 #include "tst_job_runner.moc"

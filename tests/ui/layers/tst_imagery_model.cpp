@@ -1,5 +1,6 @@
 #include "planner/project/project_edits.h"
 #include "tests/planner/imagery/raster_samples.h"
+#include "tests/support/test_program.h"
 #include "ui/layers/imagery_model.h"
 
 #include <QAbstractItemModelTester>
@@ -140,5 +141,5 @@ private slots:
     }
 };
 
-QTEST_GUILESS_MAIN(TestImageryModel)
+FURROW_TEST(TestImageryModel);
 #include "tst_imagery_model.moc"

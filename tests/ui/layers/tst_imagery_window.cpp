@@ -1,4 +1,6 @@
 #include "tests/planner/imagery/raster_samples.h"
+#include "tests/support/large_data.h"
+#include "tests/support/test_program.h"
 #include "tests/ui/window/window_test.h"
 
 #include <QFile>
@@ -242,7 +244,7 @@ private slots:
         cost("close, everything");
         const QString naip = qEnvironmentVariable(
             "FURROW_IMAGERY",
-            QStringLiteral(FURROW_SHARED_DATA_DIR "/basemap/raster/naip_nd_20140720_5m_4band.tif"));
+            test::largeData(QStringLiteral("basemap/raster/naip_nd_20140720_5m_4band.tif")));
         const bool real = QFile::exists(naip);
         session_->opener()->startNew();
         session_->opener()->openUrls(
@@ -279,5 +281,5 @@ private slots:
     }
 };
 
-QTEST_MAIN(TestImageryWindow)
+FURROW_TEST_WITH(TestImageryWindow, QGuiApplication);
 #include "tst_imagery_window.moc"

@@ -1,3 +1,4 @@
+#include "tests/support/test_program.h"
 #include "ui/map/even_odd_fill.h"
 
 #include <QRandomGenerator>
@@ -113,5 +114,5 @@ private slots:
     }
 };
 
-QTEST_APPLESS_MAIN(TestEvenOddFill)
+FURROW_TEST(TestEvenOddFill);
 #include "tst_even_odd_fill.moc"

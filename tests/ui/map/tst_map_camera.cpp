@@ -1,3 +1,4 @@
+#include "tests/support/test_program.h"
 #include "ui/map/map_camera.h"
 #include "ui/map/simplify.h"
 
@@ -102,5 +103,5 @@ private slots:
     }
 };
 
-QTEST_GUILESS_MAIN(TestMapCamera)
+FURROW_TEST(TestMapCamera);
 #include "tst_map_camera.moc"

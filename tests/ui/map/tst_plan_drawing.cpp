@@ -1,5 +1,6 @@
 #include "planner/machine/machine_library.h"
 #include "planner/plan/method_registry.h"
+#include "tests/support/test_program.h"
 #include "ui/map/plan_drawing.h"
 #include "ui/map/plan_scene.h"
 
@@ -164,5 +165,5 @@ private slots:
     }
 };
 
-QTEST_GUILESS_MAIN(TestPlanDrawing)
+FURROW_TEST(TestPlanDrawing);
 #include "tst_plan_drawing.moc"

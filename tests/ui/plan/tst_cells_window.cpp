@@ -1,6 +1,7 @@
 #include "planner/decomposition/history.h"
 #include "planner/plan/method_registry.h"
 #include "planner/project/project_edits.h"
+#include "tests/support/test_program.h"
 #include "tests/ui/window/editor_window_test.h"
 #include "ui/map/cell_layer.h"
 #include "ui/text/display.h"
@@ -187,5 +188,5 @@ private slots:
     }
 };
 
-QTEST_MAIN(TestCellsWindow)
+FURROW_TEST_WITH(TestCellsWindow, QGuiApplication);
 #include "tst_cells_window.moc"

@@ -1,3 +1,4 @@
+#include "tests/support/test_program.h"
 #include "tests/ui/window/editor_window_test.h"
 
 #include <QFile>
@@ -232,5 +233,5 @@ private:
     }
 };
 
-QTEST_MAIN(TestStaleWindow)
+FURROW_TEST_WITH(TestStaleWindow, QGuiApplication);
 #include "tst_stale_window.moc"

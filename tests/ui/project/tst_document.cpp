@@ -1,6 +1,7 @@
 #include "planner/plan/method_registry.h"
 #include "planner/project/project_edits.h"
 #include "tests/planner/project/project_samples.h"
+#include "tests/support/test_program.h"
 #include "ui/project/document.h"
 
 #include <QSignalSpy>
@@ -187,5 +188,5 @@ private slots:
     }
 };
 
-QTEST_GUILESS_MAIN(TestDocument)
+FURROW_TEST(TestDocument);
 #include "tst_document.moc"

@@ -1,3 +1,4 @@
+#include "tests/support/test_program.h"
 #include "tests/ui/window/window_test.h"
 #include "ui/text/display.h"
 
@@ -335,5 +336,5 @@ private slots:
 
 }  // namespace furrow::test
 
-QTEST_MAIN(furrow::test::TestLanguageWindow)
+FURROW_TEST_WITH(furrow::test::TestLanguageWindow, QGuiApplication);
 #include "tst_language_window.moc"

@@ -1,5 +1,6 @@
 #include "planner/plan/method_registry.h"
 #include "planner/project/project_edits.h"
+#include "tests/support/test_program.h"
 #include "ui/shell/session.h"
 
 #include <QAbstractItemModelTester>
@@ -547,5 +548,5 @@ private slots:
     }
 };
 
-QTEST_GUILESS_MAIN(TestPlanSession)
+FURROW_TEST(TestPlanSession);
 #include "tst_plan_session.moc"

@@ -1,4 +1,5 @@
 #include "planner/core/message.h"
+#include "tests/support/test_program.h"
 #include "ui/text/display.h"
 #include "ui/text/message_text.h"
 
@@ -85,7 +86,7 @@ private slots:
     }
 
     void whatIsKeptFollowsTheLanguage() {
-        const Said said = [] { return shown("Headland"); };
+        const LazyText said = [] { return shown("Headland"); };
         Display::instance().force(QStringLiteral("en"), Display::Metric);
         QCOMPARE(text(said), QStringLiteral("Headland"));
         Display::instance().force(QStringLiteral("de"), Display::Metric);
@@ -94,5 +95,5 @@ private slots:
     }
 };
 
-QTEST_GUILESS_MAIN(TestMessageText)
+FURROW_TEST(TestMessageText);
 #include "tst_message_text.moc"

@@ -1,3 +1,4 @@
+#include "tests/support/test_program.h"
 #include "ui/text/display.h"
 #include "ui/text/quantity_text.h"
 #include "ui/text/unit_text.h"
@@ -186,5 +187,5 @@ private slots:
     }
 };
 
-QTEST_GUILESS_MAIN(TestQuantityText)
+FURROW_TEST(TestQuantityText);
 #include "tst_quantity_text.moc"

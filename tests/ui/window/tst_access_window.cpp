@@ -1,3 +1,4 @@
+#include "tests/support/test_program.h"
 #include "tests/ui/window/window_test.h"
 
 #include <QAccessible>
@@ -174,5 +175,5 @@ private slots:
     }
 };
 
-QTEST_MAIN(TestAccessWindow)
+FURROW_TEST_WITH(TestAccessWindow, QGuiApplication);
 #include "tst_access_window.moc"

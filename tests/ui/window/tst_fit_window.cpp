@@ -1,3 +1,4 @@
+#include "tests/support/test_program.h"
 #include "tests/ui/window/window_test.h"
 #include "ui/shell/window_fit.h"
 
@@ -160,5 +161,5 @@ private slots:
     }
 };
 
-QTEST_MAIN(TestFitWindow)
+FURROW_TEST_WITH(TestFitWindow, QGuiApplication);
 #include "tst_fit_window.moc"

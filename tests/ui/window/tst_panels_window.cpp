@@ -1,4 +1,5 @@
 #include "tests/planner/imagery/raster_samples.h"
+#include "tests/support/test_program.h"
 #include "tests/ui/window/editor_window_test.h"
 #include "ui/text/display.h"
 
@@ -141,5 +142,5 @@ private slots:
     }
 };
 
-QTEST_MAIN(TestPanelsWindow)
+FURROW_TEST_WITH(TestPanelsWindow, QGuiApplication);
 #include "tst_panels_window.moc"

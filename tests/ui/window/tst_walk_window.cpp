@@ -1,3 +1,4 @@
+#include "tests/support/test_program.h"
 #include "tests/ui/window/editor_window_test.h"
 #include "ui/text/display.h"
 
@@ -350,5 +351,5 @@ private slots:
     }
 };
 
-QTEST_MAIN(TestWalkWindow)
+FURROW_TEST_WITH(TestWalkWindow, QGuiApplication);
 #include "tst_walk_window.moc"

@@ -1,5 +1,6 @@
 #include "planner/machine/machine_library.h"
 #include "planner/plan/method_registry.h"
+#include "tests/support/test_program.h"
 #include "tests/ui/window/frame_clock.h"
 #include "tests/ui/window/window_test.h"
 
@@ -245,5 +246,5 @@ private slots:
     }
 };
 
-QTEST_MAIN(TestWindow)
+FURROW_TEST_WITH(TestWindow, QGuiApplication);
 #include "tst_window.moc"

@@ -5,6 +5,7 @@
 #include "planner/plan/plan.h"
 #include "tests/planner/io/format_cases.h"
 #include "tests/support/result_check.h"
+#include "tests/support/test_program.h"
 
 #include "path_message.pb.h"
 
@@ -20,21 +21,10 @@ using namespace furrow::test;
 
 namespace {
 
-/// One plan for all tests: a hole, an obstacle, a gate; it reverses.
-const Plan& plan() {
-    static const std::shared_ptr<const Plan> made = [] {
-        FieldSource source = fieldWithEverything().field;
-        source.parts.resize(1);
-        source.obstacles.resize(1);
-        return planOf(source, "power-harrow-drill");
-    }();
-    return *made;
-}
-
 /// The same without much of what lies round the obstacle.
 const Plan& widelyBufferedPlan() {
     static const std::shared_ptr<const Plan> made = [] {
-        FieldSource source = plan().field().source();
+        FieldSource source = planWithEverything().field().source();
         source.obstacles.front().buffer = metres(12.0);
         return planOf(source, "power-harrow-drill");
     }();
@@ -140,7 +130,7 @@ double firstCornerLon() {
     return 9.0;
 }
 double firstX() {
-    return plan().path.segments.front().samples.front().position.x;
+    return planWithEverything().path.segments.front().samples.front().position.x;
 }
 
 struct Row {
@@ -207,25 +197,26 @@ const std::vector<Row>& rows() {
          "not known before version 4"},
         {"ISOXML 3: headland", "isoxml-v3", nullptr, "TASKDATA.XML", text(R"(<PLN A="6")", R"(<PLN A="10")"),
          "PLN A=10 is not known"},
-        {"GeoJSON: cut off", "geojson", plan, ".geojson", cutOff(9), "this is no JSON"},
+        {"GeoJSON: cut off", "geojson", planWithEverything, ".geojson", cutOff(9), "this is no JSON"},
         {"GeoJSON: longitude and latitude exchanged", "geojson", nullptr, ".geojson",
          everywhere(R"(\[(9[0-9.]*),(52[0-9.]*)\])", "[\\2,\\1]"), "is far from the field"},
         {"GeoJSON: clockwise", "geojson", nullptr, ".geojson",
          text(R"(\[9.0,52.0\],\[9.003,52.0\],\[9.003,52.002\],\[9.0,52.002\],\[9.0,52.0\])",
               "[9.0,52.0],[9.0,52.002],[9.003,52.002],[9.003,52.0],[9.0,52.0]"),
          "runs the wrong way round"},
-        {"GeoJSON: order", "geojson", plan, ".geojson",
+        {"GeoJSON: order", "geojson", planWithEverything, ".geojson",
          text(R"("order":3,"segment")", R"("order":4,"segment")"), "4 comes where 3 should"},
-        {"GeoJSON: swath lost", "geojson", plan, ".geojson", text(R"("kind":"swath")", R"("kind":"other")"),
-         "1 comes where 0 should"},
+        {"GeoJSON: swath lost", "geojson", planWithEverything, ".geojson",
+         text(R"("kind":"swath")", R"("kind":"other")"), "1 comes where 0 should"},
         {"GeoJSON: coordinate system", "geojson", nullptr, ".geojson",
          text(R"(\{"type":"FeatureCollection")", R"({"crs":{},"type":"FeatureCollection")"),
          "does not say in which coordinate system"},
-        {"CSV: time falls", "csv", plan, "path.csv", text(R"((\n[^,\n]*),[^,\n]*(,[^\n]*\n)$)", "\\1,0.5\\2"),
-         "is before that of the place before"},
-        {"CSV: row of words", "csv", plan, "path.csv", text(R"(\n[^\n]*\n$)", "\nfive\n"),
+        {"CSV: time falls", "csv", planWithEverything, "path.csv",
+         text(R"((\n[^,\n]*),[^,\n]*(,[^\n]*\n)$)", "\\1,0.5\\2"), "is before that of the place before"},
+        {"CSV: row of words", "csv", planWithEverything, "path.csv", text(R"(\n[^\n]*\n$)", "\nfive\n"),
          "is not as this format has it"},
-        {"CSV: column", "csv", plan, "path.csv", text("heading_rad", "heading"), "heading_rad is missing"},
+        {"CSV: column", "csv", planWithEverything, "path.csv", text("heading_rad", "heading"),
+         "heading_rad is missing"},
         {"CSV: open ring", "csv", nullptr, "fields.csv", text(R"(\(\(9 52, )", "(("),
          "does not end where it begins"},
         {"AgOpenGPS: headings", "agopengps", nullptr, "Boundary.txt",
@@ -260,41 +251,43 @@ const std::vector<Row>& rows() {
          "a hole lies outside"},
         {"GeoPackage: no database", "geopackage", nullptr, ".gpkg",
          text("SQLite format 3", "SQLite format 9"), "this is no GeoPackage"},
-        {"GPX: out of order", "gpx", plan, ".gpx", text("</gpx>", "<wpt lat=\"52\" lon=\"9\"/></gpx>"),
-         "wpt comes where trk should"},
-        {"GPX: a stretch less", "gpx", plan, ".gpx", text("<trkseg>.*?</trkseg>", ""), "the path"},
+        {"GPX: out of order", "gpx", planWithEverything, ".gpx",
+         text("</gpx>", "<wpt lat=\"52\" lon=\"9\"/></gpx>"), "wpt comes where trk should"},
+        {"GPX: a stretch less", "gpx", planWithEverything, ".gpx", text("<trkseg>.*?</trkseg>", ""),
+         "the path"},
         {"GPX: version", "gpx", nullptr, ".gpx", text("version=\"1.1\"", "version=\"1.0\""),
          "this is no GPX 1.1"},
         {"DXF: no end", "dxf", nullptr, ".dxf", cutOff(8), "is not as this format has it"},
         {"DXF: another zone", "dxf", nullptr, ".dxf", everywhere(R"( 10\n(\d)(\d{5}\.))", " 10\n9\\2"),
          "is far from the field"},
-        {"mission: rows", "waypoints", plan, ".waypoints", text(R"(\n7\t)", "\n9\t"),
+        {"mission: rows", "waypoints", planWithEverything, ".waypoints", text(R"(\n7\t)", "\n9\t"),
          "9 comes where 7 should"},
-        {"mission: unknown command", "waypoints", plan, ".waypoints",
+        {"mission: unknown command", "waypoints", planWithEverything, ".waypoints",
          text(R"(\n7\t0\t3\t\d+)", "\n7\t0\t3\t82"), "is not as this format has it"},
-        {"mission: waypoints lost", "waypoints", plan, ".waypoints", text(R"((\n2\t.*?\n)3\t.*$)", "\\1"),
-         "m long, not"},
-        {"ground station: longitude first", "qgc-plan", plan, ".plan",
+        {"mission: waypoints lost", "waypoints", planWithEverything, ".waypoints",
+         text(R"((\n2\t.*?\n)3\t.*$)", "\\1"), "m long, not"},
+        {"ground station: longitude first", "qgc-plan", planWithEverything, ".plan",
          everywhere(R"((\n\s*)(52\.\d+),\s*(9\.\d+))", "\\1\\3,\\2"), "is far from the field"},
-        {"ground station: fence lost", "qgc-plan", plan, ".plan",
+        {"ground station: fence lost", "qgc-plan", planWithEverything, ".plan",
          text("\"inclusion\": true", "\"inclusion\": false"), "0 boundaries are in it, not 1"},
-        {"bag, sqlite3: a place moved", "rosbag2", plan, ".db3", number(firstX, 100.0),
+        {"bag, sqlite3: a place moved", "rosbag2", planWithEverything, ".db3", number(firstX, 100.0),
          "of the path is not where the plan goes next"},
-        {"bag, sqlite3: counts", "rosbag2", plan, "metadata.yaml",
+        {"bag, sqlite3: counts", "rosbag2", planWithEverything, "metadata.yaml",
          text("message_count: ", "message_count: 9"), "entries are announced"},
-        {"bag, MCAP: a place moved", "rosbag2-mcap", plan, ".mcap", number(firstX, 100.0),
+        {"bag, MCAP: a place moved", "rosbag2-mcap", planWithEverything, ".mcap", number(firstX, 100.0),
          "of the path is not where the plan goes next"},
-        {"bag, MCAP: cut off", "rosbag2-mcap", plan, ".mcap", cutOff(100), "its content cannot be read"},
-        {"YAML: orientation", "nav-path", plan, "path.yaml", text(R"(w: -?\d\.\d+)", "w: 5.0"),
+        {"bag, MCAP: cut off", "rosbag2-mcap", planWithEverything, ".mcap", cutOff(100),
+         "its content cannot be read"},
+        {"YAML: orientation", "nav-path", planWithEverything, "path.yaml", text(R"(w: -?\d\.\d+)", "w: 5.0"),
          "is not as this format has it"},
-        {"YAML: frame", "nav-path", plan, "path.yaml", everywhere("frame_id: map", "frame_id: odom"),
-         "in which coordinate system"},
-        {"goal: ring open", "coverage-goal", plan, "goal.yaml",
+        {"YAML: frame", "nav-path", planWithEverything, "path.yaml",
+         everywhere("frame_id: map", "frame_id: odom"), "in which coordinate system"},
+        {"goal: ring open", "coverage-goal", planWithEverything, "goal.yaml",
          text(R"((- coordinates:\n)  - [^\n]*\n)", "\\1"), "does not end where it begins"},
-        {"goal: headland", "coverage-goal", plan, "goal.yaml",
+        {"goal: headland", "coverage-goal", planWithEverything, "goal.yaml",
          text(R"(CONSTANT, width: \d)", "CONSTANT, width: 99"), "'headland_mode' is said to be"},
-        {"message: cut off", "protobuf", plan, ".pb", cutOff(3), "its content cannot be read"},
-        {"message: speed in km/h", "protobuf", plan, ".pb", message([](v1::PathMessage& path) {
+        {"message: cut off", "protobuf", planWithEverything, ".pb", cutOff(3), "its content cannot be read"},
+        {"message: speed in km/h", "protobuf", planWithEverything, ".pb", message([](v1::PathMessage& path) {
              for (v1::Segment& segment : *path.mutable_segments()) {
                  for (v1::Sample& sample : *segment.mutable_samples()) {
                      sample.set_speed_mps(sample.speed_mps() * 3.6);
@@ -302,7 +295,8 @@ const std::vector<Row>& rows() {
              }
          }),
          "its largest speed is"},
-        {"message: heading from north", "protobuf", plan, ".pb", message([](v1::PathMessage& path) {
+        {"message: heading from north", "protobuf", planWithEverything, ".pb",
+         message([](v1::PathMessage& path) {
              for (v1::Segment& segment : *path.mutable_segments()) {
                  for (v1::Sample& sample : *segment.mutable_samples()) {
                      sample.set_heading_rad(M_PI / 2.0 - sample.heading_rad());
@@ -310,10 +304,11 @@ const std::vector<Row>& rows() {
              }
          }),
          "does not point along it"},
-        {"message: segments exchanged", "protobuf", plan, ".pb",
+        {"message: segments exchanged", "protobuf", planWithEverything, ".pb",
          message([](v1::PathMessage& path) { path.mutable_segments()->SwapElements(4, 9); }),
          "of the path is not where the plan goes next"},
-        {"message: times stand still", "protobuf", plan, ".pb", message([](v1::PathMessage& path) {
+        {"message: times stand still", "protobuf", planWithEverything, ".pb",
+         message([](v1::PathMessage& path) {
              for (v1::Segment& segment : *path.mutable_segments()) {
                  for (v1::Sample& sample : *segment.mutable_samples()) {
                      sample.set_time_s(5.0);
@@ -357,7 +352,7 @@ private slots:
         for (const Format& format : formats()) {
             if (format.writes()) {
                 const QString id = QString::fromUtf8(format.id.data());
-                QTest::addRow("%s", format.id.data()) << id << &plan();
+                QTest::addRow("%s", format.id.data()) << id << &planWithEverything();
                 QTest::addRow("%s, forwards only", format.id.data()) << id << &forwardPlan();
                 QTest::addRow("%s, a wide buffer", format.id.data()) << id << &widelyBufferedPlan();
             }
@@ -460,7 +455,7 @@ private slots:
     void everyFormatIsChecked() {
         for (const Format& format : formats()) {
             if (format.writes()) {
-                const Export made = exported(format.id, &plan());
+                const Export made = exported(format.id, &planWithEverything());
                 const ExportChecks checks = checkExport(format, made.job(), made.files);
                 QVERIFY2(std::ranges::contains(checks.made, "readable"), format.id.data());
                 // Formats of robots have coordinates in metres, in a frame of the field's own.
@@ -474,5 +469,5 @@ private slots:
     }
 };
 
-QTEST_GUILESS_MAIN(ExportCheckTest)
+FURROW_TEST(ExportCheckTest);
 #include "tst_export_check.moc"

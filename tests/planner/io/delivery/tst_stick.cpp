@@ -2,6 +2,7 @@
 #include "planner/io/delivery/stick_writer.h"
 #include "tests/planner/io/format_cases.h"
 #include "tests/support/result_check.h"
+#include "tests/support/test_program.h"
 
 #include <QDir>
 #include <QFile>
@@ -344,5 +345,5 @@ private slots:
     }
 };
 
-QTEST_GUILESS_MAIN(StickTest)
+FURROW_TEST(StickTest);
 #include "tst_stick.moc"

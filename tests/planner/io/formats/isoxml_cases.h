@@ -5,6 +5,7 @@
 #include "planner/machine/machine_library.h"
 #include "planner/plan/method_registry.h"
 #include "planner/plan/plan.h"
+#include "tests/support/large_data.h"
 
 #include <QFileInfo>
 #include <QProcess>
@@ -172,7 +173,7 @@ inline std::shared_ptr<const Plan> planOf(
 
 /// What xmllint says to a file by one of the schemas; 0, too, where one of the two is not at hand.
 inline int runLint(const char* schema, const QString& file) {
-    const QString path = QStringLiteral(FURROW_SHARED_DATA_DIR "/schemas/%1").arg(QLatin1StringView{schema});
+    const QString path = test::largeData(QStringLiteral("schemas/%1").arg(QLatin1StringView{schema}));
     QProcess lint;
     lint.start("xmllint", {"--noout", "--nonet", "--schema", path, file});
     if (!QFileInfo::exists(path) || !lint.waitForStarted()) {
@@ -197,9 +198,9 @@ inline QString writeTaskData(const QTemporaryDir& folder, const std::string& xml
 /// By the schema of version 4.
 inline void checkSchema(const Plan& given) {
     const Plan* const plan = &given;
-    const QString schema = QStringLiteral(FURROW_SHARED_DATA_DIR "/schemas/ISO11783_TaskFile_V4-3.xsd");
+    const QString schema = test::largeData(QStringLiteral("schemas/ISO11783_TaskFile_V4-3.xsd"));
     if (!QFileInfo::exists(schema) || QStandardPaths::findExecutable("xmllint").isEmpty()) {
-        QSKIP("needs xmllint and the schemas in ../shared/data/schemas");
+        QSKIP("needs xmllint and the schemas of the large test data");
     }
     const QTemporaryDir folder;
     QProcess lint;

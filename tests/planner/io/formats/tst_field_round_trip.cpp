@@ -3,8 +3,10 @@
 #include "planner/io/delivery/field_files.h"
 #include "planner/io/import/boundary_import.h"
 #include "planner/io/import/field_reader.h"
+#include "tests/support/large_data.h"
 #include "tests/support/real_fields.h"
 #include "tests/support/result_check.h"
+#include "tests/support/test_program.h"
 
 #include <QTemporaryDir>
 #include <QTest>
@@ -18,7 +20,7 @@ namespace {
 struct Kept {
     const char* format;
     const char* out;         ///< file or folder to write to and read from
-    double toleranceM;       ///< formats.md section 8, with a little for both ways
+    double toleranceM;       ///< of the format, with a little for both ways
     bool densified = false;  ///< more points on the same outline
     bool parts = true;       ///< several parts stay one field
     bool obstacles = true;
@@ -173,9 +175,9 @@ private slots:
 
     void realFieldsComeBackFromTaskData() {
         // bg_021 has 545 ha, bg_010 195 ha and 19 holes.
-        const std::filesystem::path file = FURROW_SHARED_DATA_DIR "/fields/all_fields.geojson";
+        const std::filesystem::path file = test::largeDataPath("fields/all_fields.geojson");
         if (!std::filesystem::exists(file)) {
-            QSKIP("needs ../shared/data/fields");
+            QSKIP("needs the fields of the large test data");
         }
         const auto all = readBoundaries(file);
         VERIFY_RESULT(all);
@@ -238,5 +240,5 @@ private:
     }
 };
 
-QTEST_GUILESS_MAIN(FieldRoundTripTest)
+FURROW_TEST(FieldRoundTripTest);
 #include "tst_field_round_trip.moc"

@@ -5,6 +5,7 @@
 #include "planner/io/import/boundary_import.h"
 #include "planner/plan/plan.h"
 #include "tests/planner/io/formats/isoxml_cases.h"
+#include "tests/support/test_program.h"
 
 #include <QFileInfo>
 #include <QJsonArray>
@@ -291,5 +292,5 @@ void TestIsoxml::anotherReaderFindsTheSame() {
     QCOMPARE(field["lines"].toArray().first().toObject()["width"].toInt(), 2500);
 }
 
-QTEST_GUILESS_MAIN(TestIsoxml)
+FURROW_TEST(TestIsoxml);
 #include "tst_isoxml.moc"

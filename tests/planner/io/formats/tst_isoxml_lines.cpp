@@ -3,6 +3,7 @@
 #include "planner/io/content/plan_content.h"
 #include "planner/swaths/guide_data.h"
 #include "tests/planner/io/formats/isoxml_cases.h"
+#include "tests/support/test_program.h"
 
 #include <QTest>
 
@@ -105,7 +106,7 @@ void TestIsoxmlLines::oneLineForEachDirection() {
     QCOMPARE(field.all("GGP")[1].value("A"), "GGP2");
 }
 
-// formats.md: type 3 is a curve from point 6 over points 9 to point 7; type 4 with option 3 a full circle
+// ISO 11783-10: type 3 is a curve from point 6 over points 9 to point 7; type 4 with option 3 a full circle
 // about point 8 with its radius in millimetres. One stands for all that lie beside it.
 void TestIsoxmlLines::curvesAndPivots() {
     const auto curve = planOf(
@@ -202,5 +203,5 @@ void TestIsoxmlLines::tramlinesBesideAPlus() {
     checkSchema(*plan);
 }
 
-QTEST_GUILESS_MAIN(TestIsoxmlLines)
+FURROW_TEST(TestIsoxmlLines);
 #include "tst_isoxml_lines.moc"

@@ -6,8 +6,10 @@
 #include "tests/planner/io/format_cases.h"
 #include "tests/support/geo_rings.h"
 #include "tests/support/result_check.h"
+#include "tests/support/test_program.h"
 
 #include "path_message.pb.h"
+#include "tests/support/large_data.h"
 
 #include <QDirIterator>
 #include <QJsonArray>
@@ -24,17 +26,6 @@ using namespace furrow::test;
 
 namespace {
 
-/// One plan for all tests: holes, obstacles, a gate.
-const Plan& plan() {
-    static const std::shared_ptr<const Plan> made = [] {
-        FieldSource source = fieldWithEverything().field;
-        source.parts.resize(1);
-        source.obstacles.resize(1);
-        return planOf(source, "power-harrow-drill");
-    }();
-    return *made;
-}
-
 /// The same written once in every format.
 class Written {
 public:
@@ -45,7 +36,7 @@ public:
                 ids.push_back(format.id);
             }
         }
-        result = writePlanFolder(plan(), folder.path().toStdString(), ids);
+        result = writePlanFolder(planWithEverything(), folder.path().toStdString(), ids);
     }
     QString file(const QString& name) const { return folder.filePath(name); }
     QByteArray text(const QString& name) const {
@@ -62,10 +53,12 @@ const Written& written() {
 }
 
 GeoPoint firstPlace() {
-    return plan().field().frame().toGeo(plan().path.segments.front().samples.front().position);
+    return planWithEverything().field().frame().toGeo(
+        planWithEverything().path.segments.front().samples.front().position);
 }
 GeoPoint lastPlace() {
-    return plan().field().frame().toGeo(plan().path.segments.back().samples.back().position);
+    return planWithEverything().field().frame().toGeo(
+        planWithEverything().path.segments.back().samples.back().position);
 }
 
 GeoPoint pointOf(const QJsonValue& position) {
@@ -73,7 +66,7 @@ GeoPoint pointOf(const QJsonValue& position) {
 }
 
 bool reverses() {
-    return std::ranges::any_of(plan().path.segments,
+    return std::ranges::any_of(planWithEverything().path.segments,
                                [](const PathSegment& s) { return s.gear == Gear::Reverse; });
 }
 
@@ -108,10 +101,9 @@ private slots:
     void taskDataFitsItsSchema() {
         QFETCH(QString, file);
         QFETCH(QString, schema);
-        const QString path =
-            QStringLiteral(FURROW_SHARED_DATA_DIR "/schemas/ISO11783_TaskFile_%1.xsd").arg(schema);
+        const QString path = test::largeData(QStringLiteral("schemas/ISO11783_TaskFile_%1.xsd").arg(schema));
         if (!QFileInfo::exists(path)) {
-            QSKIP("needs the schemas in ../shared/data/schemas");
+            QSKIP("needs the schemas of the large test data");
         }
         const Printed lint = run("xmllint", {"--noout", "--nonet", "--schema", path, written().file(file)});
         QVERIFY2(lint.status == 0, lint.error.constData());
@@ -139,7 +131,7 @@ private slots:
         QCOMPARE(all["version"].toInt(), version);
         const QJsonArray polygons = all["fields"][0]["polygons"].toArray();
         const QJsonArray rings = polygons[0]["rings"].toArray();
-        const GeoPolygon& part = plan().field().source().parts.front();
+        const GeoPolygon& part = planWithEverything().field().source().parts.front();
         QCOMPARE(static_cast<std::size_t>(rings.size()), 1 + part.holes.size());
         QCOMPARE(static_cast<std::size_t>(rings[0]["points"].toArray().size()), part.outer.size() + 1);
         const QJsonValue first = rings[0]["points"][0];
@@ -163,9 +155,9 @@ private slots:
             QJsonDocument::fromJson(runNode("read_map.js", {written().file("shapefile/swaths.shp")}).out)
                 .object()["features"]
                 .toArray();
-        QCOMPARE(static_cast<std::size_t>(swaths.size()), plan().route.steps.size());
-        const GeoPoint start =
-            plan().field().frame().toGeo(startPose(plan().route.steps[0], plan().swaths).position);
+        QCOMPARE(static_cast<std::size_t>(swaths.size()), planWithEverything().route.steps.size());
+        const GeoPoint start = planWithEverything().field().frame().toGeo(
+            startPose(planWithEverything().route.steps[0], planWithEverything().swaths).position);
         QVERIFY(metresBetween(pointOf(swaths[0]["geometry"]["coordinates"][0]), start) < 1e-6);
     }
 
@@ -227,9 +219,10 @@ private slots:
         }
         QCOMPARE(read.status, 0);
         std::size_t samples = 0;
-        for (std::size_t i = 0; i < plan().path.segments.size(); ++i) {
-            const bool goesOn = i > 0 && plan().path.segments[i].gear == plan().path.segments[i - 1].gear;
-            samples += plan().path.segments[i].samples.size() - (goesOn ? 1 : 0);
+        for (std::size_t i = 0; i < planWithEverything().path.segments.size(); ++i) {
+            const bool goesOn = i > 0 && planWithEverything().path.segments[i].gear ==
+                                             planWithEverything().path.segments[i - 1].gear;
+            samples += planWithEverything().path.segments[i].samples.size() - (goesOn ? 1 : 0);
         }
         QCOMPARE(static_cast<std::size_t>(read.out.trimmed().count('\n')), samples);  // and a line of names
     }
@@ -252,9 +245,9 @@ private slots:
         QCOMPARE(count, 1);
         QCOMPARE(info.out.count("Layer (String) = HOLE"), 1);
         QCOMPARE(static_cast<std::size_t>(info.out.count("Layer (String) = SWATH")),
-                 plan().route.steps.size());
+                 planWithEverything().route.steps.size());
         QCOMPARE(static_cast<std::size_t>(info.out.count("Layer (String) = PATH")),
-                 plan().path.segments.size());
+                 planWithEverything().path.segments.size());
     }
 
     void rosbagsReadThePath_data() {
@@ -281,8 +274,8 @@ private slots:
         const QJsonValue message{*whole};
         QCOMPARE(message["frame"].toString(), "map");
         const QJsonArray poses = message["poses"].toArray();
-        const PathSample& first = plan().path.segments.front().samples.front();
-        const PathSample& last = plan().path.segments.back().samples.back();
+        const PathSample& first = planWithEverything().path.segments.front().samples.front();
+        const PathSample& last = planWithEverything().path.segments.back().samples.back();
         COMPARE_WITHIN(poses[0][0].toDouble(), first.position.x, 1e-12);
         COMPARE_WITHIN(poses[0][1].toDouble(), first.position.y, 1e-12);
         COMPARE_WITHIN(std::remainder(2.0 * std::atan2(poses[0][2].toDouble(), poses[0][3].toDouble()) -
@@ -351,9 +344,10 @@ private slots:
         QCOMPARE(message.fence(0).holes_size(), 1);
         QCOMPARE(message.keep_out_size(), 1);
         QCOMPARE(message.keep_out(0).name(), "Pylon");
-        QCOMPARE(static_cast<std::size_t>(message.segments_size()), plan().path.segments.size());
+        QCOMPARE(static_cast<std::size_t>(message.segments_size()),
+                 planWithEverything().path.segments.size());
         for (int i = 0; i < message.segments_size(); ++i) {
-            const PathSegment& segment = plan().path.segments[static_cast<std::size_t>(i)];
+            const PathSegment& segment = planWithEverything().path.segments[static_cast<std::size_t>(i)];
             QCOMPARE(message.segments(i).reverse(), segment.gear == Gear::Reverse);
             QCOMPARE(message.segments(i).implement_down(), segment.implementDown);
             QCOMPARE(static_cast<std::size_t>(message.segments(i).samples_size()), segment.samples.size());
@@ -374,7 +368,7 @@ private slots:
         // The outline, the hole and the obstacle; an obstacle without a clearance stays as it is drawn.
         QCOMPARE(rings, 3);
         QVERIFY(goal.contains("mode: SET_ANGLE, best_angle: " +
-                              QByteArray::number(plan().swaths.heading.si(), 'f', 9)));
+                              QByteArray::number(planWithEverything().swaths.heading.si(), 'f', 9)));
         QVERIFY(goal.contains("route_mode: {mode: CUSTOM"));
         QVERIFY(written().text("ros/map_frame.yaml").contains("proj: \"+proj=tmerc"));
     }
@@ -385,7 +379,7 @@ private slots:
         QCOMPARE(field[7], "StartFix\r");
         // Stretches between changes of gear; together every metre that is driven forwards.
         double forwards = 0.0;
-        for (const PathSegment& segment : plan().path.segments) {
+        for (const PathSegment& segment : planWithEverything().path.segments) {
             forwards += segment.gear == Gear::Forward ? segment.length().si() : 0.0;
         }
         double recorded = 0.0;
@@ -417,7 +411,7 @@ private slots:
 
     // As short as cells and last passes may leave them: 27 cm, and 30 cm of a headland pass.
     void shortStretchesAreNoFault() {
-        Plan shortened = plan();
+        Plan shortened = planWithEverything();
         for (Swath& swath : shortened.swaths.swaths) {
             if (!swath.isCurved()) {
                 const Point along = swath.end - swath.start;
@@ -450,7 +444,7 @@ private slots:
         const auto ab = std::ranges::find(lines, GuidanceKind::AbLine, &GuidanceLine::kind);
         QVERIFY(ab != lines.end());
         COMPARE_WITHIN(metresBetween(ab->points[0], ab->points[1]), 20.0, 0.1);
-        const auto before = contentOf(plan(), {}).lines;
+        const auto before = contentOf(planWithEverything(), {}).lines;
         QCOMPARE(ab->name, std::ranges::find(before, GuidanceKind::AbLine, &GuidanceLine::kind)->name);
         QVERIFY(
             std::ranges::none_of(lines, [](const GuidanceLine& line) { return line.name == "Headland 99"; }));
@@ -458,7 +452,7 @@ private slots:
 
     // A ring of missed land whose inner side was traced 4 cm beyond its outer one.
     void missedLandIsWrittenWithoutCrossings() {
-        Plan traced = plan();
+        Plan traced = planWithEverything();
         const Point at = traced.path.segments.front().samples.front().position;
         const auto ring = [at](std::initializer_list<Point> points) {
             Ring moved;
@@ -491,7 +485,7 @@ private slots:
         for (const Terminal& terminal : terminals()) {
             QVERIFY2(ids.insert(terminal.id).second, terminal.id.data());
             const QTemporaryDir folder;
-            const auto files = writeForTerminal(plan(), folder.path().toStdString(), terminal);
+            const auto files = writeForTerminal(planWithEverything(), folder.path().toStdString(), terminal);
             VERIFY_RESULT(files);
             QVERIFY2(files->files.size() > 1, terminal.id.data());
             const bool isIsoxml = terminal.format.starts_with("isoxml");
@@ -504,8 +498,8 @@ private slots:
 
     void holesBecomeObstaclesForThoseThatOverlookThem() {
         const QTemporaryDir folder;
-        VERIFY_RESULT(
-            writeForTerminal(plan(), folder.path().toStdString(), **findTerminal("agopengps-isoxml")));
+        VERIFY_RESULT(writeForTerminal(planWithEverything(), folder.path().toStdString(),
+                                       **findTerminal("agopengps-isoxml")));
         const QByteArray xml =
             QByteArray::fromStdString(bytesOf(folder.filePath("TASKDATA/TASKDATA.XML").toStdString()));
         QCOMPARE(xml.count("<PLN A=\"6\""), 2);  // the hole and the pylon
@@ -514,5 +508,5 @@ private slots:
     }
 };
 
-QTEST_GUILESS_MAIN(PlanFormatsTest)
+FURROW_TEST(PlanFormatsTest);
 #include "tst_plan_formats.moc"

@@ -3,6 +3,8 @@
 #include "planner/io/import/field_reader.h"
 #include "planner/io/import/track_reader.h"
 #include "tests/planner/io/format_cases.h"
+#include "tests/support/large_data.h"
+#include "tests/support/test_program.h"
 
 #include <QTest>
 
@@ -19,7 +21,7 @@ namespace {
 
 namespace fs = std::filesystem;
 
-const fs::path kShared = FURROW_SHARED_DATA_DIR;
+const fs::path kShared = test::largeDataPath("");
 const fs::path kExpected = FURROW_TEST_DATA_DIR "/shared_formats.txt";
 
 /// Files that only belong to others.
@@ -107,7 +109,7 @@ private slots:
         QTest::addColumn<QString>("path");
         QTest::addColumn<QString>("expected");
         if (!fs::exists(kShared / "formats")) {
-            QSKIP("needs ../shared/data/formats");
+            QSKIP("needs the formats of the large test data");
         }
         const auto expected = expectedOutcomes();
         for (const fs::path& path : everything()) {
@@ -133,5 +135,5 @@ private slots:
     }
 };
 
-QTEST_GUILESS_MAIN(SharedFormatsTest)
+FURROW_TEST(SharedFormatsTest);
 #include "tst_shared_formats.moc"

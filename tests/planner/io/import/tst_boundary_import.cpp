@@ -2,6 +2,7 @@
 #include "tests/support/north_field.h"
 #include "tests/support/result_check.h"
 #include "tests/support/scratch.h"
+#include "tests/support/test_program.h"
 
 #include <QTest>
 
@@ -340,5 +341,5 @@ void TestBoundaryImport::readsInSeveralThreads() {
     QCOMPARE(good.load(), 12);
 }
 
-QTEST_APPLESS_MAIN(TestBoundaryImport)
+FURROW_TEST(TestBoundaryImport);
 #include "tst_boundary_import.moc"

@@ -6,6 +6,7 @@
 #include "planner/io/import/field_reader.h"
 #include "tests/planner/io/format_cases.h"
 #include "tests/support/result_check.h"
+#include "tests/support/test_program.h"
 
 #include <QRegularExpression>
 #include <QTemporaryDir>
@@ -316,7 +317,7 @@ private slots:
     }
 
     void planeOfAgOpenGps() {
-        // Worked by its own class, formats.md 4.1.
+        // Worked by its own class.
         const AgOpenGpsPlane plane{{5.66, 52.09}};
         const GeoPoint place = plane.toGeo({-100.0, -60.0});
         COMPARE_WITHIN(place.latDeg, 52.089460766, 5e-10);
@@ -441,5 +442,5 @@ private slots:
     }
 };
 
-QTEST_GUILESS_MAIN(FieldReaderTest)
+FURROW_TEST(FieldReaderTest);
 #include "tst_field_reader.moc"

@@ -13,6 +13,7 @@
 #include "tests/support/no_network.h"
 #include "tests/support/result_check.h"
 #include "tests/support/scratch.h"
+#include "tests/support/test_program.h"
 
 #include <QTest>
 
@@ -316,5 +317,5 @@ void TestNoNetwork::theProgramAsksNobody() {
     }
 }
 
-QTEST_GUILESS_MAIN(TestNoNetwork)
+FURROW_TEST(TestNoNetwork);
 #include "tst_no_network.moc"

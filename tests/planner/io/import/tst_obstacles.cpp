@@ -4,6 +4,7 @@
 #include "tests/support/geo_rings.h"
 #include "tests/support/result_check.h"
 #include "tests/support/scratch.h"
+#include "tests/support/test_program.h"
 
 #include <QTest>
 
@@ -225,5 +226,5 @@ private slots:
     }
 };
 
-QTEST_APPLESS_MAIN(TestObstacles)
+FURROW_TEST(TestObstacles);
 #include "tst_obstacles.moc"

@@ -2,6 +2,7 @@
 #include "tests/support/north_field.h"
 #include "tests/support/result_check.h"
 #include "tests/support/scratch.h"
+#include "tests/support/test_program.h"
 
 #include <QTemporaryDir>
 #include <QTest>
@@ -326,5 +327,5 @@ void TestRefusedBoundaries::leavesNoTraces() {
     QVERIFY(listing() == before);
 }
 
-QTEST_APPLESS_MAIN(TestRefusedBoundaries)
+FURROW_TEST(TestRefusedBoundaries);
 #include "tst_refused_boundaries.moc"

@@ -2,6 +2,7 @@
 
 #include "planner/io/import/track_reader.h"
 #include "tests/planner/io/import/track_samples.h"
+#include "tests/support/test_program.h"
 
 #include <QTest>
 
@@ -160,5 +161,5 @@ void TestRefusedTracks::damagedAnywhere() {
     }
 }
 
-QTEST_APPLESS_MAIN(TestRefusedTracks)
+FURROW_TEST(TestRefusedTracks);
 #include "tst_refused_tracks.moc"

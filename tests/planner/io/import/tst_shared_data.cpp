@@ -1,4 +1,6 @@
 #include "planner/io/import/boundary_import.h"
+#include "tests/support/large_data.h"
+#include "tests/support/test_program.h"
 
 #include <QDir>
 #include <QJsonArray>
@@ -18,7 +20,7 @@ using namespace furrow;
 namespace {
 
 QDir sharedData() {
-    return QDir{QStringLiteral(FURROW_SHARED_DATA_DIR)};
+    return QDir{test::largeData({})};
 }
 
 struct Expected {
@@ -100,7 +102,7 @@ private slots:
 
 void TestSharedData::initTestCase() {
     if (!sharedData().exists()) {
-        QSKIP("needs the collected files in ../shared/data");
+        QSKIP("needs the large test data");
     }
 }
 
@@ -227,5 +229,5 @@ void TestSharedData::readsTheWholeList() {
     }
 }
 
-QTEST_APPLESS_MAIN(TestSharedData)
+FURROW_TEST(TestSharedData);
 #include "tst_shared_data.moc"

@@ -3,6 +3,8 @@
 
 #include "planner/io/import/track_reader.h"
 #include "tests/planner/io/import/track_samples.h"
+#include "tests/support/large_data.h"
+#include "tests/support/test_program.h"
 
 #include <QDir>
 #include <QFile>
@@ -296,7 +298,7 @@ void TestTrackReader::realRecordings() {
     QFETCH(int, tracks);
     QFETCH(int, samples);
     QFETCH(double, kilometres);
-    const QString path = QStringLiteral(FURROW_SHARED_DATA_DIR "/") + file;
+    const QString path = test::largeData(file);
     if (!QFileInfo::exists(path)) {
         QSKIP("the collection of real recordings is not beside the project");
     }
@@ -316,5 +318,5 @@ void TestTrackReader::realRecordings() {
     QVERIFY2(kilometres == 0.0 || near(way, kilometres, 1.0), qPrintable(QString::number(way)));
 }
 
-QTEST_APPLESS_MAIN(TestTrackReader)
+FURROW_TEST(TestTrackReader);
 #include "tst_track_reader.moc"

@@ -6,6 +6,7 @@
 #include "planner/io/plan_files/written_path.h"
 #include "planner/machine/machine_library.h"
 #include "tests/support/result_check.h"
+#include "tests/support/test_program.h"
 
 #include <QFile>
 #include <QTemporaryDir>
@@ -129,5 +130,5 @@ private slots:
     }
 };
 
-QTEST_APPLESS_MAIN(WrittenPathTest)
+FURROW_TEST(WrittenPathTest);
 #include "tst_written_path.moc"

@@ -1,0 +1,92 @@
+// Which plans are given up early: worked by hand with a machine of 2.5 m at its working speed.
+
+#include "planner/machine/machine_library.h"
+#include "planner/plan/plan_to_beat.h"
+#include "tests/support/test_program.h"
+
+#include <QTest>
+
+using namespace furrow;
+
+namespace {
+
+const Machine& agbot() {
+    static const Machine machine = findMachine("agbot").value();
+    return machine;
+}
+
+/// The time in which a machine works a piece of land by itself.
+Duration workingTime(Area land) {
+    return seconds(land.si() / (agbot().operatingWidth().si() * agbot().spec().tractor.workingSpeed.si()));
+}
+
+Finding blocking(FindingKind kind) {
+    return {.severity = Severity::Blocking, .kind = kind, .place = {}, .text = "", .suggestion = ""};
+}
+
+/// A path of one segment.
+Driven driven(double timeS, Area missed, std::vector<Finding> findings = {}) {
+    Driven made{};
+    PathSegment segment;
+    segment.samples = {PathSample{}, PathSample{}};
+    segment.samples.back().tS = timeS;
+    made.path.segments = {segment};
+    made.audit.missed = missed;
+    made.audit.left = missed;
+    made.findings = std::move(findings);
+    return made;
+}
+
+constexpr Area kPatch = squareMetres(250.0);
+
+}  // namespace
+
+class TestPlanToBeat : public QObject {
+    Q_OBJECT
+
+private slots:
+    void missedLandIsWorkedByItself() {
+        const Driven made = driven(1000.0, kPatch);
+        const Duration all = timeForAll(agbot(), made.path, made.audit);
+        QCOMPARE(all.si(), 1000.0 + workingTime(kPatch).si());
+    }
+
+    void missedLandMayBeFinished() {
+        const std::vector<Finding> findings{blocking(FindingKind::Missed), blocking(FindingKind::Outside),
+                                            Finding{.severity = Severity::Note,
+                                                    .kind = FindingKind::Outside,
+                                                    .place = {},
+                                                    .text = "",
+                                                    .suggestion = ""}};
+        QCOMPARE(lastingCount(findings), 1);
+    }
+
+    void whatBlocksComesBeforeTime() {
+        const PlanToBeat other{.blocking = 1, .time = seconds(1000.0), .finishing = {}, .left = {}};
+        QVERIFY(mayBeat(other, agbot(), driven(2000.0, {})));
+        QVERIFY(mayBeat(other, agbot(), driven(2000.0, {}, {blocking(FindingKind::Missed)})));
+        QVERIFY(!mayBeat(other, agbot(), driven(1001.0, {}, {blocking(FindingKind::Outside)})));
+        QVERIFY(mayBeat(other, agbot(), driven(999.0, {}, {blocking(FindingKind::Outside)})));
+        QVERIFY(!mayBeat(other, agbot(),
+                         driven(1.0, {}, {blocking(FindingKind::Outside), blocking(FindingKind::Obstacle)})));
+    }
+
+    void finishingIsExpectedToCostAsMuchForAsMuchLand() {
+        // The other plan took 100 s beyond the working of its 250 m².
+        const PlanToBeat other{
+            .blocking = 0, .time = seconds(10000.0), .finishing = seconds(100.0), .left = kPatch};
+        const double workingS = workingTime(kPatch).si();
+        // With as much land: 100 s more than by itself, and 1 % is within the error of the estimate.
+        QVERIFY(mayBeatFinished(other, agbot(), driven(10099.0 - 100.0 - workingS, kPatch)));
+        QVERIFY(!mayBeatFinished(other, agbot(), driven(10101.0 - 100.0 - workingS, kPatch)));
+        // With twice as much.
+        QVERIFY(!mayBeatFinished(other, agbot(), driven(10099.0 - 100.0 - 2.0 * workingS, 2.0 * kPatch)));
+        // A plan that needed no finishing says nothing of their cost.
+        const PlanToBeat without{.blocking = 0, .time = seconds(10000.0), .finishing = {}, .left = {}};
+        QVERIFY(mayBeatFinished(without, agbot(), driven(10099.0 - workingS, kPatch)));
+        QVERIFY(!mayBeatFinished(without, agbot(), driven(10101.0 - workingS, kPatch)));
+    }
+};
+
+FURROW_TEST(TestPlanToBeat);
+#include "tst_plan_to_beat.moc"
