@@ -115,7 +115,8 @@ struct AuditReport {
 /// Overlap: the area that it sweeps twice, also within one segment that turns more tightly than half its
 /// width.
 /// Reachable: the part of the workable area in the opening of the drivable area by a disc, that is, wherever
-/// such a disc fits without leaving it. The disc has half the working footprint's width as radius. For a
+/// such a disc fits without leaving it. The disc has half the working footprint's width as radius. A strip
+/// along the edge does not count where the tractor is broader than the implement between its ends. For a
 /// machine that cannot reverse, its edge is the one that the outer end of the implement describes on full
 /// lock.
 /// A trailed implement follows the hitch on its own track (tractrix), straight behind at the start.

@@ -226,12 +226,31 @@ Result<MultiPolygon> withinMargin(const AuditInput& input, const JobContext& job
                                    : Result<MultiPolygon>{input.drivable};
 }
 
-/// The area in which that disc fits.
+/// The distance by which a tractor that is broader than its implement keeps the working line away from an
+/// edge, along it and across it.
+Length keptAway(const Machine& machine, const MachineShape& shape) {
+    if (shape.trailingM) {
+        return {};
+    }
+    const Length lineAt = machine.spec().implement.offset;
+    Length front = lineAt;
+    Length rear = lineAt;
+    for (const Point& corner : machine.workingFootprint()) {
+        front = std::max(front, metres(corner.x));
+        rear = std::min(rear, metres(corner.x));
+    }
+    const Length aside = 0.5 * (machine.workingFootprintWidth() - machine.operatingWidth());
+    return std::max(Length{}, std::min({aside, front - lineAt, lineAt - rear}));
+}
+
+/// The area in which that disc fits, less the strip from which the tractor keeps the working line away.
 Result<MultiPolygon> reachable(const AuditInput& input, const MultiPolygon& area, const MachineShape& shape,
                                const JobContext& job) {
     const Length radius = reachRadius(*input.machine, shape);
     const auto middles = eroded(area, radius, metres(kReachToleranceM), job);
-    return middles ? dilated(*middles, radius, metres(kReachToleranceM), job) : middles;
+    return middles
+               ? dilated(*middles, radius - keptAway(*input.machine, shape), metres(kReachToleranceM), job)
+               : middles;
 }
 
 /// The lanes beyond the ends of the swaths, and before them by the distance of the implement from the axle.

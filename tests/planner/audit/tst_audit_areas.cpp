@@ -236,6 +236,36 @@ private slots:
         COMPARE_WITHIN(*report.coveredShare, 120.0 / 900.0, 1e-6);
     }
 
+    // A tractor of 8 m, its axle 3 m before its rear, in front of it and behind it broader than the implement
+    // of 10 m: that stays off every edge by half the difference, or by what the tractor reaches beyond it.
+    void narrowImplementKeepsOffTheEdge_data() {
+        QTest::addColumn<double>("tractorM");
+        QTest::addColumn<double>("offsetM");
+        QTest::addColumn<double>("keptAwayM");
+        QTest::newRow("as broad") << 10.0 << 0.0 << 0.0;
+        QTest::newRow("broader by 0.6 m") << 10.6 << 0.0 << 0.3;
+        QTest::newRow("broader by 2 m") << 12.0 << 0.0 << 1.0;
+        QTest::newRow("implement half a metre behind the rear") << 12.0 << -3.0 << 0.5;
+    }
+    void narrowImplementKeepsOffTheEdge() {
+        QFETCH(double, tractorM);
+        QFETCH(double, offsetM);
+        QFETCH(double, keptAwayM);
+        MachineSpec spec = plainMachine(10.0, 4.0).spec();
+        spec.tractor.width = metres(tractorM);
+        spec.tractor.length = metres(8.0);
+        spec.tractor.rearOverhang = metres(3.0);
+        spec.implement.offset = metres(offsetM);
+        PathDrawer drawer{{9.0 - offsetM, 15.0}};
+        drawer.begin(SegmentKind::Swath, true).straight(12.0);
+        const AuditReport report =
+            reportOf({rectangle(30, 30)}, Machine::create(spec).value(), drawer.segments);
+        const double inside = 30.0 - 2.0 * keptAwayM;
+        const double cornerM = 0.5 * tractorM - keptAwayM;
+        const double reachable = inside * inside - (4.0 - kPi) * cornerM * cornerM;
+        COMPARE_WITHIN(*report.coveredOfReachable, 120.0 / reachable, 5e-4);
+    }
+
     // 10 m wide, lane from x = 0 to 100 at y = 3 in a field that begins at y = 0: 2 m stick out.
     void outsideIsMeasured() {
         PathDrawer drawer{{10.0, 3.0}};

@@ -83,6 +83,7 @@ private slots:
     void simplerIsTakenWhereQuicker();
     void quickestCornersAreTaken_data();
     void quickestCornersAreTaken();
+    void stripBesideABroaderTractorDoesNotBlock();
     void ownOrderKeepsItsSwaths();
     void adviceMends();
 };
@@ -269,6 +270,15 @@ void TestPromises::quickestCornersAreTaken() {
         const bool isNoBetter = !(*other)->drivable() || timeForAll(**plan) <= 1.005 * timeForAll(**other);
         QVERIFY2(isNoBetter, corner);
     }
+}
+
+// The robot is 1.8 m broad and works 1.5 m: the 15 cm along the boundary are 1.2 % of this field.
+void TestPromises::stripBesideABroaderTractorDoesNotBlock() {
+    const auto plan = planned(test::fieldSourceFromLocal({test::rectangle(60.0, 42.0)}, kCentre),
+                              "field-robot", {{"headland.corner", "rounded"}});
+    VERIFY_RESULT(plan);
+    QVERIFY((*plan)->audit.missed->si() > 0.01 * 60.0 * 42.0);
+    QVERIFY2((*plan)->drivable(), (*plan)->findings.front().text.text().c_str());
 }
 
 void TestPromises::ownOrderKeepsItsSwaths() {
