@@ -8,7 +8,6 @@
 #include "planner/plan/method_registry.h"
 #include "translations/collect/source_texts.h"
 
-#include <QFile>
 #include <QRegularExpression>
 #include <QSet>
 
@@ -17,11 +16,6 @@
 namespace furrow {
 
 namespace {
-
-QString allOf(const QString& path) {
-    QFile file{path};
-    return file.open(QIODevice::ReadOnly) ? QString::fromUtf8(file.readAll()) : QString{};
-}
 
 /// Literals that are no sentences: ids, file contents, names of makers, what only the command line says.
 bool isNoText(const QString& text) {
@@ -122,7 +116,7 @@ QMap<QString, bool> plannerTexts(const QString& project) {
     for (const QString& sample :
          filesIn(project + QStringLiteral("/resources/sample_fields"), {"*.geojson"})) {
         static const QRegularExpression name{QString::fromUtf8("\"name\"\\s*:\\s*\"([^\"]*)\"")};
-        add(name.match(allOf(sample)).captured(1).toStdString());
+        add(name.match(textOf(sample)).captured(1).toStdString());
     }
     return texts;
 }

@@ -6,15 +6,6 @@
 
 namespace furrow {
 
-namespace {
-
-QString readAll(const QString& path) {
-    QFile file{path};
-    return file.open(QIODevice::ReadOnly) ? QString::fromUtf8(file.readAll()) : QString{};
-}
-
-}  // namespace
-
 const QString kLiteral = QString::fromUtf8("\"(?:[^\"\\\\\\n]|\\\\.)*\"(?:\\s*\"(?:[^\"\\\\\\n]|\\\\.)*\")*");
 
 QString joined(const QString& literal) {
@@ -27,8 +18,13 @@ QString joined(const QString& literal) {
         .replace(QStringLiteral("\\\\"), QStringLiteral("\\"));
 }
 
+QString textOf(const QString& path) {
+    QFile file{path};
+    return file.open(QIODevice::ReadOnly) ? QString::fromUtf8(file.readAll()) : QString{};
+}
+
 QString codeOf(const QString& path) {
-    QString text = readAll(path);
+    QString text = textOf(path);
     text.remove(QRegularExpression{QString::fromUtf8("^\\s*#.*$"), QRegularExpression::MultilineOption});
     text.replace(QRegularExpression{QString::fromUtf8("R\"(\\w*)\\(.*?\\)\\1\""),
                                     QRegularExpression::DotMatchesEverythingOption},

@@ -13,6 +13,9 @@ extern const QString kLiteral;
 /// What a literal of the sources says.
 QString joined(const QString& literal);
 
+/// The whole text of a file; empty where it cannot be read.
+QString textOf(const QString& path);
+
 /// A source file without comments, includes and raw strings.
 QString codeOf(const QString& path);
 

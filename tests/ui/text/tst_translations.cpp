@@ -91,7 +91,7 @@ private slots:
         // A finding with a value, one with a plural, a setting, a method, a machine and a sample field.
         QVERIFY(texts.contains(QStringLiteral("%1 crosses an obstacle.")));
         QVERIFY(texts.value(QStringLiteral("%n places")));
-        for (const char* text : {"Margin", "Every heading", "AgBot"}) {
+        for (const char* text : {"Margin", "To and fro", "AgBot"}) {
             QVERIFY2(texts.contains(QString::fromLatin1(text)), text);
         }
         QVERIFY(!texts.contains(QStringLiteral("EPSG:4326")));
