@@ -1,6 +1,7 @@
 // The command line as other programs rely on it: exit statuses, one-line errors, files.
 
 #include "tests/support/furrow_cli.h"
+#include "tests/support/patience.h"
 #include "tests/support/test_program.h"
 
 #include <QDir>

@@ -1,4 +1,5 @@
 #include "planner/project/project_file.h"
+#include "tests/support/patience.h"
 #include "tests/support/test_program.h"
 #include "tests/ui/window/editor_window_test.h"
 #include "tests/ui/window/frame_clock.h"
@@ -69,7 +70,7 @@ private slots:
         QTRY_VERIFY_WITH_TIMEOUT(
             session_->shown()->plan() && std::abs(session_->shown()->plan()->field().area().si() / area -
                                                   (height + 40.0) / height) < 0.005,
-            30000);
+            kPatienceMs);
         QCOMPARE(editor()->selection().kind, Selection::Kind::Edge);
         QTRY_VERIFY(shows(QStringLiteral("inspector")));
         ready();
@@ -95,7 +96,7 @@ private slots:
         QCOMPARE(source().edgeHeadlands.front().width.si(), 60.0);
         QTRY_VERIFY_WITH_TIMEOUT(
             session_->shown()->plan() && session_->shown()->plan()->headland.mainlandRatio < before - 0.02,
-            30000);
+            kPatienceMs);
         ready();
         picture(QStringLiteral("edge-headland"));
         // The others keep theirs.
@@ -113,7 +114,7 @@ private slots:
         QTRY_VERIFY_WITH_TIMEOUT(
             session_->shown()->plan() &&
                 std::abs(session_->shown()->plan()->headland.mainlandRatio - before) < 1e-9,
-            30000);
+            kPatienceMs);
     }
     /// While a corner is dragged, and after it was let go until the plan is there.
     void theOutlineStaysWithTheHandle() {
@@ -187,7 +188,7 @@ private slots:
         qInfo("%lld plans; %s", static_cast<long long>(plans.count()), qPrintable(frames.text()));
         QTest::mouseRelease(window_, Qt::LeftButton, {}, from + QPoint{-59, -29});
         QTRY_COMPARE_WITH_TIMEOUT(session_->shown()->plan()->field().source().parts == source().parts, true,
-                                  30000);
+                                  kPatienceMs);
         QCOMPARE(steps(), before + 1);
     }
     void aSwathIsInspected() {

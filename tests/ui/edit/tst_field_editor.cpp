@@ -2,6 +2,7 @@
 #include "planner/editing/outline_edits.h"
 #include "planner/geometry/segment.h"
 #include "planner/project/project_edits.h"
+#include "tests/support/patience.h"
 #include "tests/support/result_check.h"
 #include "tests/support/test_program.h"
 #include "ui/edit/field_editor.h"
@@ -20,8 +21,6 @@ using namespace furrow;
 namespace {
 
 // Plans take seconds where the machine has other things to do.
-constexpr int kPatienceMs = 30000;
-
 const OutlineId kOuter{OutlineKind::Boundary, 0, 0};
 constexpr Length kReach = metres(5.0);
 

@@ -1,4 +1,5 @@
 #include "planner/project/project_edits.h"
+#include "tests/support/patience.h"
 #include "tests/support/test_program.h"
 #include "tests/ui/window/editor_window_test.h"
 

@@ -1,4 +1,5 @@
 #include "planner/io/delivery/terminals.h"
+#include "tests/support/patience.h"
 #include "tests/support/test_program.h"
 #include "tests/ui/window/window_test.h"
 
@@ -23,7 +24,7 @@ private:
     void openOn(const QTemporaryDir& folder) {
         plugIn(folder.path());
         click("empty.sample.0");
-        QTRY_VERIFY_WITH_TIMEOUT(isFinished(session_->planning()->state()), 20000);
+        QTRY_VERIFY_WITH_TIMEOUT(isFinished(session_->planning()->state()), kPatienceMs);
         click("exportButton");
         click("export.onStick");
         QTRY_VERIFY(shown("stick.terminal"));

@@ -1,5 +1,6 @@
 #include "planner/project/project_edits.h"
 #include "tests/planner/imagery/raster_samples.h"
+#include "tests/support/patience.h"
 #include "tests/support/test_program.h"
 #include "ui/layers/imagery_model.h"
 

@@ -1,5 +1,6 @@
 #include "tests/planner/imagery/raster_samples.h"
 #include "tests/support/large_data.h"
+#include "tests/support/patience.h"
 #include "tests/support/test_program.h"
 #include "tests/ui/window/window_test.h"
 
@@ -132,7 +133,7 @@ private slots:
         QVERIFY(row(ImageryModel::ProblemRole).toString().contains(QStringLiteral("not there any more")));
         picture(QStringLiteral("imagery-missing"));
         QVERIFY(QFile::rename(path + QStringLiteral(".away"), path));
-        QTRY_COMPARE_WITH_TIMEOUT(state(), ImageryModel::State::Ready, 10000);
+        QTRY_COMPARE_WITH_TIMEOUT(state(), ImageryModel::State::Ready, kPatienceMs);
     }
     void whatCannotBeAddedIsTold() {
         const QTemporaryDir folder;
@@ -198,7 +199,7 @@ private slots:
         click(QStringLiteral("layersTool"));
         click(QStringLiteral("layer.online"));
         QTRY_VERIFY(item(QStringLiteral("onlineMap")) != nullptr);
-        QTRY_VERIFY_WITH_TIMEOUT(!asked.isEmpty(), 20000);
+        QTRY_VERIFY_WITH_TIMEOUT(!asked.isEmpty(), kPatienceMs);
         QVERIFY2(asked.first().contains(QStringLiteral("GET /15/")), qPrintable(asked.first()));
         QVERIFY(item(QStringLiteral("onlineMap.credit"))->isVisible());
         picture(QStringLiteral("online"));
@@ -228,7 +229,7 @@ private slots:
         };
         session_->planning()->machine()->setNumber(0, 2.5);
         session_->opener()->addDrawn({{58.25, 22.5}, {58.25, 22.5136}, {58.2572, 22.5136}, {58.2572, 22.5}});
-        QTRY_COMPARE_WITH_TIMEOUT(session_->planning()->state(), PlanState::Ready, 60000);
+        QTRY_COMPARE_WITH_TIMEOUT(session_->planning()->state(), PlanState::Ready, kPatienceMs);
         QQuickItem* layers = item(QStringLiteral("layerSwitches"));
         cost("64 ha, 2.5 m, everything");
         for (const char* layer :

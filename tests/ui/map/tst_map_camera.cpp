@@ -1,3 +1,4 @@
+#include "tests/support/patience.h"
 #include "tests/support/test_program.h"
 #include "ui/map/map_camera.h"
 #include "ui/map/simplify.h"

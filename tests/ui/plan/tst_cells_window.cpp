@@ -1,6 +1,7 @@
 #include "planner/decomposition/history.h"
 #include "planner/plan/method_registry.h"
 #include "planner/project/project_edits.h"
+#include "tests/support/patience.h"
 #include "tests/support/test_program.h"
 #include "tests/ui/window/editor_window_test.h"
 #include "ui/map/cell_layer.h"
@@ -63,7 +64,7 @@ class TestCellsWindow : public EditorWindowTest {
         QVERIFY(file.open(QIODevice::WriteOnly) && file.write(ponds()) > 0);
         file.close();
         session_->opener()->open(file.fileName());
-        QTRY_VERIFY_WITH_TIMEOUT(session_->farm()->hasField(), 30000);
+        QTRY_VERIFY_WITH_TIMEOUT(session_->farm()->hasField(), kPatienceMs);
         Settings settings = session_->planning()->settings();
         QVERIFY(applySetting(settings, "headland.driven", "false") &&
                 applySetting(settings, "decomposition.method", method));
@@ -153,7 +154,7 @@ private slots:
         key(Qt::Key_Space);
         QCOMPARE(cells().current(), 0);
         session_->planning()->planAgain();
-        QTRY_COMPARE_WITH_TIMEOUT(cells().current(), -1, 30000);
+        QTRY_COMPARE_WITH_TIMEOUT(cells().current(), -1, kPatienceMs);
         ready();
         click(QStringLiteral("cells.show"));
         QCOMPARE(cells().current(), 0);

@@ -1,3 +1,4 @@
+#include "tests/support/patience.h"
 #include "tests/support/test_program.h"
 #include "tests/ui/window/editor_window_test.h"
 
@@ -62,7 +63,7 @@ private slots:
         QVERIFY(QDir{folder.path()}.isEmpty());
         // From here it is planned, and then it may go.
         click(QStringLiteral("export.planAgain"));
-        QTRY_VERIFY_WITH_TIMEOUT(isFinished(session_->planning()->state()), 30000);
+        QTRY_VERIFY_WITH_TIMEOUT(isFinished(session_->planning()->state()), kPatienceMs);
         QVERIFY(session_->shown()->plan()->request.machine == session_->planning()->machine()->machine());
         QTRY_VERIFY(!shows(QStringLiteral("export.refusal")));
         QTRY_VERIFY(writable());
@@ -78,7 +79,7 @@ private slots:
         QVERIFY(isFinished(session_->planning()->state()));
         key(Qt::Key_Z, Qt::ControlModifier | Qt::ShiftModifier);
         QVERIFY(!isFinished(session_->planning()->state()));
-        QTRY_VERIFY_WITH_TIMEOUT(isFinished(session_->planning()->state()), 30000);
+        QTRY_VERIFY_WITH_TIMEOUT(isFinished(session_->planning()->state()), kPatienceMs);
         QVERIFY(session_->shown()->plan()->request.machine == session_->planning()->machine()->machine());
     }
 
@@ -105,7 +106,7 @@ private slots:
         session_->planning()->machine()->setNumber(0, 7.5);
         QVERIFY(!writable());
         QVERIFY(shows(QStringLiteral("export.refusal")));
-        QTRY_VERIFY_WITH_TIMEOUT(isFinished(session_->planning()->state()), 30000);
+        QTRY_VERIFY_WITH_TIMEOUT(isFinished(session_->planning()->state()), kPatienceMs);
         QTRY_VERIFY(writable());
         QVERIFY2(textOf(QStringLiteral("export.details")).contains(QStringLiteral("7.5 m wide")),
                  qPrintable(textOf(QStringLiteral("export.details"))));
@@ -148,7 +149,7 @@ private slots:
         key(Qt::Key_Escape);
         QTRY_VERIFY(!shows(QStringLiteral("export.write")));
         session_->farm()->renameField(QStringLiteral("Pond Field"));
-        QTRY_VERIFY_WITH_TIMEOUT(isFinished(session_->planning()->state()), 30000);
+        QTRY_VERIFY_WITH_TIMEOUT(isFinished(session_->planning()->state()), kPatienceMs);
         openExport();
         QVERIFY2(textOf(QStringLiteral("export.folder")).contains(QStringLiteral("Pond Field")),
                  qPrintable(textOf(QStringLiteral("export.folder"))));
@@ -163,11 +164,11 @@ private slots:
             QTest::mouseMove(window_, corner + QPoint{4 * i, 3 * i});
             QTRY_VERIFY(editor()->isDragging());
         }
-        QTRY_VERIFY_WITH_TIMEOUT(session_->shown()->isDraft(), 30000);
+        QTRY_VERIFY_WITH_TIMEOUT(session_->shown()->isDraft(), kPatienceMs);
         QCOMPARE(session_->planning()->state(), PlanState::Planning);
         QVERIFY(!session_->exporter()->refusal().isEmpty());
         QTest::mouseRelease(window_, Qt::LeftButton, {}, corner + QPoint{40, 30});
-        QTRY_VERIFY_WITH_TIMEOUT(isFinished(session_->planning()->state()), 30000);
+        QTRY_VERIFY_WITH_TIMEOUT(isFinished(session_->planning()->state()), kPatienceMs);
         QVERIFY(session_->exporter()->refusal().isEmpty());
     }
 
@@ -175,7 +176,7 @@ private slots:
         DRAW_FIELD();
         // A boundary that crosses itself.
         session_->opener()->addDrawn({{58.25, 22.5}, {58.2535, 22.507}, {58.25, 22.507}, {58.2535, 22.5}});
-        QTRY_COMPARE_WITH_TIMEOUT(session_->planning()->state(), PlanState::Failed, 30000);
+        QTRY_COMPARE_WITH_TIMEOUT(session_->planning()->state(), PlanState::Failed, kPatienceMs);
         openExport();
         QVERIFY(shows(QStringLiteral("export.refusal")));
         QVERIFY(!writable());
@@ -189,7 +190,7 @@ private slots:
         // Without a headland there is no room to turn inside.
         ParameterModel* headland = session_->planning()->steps()->parameters(QStringLiteral("headland"));
         headland->setNumber(headlandRow(*headland), 1.0);
-        QTRY_COMPARE_WITH_TIMEOUT(session_->planning()->state(), PlanState::Problems, 30000);
+        QTRY_COMPARE_WITH_TIMEOUT(session_->planning()->state(), PlanState::Problems, kPatienceMs);
         const int problems = session_->planning()->problemCount();
         QVERIFY(problems > 0);
         const QString said = problems == 1 ? QStringLiteral("1 problem")

@@ -2,6 +2,7 @@
 #include "planner/project/project_edits.h"
 #include "tests/planner/project/project_samples.h"
 #include "tests/support/furrow_cli.h"
+#include "tests/support/patience.h"
 #include "tests/support/result_check.h"
 #include "ui/project/project_files.h"
 

@@ -1,3 +1,4 @@
+#include "tests/support/patience.h"
 #include "tests/support/test_program.h"
 #include "tests/ui/window/window_test.h"
 #include "ui/text/display.h"
@@ -173,7 +174,7 @@ private slots:
         display().setLanguage(language);
         window_->resize(1280, 800);
         click(QStringLiteral("empty.sample.0"));
-        QTRY_VERIFY_WITH_TIMEOUT(isFinished(session_->planning()->state()), 20000);
+        QTRY_VERIFY_WITH_TIMEOUT(isFinished(session_->planning()->state()), kPatienceMs);
         QStringList wrong;
         const auto check = [&](const QString& state) {
             picture(QStringLiteral("language_%1_%2").arg(language, state));

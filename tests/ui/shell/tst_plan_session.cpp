@@ -1,5 +1,6 @@
 #include "planner/plan/method_registry.h"
 #include "planner/project/project_edits.h"
+#include "tests/support/patience.h"
 #include "tests/support/test_program.h"
 #include "ui/shell/session.h"
 
@@ -14,8 +15,6 @@ using namespace furrow;
 namespace {
 
 // Plans take seconds where the machine has other things to do.
-constexpr int kPatienceMs = 30000;
-
 QList<QGeoCoordinate> rectangle() {
     return {{58.25, 22.5}, {58.25, 22.507}, {58.2535, 22.507}, {58.2535, 22.5}};
 }
@@ -366,7 +365,7 @@ private slots:
         QFETCH(int, index);
         Session session;
         session.opener()->openSample(index);
-        QTRY_VERIFY_WITH_TIMEOUT(isFinished(session.planning()->state()), 60000);
+        QTRY_VERIFY_WITH_TIMEOUT(isFinished(session.planning()->state()), kPatienceMs);
         QCOMPARE(session.farm()->fieldName(), session.opener()->sampleNames().at(index));
         session.findings()->setAll(true);
         QCOMPARE(session.findings()->rowCount(), static_cast<int>(session.shown()->plan()->findings.size()));

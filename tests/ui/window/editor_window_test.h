@@ -1,5 +1,6 @@
 #pragma once
 
+#include "tests/support/patience.h"
 #include "tests/ui/window/window_test.h"
 
 namespace furrow::test {
@@ -24,7 +25,7 @@ protected:
                 session_->shown()->plan()->request.settings == session_->planning()->settings() &&
                 session_->shown()->plan()->request.machine == session_->planning()->machine()->machine() &&
                 isFinished(session_->planning()->state()),
-            30000);
+            kPatienceMs);
     }
     std::size_t steps() const { return session_->document()->history().steps.size(); }
     QPoint middle() const { return middleOf(*map()); }

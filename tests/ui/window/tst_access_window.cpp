@@ -1,3 +1,4 @@
+#include "tests/support/patience.h"
 #include "tests/support/test_program.h"
 #include "tests/ui/window/window_test.h"
 
@@ -123,7 +124,7 @@ private slots:
         while (item(QStringLiteral("tour"))->isVisible()) {
             click(QStringLiteral("tour.next"));
             if (page == 1) {
-                QTRY_COMPARE_WITH_TIMEOUT(session_->planning()->state(), PlanState::Ready, 30000);
+                QTRY_COMPARE_WITH_TIMEOUT(session_->planning()->state(), PlanState::Ready, kPatienceMs);
                 QCOMPARE(session_->farm()->fieldName(), QStringLiteral("Home Field"));
             }
             ++page;

@@ -1,3 +1,4 @@
+#include "tests/support/patience.h"
 #include "tests/support/test_program.h"
 #include "tests/ui/window/window_test.h"
 #include "ui/shell/window_fit.h"
@@ -117,7 +118,7 @@ private slots:
         QTRY_VERIFY(!isReachable(QStringLiteral("palette.row.1")));
         session_->opener()->openSample(
             static_cast<int>(session_->opener()->sampleNames().indexOf(QStringLiteral("Slanted Field"))));
-        QTRY_VERIFY_WITH_TIMEOUT(isFinished(session_->planning()->state()), 20000);
+        QTRY_VERIFY_WITH_TIMEOUT(isFinished(session_->planning()->state()), kPatienceMs);
         for (const char* button : {"exportButton", "undoButton", "statusChip", "scaleBar", "stepsPanel"}) {
             QTRY_VERIFY2(isReachable(QLatin1String{button}), button);
         }

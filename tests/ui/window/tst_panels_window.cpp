@@ -1,4 +1,5 @@
 #include "tests/planner/imagery/raster_samples.h"
+#include "tests/support/patience.h"
 #include "tests/support/test_program.h"
 #include "tests/ui/window/editor_window_test.h"
 #include "ui/text/display.h"

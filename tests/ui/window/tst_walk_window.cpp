@@ -1,3 +1,4 @@
+#include "tests/support/patience.h"
 #include "tests/support/test_program.h"
 #include "tests/ui/window/editor_window_test.h"
 #include "ui/text/display.h"
@@ -164,7 +165,7 @@ private slots:
         QTRY_VERIFY_WITH_TIMEOUT(
             session_->shown()->plan() &&
                 std::abs(std::cos(session_->shown()->plan()->swaths.heading.si())) < 0.01,
-            30000);
+            kPatienceMs);
         ready();
         step("ab-line");
 

@@ -1,5 +1,6 @@
 #include "planner/machine/machine_library.h"
 #include "planner/plan/method_registry.h"
+#include "tests/support/patience.h"
 #include "tests/support/test_program.h"
 #include "tests/ui/window/frame_clock.h"
 #include "tests/ui/window/window_test.h"
@@ -109,7 +110,7 @@ private slots:
         QVERIFY(frames.frames() > 0);
         QTRY_VERIFY_WITH_TIMEOUT(session_->shown()->hasPlan() && !session_->shown()->isDraft() &&
                                      session_->planning()->state() == PlanState::Ready,
-                                 60000);
+                                 kPatienceMs);
     }
     void theMapIsPannedAndZoomed() {
         openSample(QStringLiteral("Home Field"));
@@ -193,7 +194,7 @@ private slots:
         QDropEvent drop{QPointF{at}, Qt::CopyAction, &dropped, Qt::LeftButton, Qt::NoModifier};
         QCoreApplication::sendEvent(window_, &drop);
         QTRY_COMPARE(session_->farm()->fields().size(), 2);
-        QTRY_VERIFY_WITH_TIMEOUT(isFinished(session_->planning()->state()), 20000);
+        QTRY_VERIFY_WITH_TIMEOUT(isFinished(session_->planning()->state()), kPatienceMs);
         QCOMPARE(session_->farm()->fieldName(), QStringLiteral("North"));
     }
     void theProblemOfABoundaryIsTold() {
@@ -212,7 +213,7 @@ private slots:
         QFETCH(double, widthM);
         session_->planning()->machine()->setNumber(0, widthM);
         session_->opener()->addDrawn({{58.25, 22.5}, {58.25, 22.5136}, {58.2572, 22.5136}, {58.2572, 22.5}});
-        QTRY_COMPARE_WITH_TIMEOUT(session_->planning()->state(), PlanState::Ready, 30000);
+        QTRY_COMPARE_WITH_TIMEOUT(session_->planning()->state(), PlanState::Ready, kPatienceMs);
         click(QStringLiteral("step.headland"));
         QTRY_VERIFY(item(QStringLiteral("headland.width_m.slider")) != nullptr);
         QQuickItem* slider = item(QStringLiteral("headland.width_m.slider"));
@@ -230,8 +231,8 @@ private slots:
               qPrintable(frames.text()));
         QTest::mouseRelease(window_, Qt::LeftButton, {}, left + QPoint{139, 0});
         QVERIFY(frames.frames() > 0);
-        QTRY_VERIFY_WITH_TIMEOUT(plans.count() > 0, 30000);
-        QTRY_COMPARE_WITH_TIMEOUT(session_->planning()->state(), PlanState::Ready, 30000);
+        QTRY_VERIFY_WITH_TIMEOUT(plans.count() > 0, kPatienceMs);
+        QTRY_COMPARE_WITH_TIMEOUT(session_->planning()->state(), PlanState::Ready, kPatienceMs);
 
         // Panning alone, in processor time of all threads: a busy computer does not disturb that.
         constexpr int kFrames = 60;

@@ -1,5 +1,6 @@
 #pragma once
 
+#include "tests/support/patience.h"
 #include "ui/edit/edit_layer.h"
 #include "ui/map/map_camera.h"
 #include "ui/shell/session.h"
@@ -86,7 +87,7 @@ protected:
         const auto index = static_cast<int>(session_->opener()->sampleNames().indexOf(name));
         QVERIFY2(index >= 0, qPrintable(name));
         click(QStringLiteral("empty.sample.%1").arg(index));
-        QTRY_VERIFY_WITH_TIMEOUT(isFinished(session_->planning()->state()), 20000);
+        QTRY_VERIFY_WITH_TIMEOUT(isFinished(session_->planning()->state()), kPatienceMs);
     }
     void picture(const QString& name) {
         QDir{}.mkpath(QStringLiteral(FURROW_SCREENSHOT_DIR));
