@@ -68,7 +68,7 @@ private slots:
         QVERIFY(layers_.size() >= 15);
         uiRooms_ = listIn("ui/CMakeLists.txt", "FURROW_UI_ROOMS");
         QVERIFY(uiRooms_.size() >= 10);
-        ioRooms_ = listIn("planner/io/CMakeLists.txt", "FURROW_IO_ROOMS");
+        ioRooms_ = listIn("planner/CMakeLists.txt", "FURROW_IO_ROOMS");
         QVERIFY(ioRooms_.size() >= 10);
     }
 
