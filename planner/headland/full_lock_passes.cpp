@@ -234,7 +234,8 @@ public:
             const double mostM2 =
                 gainM2(static_cast<std::size_t>(within), leadM + kLengthsOut * passes_.straightM_);
             for (int i = 0; i < 2 * kBegins && mostM2 > kWorthAsking * bestM2_ && !job.stopRequested(); ++i) {
-                const double begin = 2.0 * std::numbers::pi * (i / 2) / kBegins;
+                const int step = i / 2;  // both sides at each
+                const double begin = 2.0 * std::numbers::pi * step / kBegins;
                 const double side = i % 2 == 0 ? 1.0 : -1.0;
                 const double aheadRad =
                     wrappedAngle(radians(side * (std::atan2(-inwards.y, -inwards.x) - begin))).si();

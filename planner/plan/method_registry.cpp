@@ -31,6 +31,7 @@ constexpr std::array<const Parameter*, 2> kGeneralParameters{&kOperationKind, &k
 template <class Methods>
 std::vector<Choice> choicesFrom(const Methods& methods) {
     std::vector<Choice> choices;
+    choices.reserve(methods.size());
     for (const auto* method : methods) {
         choices.push_back({method->info.id, method->info.name, method->info.description});
     }

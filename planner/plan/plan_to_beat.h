@@ -34,8 +34,9 @@ std::ptrdiff_t lastingCount(std::span<const Finding> findings);
 /// @param audit  empty before it
 bool mayBeat(const PlanToBeat& other, const Machine& machine, const Driven& driven);
 
-/// The same of a plan that needs finishing passes. Their time is estimated from that of the plan to beat:
-/// passes over as much land cost as much. A plan that is slower by more than 1 % by this estimate may not.
+/// The same of a plan that needs finishing passes. As much land costs them at least a quarter of what it
+/// cost those of the plan to beat. A plan that is slower by more than 1 % even so may not.
+/// Cost: none to speak of.
 bool mayBeatFinished(const PlanToBeat& other, const Machine& machine, const Driven& unfinished);
 
 }  // namespace furrow

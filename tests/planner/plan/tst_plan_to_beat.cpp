@@ -71,16 +71,17 @@ private slots:
                          driven(1.0, {}, {blocking(FindingKind::Outside), blocking(FindingKind::Obstacle)})));
     }
 
-    void finishingIsExpectedToCostAsMuchForAsMuchLand() {
-        // The other plan took 100 s beyond the working of its 250 m².
+    void finishingIsExpectedToCostAQuarterOfWhatItCost() {
+        // The other plan took 400 s beyond the working of its 250 m².
         const PlanToBeat other{
-            .blocking = 0, .time = seconds(10000.0), .finishing = seconds(100.0), .left = kPatch};
+            .blocking = 0, .time = seconds(10000.0), .finishing = seconds(400.0), .left = kPatch};
         const double workingS = workingTime(kPatch).si();
         // With as much land: 100 s more than by itself, and 1 % is within the error of the estimate.
         QVERIFY(mayBeatFinished(other, agbot(), driven(10099.0 - 100.0 - workingS, kPatch)));
         QVERIFY(!mayBeatFinished(other, agbot(), driven(10101.0 - 100.0 - workingS, kPatch)));
         // With twice as much.
-        QVERIFY(!mayBeatFinished(other, agbot(), driven(10099.0 - 100.0 - 2.0 * workingS, 2.0 * kPatch)));
+        QVERIFY(mayBeatFinished(other, agbot(), driven(10099.0 - 200.0 - 2.0 * workingS, 2.0 * kPatch)));
+        QVERIFY(!mayBeatFinished(other, agbot(), driven(10101.0 - 200.0 - 2.0 * workingS, 2.0 * kPatch)));
         // A plan that needed no finishing says nothing of their cost.
         const PlanToBeat without{.blocking = 0, .time = seconds(10000.0), .finishing = {}, .left = {}};
         QVERIFY(mayBeatFinished(without, agbot(), driven(10099.0 - workingS, kPatch)));
