@@ -249,6 +249,36 @@ private slots:
         }
         QVERIFY2(wrong.isEmpty(), qPrintable(wrong.join('\n')));
     }
+
+    // A program holds all tests of a folder. The linker keeps one of two inline functions with the same name
+    // and parameters, and the other tests call it too.
+    void functionsOfTestHeadersAreUnlike() {
+        static const QRegularExpression inlineFunction{
+            QStringLiteral("^inline [^=(]*?\\b(\\w+)\\(([^{;]*)\\)[^){;]*\\{"),
+            QRegularExpression::MultilineOption};
+        static const QRegularExpression nameOrDefault{QStringLiteral("\\s*(\\b\\w+)?(\\s*=[^,]*)?\\s*(,|$)")};
+        QMap<QString, QStringList> definedIn;
+        QDirIterator files{
+            QStringLiteral(FURROW_SOURCE_DIR "/tests"), {"*.h"}, QDir::Files, QDirIterator::Subdirectories};
+        while (files.hasNext()) {
+            const QString path = files.next();
+            const QString text = textOf(path);
+            for (auto each = inlineFunction.globalMatch(text); each.hasNext();) {
+                const auto match = each.next();
+                QString parameters = match.captured(2);
+                parameters.replace(nameOrDefault, QStringLiteral(","));
+                definedIn[match.captured(1) + '(' + parameters.simplified()].append(path.section('/', -2));
+            }
+        }
+        QVERIFY(definedIn.size() > 50);
+        QStringList wrong;
+        for (const auto& [function, headers] : definedIn.asKeyValueRange()) {
+            if (headers.size() > 1) {
+                wrong << function + ") in " + headers.join(", ");
+            }
+        }
+        QVERIFY2(wrong.isEmpty(), qPrintable(wrong.join('\n')));
+    }
 };
 
 FURROW_TEST(LayersTest);

@@ -2,9 +2,9 @@
 
 #include "planner/geodesy/local_frame.h"
 #include "planner/io/formats/isoxml/isoxml_writer.h"
-#include "planner/machine/machine_library.h"
 #include "planner/plan/method_registry.h"
 #include "planner/plan/plan.h"
+#include "tests/planner/io/format_cases.h"
 #include "tests/support/large_data.h"
 
 #include <QFileInfo>
@@ -96,23 +96,9 @@ inline double turning(const GeoRing& ring) {
     return sum;
 }
 
-inline GeoRing box(double lonDeg, double latDeg, double widthDeg, double heightDeg) {
-    return {{lonDeg, latDeg},
-            {lonDeg + widthDeg, latDeg},
-            {lonDeg + widthDeg, latDeg + heightDeg},
-            {lonDeg, latDeg + heightDeg}};
-}
-
-inline FieldSource plainField() {
-    FieldSource source;
-    source.id = "north";
-    source.name = "North Field";
-    source.parts = {{.outer = box(9.0, 52.0, 0.003, 0.002), .holes = {}}};
-    return source;
-}
-
-inline FieldSource fieldWithEverything() {
-    FieldSource source = plainField();
+/// The parts of it that task data have places for, with a name that has to be cut.
+inline FieldSource fieldForTaskData() {
+    FieldSource source = plainField().field;
     source.name = "Höhe & \"Senke\" <an der Straße nach Süden, hinter dem Wald>";
     source.parts[0].holes = {{{9.001, 52.0005}, {9.001, 52.0008}, {9.0013, 52.0008}, {9.0013, 52.0005}}};
     source.parts.push_back({.outer = box(9.004, 52.0, 0.002, 0.002), .holes = {}});
@@ -147,28 +133,19 @@ struct IsoxmlCase {
     const char* name;
     FieldSource (*field)();
 };
-inline constexpr IsoxmlCase kCases[] = {{"plain field", plainField},
-                                        {"holes, parts, obstacles, a gate", fieldWithEverything},
-                                        {"across the antimeridian", fieldOnTheAntimeridian},
-                                        {"80 degrees north", farNorth}};
+inline constexpr IsoxmlCase kTaskDataCases[] = {{"plain field", [] { return plainField().field; }},
+                                                {"holes, parts, obstacles, a gate", fieldForTaskData},
+                                                {"across the antimeridian", fieldOnTheAntimeridian},
+                                                {"80 degrees north", farNorth}};
 
-inline std::shared_ptr<const Plan> planOf(
-    const FieldSource& source, std::initializer_list<std::pair<const char*, const char*>> given = {}) {
-    const auto field = Field::create(source);
-    if (!field) {
-        qWarning("%s", field.error().line().c_str());
-        return nullptr;
-    }
+/// The plan of a field with these settings, by their keys.
+inline std::shared_ptr<const Plan> planWith(
+    const FieldSource& source, std::initializer_list<std::pair<const char*, const char*>> given) {
     Settings settings;
     for (const auto& [key, value] : given) {
         applySetting(settings, key, value).value();
     }
-    const auto plan = makePlan({std::make_shared<const Field>(*field), machineLibrary().front(), settings});
-    if (!plan) {
-        qWarning("%s", plan.error().line().c_str());
-        return nullptr;
-    }
-    return *plan;
+    return planOf(source, "agbot", settings);
 }
 
 /// What xmllint says to a file by one of the schemas; 0, too, where one of the two is not at hand.

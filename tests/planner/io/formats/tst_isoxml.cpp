@@ -50,14 +50,14 @@ private:
 
 void TestIsoxml::addCases() {
     QTest::addColumn<int>("index");
-    for (int i = 0; i < static_cast<int>(std::size(kCases)); ++i) {
-        QTest::newRow(kCases[i].name) << i;
+    for (int i = 0; i < static_cast<int>(std::size(kTaskDataCases)); ++i) {
+        QTest::newRow(kTaskDataCases[i].name) << i;
     }
 }
 
 std::shared_ptr<const Plan> TestIsoxml::currentPlan() {
     QFETCH(int, index);
-    return planOf(kCases[index].field());
+    return planOf(kTaskDataCases[index].field());
 }
 
 void TestIsoxml::holdsTheField_data() {
@@ -104,7 +104,7 @@ void TestIsoxml::holdsTheField() {
 }
 
 void TestIsoxml::obstaclesAndGates() {
-    const auto plan = planOf(fieldWithEverything());
+    const auto plan = planOf(fieldForTaskData());
     QVERIFY(plan);
     const Element field = parsed(isoxmlTaskData(*plan)).all("PFD").first();
     const QList<Element> polygons = field.all("PLN");
@@ -126,7 +126,7 @@ void TestIsoxml::obstaclesAndGates() {
 }
 
 void TestIsoxml::namesAreCutAndUnequal() {
-    const auto plan = planOf(fieldWithEverything());
+    const auto plan = planOf(fieldForTaskData());
     QVERIFY(plan);
     const Element field = parsed(isoxmlTaskData(*plan)).all("PFD").first();
     // 32 characters, counted by hand; the blank at the end of the second is left out before " 2".
@@ -151,7 +151,7 @@ void TestIsoxml::strangeNames_data() {
 void TestIsoxml::strangeNames() {
     QFETCH(QByteArray, name);
     QFETCH(QString, written);
-    FieldSource source = plainField();
+    FieldSource source = plainField().field;
     source.name = name.toStdString();
     const auto plan = planOf(source);
     QVERIFY(plan);
@@ -159,7 +159,7 @@ void TestIsoxml::strangeNames() {
 }
 
 void TestIsoxml::numbersHaveNineDecimals() {
-    const auto plan = planOf(fieldWithEverything());
+    const auto plan = planOf(fieldForTaskData());
     QVERIFY(plan);
     const std::string xml = isoxmlTaskData(*plan);
     static const std::regex point{R"x(<PNT A="\d+" C="([^"]*)" D="([^"]*)")x"};
@@ -192,9 +192,9 @@ void TestIsoxml::fitsTheSchema() {
 
 void TestIsoxml::fieldsKeepWhatTheyAreKnownBy() {
     // What another program knows it by; the sample of the format notes.
-    FieldContent known{.field = plainField()};
+    FieldContent known{.field = plainField().field};
     known.field.id = "{6F1D3C52-0C1E-4B7A-9B1D-4C3A2F0E9D10}";
-    FieldContent drawn{.field = plainField()};
+    FieldContent drawn{.field = plainField().field};
     const std::vector fields{known, drawn};
     const ExportJob job{.fields = fields};
     const auto made = writeIsoxml4(job);
@@ -230,7 +230,7 @@ void TestIsoxml::fieldsKeepWhatTheyAreKnownBy() {
 }
 
 void TestIsoxml::tasksForTerminalsThatWantThem() {
-    const auto plan = planOf(plainField());
+    const auto plan = planOf(plainField().field);
     QVERIFY(plan);
     const std::vector fields{contentOf(*plan)};
     for (const IsoxmlVersion version : {IsoxmlVersion::V3, IsoxmlVersion::V4}) {

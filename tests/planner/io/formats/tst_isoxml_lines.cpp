@@ -31,14 +31,14 @@ private:
 
 void TestIsoxmlLines::addCases() {
     QTest::addColumn<int>("index");
-    for (int i = 0; i < static_cast<int>(std::size(kCases)); ++i) {
-        QTest::newRow(kCases[i].name) << i;
+    for (int i = 0; i < static_cast<int>(std::size(kTaskDataCases)); ++i) {
+        QTest::newRow(kTaskDataCases[i].name) << i;
     }
 }
 
 std::shared_ptr<const Plan> TestIsoxmlLines::currentPlan() {
     QFETCH(int, index);
-    return planOf(kCases[index].field());
+    return planOf(kTaskDataCases[index].field());
 }
 
 void TestIsoxmlLines::lineLiesOnTheLongestSwathOfItsTrack_data() {
@@ -89,7 +89,7 @@ void TestIsoxmlLines::lineLiesOnTheLongestSwathOfItsTrack() {
 }
 
 void TestIsoxmlLines::oneLineForEachDirection() {
-    Plan plan = *planOf(plainField());
+    Plan plan = *planOf(plainField().field);
     const auto swath = [](Point from, Point to, int track) {
         return Swath{.start = from, .end = to, .number = 0, .track = track, .width = metres(2.5)};
     };
@@ -109,8 +109,8 @@ void TestIsoxmlLines::oneLineForEachDirection() {
 // ISO 11783-10: type 3 is a curve from point 6 over points 9 to point 7; type 4 with option 3 a full circle
 // about point 8 with its radius in millimetres. One stands for all that lie beside it.
 void TestIsoxmlLines::curvesAndPivots() {
-    const auto curve = planOf(
-        plainField(),
+    const auto curve = planWith(
+        plainField().field,
         {{"swaths.method", "ab-curve"},
          {"swaths.line",
           "LINESTRING ("
@@ -132,7 +132,7 @@ void TestIsoxmlLines::curvesAndPivots() {
     checkSchema(*curve);
 
     // A round field: rings only.
-    FieldSource round = plainField();
+    FieldSource round = plainField().field;
     round.parts.front().outer.clear();
     for (int i = 0; i < 90; ++i) {
         const double angle = i * M_PI / 45.0;
@@ -140,7 +140,7 @@ void TestIsoxmlLines::curvesAndPivots() {
             {9.0 + 0.0015 * std::cos(angle),
              52.0 + 0.0015 * std::cos(52.0 * M_PI / 180.0) * std::sin(angle)});
     }
-    const auto pivot = planOf(round, {{"swaths.method", "pivot"}, {"swaths.line", "POINT (9 52)"}});
+    const auto pivot = planWith(round, {{"swaths.method", "pivot"}, {"swaths.line", "POINT (9 52)"}});
     QVERIFY(pivot);
     QVERIFY(pivot->swaths.swaths[3].isClosed());
     bool found = false;
@@ -166,7 +166,7 @@ void TestIsoxmlLines::curvesAndPivots() {
 
 // Beside the AB line a group for each tramline, which is not laid beside itself (propagation 4).
 void TestIsoxmlLines::tramlinesAreLinesOfTheirOwn() {
-    const auto plan = planOf(plainField(), {{"swaths.tramline_every", "8"}});
+    const auto plan = planWith(plainField().field, {{"swaths.tramline_every", "8"}});
     QVERIFY(plan);
     const auto tramlines = std::ranges::count_if(plan->swaths.swaths, &Swath::tramline);
     QVERIFY(tramlines > 3);
@@ -183,10 +183,10 @@ void TestIsoxmlLines::tramlinesAreLinesOfTheirOwn() {
 }
 
 void TestIsoxmlLines::tramlinesBesideAPlus() {
-    const auto plan = planOf(plainField(), {{"swaths.method", "a-plus"},
-                                            {"swaths.line", "POINT(9.0005 52.0005)"},
-                                            {"swaths.angle_deg", "30"},
-                                            {"swaths.tramline_every", "8"}});
+    const auto plan = planWith(plainField().field, {{"swaths.method", "a-plus"},
+                                                    {"swaths.line", "POINT(9.0005 52.0005)"},
+                                                    {"swaths.angle_deg", "30"},
+                                                    {"swaths.tramline_every", "8"}});
     QVERIFY(plan);
     const auto tramlines = std::ranges::count_if(plan->swaths.swaths, &Swath::tramline);
     QVERIFY(tramlines > 3);
