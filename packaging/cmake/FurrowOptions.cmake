@@ -34,3 +34,17 @@ target_compile_options(furrow_warnings INTERFACE
     # Members that are left out of an initialiser have defaults; that is what designated ones are for.
     -Wno-missing-field-initializers
     $<$<BOOL:${FURROW_WARNINGS_ARE_ERRORS}>:-Werror>)
+
+# moc runs again where a source has changed, but not where one was added.
+function(furrow_look_at_new_sources program)
+    get_target_property(sources ${program} SOURCES)
+    set(list ${CMAKE_CURRENT_BINARY_DIR}/${program}_sources.txt)
+    set(known "")
+    if(EXISTS ${list})
+        file(READ ${list} known)
+    endif()
+    if(NOT known STREQUAL "${sources}")
+        file(REMOVE ${CMAKE_CURRENT_BINARY_DIR}/${program}_autogen/timestamp)
+        file(WRITE ${list} "${sources}")
+    endif()
+endfunction()

@@ -137,31 +137,51 @@ Curve lineOf(const FinishingPass& pass, const Machine& machine) {
         .pieces = {{.length = metres(norm(way)), .curvature = {}}}};
 }
 
-LeftLand::LeftLand(MultiPolygon all) : pieces{std::move(all)} {
-    for (const Polygon& piece : pieces) {
-        boxes.push_back(bounds({piece}));
-        inAll += area(piece);
-        largest = std::max(largest, area(piece));
+bool touch(const Bounds& a, const Bounds& b) {
+    return a.min.x <= b.max.x && a.max.x >= b.min.x && a.min.y <= b.max.y && a.max.y >= b.min.y;
+}
+
+LeftLand::LeftLand(const MultiPolygon& all) {
+    for (const Polygon& piece : all) {
+        pieces_.push_back({piece, bounds({piece}), furrow::area(piece)});
+        inAll_ += pieces_.back().area;
+        largest_ = std::max(largest_, pieces_.back().area);
     }
 }
 
-bool LeftLand::liesBy(std::size_t piece, const Bounds& box) const {
-    const Bounds& own = boxes[piece];
-    return own.min.x <= box.max.x && own.max.x >= box.min.x && own.min.y <= box.max.y &&
-           own.max.y >= box.min.y;
-}
-
-Result<MultiPolygon> LeftLand::without(const MultiPolygon& worked, const JobContext& job) const {
+Result<LeftLand::Cut> LeftLand::cutBy(const MultiPolygon& worked, const JobContext& job) const {
     const Bounds box = bounds(worked);
+    Cut made{.cut = {}, .rest = {}, .inAll = inAll_, .largest = {}};
     MultiPolygon near;
-    MultiPolygon rest;
-    for (std::size_t i = 0; i < pieces.size(); ++i) {
-        (liesBy(i, box) ? near : rest).push_back(pieces[i]);
+    for (std::size_t i = 0; i < pieces_.size(); ++i) {
+        if (touch(pieces_[i].box, box)) {
+            made.cut.push_back(i);
+            made.inAll = made.inAll - pieces_[i].area;
+            near.push_back(pieces_[i].outline);
+        } else {
+            made.largest = std::max(made.largest, pieces_[i].area);
+        }
     }
-    return difference(near, worked, job).transform([&](MultiPolygon cut) {
-        std::ranges::move(cut, std::back_inserter(rest));
-        return std::move(rest);
+    return difference(near, worked, job).transform([&](const MultiPolygon& rest) {
+        const LeftLand left{rest};
+        made.rest = left.pieces_;
+        made.inAll += left.inAll_;
+        made.largest = std::max(made.largest, left.largest_);
+        return std::move(made);
     });
+}
+
+void LeftLand::take(Cut cut) {
+    for (const std::size_t gone : cut.cut | std::views::reverse) {
+        pieces_.erase(pieces_.begin() + static_cast<std::ptrdiff_t>(gone));
+    }
+    std::ranges::move(cut.rest, std::back_inserter(pieces_));
+    inAll_ = cut.inAll;
+    largest_ = cut.largest;
+}
+
+void LeftLand::sortLargestFirst() {
+    std::ranges::stable_sort(pieces_, std::ranges::greater{}, &Piece::area);
 }
 
 FinishingLanes::FinishingLanes(const FinishingTask& task)
@@ -221,9 +241,9 @@ double FinishingLanes::landBesideM2(const FinishingLane& lane, const LeftLand& l
         widthM_);
     const Bounds box = bounds({{.outer = strip, .holes = {}}});
     double sumM2 = 0.0;
-    for (std::size_t i = 0; i < left.pieces.size(); ++i) {
-        if (left.liesBy(i, box)) {
-            sumM2 += inStripM2(left.pieces[i], strip);
+    for (const LeftLand::Piece& piece : left.pieces()) {
+        if (touch(piece.box, box)) {
+            sumM2 += inStripM2(piece.outline, strip);
         }
     }
     return sumM2;
@@ -239,13 +259,13 @@ std::optional<FinishingPass> FinishingLanes::passAlong(const FinishingLane& lane
     FinishingPass candidate;
     double beginsM = lane.toM;
     double endsM = lane.fromM;
-    for (std::size_t i = 0; i < left.pieces.size(); ++i) {
-        if (!left.liesBy(i, box)) {
+    for (const LeftLand::Piece& piece : left.pieces()) {
+        if (!touch(piece.box, box)) {
             continue;
         }
-        const Ring inStrip = clipped(left.pieces[i].outer, strip);
+        const Ring inStrip = clipped(piece.outline.outer, strip);
         candidate.gainM2 += signedAreaM2(inStrip);
-        for (const Ring& hole : left.pieces[i].holes) {
+        for (const Ring& hole : piece.outline.holes) {
             candidate.gainM2 += signedAreaM2(clipped(hole, strip));
         }
         for (const Point& point : inStrip) {

@@ -32,19 +32,40 @@ struct FinishingLane {
     bool isFree = false;  ///< known to have room for the machine
 };
 
-/// The land that is left, with the boxes of its pieces.
-struct LeftLand {
-    explicit LeftLand(MultiPolygon all);
+/// The land that is left, in pieces.
+class LeftLand {
+public:
+    struct Piece {
+        Polygon outline;
+        Bounds box;
+        Area area;
+    };
+    /// What one more pass makes of it.
+    struct Cut {
+        std::vector<std::size_t> cut;  ///< pieces that the pass may touch, by index, rising
+        std::vector<Piece> rest;       ///< of them
+        Area inAll;
+        Area largest;
+    };
 
-    bool liesBy(std::size_t piece, const Bounds& box) const;
-    /// The land left after one more pass. Cancelled.
-    Result<MultiPolygon> without(const MultiPolygon& worked, const JobContext& job) const;
+    explicit LeftLand(const MultiPolygon& all);
 
-    MultiPolygon pieces;
-    std::vector<Bounds> boxes;
-    Area inAll;
-    Area largest;
+    const std::vector<Piece>& pieces() const { return pieces_; }
+    Area inAll() const { return inAll_; }
+    Area largest() const { return largest_; }
+
+    /// Cost: that of GEOS for the pieces near by. Cancelled.
+    Result<Cut> cutBy(const MultiPolygon& worked, const JobContext& job) const;
+    void take(Cut cut);
+    void sortLargestFirst();
+
+private:
+    std::vector<Piece> pieces_;
+    Area inAll_;
+    Area largest_;
 };
+
+bool touch(const Bounds& a, const Bounds& b);
 
 /// Finds lanes for one task, which it refers to.
 class FinishingLanes {

@@ -28,11 +28,11 @@ struct Chosen {
 };
 
 bool isTooMuchInAll(const FinishingTask& task, const LeftLand& left) {
-    return left.inAll > task.mayStay;
+    return left.inAll() > task.mayStay;
 }
 
 bool isTooMuch(const FinishingTask& task, const LeftLand& left) {
-    return isTooMuchInAll(task, left) || left.largest > task.mayStayInOnePiece;
+    return isTooMuchInAll(task, left) || left.largest() > task.mayStayInOnePiece;
 }
 
 /// Takes the pass with the largest gain, again and again, while too much is left. Each pass can only lower
@@ -77,15 +77,14 @@ Result<void> chooseBest(std::vector<FinishingLane> lanes, const FinishingLanes& 
             putBack(lane);
             continue;
         }
-        auto rest = chosen.left.without({{.outer = stripOf(*found, finder.widthM()), .holes = {}}}, job);
-        if (!rest) {
-            return std::unexpected(rest.error());
+        auto after = chosen.left.cutBy({{.outer = stripOf(*found, finder.widthM()), .holes = {}}}, job);
+        if (!after) {
+            return std::unexpected(after.error());
         }
-        LeftLand after{std::move(*rest)};
         // Once enough is worked in total, only a pass that makes a large piece smaller is useful.
-        if (isTooMuchInAll(task, chosen.left) || after.largest < chosen.left.largest) {
+        if (isTooMuchInAll(task, chosen.left) || after->largest < chosen.left.largest()) {
             chosen.passes.push_back(lineOf(*found, task.lowered.machine()));
-            chosen.left = std::move(after);
+            chosen.left.take(*std::move(after));
             putBack(lane);
         }
     }
@@ -105,29 +104,29 @@ Result<void> chooseBends(const FinishingLanes& finder, const FinishingTask& task
         if (job.stopRequested()) {
             return std::unexpected(cancelled());
         }
-        if (givenUp >= chosen.left.pieces.size()) {
+        if (givenUp >= chosen.left.pieces().size()) {
             break;
         }
-        const Polygon& piece = chosen.left.pieces[givenUp];
-        const bool isOfUse = isTooMuchInAll(task, chosen.left) || area(piece) > task.mayStayInOnePiece;
-        if (area(piece).si() < finder.leastGainM2() || !isOfUse) {
+        const LeftLand::Piece& piece = chosen.left.pieces()[givenUp];
+        const bool isOfUse = isTooMuchInAll(task, chosen.left) || piece.area > task.mayStayInOnePiece;
+        if (piece.area.si() < finder.leastGainM2() || !isOfUse) {
             break;
         }
         ++givenUp;
-        auto pass = isAtEdge(piece) ? task.bends->over(piece, isRefused, job) : std::nullopt;
+        auto pass = isAtEdge(piece.outline) ? task.bends->over(piece.outline, isRefused, job) : std::nullopt;
         if (!pass) {
             continue;
         }
-        auto rest = chosen.left.without(pass->worked, job);
-        if (!rest) {
-            return std::unexpected(rest.error());
+        auto after = chosen.left.cutBy(pass->worked, job);
+        if (!after) {
+            return std::unexpected(after.error());
         }
-        if ((chosen.left.inAll - area(*rest)).si() < finder.leastGainM2()) {
+        if ((chosen.left.inAll() - after->inAll).si() < finder.leastGainM2()) {
             continue;
         }
-        std::ranges::stable_sort(*rest, std::ranges::greater{}, [](const Polygon& one) { return area(one); });
         chosen.passes.push_back(std::move(pass->line));
-        chosen.left = LeftLand{std::move(*rest)};
+        chosen.left.take(*std::move(after));
+        chosen.left.sortLargestFirst();
         --givenUp;
     }
     return {};
@@ -150,9 +149,9 @@ Result<std::vector<HeadlandPass>> finishingPasses(const FinishingTask& task, con
             break;
         }
         std::vector<FinishingLane> lanes;
-        for (const Polygon& piece : chosen.left.pieces) {
-            if (area(piece).si() >= finder.leastGainM2()) {
-                std::ranges::move((finder.*lanesOver)(piece), std::back_inserter(lanes));
+        for (const LeftLand::Piece& piece : chosen.left.pieces()) {
+            if (piece.area.si() >= finder.leastGainM2()) {
+                std::ranges::move((finder.*lanesOver)(piece.outline), std::back_inserter(lanes));
             }
             if (job.stopRequested()) {
                 return std::unexpected(cancelled());

@@ -69,8 +69,6 @@ std::vector<Point> placesIn(const Polygon& piece) {
     return places;
 }
 
-using WorkingLine = std::pair<Point, Point>;
-
 void addSwept(const WorkingLine& from, const WorkingLine& to, MultiPolygon& swept) {
     for (Ring ring : {Ring{from.first, to.first, to.second}, Ring{from.first, to.second, from.second}}) {
         const double twice = signedAreaM2(ring);
@@ -89,6 +87,8 @@ FullLockPasses::FullLockPasses(const Rig& lowered, PassAccessFinder access)
     : lowered_{&lowered},
       access_{std::move(access)},
       trailer_{Trailer::of(lowered.machine())},
+      look_{trailer_ ? std::min(kLook, trailer_->longestStep()) : kLook},
+      bends_{FullLockBend{lowered, 1.0, kMostRounds, look_}, FullLockBend{lowered, -1.0, kMostRounds, look_}},
       radiusM_{lowered.machine().minTurningRadius().si()} {}
 
 Result<FullLockPasses> FullLockPasses::of(const MultiPolygon& drivable, const Rig& lowered,
@@ -105,18 +105,6 @@ Result<FullLockPasses> FullLockPasses::of(const MultiPolygon& drivable, const Ri
         passes.middles_ = std::move(middles);
         return std::move(passes);
     });
-}
-
-std::pair<Point, Point> FullLockPasses::workingLine(const RigState& state) const {
-    const Implement& implement = lowered_->machine().spec().implement;
-    const Point ahead = direction(state.implement.si());
-    const Point left{-ahead.y, ahead.x};
-    const Point carried =
-        trailer_ ? trailer_->poseOf(state.tractor, state.implement).position : state.tractor.position;
-    const double behindM = trailer_ ? -trailer_->trailingM : implement.offset.si();
-    const Point middle = carried + behindM * ahead + implement.lateralOffset.si() * left;
-    const Point half = 0.5 * implement.operatingWidth.si() * left;
-    return {middle - half, middle + half};
 }
 
 std::optional<Point> FullLockPasses::nearestMiddle(Point place) const {
@@ -188,14 +176,10 @@ public:
           places_{placesIn(piece)},
           areaEachM2_{area(piece).si() / static_cast<double>(std::max<std::size_t>(1, places_.size()))},
           widthM_{lowered_.machine().operatingWidth().si()},
-          look_{passes.trailer_ ? std::min(kLook, passes.trailer_->longestStep()) : kLook},
           swings_{1.0 +
                   (passes.trailer_ ? widthM_ / passes.trailer_->trailingM : widthM_ / passes.radiusM_)} {
         for (const Point& place : places_) {
             mean_ = mean_ + (1.0 / static_cast<double>(places_.size())) * place;
-        }
-        for (const Point& place : places_) {
-            farthestM_ = std::max(farthestM_, distance(place, mean_));
         }
     }
 
@@ -234,13 +218,11 @@ public:
             const double mostM2 =
                 gainM2(static_cast<std::size_t>(within), leadM + kLengthsOut * passes_.straightM_);
             for (int i = 0; i < 2 * kBegins && mostM2 > kWorthAsking * bestM2_ && !job.stopRequested(); ++i) {
-                const int step = i / 2;  // both sides at each
-                const double begin = 2.0 * std::numbers::pi * step / kBegins;
-                const double side = i % 2 == 0 ? 1.0 : -1.0;
-                const double aheadRad =
-                    wrappedAngle(radians(side * (std::atan2(-inwards.y, -inwards.x) - begin))).si();
-                if (std::abs(aheadRad) > kLeastBeforeRad) {
-                    add(around, begin, side, leadM, candidates);
+                const Angle begin =
+                    radians(2.0 * std::numbers::pi * (i / 2) / kBegins);  // both sides at each
+                const Angle ahead = wrappedAngle(radians(std::atan2(-inwards.y, -inwards.x)) - begin);
+                if (std::abs(ahead.si()) > kLeastBeforeRad) {
+                    add(passes_.bends_[static_cast<std::size_t>(i % 2)], around, begin, leadM, candidates);
                 }
             }
         }
@@ -251,96 +233,102 @@ private:
         return areaEachM2_ * static_cast<double>(worked) - kWorthShare * widthM_ * wayM;
     }
 
-    /// `side` is positive for a bend to the left, with the middle on the left.
-    void add(Point middle, double begin, double side, double leadM, std::vector<Candidate>& candidates) {
-        const Pose on{.position = middle + passes_.radiusM_ * direction(begin),
-                      .heading = radians(begin + side * 0.5 * std::numbers::pi)};
+    /// The states at which the implement first passes over places of the piece, rising.
+    std::vector<std::size_t> statesOverPlaces(const FullLockBend& bend, Point middle, Angle begin) const {
+        const Point ahead = direction(begin.si());
+        std::vector<std::size_t> states;
+        for (const Point& place : places_) {
+            const Point away = place - middle;
+            if (const auto state = bend.firstOver({dot(ahead, away), cross(ahead, away)})) {
+                states.push_back(*state);
+            }
+        }
+        std::ranges::sort(states);
+        return states;
+    }
+
+    void add(const FullLockBend& bend, Point middle, Angle begin, double leadM,
+             std::vector<Candidate>& candidates) {
+        const CurvePiece lead{.length = metres(leadM), .curvature = {}};
+        const CurvePiece out{.length = metres(kLengthsOut * passes_.straightM_), .curvature = {}};
+        const auto isWorthIt = [&](std::size_t worked, Length way) {
+            return gainM2(worked, (lead.length + way + out.length).si()) > kWorthAsking * bestM2_;
+        };
+        std::vector<std::size_t> states = statesOverPlaces(bend, middle, begin);
+        if (states.empty() || !isWorthIt(states.size(), {})) {
+            return;
+        }
+        const Pose on = bend.stateAt(0, middle, begin).tractor;
         const Pose start{.position = on.position - leadM * direction(on.heading.si()), .heading = on.heading};
         if (lowered_.roomM(Rig::inLine(on)) < kSpareM || lowered_.roomM(Rig::inLine(start)) < kSpareM) {
             return;
         }
-        const CurvePiece lead{.length = metres(leadM), .curvature = {}};
-        const auto in = lowered_.driven(Rig::inLine(start), lead);
-        if (!in) {
+        if (!lowered_.driven(Rig::inLine(start), lead)) {
             return;
         }
-        const CurvePiece arc{.length = metres(kMostRounds * 2.0 * std::numbers::pi * passes_.radiusM_),
-                             .curvature = Curvature::fromSi(side / passes_.radiusM_)};
-        follow(*in, arc);
-        if (worked_ == 0) {
+        InsideSoFar inside{*this, bend, middle, begin};
+        while (!states.empty() && !inside.upTo(states.back())) {
+            states.pop_back();
+        }
+        if (states.empty()) {
             return;
         }
         // Leave the bend as soon as there is room.
-        const CurvePiece out{.length = metres(kLengthsOut * passes_.straightM_), .curvature = {}};
-        const double stepM = arc.length.si() / std::ceil(arc.length / look_);
-        for (std::size_t end = lastUse_; end < states_.size(); end += kExitSteps) {
-            const double wayM = stepM * static_cast<double>(end);
-            const double gain = gainM2(worked_, leadM + wayM + out.length.si());
-            if (gain <= kWorthAsking * bestM2_) {
-                return;
-            }
-            if (out.length == Length{} || lowered_.driven(states_[end], out)) {
+        for (std::size_t end = states.back(); isWorthIt(states.size(), bend.wayTo(end)) && inside.upTo(end);
+             end += kExitSteps) {
+            if (out.length == Length{} || lowered_.driven(bend.stateAt(end, middle, begin), out)) {
+                const Length way = bend.wayTo(end);
+                const double gain = gainM2(states.size(), (lead.length + way + out.length).si());
                 bestM2_ = std::max(bestM2_, gain);
                 Curve line{.type = {}, .start = start, .pieces = {}};
-                const CurvePiece bend{.length = metres(wayM), .curvature = arc.curvature};
-                std::ranges::copy_if(std::array{lead, bend, out}, std::back_inserter(line.pieces),
+                const CurvePiece round{.length = way, .curvature = bend.curvature()};
+                std::ranges::copy_if(std::array{lead, round, out}, std::back_inserter(line.pieces),
                                      [](const CurvePiece& part) { return part.length > Length{}; });
-                candidates.push_back({.line = std::move(line), .gainM2 = gain, .worked = worked_});
+                candidates.push_back({.line = std::move(line), .gainM2 = gain, .worked = states.size()});
                 return;
             }
         }
     }
 
-    /// Follows the bend as far as it stays inside.
-    void follow(const RigState& from, const CurvePiece& arc) {
-        states_ = {from};
-        lastUse_ = 0;
-        unworked_ = places_;
-        const double reachM = 0.5 * widthM_ + 2.0 * look_.si();
-        const double reachM2 = reachM * reachM;
-        WorkingLine last = passes_.workingLine(from);
-        double freeM = 0.0;
-        static_cast<void>(lowered_.follow(from, arc, look_, [&](const RigState& state) {
-            freeM -= look_.si();
-            if (freeM <= 0.0) {
-                const double roomM = lowered_.roomM(state);
-                if (roomM < kSpareM) {
-                    return false;
+    /// How far a bend stays inside, looked at as far as somebody asks.
+    class InsideSoFar {
+    public:
+        InsideSoFar(const Trial& trial, const FullLockBend& bend, Point middle, Angle begin)
+            : trial_{trial}, bend_{bend}, middle_{middle}, begin_{begin} {}
+
+        bool upTo(std::size_t state) {
+            if (state >= bend_.stateCount()) {
+                return false;
+            }
+            while (!isOutside_ && next_ <= state) {
+                const double roomM = trial_.lowered_.roomM(bend_.stateAt(next_, middle_, begin_));
+                isOutside_ = roomM < kSpareM;
+                if (!isOutside_) {
+                    // No state on this way is without room.
+                    const Length free = metres((roomM - kSpareM) / trial_.swings_);
+                    next_ += 1 + static_cast<std::size_t>(free / bend_.wayTo(1));
                 }
-                freeM = (roomM - kSpareM) / swings_;
             }
-            const WorkingLine line = passes_.workingLine(state);
-            const std::array ring{last.first, line.first, line.second, last.second};
-            const Point middle = 0.5 * (line.first + line.second);
-            if (distance(mean_, middle) < reachM + farthestM_ && std::erase_if(unworked_, [&](Point place) {
-                                                                     const Point away = place - middle;
-                                                                     return dot(away, away) < reachM2 &&
-                                                                            isInside(ring, place);
-                                                                 }) > 0) {
-                lastUse_ = states_.size();
-            }
-            states_.push_back(state);
-            last = line;
-            return true;
-        }));
-        worked_ = places_.size() - unworked_.size();
-    }
+            return state < next_;
+        }
+
+    private:
+        const Trial& trial_;
+        const FullLockBend& bend_;
+        Point middle_;
+        Angle begin_;
+        std::size_t next_ = 1;  ///< to be looked at
+        bool isOutside_ = false;
+    };
 
     const FullLockPasses& passes_;
     const Rig& lowered_;
     std::vector<Point> places_;
-    std::vector<Point> unworked_;  ///< of the places, by the last bend
     Point mean_;
-    double farthestM_ = 0.0;  ///< of the places from their mean
     double areaEachM2_;
     double widthM_;
-    Length look_;
     double swings_;  ///< largest move of any point for one metre of way
     double bestM2_ = 0.0;
-    // The last bend: its states, the number of worked places, and the last state that worked a new place.
-    std::vector<RigState> states_;
-    std::size_t worked_ = 0;
-    std::size_t lastUse_ = 0;
 };
 
 std::optional<BentPass> FullLockPasses::over(const Polygon& piece,
@@ -381,10 +369,10 @@ std::optional<BentPass> FullLockPasses::over(const Polygon& piece,
 std::optional<BentPass> FullLockPasses::worked(Curve line, const JobContext& job) const {
     MultiPolygon swept;
     RigState at = Rig::inLine(line.start);
-    WorkingLine last = workingLine(at);
+    WorkingLine last = workingLine(at, lowered_->machine(), trailer_);
     for (const CurvePiece& part : line.pieces) {
         at = *lowered_->follow(at, part, metres(kSweptM), [&](const RigState& state) {
-            const WorkingLine now = workingLine(state);
+            const WorkingLine now = workingLine(state, lowered_->machine(), trailer_);
             addSwept(last, now, swept);
             last = now;
             return true;

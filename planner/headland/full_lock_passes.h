@@ -1,12 +1,12 @@
 #pragma once
 
 #include "planner/geometry/polygon.h"
+#include "planner/headland/full_lock_bend.h"
 #include "planner/jobs/job.h"
 #include "planner/turns/rig.h"
 
 #include <functional>
 #include <optional>
-#include <utility>
 #include <vector>
 
 namespace furrow {
@@ -33,7 +33,8 @@ public:
 
     /// The pass that works most of a piece: straight in, on full lock as far round as is useful, straight
     /// out. The implement is in line at both ends. Empty if no pass has room to work any of the piece, or a
-    /// way in and out. That piece is then not tried again. Cost: some thousand bends driven.
+    /// way in and out. That piece is then not tried again. Cost: some thousand bends, of which the room is
+    /// looked at where they may be the best.
     /// @param isRefused  whether nearly the same pass has failed before
     std::optional<BentPass> over(const Polygon& piece, const std::function<bool(const Curve&)>& isRefused,
                                  const JobContext& job);
@@ -43,14 +44,14 @@ private:
     FullLockPasses(const Rig& lowered, PassAccessFinder access);
 
     std::optional<BentPass> worked(Curve line, const JobContext& job) const;
-    /// The line on which the implement works.
-    std::pair<Point, Point> workingLine(const RigState& state) const;
     std::optional<Point> nearestMiddle(Point place) const;
 
     const Rig* lowered_;
     PassAccessFinder access_;
     std::optional<Trailer> trailer_;
-    double radiusM_ = 0.0;    ///< of the circle that the tractor drives
+    Length look_;                      ///< between two states of a bend
+    std::vector<FullLockBend> bends_;  ///< to the left, to the right
+    double radiusM_ = 0.0;             ///< of the circle that the tractor drives
     double outerM_ = 0.0;     ///< of the circle that the outer end of the implement finally describes
     double straightM_ = 0.0;  ///< distance until the implement is in line
     MultiPolygon middles_;    ///< of the circles that the outer end of the implement may describe
